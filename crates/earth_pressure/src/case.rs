@@ -1,0 +1,191 @@
+use soilctl_soil::{Angle, Interface, MAX_ANGLE_SUM_DEG, Plate, SlantCoefficient, Soil, SoilError};
+
+use crate::EarthPressureError;
+
+/// The four angles that a force coefficient depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Case {
+    /// Tool angle alpha.
+    pub tool_angle: Angle,
+    /// Surface slope beta, positive when the ground rises ahead of the plate.
+    pub surface_slope: Angle,
+    /// Soil friction phi.
+    pub friction: Angle,
+    /// Interface friction delta.
+    pub interface: Angle,
+}
+
+impl Case {
+    /// A case with a level surface, from degrees.
+    #[must_use]
+    pub fn level_deg(alpha: f64, phi: f64, delta: f64) -> Self {
+        Self::from_deg(alpha, 0.0, phi, delta)
+    }
+
+    /// A case from degrees.
+    #[must_use]
+    pub fn from_deg(alpha: f64, beta: f64, phi: f64, delta: f64) -> Self {
+        Self {
+            tool_angle: Angle::from_degrees(alpha),
+            surface_slope: Angle::from_degrees(beta),
+            friction: Angle::from_degrees(phi),
+            interface: Angle::from_degrees(delta),
+        }
+    }
+
+    /// The case of a plate in a soil.
+    #[must_use]
+    pub fn of(plate: &Plate, soil: &Soil, interface: &Interface) -> Self {
+        Self {
+            tool_angle: plate.tool_angle(),
+            surface_slope: plate.surface_slope(),
+            friction: soil.friction(),
+            interface: interface.friction(),
+        }
+    }
+
+    /// Refuses what no model can answer: delta above phi, a surface steeper than phi, alpha + delta of 175 deg
+    /// or more.
+    pub(crate) fn check(&self, model: &'static str) -> Result<(), EarthPressureError> {
+        let (phi, delta, beta) =
+            (self.friction.degrees(), self.interface.degrees(), self.surface_slope.degrees());
+        if delta > phi + 1e-9 {
+            return Err(SoilError::InterfaceRougherThanSoil { delta_deg: delta, phi_deg: phi }.into());
+        }
+        if self.tool_angle.degrees() + delta >= MAX_ANGLE_SUM_DEG {
+            return Err(self.singular(
+                model,
+                "alpha + delta is 175 deg or more, so the plate's force is nearly vertical; lower either",
+            ));
+        }
+        if beta.abs() > phi {
+            return Err(self.singular(
+                model,
+                "the surface is steeper than the friction angle, so it slides by itself; use |beta| <= phi",
+            ));
+        }
+        Ok(())
+    }
+
+    pub(crate) fn singular(&self, model: &'static str, reason: &'static str) -> EarthPressureError {
+        EarthPressureError::Singular {
+            model,
+            alpha_deg: self.tool_angle.degrees(),
+            phi_deg: self.friction.degrees(),
+            delta_deg: self.interface.degrees(),
+            reason,
+        }
+    }
+
+    /// The soil behind the plate, as the models see it: mirrored, so that it too lies ahead.
+    pub(crate) fn mirrored(&self) -> Self {
+        Self {
+            tool_angle: Angle::from_radians(std::f64::consts::PI - self.tool_angle.radians()),
+            surface_slope: -self.surface_slope,
+            ..*self
+        }
+    }
+}
+
+/// What each kind of load adds to the force on the plate, slant-normalised, per unit width:
+/// `F = 1/2 gamma L^2 weight + q L surcharge + c L cohesion + c_a L adhesion`.
+///
+/// The terms are superposed: all four are taken on the mechanism that is critical for the weight of the soil
+/// (Reece 1965), which for an upper-bound mechanism stays an upper bound, a few per cent above the joint
+/// optimum. `q` is a vertical pressure per unit of surface area on both sides of the plate.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LoadFactors {
+    /// Soil weight.
+    pub weight: f64,
+    /// Surcharge.
+    pub surcharge: f64,
+    /// Cohesion.
+    pub cohesion: f64,
+    /// Adhesion.
+    pub adhesion: f64,
+}
+
+impl LoadFactors {
+    /// Passive minus active. Cohesion and adhesion resist on both sides, so theirs add up.
+    pub(crate) fn net(passive: Self, active: Self) -> Self {
+        Self {
+            weight: passive.weight - active.weight,
+            surcharge: passive.surcharge - active.surcharge,
+            cohesion: passive.cohesion + active.cohesion,
+            adhesion: passive.adhesion + active.adhesion,
+        }
+    }
+}
+
+/// Loads beside the weight of the soil.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Loads {
+    /// Cohesion in Pa.
+    pub cohesion_pa: f64,
+    /// Adhesion in Pa.
+    pub adhesion_pa: f64,
+    /// Surcharge in Pa, on both sides of the plate.
+    pub surcharge_pa: f64,
+}
+
+impl Loads {
+    /// The first load that is not zero, by name.
+    #[must_use]
+    pub fn any(&self) -> Option<&'static str> {
+        [("cohesion", self.cohesion_pa), ("adhesion", self.adhesion_pa), ("surcharge", self.surcharge_pa)]
+            .into_iter()
+            .find(|&(_, value)| value != 0.0)
+            .map(|(name, _)| name)
+    }
+}
+
+/// Answer of a model for one case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Prediction {
+    /// Passive side; `None` where a table has no split.
+    pub passive: Option<LoadFactors>,
+    /// Active side; its cohesion and adhesion factors are what these take away from the active thrust.
+    pub active: Option<LoadFactors>,
+    /// Passive minus active.
+    pub net: LoadFactors,
+    /// Ends of the bracket on `net.weight`; both equal to it for a point prediction.
+    pub net_lower: SlantCoefficient,
+    /// See `net_lower`.
+    pub net_upper: SlantCoefficient,
+    /// By how much, relatively, interpolation in a table may be wrong; 0 for a solved cell or a formula.
+    pub interpolation_margin: f64,
+    /// What the user should know about this number.
+    pub notes: Vec<&'static str>,
+}
+
+impl Prediction {
+    pub(crate) fn from_sides(passive: LoadFactors, active: LoadFactors) -> Self {
+        let net = LoadFactors::net(passive, active);
+        Self {
+            passive: Some(passive),
+            active: Some(active),
+            net,
+            net_lower: SlantCoefficient(net.weight),
+            net_upper: SlantCoefficient(net.weight),
+            interpolation_margin: 0.0,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Slant-normalised coefficient of the weight term.
+    #[must_use]
+    pub fn k_net(&self) -> SlantCoefficient {
+        SlantCoefficient(self.net.weight)
+    }
+
+    /// Failure force in N on a plate in a soil, with all loads.
+    #[must_use]
+    pub fn force_n(&self, plate: &Plate, soil: &Soil, loads: &Loads) -> f64 {
+        let per_length = plate.slant_length_m() * plate.width_m();
+        plate.weight_scale_n(soil) * self.net.weight
+            + per_length
+                * (loads.surcharge_pa * self.net.surcharge
+                    + loads.cohesion_pa * self.net.cohesion
+                    + loads.adhesion_pa * self.net.adhesion)
+    }
+}

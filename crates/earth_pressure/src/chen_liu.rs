@@ -1,0 +1,253 @@
+//! Chen & Liu's upper bound (1990, section 5.3): a rigid triangle at the plate, a logarithmic-spiral shear zone
+//! and a rigid triangle at the surface, with zero wall dilation (v_w = 0); Hong (2001), eqs 4.20 and 4.21.
+//!
+//! With the plate's top as pole, `r0 = L cos(rho - phi) / cos(phi)` the first radius, `x = alpha - rho - psi`
+//! the dip of the last radius and `t = tan(phi)`, the power of the plate's force, `P cos(rho + delta)`, equals
+//!
+//! ```text
+//! weight     1/2 gamma [ L r0 sin(rho) cos(alpha-rho) + r0^2 I(3t) + r0^2 e^(3 t psi) cos(phi) sin(x+beta) cos(x) / cos(x+beta+phi) ]
+//! surcharge  q r0 e^(2 t psi) cos(phi) cos(x) / cos(x+beta+phi)
+//! cohesion   c [ L sin(rho) + r0 (e^(2 t psi) - 1) / t + r0 e^(2 t psi) sin(x+beta) cos(phi) / cos(x+beta+phi) ]
+//! adhesion   c_a L sin(rho)
+//! ```
+//!
+//! with `I(b)` the integral of `e^(b s) cos(alpha-rho-s)` over the spiral. Negating phi and delta and mirroring
+//! alpha and beta gives the active side, which is maximised.
+//!
+//! **Two variables, one search.** The derivative of the weight term by psi at fixed rho is `e^(3 t psi)` times a
+//! function of x alone, which vanishes where `tan(x+beta+phi) - tan(x) = 2 tan(phi)`, that is at
+//! `x = 45 deg - phi/2 - (beta + omega)/2`, `sin(omega) = sin(beta)/sin(phi)`: the Rankine direction. So psi is
+//! known for every rho (0 where the Rankine fan has not opened), and only rho has to be searched. With psi = 0 the
+//! mechanism is Coulomb's wedge.
+
+use std::f64::consts::FRAC_PI_2;
+
+use soilctl_soil::Angle;
+
+use crate::minimise::minimise;
+use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRange};
+use crate::{Case, EarthPressureError, LoadFactors, Prediction};
+
+const ID: &str = "chen";
+/// Points of the first scan over rho, on an interval of at most 90 degrees.
+const SCAN: usize = 16;
+
+/// Chen & Liu's log-sandwich upper bound.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ChenLiu;
+
+impl ForceModel for ChenLiu {
+    fn id(&self) -> &'static str {
+        ID
+    }
+
+    fn reference(&self) -> &'static str {
+        "Chen & Liu 1990, Limit Analysis in Soil Mechanics, section 5.3; kinematic upper bound on each side"
+    }
+
+    fn valid_range(&self) -> ValidRange {
+        ValidRange::closed_form()
+    }
+
+    fn has_load_terms(&self, _case: &Case) -> bool {
+        true
+    }
+
+    fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
+        self.valid_range().check(ID, case)?;
+        Ok(Prediction::from_sides(passive(case)?, active(case)))
+    }
+
+    fn at(
+        &self,
+        tool_angle: Angle,
+        surface_slope: Angle,
+    ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
+        self.valid_range().check_geometry(ID, tool_angle, surface_slope)?;
+        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope }))
+    }
+
+    fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
+        self.valid_range().check(ID, case)?;
+        let mechanism = Mechanism::new(case, 1.0);
+        let rho = mechanism.optimum().ok_or_else(|| no_mechanism(case))?.0;
+        Ok(Some(FailureSurface::from_tip(case, mechanism.surface(rho))))
+    }
+}
+
+/// Passive factors on the mechanism of least weight term.
+pub(crate) fn passive(case: &Case) -> Result<LoadFactors, EarthPressureError> {
+    let mechanism = Mechanism::new(case, 1.0);
+    let (rho, _) = mechanism.optimum().ok_or_else(|| no_mechanism(case))?;
+    Ok(mechanism.factors(rho, mechanism.psi(rho)))
+}
+
+/// Active factors on the mechanism of greatest weight term; none where the soil behind stands by itself.
+pub(crate) fn active(case: &Case) -> LoadFactors {
+    let mechanism = Mechanism::new(&case.mirrored(), -1.0);
+    match mechanism.optimum() {
+        Some((rho, least)) if least < 0.0 => mechanism.factors(rho, mechanism.psi(rho)),
+        _ => LoadFactors::default(),
+    }
+}
+
+fn no_mechanism(case: &Case) -> EarthPressureError {
+    case.singular(ID, "no mechanism of three zones fits between plate and surface")
+}
+
+/// The mechanism of one side, angles in radians; friction angles carry the sign of the side.
+struct Mechanism {
+    alpha: f64,
+    beta: f64,
+    phi: f64,
+    delta: f64,
+    /// 1 ahead of the plate (minimise), -1 behind it (maximise).
+    sign: f64,
+    /// Dip of the last radius once the fan has opened.
+    rankine_dip: f64,
+}
+
+impl Mechanism {
+    fn new(case: &Case, sign: f64) -> Self {
+        let (alpha, beta) = (case.tool_angle.radians(), case.surface_slope.radians());
+        let (phi, delta) = (sign * case.friction.radians(), sign * case.interface.radians());
+        let omega = (beta.sin() / phi.sin()).clamp(-1.0, 1.0).asin();
+        let rankine_dip = 0.5 * (FRAC_PI_2 - phi - beta - omega);
+        Self { alpha, beta, phi, delta, sign, rankine_dip }
+    }
+
+    /// Best rho and the signed weight term there (passive K, or minus active K).
+    fn optimum(&self) -> Option<(f64, f64)> {
+        // Below rho = 0 the first triangle folds over and only the plane wedge (psi = 0) is a mechanism.
+        let flattest = (self.alpha + self.beta + self.phi - FRAC_PI_2).min(0.0);
+        let steepest = (FRAC_PI_2 - self.delta).min(FRAC_PI_2 + self.phi).min(self.alpha + self.beta);
+        minimise(flattest + 1e-9, steepest - 1e-9, SCAN, |rho| self.sign * self.weight(rho, self.psi(rho)))
+    }
+
+    /// Opening of the fan that is stationary at this rho.
+    fn psi(&self, rho: f64) -> f64 {
+        if rho < 0.0 { 0.0 } else { (self.alpha - rho - self.rankine_dip).max(0.0) }
+    }
+
+    /// First radius over L.
+    fn radius(&self, rho: f64) -> f64 {
+        (rho - self.phi).cos() / self.phi.cos()
+    }
+
+    /// Weight factor; NaN where the zones do not form.
+    fn weight(&self, rho: f64, psi: f64) -> f64 {
+        let x = self.alpha - rho - psi;
+        let toe = (x + self.beta + self.phi).cos();
+        let rise = (x + self.beta).sin();
+        let power = (rho + self.delta).cos();
+        if toe <= 0.0 || rise < 0.0 || power <= 0.0 {
+            return f64::NAN;
+        }
+        let (r0, b) = (self.radius(rho), 3.0 * self.phi.tan());
+        let dip = self.alpha - rho;
+        let growth = (b * psi).exp();
+        let spiral = (growth * (b * x.cos() - x.sin()) - (b * dip.cos() - dip.sin())) / (b * b + 1.0);
+        let triangle = growth * self.phi.cos() * rise * x.cos() / toe;
+        r0 * (rho.sin() * dip.cos() + r0 * (spiral + triangle)) / power
+    }
+
+    fn factors(&self, rho: f64, psi: f64) -> LoadFactors {
+        let x = self.alpha - rho - psi;
+        let (r0, t) = (self.radius(rho), self.phi.tan());
+        let growth = (2.0 * t * psi).exp();
+        let last = r0 * growth * self.phi.cos() / (x + self.beta + self.phi).cos();
+        let power = (rho + self.delta).cos();
+        let fan = r0 * (2.0 * t * psi).exp_m1() / t;
+        LoadFactors {
+            weight: self.weight(rho, psi),
+            surcharge: last * x.cos() / power,
+            cohesion: (rho.sin() + fan + last * (x + self.beta).sin()) / power,
+            adhesion: rho.sin() / power,
+        }
+    }
+
+    /// Failure surface from the tip at the origin, L = 1: slip line, spiral, slip line.
+    fn surface(&self, rho: f64) -> Vec<(f64, f64)> {
+        const CHORDS: usize = 48;
+        let psi = self.psi(rho);
+        let top = (-self.alpha.cos(), self.alpha.sin());
+        let (r0, t) = (self.radius(rho), self.phi.tan());
+        let mut points = vec![(0.0, 0.0)];
+        for i in 0..=CHORDS {
+            let s = psi * i as f64 / CHORDS as f64;
+            let (r, dip) = (r0 * (t * s).exp(), self.alpha - rho - s);
+            points.push((top.0 + r * dip.cos(), top.1 - r * dip.sin()));
+            if psi == 0.0 {
+                break;
+            }
+        }
+        let last = r0 * (t * psi).exp() * self.phi.cos()
+            / (self.alpha - rho - psi + self.beta + self.phi).cos();
+        points.push((top.0 + last * self.beta.cos(), top.1 + last * self.beta.sin()));
+        points
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Coulomb;
+    use crate::test_support::rel;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Brute force over both variables finds nothing better on either side.
+        #[test]
+        fn the_reduced_search_finds_the_two_variable_optimum(alpha in 40.0..110.0, beta in -12.0..12.0, phi in 15.0..50.0, ratio in 0.0..0.95) {
+            let case = Case::from_deg(alpha, beta, phi, ratio * phi);
+            prop_assume!(alpha > phi + 3.0);
+            for (sign, side) in [(1.0, case), (-1.0, case.mirrored())] {
+                let mechanism = Mechanism::new(&side, sign);
+                let (_, best) = mechanism.optimum().unwrap();
+                let mut brute = f64::INFINITY;
+                for i in 0..=120 {
+                    for j in 0..=120 {
+                        let value = sign * mechanism.weight(1.5 * i as f64 / 120.0, 2.2 * j as f64 / 120.0);
+                        if value.is_finite() { brute = brute.min(value) }
+                    }
+                }
+                prop_assert!(best <= brute + 1e-9 * brute.abs(), "{best} {brute}");
+            }
+        }
+
+        /// Without a fan the mechanism is one sliding plane, so it cannot be above Coulomb's wedge.
+        #[test]
+        fn never_above_coulomb(alpha in 45.0..110.0, beta in -10.0..10.0, phi in 15.0..45.0, ratio in 0.0..1.0) {
+            let case = Case::from_deg(alpha, beta, phi, ratio * phi);
+            if let (Ok(chen), Ok(coulomb)) = (ChenLiu.predict(&case), Coulomb.predict(&case)) {
+                prop_assert!(chen.passive.unwrap().weight <= coulomb.passive.unwrap().weight * (1.0 + 1e-9));
+            }
+        }
+
+        /// Caquot's theorem of corresponding states: a cohesion c with adhesion c tan(delta)/tan(phi) acts like
+        /// a pressure c / tan(phi) on every boundary.
+        #[test]
+        fn corresponding_states(alpha in 50.0..110.0, phi in 15.0..45.0, ratio in 0.05..0.95) {
+            let case = Case::level_deg(alpha, phi, ratio * phi);
+            let k = passive(&case).unwrap();
+            let (t, d) = (case.friction.tan(), case.interface.radians());
+            // Pressure p on surface and plate; the plate's normal pressure p is part of the inclined force.
+            let sum = k.cohesion + k.adhesion * d.tan() / t;
+            prop_assert!(rel(sum, (k.surcharge - 1.0 / d.cos()) / t) < 1e-6, "{sum} {}", (k.surcharge - 1.0 / d.cos()) / t);
+        }
+    }
+
+    #[test]
+    fn smooth_vertical_wall_is_rankine() {
+        let p = ChenLiu.predict(&Case::level_deg(90.0, 30.0, 0.0)).unwrap();
+        let (passive, active) = (p.passive.unwrap(), p.active.unwrap());
+        assert!(rel(passive.weight, 3.0) < 1e-9 && rel(active.weight, 1.0 / 3.0) < 1e-9);
+        assert!(rel(passive.cohesion, 2.0 * 3f64.sqrt()) < 1e-6 && rel(passive.surcharge, 3.0) < 1e-6);
+    }
+
+    #[test]
+    fn soil_under_a_flat_plate_does_not_push() {
+        assert_eq!(active(&Case::level_deg(35.0, 40.0, 20.0)).weight, 0.0);
+        assert!(active(&Case::level_deg(50.0, 40.0, 20.0)).weight > 0.0);
+    }
+}

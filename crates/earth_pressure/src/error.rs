@@ -1,0 +1,90 @@
+use soilctl_soil::SoilError;
+use thiserror::Error;
+
+/// What can go wrong in a force model or a prediction table.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EarthPressureError {
+    /// An input is outside the range in which the model holds.
+    #[error("model {model} covers {quantity} from {low} to {high} deg, but {quantity} is {value} deg; {advice}")]
+    OutsideModel {
+        /// Model id.
+        model: &'static str,
+        /// Name of the input.
+        quantity: &'static str,
+        /// Value given in degrees.
+        value: f64,
+        /// Least value covered.
+        low: f64,
+        /// Greatest value covered.
+        high: f64,
+        /// What the user can do.
+        advice: &'static str,
+    },
+    /// The inputs are in range one by one, but the model has no finite answer for them together.
+    #[error(
+        "model {model} has no finite answer at alpha {alpha_deg} deg, phi {phi_deg} deg, delta {delta_deg} deg: {reason}"
+    )]
+    Singular {
+        /// Model id.
+        model: &'static str,
+        /// Tool angle in degrees.
+        alpha_deg: f64,
+        /// Friction angle in degrees.
+        phi_deg: f64,
+        /// Interface friction in degrees.
+        delta_deg: f64,
+        /// Why, in physical words.
+        reason: &'static str,
+    },
+    /// The model knows soil weight only.
+    #[error("model {model} has no term for {term}; use coulomb, chen or (with a level surface) log-spiral")]
+    NoLoadTerm {
+        /// Model id.
+        model: &'static str,
+        /// Cohesion, adhesion or surcharge.
+        term: &'static str,
+    },
+    /// No such model.
+    #[error("there is no force model called {name:?}; the models are {known}")]
+    UnknownModel {
+        /// What was asked for.
+        name: String,
+        /// All ids, separated by commas.
+        known: String,
+    },
+    /// The point lies in a part of the table that was never filled.
+    #[error(
+        "table {table} has no filled cells around alpha {alpha_deg} deg, phi {phi_deg} deg, delta {delta_deg} deg; \
+         fill them or use another model"
+    )]
+    EmptyCell {
+        /// Table name.
+        table: String,
+        /// Tool angle in degrees.
+        alpha_deg: f64,
+        /// Friction angle in degrees.
+        phi_deg: f64,
+        /// Interface friction in degrees.
+        delta_deg: f64,
+    },
+    /// A table's content is wrong.
+    #[error("{table}: {problem}")]
+    BadTable {
+        /// Table or file name, with the line where it is known.
+        table: String,
+        /// What is wrong, with the value and what is allowed.
+        problem: String,
+    },
+    /// A file could not be read or written.
+    #[error("{path}: {problem}")]
+    File {
+        /// The path.
+        path: String,
+        /// What the system says.
+        problem: String,
+    },
+    /// The soil, interface or plate itself is not valid.
+    #[error(transparent)]
+    Soil(#[from] SoilError),
+}

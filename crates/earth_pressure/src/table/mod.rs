@@ -1,0 +1,226 @@
+//! Gridded models: coefficients on a grid of tool angle, friction angle and interface friction.
+//!
+//! Any model or bound can fill a [`PredictionTable`]. Every cell says whether it was solved or itself comes from
+//! interpolation; every look-up says by how much interpolation may be wrong.
+
+mod csv_file;
+mod interpolate;
+mod model;
+mod parquet_file;
+mod sidecar;
+
+pub use csv_file::{read_csv, write_csv};
+pub use interpolate::{Lookup, TableSlice};
+pub use model::{BracketModel, TableModel};
+pub use parquet_file::{read_parquet, write_parquet};
+pub use sidecar::{SIDECAR_SCHEMA, Sidecar, sidecar_path};
+
+use serde::{Deserialize, Serialize};
+
+use crate::{Case, EarthPressureError, ForceModel};
+
+/// Whether a cell was computed or filled in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum CellStatus {
+    /// Computed by the model.
+    Solved,
+    /// Interpolated from other cells when the table was made.
+    Interpolated,
+}
+
+impl CellStatus {
+    /// The word used in files.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Solved => "solved",
+            Self::Interpolated => "interpolated",
+        }
+    }
+
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
+        [Self::Solved, Self::Interpolated].into_iter().find(|s| s.word() == word)
+    }
+}
+
+/// What the numbers of a table are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Quantity {
+    /// A point estimate.
+    Estimate,
+    /// A lower bound.
+    LowerBound,
+    /// An upper bound.
+    UpperBound,
+}
+
+/// One filled cell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cell {
+    /// Slant-normalised net coefficient, above 0.
+    pub k_net: f64,
+    /// How it came about.
+    pub status: CellStatus,
+}
+
+/// Net coefficients on a grid (level surface, cohesionless, slant-normalised).
+#[derive(Debug, Clone, PartialEq)]
+pub struct PredictionTable {
+    name: String,
+    quantity: Quantity,
+    /// Ascending nodes of alpha, phi and delta in degrees.
+    axes: [Vec<f64>; 3],
+    cells: Vec<Option<Cell>>,
+}
+
+impl PredictionTable {
+    /// An empty table on a grid. Each axis is strictly ascending, at least two nodes, degrees.
+    ///
+    /// # Errors
+    /// [`EarthPressureError::BadTable`] if an axis is too short, not finite or not ascending.
+    pub fn new(
+        name: impl Into<String>,
+        quantity: Quantity,
+        axes: [Vec<f64>; 3],
+    ) -> Result<Self, EarthPressureError> {
+        let name = name.into();
+        for (axis, label) in axes.iter().zip(["alpha", "phi", "delta"]) {
+            let ascending = axis.windows(2).all(|w| w[0] < w[1]);
+            if axis.len() < 2 || !ascending || axis.iter().any(|x| !x.is_finite()) {
+                return Err(EarthPressureError::BadTable {
+                    table: name,
+                    problem: format!(
+                        "axis {label} is {axis:?}; it must be at least two finite ascending degrees"
+                    ),
+                });
+            }
+        }
+        let size = axes.iter().map(Vec::len).product();
+        Ok(Self { name, quantity, axes, cells: vec![None; size] })
+    }
+
+    /// A table filled by a model on every node with delta <= phi. Nodes where the model has no answer stay
+    /// empty.
+    ///
+    /// # Errors
+    /// As [`PredictionTable::new`].
+    pub fn fill(model: &dyn ForceModel, axes: [Vec<f64>; 3]) -> Result<Self, EarthPressureError> {
+        let mut table = Self::new(model.id(), Quantity::Estimate, axes)?;
+        for index in 0..table.cells.len() {
+            let [alpha, phi, delta] = table.node(index);
+            if delta <= phi
+                && let Ok(p) = model.predict(&Case::level_deg(alpha, phi, delta))
+            {
+                table.set(index, Cell { k_net: p.k_net().0, status: CellStatus::Solved })?;
+            }
+        }
+        Ok(table)
+    }
+
+    /// Name, for messages and provenance.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the numbers are.
+    #[must_use]
+    pub const fn quantity(&self) -> Quantity {
+        self.quantity
+    }
+
+    /// Nodes of alpha, phi and delta in degrees.
+    #[must_use]
+    pub const fn axes(&self) -> &[Vec<f64>; 3] {
+        &self.axes
+    }
+
+    /// Number of nodes, filled or not.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Whether no cell is filled.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.cells.iter().all(Option::is_none)
+    }
+
+    /// Filled cells with their nodes (alpha, phi, delta in degrees), in order.
+    pub fn filled(&self) -> impl Iterator<Item = ([f64; 3], Cell)> + '_ {
+        self.cells.iter().enumerate().filter_map(|(i, c)| c.map(|c| (self.node(i), c)))
+    }
+
+    /// The cell at node indices, if filled.
+    #[must_use]
+    pub fn cell(&self, alpha: usize, phi: usize, delta: usize) -> Option<Cell> {
+        self.cells[self.index(alpha, phi, delta)]
+    }
+
+    /// Fills the cell at a node given in degrees.
+    ///
+    /// # Errors
+    /// [`EarthPressureError::BadTable`] if the point is not a node, is filled already, or the coefficient is not
+    /// above 0.
+    pub fn insert(&mut self, node: [f64; 3], cell: Cell) -> Result<(), EarthPressureError> {
+        let mut at = [0; 3];
+        for (d, place) in at.iter_mut().enumerate() {
+            *place = self.axes[d]
+                .iter()
+                .position(|&x| (x - node[d]).abs() < 1e-9)
+                .ok_or_else(|| self.bad(format!("{node:?} is not a node of the grid")))?;
+        }
+        let index = self.index(at[0], at[1], at[2]);
+        if self.cells[index].is_some() {
+            return Err(self.bad(format!("the cell at {node:?} appears twice")));
+        }
+        self.set(index, cell)
+    }
+
+    fn set(&mut self, index: usize, cell: Cell) -> Result<(), EarthPressureError> {
+        if !(cell.k_net > 0.0 && cell.k_net.is_finite()) {
+            return Err(self.bad(format!(
+                "k_net is {} at {:?}; it must be a finite number above 0",
+                cell.k_net,
+                self.node(index)
+            )));
+        }
+        self.cells[index] = Some(cell);
+        Ok(())
+    }
+
+    fn index(&self, alpha: usize, phi: usize, delta: usize) -> usize {
+        (alpha * self.axes[1].len() + phi) * self.axes[2].len() + delta
+    }
+
+    fn node(&self, index: usize) -> [f64; 3] {
+        let (n1, n2) = (self.axes[1].len(), self.axes[2].len());
+        [self.axes[0][index / (n1 * n2)], self.axes[1][index / n2 % n1], self.axes[2][index % n2]]
+    }
+
+    fn bad(&self, problem: String) -> EarthPressureError {
+        EarthPressureError::BadTable { table: self.name.clone(), problem }
+    }
+
+    /// A table from loose cells: the axes are the values that occur.
+    pub(crate) fn from_cells(
+        name: &str,
+        quantity: Quantity,
+        cells: &[([f64; 3], Cell)],
+    ) -> Result<Self, EarthPressureError> {
+        let axis = |d: usize| {
+            let mut nodes: Vec<f64> = cells.iter().map(|(n, _)| n[d]).collect();
+            nodes.sort_by(f64::total_cmp);
+            nodes.dedup();
+            nodes
+        };
+        let mut table = Self::new(name, quantity, [axis(0), axis(1), axis(2)])?;
+        for &(node, cell) in cells {
+            table.insert(node, cell)?;
+        }
+        Ok(table)
+    }
+}

@@ -1,0 +1,84 @@
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::{PredictionTable, Quantity};
+use crate::EarthPressureError;
+
+/// Version of the table file format; a reader refuses any other.
+pub const SIDECAR_SCHEMA: &str = "soilctl.table-file/1";
+
+/// What stands beside a table file, in `<file>.json`: everything needed to read its numbers right.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Sidecar {
+    /// [`SIDECAR_SCHEMA`].
+    pub schema: String,
+    /// Name of the table.
+    pub name: String,
+    /// What the numbers are.
+    pub quantity: Quantity,
+    /// Always `slant`: `K_L = 2 F / (gamma L^2 w)`, passive minus active.
+    pub normalisation: String,
+    /// Where the numbers come from.
+    pub source: String,
+    /// Number of filled cells, as a check against truncation.
+    pub cells: usize,
+    /// Version of the program that wrote it.
+    pub program_version: String,
+}
+
+impl Sidecar {
+    pub(crate) fn of(table: &PredictionTable, source: &str) -> Self {
+        Self {
+            schema: SIDECAR_SCHEMA.into(),
+            name: table.name().into(),
+            quantity: table.quantity(),
+            normalisation: "slant".into(),
+            source: source.into(),
+            cells: table.filled().count(),
+            program_version: env!("CARGO_PKG_VERSION").into(),
+        }
+    }
+
+    pub(crate) fn write(&self, table_path: &Path) -> Result<(), EarthPressureError> {
+        let path = sidecar_path(table_path);
+        let json = serde_json::to_string_pretty(self).map_err(|e| file_error(&path, &e))?;
+        std::fs::write(&path, json + "\n").map_err(|e| file_error(&path, &e))
+    }
+
+    pub(crate) fn read(table_path: &Path) -> Result<Self, EarthPressureError> {
+        let path = sidecar_path(table_path);
+        let text = std::fs::read_to_string(&path).map_err(|e| file_error(&path, &e))?;
+        let sidecar: Self = serde_json::from_str(&text).map_err(|e| file_error(&path, &e))?;
+        let bad = |problem: String| EarthPressureError::BadTable { table: path.display().to_string(), problem };
+        if sidecar.schema != SIDECAR_SCHEMA {
+            return Err(bad(format!("schema is {:?}; this version reads {SIDECAR_SCHEMA:?}", sidecar.schema)));
+        }
+        if sidecar.normalisation != "slant" {
+            return Err(bad(format!("normalisation is {:?}; it must be \"slant\"", sidecar.normalisation)));
+        }
+        Ok(sidecar)
+    }
+
+    pub(crate) fn check_count(&self, path: &Path, cells: usize) -> Result<(), EarthPressureError> {
+        if self.cells == cells {
+            return Ok(());
+        }
+        Err(EarthPressureError::BadTable {
+            table: path.display().to_string(),
+            problem: format!("it has {cells} cells, its sidecar says {}; the file was cut or edited", self.cells),
+        })
+    }
+}
+
+/// Path of the sidecar of a table file.
+#[must_use]
+pub fn sidecar_path(table_path: &Path) -> PathBuf {
+    let mut name = table_path.as_os_str().to_owned();
+    name.push(".json");
+    name.into()
+}
+
+pub(crate) fn file_error(path: &Path, problem: &dyn std::fmt::Display) -> EarthPressureError {
+    EarthPressureError::File { path: path.display().to_string(), problem: problem.to_string() }
+}

@@ -1,0 +1,119 @@
+//! The legend, in an area of its own below or beside the plot.
+
+use super::clip::Rect;
+use super::dash::dashes;
+use super::fonts::{fit, width};
+use super::frame::{Frame, PAD, TICK_EM};
+use super::layers::{MARKER, REF_WIDTH, draw_marker};
+use super::scene::{Anchor, Label, Scene};
+use crate::model::{Figure, Layer, Legend};
+use crate::palette::{Dash, FILL_ALPHA, Marker, NEUTRAL, Rgb, series};
+
+const SAMPLE: f64 = 34.0;
+const GAP: f64 = 8.0;
+const BETWEEN: f64 = 20.0;
+const ROW: f64 = 19.0;
+
+/// How many entries are shown and where.
+#[derive(Debug)]
+pub(crate) struct Plan {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    columns: usize,
+    column_width: f64,
+    shown: usize,
+    left_out: usize,
+}
+
+impl Plan {
+    /// Plans the legend of a figure; `room` is the height of the page below the title.
+    pub(crate) fn new(figure: &Figure, page_width: f64, room: f64) -> Option<Self> {
+        let names: Vec<&str> = figure.layers.iter().filter(|l| l.in_legend()).map(Layer::name).collect();
+        if figure.legend == Legend::Hidden || names.is_empty() {
+            return None;
+        }
+        let widest = names.iter().map(|name| width(name, TICK_EM, false)).fold(0.0, f64::max);
+        let beside = figure.legend == Legend::Right;
+        let available = if beside { page_width * 0.4 } else { page_width - 2.0 * PAD };
+        let column_width = (SAMPLE + GAP + widest + if beside { 0.0 } else { BETWEEN }).min(available);
+        let columns = if beside { 1 } else { ((available / column_width) as usize).clamp(1, names.len()) };
+        // The plot keeps the larger part of the page; entries beyond that are counted instead.
+        let most_rows = (if beside { room - PAD } else { room * 0.38 } / ROW).max(1.0) as usize;
+        let capacity = columns * most_rows;
+        let shown = if names.len() <= capacity { names.len() } else { capacity.saturating_sub(1).max(1) };
+        let left_out = names.len() - shown;
+        let rows = (shown + usize::from(left_out > 0)).div_ceil(columns).min(most_rows.max(1));
+        let (width, height) = (column_width * columns as f64, ROW * rows as f64);
+        Some(Self { width, height, columns, column_width, shown, left_out })
+    }
+}
+
+/// Draws the legend as planned.
+pub(crate) fn draw(figure: &Figure, frame: &Frame, scene: &mut Scene) {
+    let Some(plan) = &frame.legend else { return };
+    let (left, top) = match figure.legend {
+        Legend::Right => (frame.page_width - PAD - plan.width, frame.plot.top),
+        _ => ((frame.page_width - plan.width + BETWEEN) / 2.0, frame.page_height - PAD - plan.height),
+    };
+    let place = |i: usize| {
+        let (row, column) = (i / plan.columns, i % plan.columns);
+        (left + column as f64 * plan.column_width, top + (row as f64 + 0.5) * ROW)
+    };
+    let room = plan.column_width - SAMPLE - GAP;
+    let mut entry = |i: usize, text: &str| {
+        let (x, middle) = place(i);
+        let at = (x + SAMPLE + GAP, middle + TICK_EM * 0.36);
+        scene.label(Label::new(fit(text, TICK_EM, false, room), at, Anchor::Start, TICK_EM));
+    };
+    let layers: Vec<&Layer> = figure.layers.iter().filter(|l| l.in_legend()).take(plan.shown).collect();
+    for (i, layer) in layers.iter().enumerate() {
+        entry(i, layer.name());
+    }
+    if plan.left_out > 0 {
+        entry(plan.shown, &format!("… and {} more", plan.left_out));
+    }
+    for (i, layer) in layers.iter().enumerate() {
+        draw_sample(layer, place(i), scene);
+    }
+}
+
+/// A sample of how the layer looks.
+fn draw_sample(layer: &Layer, (left, middle): (f64, f64), scene: &mut Scene) {
+    let right = left + SAMPLE;
+    let mut line = |dash: Dash, width: f64, color: Rgb| {
+        for piece in dashes(&[(left, middle), (right, middle)], dash.pattern(), width) {
+            scene.stroke(piece, width, color);
+        }
+    };
+    match layer {
+        Layer::Line(l) => {
+            let index = l.color.unwrap_or_default();
+            line(l.dash.unwrap_or_else(|| Dash::of(index)), l.width.min(6.0), series(index));
+        }
+        Layer::RefLine(l) => line(l.dash, REF_WIDTH, l.color.map_or(NEUTRAL, series)),
+        Layer::Points(p) => {
+            let index = p.color.unwrap_or_default();
+            let (center, color) = ((left + right) / 2.0, series(index));
+            if p.y_error.is_some() {
+                let reach = MARKER + 4.0;
+                scene.stroke(vec![(center, middle - reach), (center, middle + reach)], 1.3, color);
+            }
+            draw_marker(p.marker.unwrap_or_else(|| Marker::of(index)), (center, middle), color, scene);
+        }
+        Layer::Band(b) => draw_swatch(left, middle, b.color, scene),
+        Layer::Polygons(p) => draw_swatch(left, middle, p.color, scene),
+        Layer::Span(s) => draw_swatch(left, middle, s.color, scene),
+        Layer::Text(_) => {}
+    }
+}
+
+fn draw_swatch(left: f64, middle: f64, index: Option<usize>, scene: &mut Scene) {
+    let (color, dash) = (index.map_or(NEUTRAL, series), index.map_or(Dash::LooseDot, Dash::of));
+    let swatch = Rect { left, top: middle - 6.0, right: left + SAMPLE, bottom: middle + 6.0 };
+    let mut ring = swatch.ring();
+    scene.fill(vec![ring.clone()], color, FILL_ALPHA);
+    ring.push(ring[0]);
+    for piece in dashes(&ring, dash.pattern(), 1.2) {
+        scene.stroke(piece, 1.2, color);
+    }
+}

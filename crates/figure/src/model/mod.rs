@@ -1,0 +1,22 @@
+//! The backend-neutral description of a figure.
+
+mod areas;
+mod axis;
+mod check;
+mod curves;
+mod figure;
+mod layer;
+mod marks;
+mod size;
+
+pub use areas::{Polygon, Polygons, Span};
+pub use axis::{Axis, Scale};
+pub(crate) use axis::narrowest;
+pub use curves::{Band, Line};
+pub use figure::{Figure, Legend};
+pub use layer::{Layer, Orientation};
+pub use marks::{Points, RefLine, Text, TextPlace};
+pub use size::Size;
+
+/// A point in data coordinates, `(x, y)`.
+pub type DataPoint = (f64, f64);

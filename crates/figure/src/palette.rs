@@ -1,0 +1,110 @@
+//! Colours, dashes, markers and hatches that stay apart for every reader.
+//!
+//! The colours are those of Okabe and Ito, which are distinct under the common colour vision
+//! deficiencies. Each palette index also has a dash, a marker and a hatch of its own, so that a
+//! figure can be read without colour.
+
+use serde::Serialize;
+
+/// A colour as red, green and blue.
+pub(crate) type Rgb = (u8, u8, u8);
+
+/// Dark and light ink that carries titles and axes.
+pub(crate) const INK: Rgb = (0x1f, 0x23, 0x28);
+/// Spans and reference lines without a colour of their own.
+pub(crate) const NEUTRAL: Rgb = (0x5a, 0x62, 0x6b);
+/// Grid lines.
+pub(crate) const GRID: Rgb = (0xdf, 0xe3, 0xe8);
+/// Background.
+pub(crate) const PAPER: Rgb = (0xff, 0xff, 0xff);
+/// Opacity of bands, polygons and spans.
+pub(crate) const FILL_ALPHA: f64 = 0.22;
+
+/// Yellow comes last, because it is weak on white.
+const SERIES: [Rgb; 8] = [
+    (0x00, 0x72, 0xb2),
+    (0xd5, 0x5e, 0x00),
+    (0x00, 0x9e, 0x73),
+    (0xcc, 0x79, 0xa7),
+    (0xe6, 0x9f, 0x00),
+    (0x56, 0xb4, 0xe9),
+    (0x00, 0x00, 0x00),
+    (0xf0, 0xe4, 0x42),
+];
+
+/// The colour of a palette index; indices wrap around.
+pub(crate) fn series(index: usize) -> Rgb {
+    SERIES[index % SERIES.len()]
+}
+
+/// Dash pattern of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Dash {
+    /// Unbroken.
+    Solid,
+    /// Medium dashes.
+    Dash,
+    /// Dots.
+    Dot,
+    /// Dashes and dots in turn.
+    DashDot,
+    /// Long dashes.
+    LongDash,
+    /// One dash and two dots in turn.
+    DashDotDot,
+    /// Long dashes and dots in turn.
+    LongDashDot,
+    /// Dots far apart.
+    LooseDot,
+}
+
+impl Dash {
+    /// The pattern that goes with a palette index.
+    pub(crate) fn of(index: usize) -> Self {
+        use Dash::*;
+        [Solid, Dash, Dot, DashDot, LongDash, DashDotDot, LongDashDot, LooseDot][index % 8]
+    }
+
+    /// Lengths drawn and skipped in turn, in line widths; empty for an unbroken line.
+    pub(crate) fn pattern(self) -> &'static [f64] {
+        match self {
+            Self::Solid => &[],
+            Self::Dash => &[4.0, 2.0],
+            Self::Dot => &[1.2, 1.6],
+            Self::DashDot => &[4.5, 1.8, 1.2, 1.8],
+            Self::LongDash => &[8.0, 2.5],
+            Self::DashDotDot => &[4.5, 1.6, 1.2, 1.6, 1.2, 1.6],
+            Self::LongDashDot => &[8.0, 2.0, 1.2, 2.0],
+            Self::LooseDot => &[1.2, 3.6],
+        }
+    }
+}
+
+/// Shape of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Marker {
+    /// A filled circle.
+    Circle,
+    /// A filled square.
+    Square,
+    /// A filled triangle.
+    Triangle,
+    /// A filled diamond.
+    Diamond,
+    /// Two crossing strokes.
+    Cross,
+}
+
+impl Marker {
+    /// The shape that goes with a palette index.
+    pub(crate) fn of(index: usize) -> Self {
+        [Self::Circle, Self::Square, Self::Triangle, Self::Diamond, Self::Cross][index % 5]
+    }
+}
+
+/// Name of the plotly.js fill pattern that goes with a palette index; empty for a plain fill.
+pub(crate) fn hatch(index: usize) -> &'static str {
+    ["", "/", "\\", "x", "-", "|", "+", "."][index % 8]
+}
