@@ -7,25 +7,25 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 /// Friction at and above the floor stress, degrees.
-pub const FLOOR_DEG: f64 = 32.0;
+pub(crate) const FLOOR_DEG: f64 = 32.0;
 /// Fall of the friction angle for each decade of stress below the floor stress, degrees.
-pub const SLOPE_DEG_PER_DECADE: f64 = 6.0;
+pub(crate) const SLOPE_DEG_PER_DECADE: f64 = 6.0;
 /// Normal stress at which the floor begins, Pa (5 psi).
-pub const FLOOR_STRESS_PA: f64 = 34_474.0;
+pub(crate) const FLOOR_STRESS_PA: f64 = 34_474.0;
 /// Displacement at which every run peaks, mm.
-pub const PEAK_MM: f64 = 2.0;
+pub(crate) const PEAK_MM: f64 = 2.0;
 /// Dilation angle at the peak, as a fraction of the friction above a sliding friction of 28 degrees.
-pub const DILATION_FRACTION: f64 = 0.8;
+pub(crate) const DILATION_FRACTION: f64 = 0.8;
 /// Friction without dilation, degrees.
-pub const SLIDING_DEG: f64 = 28.0;
+pub(crate) const SLIDING_DEG: f64 = 28.0;
 /// Reading of the unloaded load cell, N.
-pub const BIAS_N: f64 = 0.85;
+pub(crate) const BIAS_N: f64 = 0.85;
 /// Machine friction, N: half the height of the friction loop.
-pub const MACHINE_FRICTION_N: f64 = 0.10;
+pub(crate) const MACHINE_FRICTION_N: f64 = 0.10;
 /// The seven loads of the thesis, kg; the first four are tested four times, the others once.
-pub const LOADS_KG: [f64; 7] = [0.4473, 0.921, 2.921, 5.891, 17.545, 27.545, 47.545];
+pub(crate) const LOADS_KG: [f64; 7] = [0.4473, 0.921, 2.921, 5.891, 17.545, 27.545, 47.545];
 /// Departure of the four repeated runs from the truth, degrees; the last one is the odd one out.
-pub const RUN_OFFSETS_DEG: [f64; 4] = [-0.3, 0.1, 0.2, 1.7];
+pub(crate) const RUN_OFFSETS_DEG: [f64; 4] = [-0.3, 0.1, 0.2, 1.7];
 
 const AREA_M2: f64 = 35.6e-4;
 const GRAVITY_M_S2: f64 = 9.806_65;
@@ -36,18 +36,18 @@ const FORCE_NOISE_N: f64 = 0.012;
 const DIAL_NOISE_MM: f64 = 0.002;
 
 /// The true peak friction angle in degrees under a load in kg.
-pub fn true_friction_deg(load_kg: f64) -> f64 {
+pub(crate) fn true_friction_deg(load_kg: f64) -> f64 {
     let stress_pa = load_kg * GRAVITY_M_S2 / AREA_M2;
     FLOOR_DEG + SLOPE_DEG_PER_DECADE * (FLOOR_STRESS_PA / stress_pa).log10().max(0.0)
 }
 
 /// The true dilation angle at the peak in degrees for a peak friction angle.
-pub fn true_dilation_deg(friction_deg: f64) -> f64 {
+pub(crate) fn true_dilation_deg(friction_deg: f64) -> f64 {
     DILATION_FRACTION * (friction_deg - SLIDING_DEG)
 }
 
 /// The text of `runs.csv`.
-pub fn runs_csv() -> String {
+pub(crate) fn runs_csv() -> String {
     let mut noise = Noise(2001);
     let mut text = "run_id,load_kg,displacement_mm,shear_force_n,vertical_mm\n".to_owned();
     for load_kg in LOADS_KG {
@@ -88,7 +88,7 @@ fn dilating(x: f64) -> f64 {
 }
 
 /// The text of `loop.csv`: the empty box forward and back.
-pub fn loop_csv() -> String {
+pub(crate) fn loop_csv() -> String {
     let mut noise = Noise(1776);
     let mut text = "displacement_mm,shear_force_n,direction\n".to_owned();
     let steps: Vec<u32> = (0..SAMPLES).collect();

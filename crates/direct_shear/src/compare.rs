@@ -111,14 +111,17 @@ fn words(scores: &[CurveScore], aicc: Option<&CurveScore>, bic: &CurveScore) -> 
             misfit(bic)
         );
     }
-    let rival = scores
-        .iter()
-        .filter(|score| score.curve != aicc.curve)
-        .filter_map(|score| Some((score, score.aicc? - aicc.aicc?)))
-        .find(|(_, behind)| *behind < TELLS_APART);
+    let rival = scores.iter().filter(|score| score.curve != aicc.curve).find_map(|score| {
+        let by_aicc = score.aicc.zip(aicc.aicc).map(|(theirs, best)| ("AICc", theirs - best));
+        let by_bic = Some(("BIC", score.bic - bic.bic));
+        let (criterion, behind) =
+            [by_aicc, by_bic].into_iter().flatten().find(|(_, behind)| *behind < TELLS_APART)?;
+        Some((score, criterion, behind))
+    });
     match rival {
-        Some((rival, behind)) => format!(
-            "the {} comes first, but the {} is only {behind:.1} behind in AICc: these tests do not tell them apart",
+        Some((rival, criterion, behind)) => format!(
+            "the {} comes first by AICc and by BIC, but the {} is only {behind:.1} behind in {criterion}: these tests \
+             do not clearly tell them apart",
             misfit(aicc),
             misfit(rival)
         ),

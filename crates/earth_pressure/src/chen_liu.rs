@@ -181,8 +181,8 @@ impl Mechanism {
                 break;
             }
         }
-        let last = r0 * (t * psi).exp() * self.phi.cos()
-            / (self.alpha - rho - psi + self.beta + self.phi).cos();
+        let last =
+            r0 * (t * psi).exp() * self.phi.cos() / (self.alpha - rho - psi + self.beta + self.phi).cos();
         points.push((top.0 + last * self.beta.cos(), top.1 + last * self.beta.sin()));
         points
     }

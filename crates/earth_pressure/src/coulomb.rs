@@ -72,7 +72,8 @@ impl ForceModel for Coulomb {
 /// Slope of the critical passive plane.
 fn passive_plane(case: &Case) -> Result<f64, EarthPressureError> {
     let (alpha, beta, phi, delta) = radians(case);
-    let q = ((phi + delta).sin() * (phi + beta).sin() / ((alpha + delta).sin() * (alpha + beta).sin())).sqrt();
+    let q =
+        ((phi + delta).sin() * (phi + beta).sin() / ((alpha + delta).sin() * (alpha + beta).sin())).sqrt();
     if !(q < 1.0) || (alpha + beta).sin() <= 0.0 {
         return Err(case.singular(
             ID,
@@ -130,7 +131,8 @@ mod tests {
     /// The published closed form, as an independent check of the wedge.
     fn published_slant(case: &Case, active: bool) -> f64 {
         let (alpha, beta, phi, delta) = radians(case);
-        let q = ((phi + delta).sin() * (phi + beta).sin() / ((alpha + delta).sin() * (alpha + beta).sin())).sqrt();
+        let q = ((phi + delta).sin() * (phi + beta).sin() / ((alpha + delta).sin() * (alpha + beta).sin()))
+            .sqrt();
         let bracket = if active { 1.0 + q } else { 1.0 - q };
         (alpha - phi).sin().powi(2) / ((alpha + delta).sin() * bracket * bracket)
     }

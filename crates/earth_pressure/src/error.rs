@@ -6,7 +6,9 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum EarthPressureError {
     /// An input is outside the range in which the model holds.
-    #[error("model {model} covers {quantity} from {low} to {high} deg, but {quantity} is {value} deg; {advice}")]
+    #[error(
+        "model {model} covers {quantity} from {low} to {high} deg, but {quantity} is {value} deg; {advice}"
+    )]
     OutsideModel {
         /// Model id.
         model: &'static str,

@@ -202,13 +202,15 @@ impl Spiral {
             cross(minus(point, m.pole), force)
         };
         // Thrust of the Rankine zone: parallel to the surface, pushing back.
-        let (cb, root) = (self.beta.cos(), (self.beta.cos().powi(2) - self.phi.cos().powi(2)).max(0.0).sqrt());
+        let (cb, root) =
+            (self.beta.cos(), (self.beta.cos().powi(2) - self.phi.cos().powi(2)).max(0.0).sqrt());
         let rankine = cb * (cb + root) / (cb - root);
         let push = (-self.beta.cos(), -self.beta.sin());
         let thrust = |above_d1: f64| cross(minus((m.d1.0, m.d1.1 + above_d1), m.pole), push);
         let third = if self.thesis { -height / 3.0 } else { height / 3.0 };
         // Everything is per gamma, q, c or c_a = 1; the factor of the weight is F / (1/2 gamma L^2).
-        let weight = -2.0 * (self.weight_moment(&m) + 0.5 * rankine * height * height * thrust(third)) / arm(1.0 / 3.0);
+        let weight = -2.0 * (self.weight_moment(&m) + 0.5 * rankine * height * height * thrust(third))
+            / arm(1.0 / 3.0);
 
         let surface = m.d1.0 / cb;
         let middle = (0.5 * m.f1.0, 0.5 * m.f1.1);
@@ -253,8 +255,9 @@ impl Spiral {
     fn surface(&self, theta: f64) -> Vec<Point> {
         const CHORDS: usize = 48;
         let m = self.member(theta);
-        let mut points: Vec<Point> =
-            (0..=CHORDS).map(|i| minus(self.on_spiral(&m, theta * i as f64 / CHORDS as f64), m.tip)).collect();
+        let mut points: Vec<Point> = (0..=CHORDS)
+            .map(|i| minus(self.on_spiral(&m, theta * i as f64 / CHORDS as f64), m.tip))
+            .collect();
         // The rising slip line makes 90 deg - phi with the falling one.
         let rise = FRAC_PI_2 - self.phi - self.dip;
         let run = (m.f1.1 - m.d1.1) * self.beta.cos() / (rise - self.beta).sin();

@@ -61,10 +61,18 @@ fn brent(mut a: f64, mut b: f64, start: f64, start_value: f64, f: &impl Fn(f64) 
         let u = if d.abs() >= tolerance { x + d } else { x + tolerance.copysign(d) };
         let fu = guarded(u);
         if fu <= fx {
-            if u >= x { a = x } else { b = x }
+            if u >= x {
+                a = x
+            } else {
+                b = x
+            }
             (v, fv, w, fw, x, fx) = (w, fw, x, fx, u, fu);
         } else {
-            if u < x { a = u } else { b = u }
+            if u < x {
+                a = u
+            } else {
+                b = u
+            }
             if fu <= fw || w == x {
                 (v, fv, w, fw) = (w, fw, u, fu);
             } else if fu <= fv || v == x || v == w {

@@ -1,7 +1,7 @@
 use soilctl_soil::{Angle, Interface, Plate, Soil};
 
 use crate::{
-    Case, Caquot, ChenLiu, Coulomb, EarthPressureError, LoadFactors, Loads, LogSpiral, Prediction, thesis,
+    Caquot, Case, ChenLiu, Coulomb, EarthPressureError, LoadFactors, Loads, LogSpiral, Prediction, thesis,
 };
 
 /// A model of the force at which a plate fails the soil.
@@ -104,7 +104,12 @@ pub struct ValidRange {
 impl ValidRange {
     /// Range of the closed-form models.
     pub(crate) const fn closed_form() -> Self {
-        Self { alpha_deg: (20.0, 140.0), beta_deg: (-40.0, 40.0), phi_deg: (1.0, 60.0), delta_deg: (0.0, 60.0) }
+        Self {
+            alpha_deg: (20.0, 140.0),
+            beta_deg: (-40.0, 40.0),
+            phi_deg: (1.0, 60.0),
+            delta_deg: (0.0, 60.0),
+        }
     }
 
     /// Refuses a case outside the range.
@@ -213,8 +218,7 @@ pub fn failure_force_n(
     interface: &Interface,
     surcharge_pa: f64,
 ) -> Result<(f64, Prediction), EarthPressureError> {
-    let loads =
-        Loads { cohesion_pa: soil.cohesion_pa(), adhesion_pa: interface.adhesion_pa(), surcharge_pa };
+    let loads = Loads { cohesion_pa: soil.cohesion_pa(), adhesion_pa: interface.adhesion_pa(), surcharge_pa };
     let case = Case::of(plate, soil, interface);
     check_loads(model, &case, &loads)?;
     let prediction = model.predict(&case)?;

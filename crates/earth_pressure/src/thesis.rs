@@ -90,7 +90,8 @@ pub fn upper_bound() -> Result<TableModel, EarthPressureError> {
 /// # Errors
 /// As [`appendix_c`].
 pub fn lower_bound() -> Result<TableModel, EarthPressureError> {
-    let reference = "Hong 2001, Appendix C: numerical lower bound; its cells at delta = 5 deg are interpolated";
+    let reference =
+        "Hong 2001, Appendix C: numerical lower bound; its cells at delta = 5 deg are interpolated";
     Ok(TableModel::new("thesis-lb", reference, appendix_c(Column::LowerBound)?))
 }
 

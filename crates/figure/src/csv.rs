@@ -21,9 +21,9 @@ pub(crate) fn to_csv(figure: &Figure) -> String {
     for (index, layer) in figure.layers.iter().enumerate() {
         let prefix = format!("{},{},{}", index + 1, layer.kind(), quoted(layer.name()));
         for row in rows(layer) {
-            let (part, ring) = row.part_and_ring.map_or_else(Default::default, |(part, ring)| {
-                (part.to_string(), ring.to_string())
-            });
+            let (part, ring) = row
+                .part_and_ring
+                .map_or_else(Default::default, |(part, ring)| (part.to_string(), ring.to_string()));
             let [x, y, low, high] = [row.x, row.y, row.y_low, row.y_high].map(number);
             let text = quoted(row.text);
             out += &format!("{prefix},{part},{ring},{x},{y},{low},{high},{text}\n");
@@ -56,7 +56,7 @@ fn rows(layer: &Layer) -> Vec<Row<'_>> {
         }
         Layer::Points(points) => {
             let bars = points.bars();
-            let row = |(i, p)| Row {
+            let row = |(i, p): (usize, _)| Row {
                 y_low: bars.as_ref().map(|bars| bars[i].0),
                 y_high: bars.as_ref().map(|bars| bars[i].1),
                 text: points.labels.as_ref().map_or("", |labels| labels[i].as_str()),
@@ -67,9 +67,7 @@ fn rows(layer: &Layer) -> Vec<Row<'_>> {
         Layer::Span(span) if span.orientation == Orientation::Horizontal => {
             vec![Row { y_low: Some(span.low), y_high: Some(span.high), ..Row::default() }]
         }
-        Layer::Span(span) => {
-            [span.low, span.high].map(|end| Row { x: Some(end), ..Row::default() }).into()
-        }
+        Layer::Span(span) => [span.low, span.high].map(|end| Row { x: Some(end), ..Row::default() }).into(),
         Layer::RefLine(line) if line.orientation == Orientation::Horizontal => {
             vec![Row { y: Some(line.at), ..Row::default() }]
         }

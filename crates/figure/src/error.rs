@@ -149,7 +149,9 @@ pub enum FigureError {
         columns: usize,
     },
     /// A table row with the wrong number of cells.
-    #[error("table \"{table}\": a row has {found} cells, but the table has {expected} columns; pass one cell per column")]
+    #[error(
+        "table \"{table}\": a row has {found} cells, but the table has {expected} columns; pass one cell per column"
+    )]
     BadRow {
         /// Caption of the table.
         table: String,

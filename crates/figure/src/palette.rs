@@ -62,8 +62,17 @@ pub enum Dash {
 impl Dash {
     /// The pattern that goes with a palette index.
     pub(crate) fn of(index: usize) -> Self {
-        use Dash::*;
-        [Solid, Dash, Dot, DashDot, LongDash, DashDotDot, LongDashDot, LooseDot][index % 8]
+        const IN_ORDER: [Dash; 8] = [
+            Dash::Solid,
+            Dash::Dash,
+            Dash::Dot,
+            Dash::DashDot,
+            Dash::LongDash,
+            Dash::DashDotDot,
+            Dash::LongDashDot,
+            Dash::LooseDot,
+        ];
+        IN_ORDER[index % IN_ORDER.len()]
     }
 
     /// Lengths drawn and skipped in turn, in line widths; empty for an unbroken line.

@@ -147,8 +147,7 @@ impl ModelSlice for BracketSlice {
         let low = self.lower.lookup(phi_deg, delta_deg)?;
         let high = self.upper.lookup(phi_deg, delta_deg)?;
         let (weight_lower, weight_upper) = (low.k_net * (-low.margin).exp(), high.k_net * high.margin.exp());
-        let factors =
-            LoadFactors { weight: (weight_lower * weight_upper).sqrt(), ..LoadFactors::default() };
+        let factors = LoadFactors { weight: (weight_lower * weight_upper).sqrt(), ..LoadFactors::default() };
         Ok(NetFactors { weight_lower, weight_upper, factors })
     }
 }

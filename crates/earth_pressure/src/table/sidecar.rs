@@ -50,9 +50,13 @@ impl Sidecar {
         let path = sidecar_path(table_path);
         let text = std::fs::read_to_string(&path).map_err(|e| file_error(&path, &e))?;
         let sidecar: Self = serde_json::from_str(&text).map_err(|e| file_error(&path, &e))?;
-        let bad = |problem: String| EarthPressureError::BadTable { table: path.display().to_string(), problem };
+        let bad =
+            |problem: String| EarthPressureError::BadTable { table: path.display().to_string(), problem };
         if sidecar.schema != SIDECAR_SCHEMA {
-            return Err(bad(format!("schema is {:?}; this version reads {SIDECAR_SCHEMA:?}", sidecar.schema)));
+            return Err(bad(format!(
+                "schema is {:?}; this version reads {SIDECAR_SCHEMA:?}",
+                sidecar.schema
+            )));
         }
         if sidecar.normalisation != "slant" {
             return Err(bad(format!("normalisation is {:?}; it must be \"slant\"", sidecar.normalisation)));
@@ -66,7 +70,10 @@ impl Sidecar {
         }
         Err(EarthPressureError::BadTable {
             table: path.display().to_string(),
-            problem: format!("it has {cells} cells, its sidecar says {}; the file was cut or edited", self.cells),
+            problem: format!(
+                "it has {cells} cells, its sidecar says {}; the file was cut or edited",
+                self.cells
+            ),
         })
     }
 }

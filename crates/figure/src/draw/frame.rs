@@ -38,8 +38,10 @@ impl Frame {
             lines => PAD + lines as f64 * TITLE_STEP + 4.0,
         };
         let legend = legend::Plan::new(figure, page_width, page_height - top);
-        let below = legend.as_ref().filter(|_| figure.legend == Legend::Below).map_or(0.0, |l| l.height + 8.0);
-        let beside = legend.as_ref().filter(|_| figure.legend == Legend::Right).map_or(0.0, |l| l.width + 14.0);
+        let below =
+            legend.as_ref().filter(|_| figure.legend == Legend::Below).map_or(0.0, |l| l.height + 8.0);
+        let beside =
+            legend.as_ref().filter(|_| figure.legend == Legend::Right).map_or(0.0, |l| l.width + 14.0);
         let x_title = if figure.x.label.is_empty() { 0.0 } else { LABEL_EM + 9.0 };
         let plot = Rect {
             left: 64.0,
@@ -72,7 +74,8 @@ impl Frame {
             let rows = (self.plot.height() / 45.0).clamp(2.0, 10.0) as usize;
             self.y_ticks = ticks(figure.y.scale, self.extent.y, rows);
             let y_title = if figure.y.label.is_empty() { 0.0 } else { LABEL_EM + 9.0 };
-            let widest = self.y_ticks.major.iter().map(|t| width(&t.label, TICK_EM, false)).fold(8.0, f64::max);
+            let widest =
+                self.y_ticks.major.iter().map(|t| width(&t.label, TICK_EM, false)).fold(8.0, f64::max);
             // A plot area must remain on the narrowest page, whatever the labels.
             self.plot.left = (PAD + y_title + widest + TICK_GAP).min(self.page_width * 0.45);
             self.x_ticks = self.spaced_x_ticks(figure.x.scale);

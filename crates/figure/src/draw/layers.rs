@@ -71,11 +71,8 @@ fn draw_points(points: &Points, frame: &Frame, scene: &mut Scene) {
     let bars = points.bars().unwrap_or_default();
     for (point, (low, high)) in points.points.iter().zip(bars) {
         let (x, low, high) = (frame.x(point.0), frame.y(low), frame.y(high));
-        let strokes = [
-            [(x, low), (x, high)],
-            [(x - CAP, low), (x + CAP, low)],
-            [(x - CAP, high), (x + CAP, high)],
-        ];
+        let strokes =
+            [[(x, low), (x, high)], [(x - CAP, low), (x + CAP, low)], [(x - CAP, high), (x + CAP, high)]];
         for ends in strokes {
             stroke(&ends, Dash::Solid, 1.3, color, frame, scene);
         }
@@ -139,7 +136,8 @@ fn draw_text(text: &Text, frame: &Frame, scene: &mut Scene) {
     let left = left.min(plot.right - width - 4.0).max(plot.left + 4.0);
     let middle = middle.min(plot.bottom - TICK_EM * 0.8).max(plot.top + TICK_EM * 0.8);
     let half = TICK_EM * 0.62;
-    let halo = Rect { left: left - 2.0, top: middle - half, right: left + width + 2.0, bottom: middle + half };
+    let halo =
+        Rect { left: left - 2.0, top: middle - half, right: left + width + 2.0, bottom: middle + half };
     scene.fill(vec![halo.ring()], PAPER, 0.75);
     let color = text.color.map_or(INK, series);
     let at = (left, middle + TICK_EM * 0.36);

@@ -33,19 +33,36 @@ impl Plan {
             return None;
         }
         let widest = names.iter().map(|name| width(name, TICK_EM, false)).fold(0.0, f64::max);
-        let beside = figure.legend == Legend::Right;
-        let available = if beside { page_width * 0.4 } else { page_width - 2.0 * PAD };
-        let column_width = (SAMPLE + GAP + widest + if beside { 0.0 } else { BETWEEN }).min(available);
-        let columns = if beside { 1 } else { ((available / column_width) as usize).clamp(1, names.len()) };
-        // The plot keeps the larger part of the page; entries beyond that are counted instead.
-        let most_rows = (if beside { room - PAD } else { room * 0.38 } / ROW).max(1.0) as usize;
-        let capacity = columns * most_rows;
-        let shown = if names.len() <= capacity { names.len() } else { capacity.saturating_sub(1).max(1) };
-        let left_out = names.len() - shown;
-        let rows = (shown + usize::from(left_out > 0)).div_ceil(columns).min(most_rows.max(1));
-        let (width, height) = (column_width * columns as f64, ROW * rows as f64);
-        Some(Self { width, height, columns, column_width, shown, left_out })
+        let plan = Self::with_entries(figure.legend, names.len(), widest, page_width, room);
+        if plan.left_out == 0 {
+            return Some(plan);
+        }
+        // The line that counts the others needs its room, too.
+        let widest = widest.max(width(&others(names.len()), TICK_EM, false));
+        Some(Self::with_entries(figure.legend, names.len(), widest, page_width, room))
     }
+
+    fn with_entries(legend: Legend, entries: usize, widest: f64, page_width: f64, room: f64) -> Self {
+        let beside = legend == Legend::Right;
+        let (available, gap) =
+            if beside { (page_width * 0.4, 0.0) } else { (page_width - 2.0 * PAD, BETWEEN) };
+        let column_width = (SAMPLE + GAP + widest + gap).min(available);
+        let columns = if beside { 1 } else { ((available / column_width) as usize).clamp(1, entries) };
+        // The plot keeps the larger part of the page; entries beyond that are counted instead.
+        let space = if beside { room - PAD } else { room * 0.38 };
+        let most_rows = (space / ROW).max(2.0) as usize;
+        let capacity = columns * most_rows;
+        let shown = if entries <= capacity { entries } else { capacity - 1 };
+        let left_out = entries - shown;
+        let rows = (shown + usize::from(left_out > 0)).div_ceil(columns);
+        let (width, height) = (column_width * columns as f64, ROW * rows as f64);
+        Self { width, height, columns, column_width, shown, left_out }
+    }
+}
+
+/// The line that stands for entries that are not shown.
+fn others(count: usize) -> String {
+    format!("… and {count} more")
 }
 
 /// Draws the legend as planned.
@@ -70,7 +87,7 @@ pub(crate) fn draw(figure: &Figure, frame: &Frame, scene: &mut Scene) {
         entry(i, layer.name());
     }
     if plan.left_out > 0 {
-        entry(plan.shown, &format!("… and {} more", plan.left_out));
+        entry(plan.shown, &others(plan.left_out));
     }
     for (i, layer) in layers.iter().enumerate() {
         draw_sample(layer, place(i), scene);

@@ -89,7 +89,8 @@ fn averaged(fine: &[u8], width: usize, height: usize) -> Vec<u8> {
         for x in 0..width {
             for channel in 0..3 {
                 let corner = y * samples * stride + x * samples * 3 + channel;
-                let block = (0..samples).flat_map(|dy| (0..samples).map(move |dx| corner + dy * stride + dx * 3));
+                let block =
+                    (0..samples).flat_map(|dy| (0..samples).map(move |dx| corner + dy * stride + dx * 3));
                 let sum: usize = block.map(|i| usize::from(fine[i])).sum();
                 out.push(((sum + samples * samples / 2) / (samples * samples)) as u8);
             }
@@ -103,6 +104,8 @@ fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, FigureError
     let mut encoder = ::png::Encoder::new(&mut file, width, height);
     encoder.set_color(::png::ColorType::Rgb);
     encoder.set_depth(::png::BitDepth::Eight);
+    encoder.set_compression(::png::Compression::Best);
+    encoder.set_filter(::png::FilterType::Up);
     // Print programs then place the picture at its size in px of 1/96 inch.
     let per_meter = (f64::from(SCALE) * 96.0 / 0.0254).round() as u32;
     let unit = ::png::Unit::Meter;

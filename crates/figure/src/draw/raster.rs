@@ -4,8 +4,10 @@ use super::scene::Px;
 
 /// Calls `run(y, from, to)` for each run of pixels (`to` excluded) whose centres lie inside `rings`.
 pub(crate) fn fill(rings: &[Vec<Px>], (width, height): (u32, u32), mut run: impl FnMut(i32, i32, i32)) {
-    let vertical = |ring: &Vec<Px>| ring.iter().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p.1), h.max(p.1)));
-    let (low, high) = rings.iter().map(vertical).fold((f64::MAX, f64::MIN), |a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let vertical =
+        |ring: &Vec<Px>| ring.iter().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p.1), h.max(p.1)));
+    let (low, high) =
+        rings.iter().map(vertical).fold((f64::MAX, f64::MIN), |a, b| (a.0.min(b.0), a.1.max(b.1)));
     let first = (low - 0.5).ceil().max(0.0) as usize;
     let last = (high - 0.5).floor().min(f64::from(height) - 1.0);
     if last < first as f64 {
@@ -93,7 +95,7 @@ mod tests {
     fn fills_areas_and_leaves_holes() {
         let square = vec![(10.0, 10.0), (30.0, 10.0), (30.0, 30.0), (10.0, 30.0)];
         let hole: Vec<Px> = vec![(15.0, 15.0), (15.0, 25.0), (25.0, 25.0), (25.0, 15.0)];
-        assert_eq!(area(&[square.clone()]), 400);
+        assert_eq!(area(std::slice::from_ref(&square)), 400);
         assert_eq!(area(&[square, hole]), 300);
     }
 

@@ -29,9 +29,10 @@ pub(crate) struct Label {
 }
 
 impl Label {
-    pub(crate) fn new(text: impl Into<String>, at: Px, anchor: Anchor, em: f64) -> Self {
+    pub(crate) fn new(text: impl AsRef<str>, at: Px, anchor: Anchor, em: f64) -> Self {
         let color = crate::palette::INK;
-        Self { text: text.into(), at, anchor, em, bold: false, upwards: false, color }
+        let text = crate::escape::printable(text.as_ref());
+        Self { text, at, anchor, em, bold: false, upwards: false, color }
     }
 }
 

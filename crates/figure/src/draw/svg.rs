@@ -25,7 +25,7 @@ pub(crate) fn render(scene: &Scene) -> Result<String, FigureError> {
     let mut backend = SVGBackend::with_string(&mut out, (width * UNITS as u32, height * UNITS as u32));
     let corner = (unit(f64::from(width)), unit(f64::from(height)));
     backend.draw_rect((0, 0), corner, &rgba(PAPER, 1.0), true).map_err(failed)?;
-    scene.items.iter().try_for_each(|item| play(item, &mut backend)).map_err(failed)?;
+    scene.items.iter().try_for_each(|item| play(item, &mut backend))?;
     backend.present().map_err(failed)?;
     drop(backend);
     Ok(with_root(&out, scene))
@@ -43,9 +43,7 @@ fn with_root(svg: &str, scene: &Scene) -> String {
     )
 }
 
-type Drawn = Result<(), plotters::backend::DrawingErrorKind<std::io::Error>>;
-
-fn play(item: &Item, backend: &mut SVGBackend<'_>) -> Drawn {
+fn play(item: &Item, backend: &mut SVGBackend<'_>) -> Result<(), FigureError> {
     match item {
         Item::Stroke { points, width, color } => {
             let style = ShapeStyle {
@@ -55,20 +53,21 @@ fn play(item: &Item, backend: &mut SVGBackend<'_>) -> Drawn {
             };
             let mut path: Vec<_> = points.iter().map(|&p| units(p)).collect();
             path.dedup();
-            backend.draw_path(path, &style)
+            backend.draw_path(path, &style).map_err(failed)
         }
         Item::Fill { rings, color, alpha } => {
-            backend.fill_polygon(bridged(rings).into_iter().map(units), &rgba(*color, *alpha))
+            let outline = bridged(rings).into_iter().map(units);
+            backend.fill_polygon(outline, &rgba(*color, *alpha)).map_err(failed)
         }
         Item::Disc { center, radius, color } => {
             let radius = unit(*radius).unsigned_abs();
-            backend.draw_circle(units(*center), radius, &rgba(*color, 1.0), true)
+            backend.draw_circle(units(*center), radius, &rgba(*color, 1.0), true).map_err(failed)
         }
         Item::Label(label) => play_label(label, backend),
     }
 }
 
-fn play_label(label: &Label, backend: &mut SVGBackend<'_>) -> Drawn {
+fn play_label(label: &Label, backend: &mut SVGBackend<'_>) -> Result<(), FigureError> {
     let em = label.em * UNITS;
     let style = fonts::style(em * SIZE_PER_EM, label.bold, label.upwards, label.color);
     let side = match label.anchor {
@@ -79,7 +78,8 @@ fn play_label(label: &Label, backend: &mut SVGBackend<'_>) -> Drawn {
     let (x, y) = units(label.at);
     let rise = (em * TOP_TO_BASELINE).round() as i32;
     let at = if label.upwards { (x - rise, y) } else { (x, y - rise) };
-    backend.draw_text(&escape::printable(&label.text), &style.pos(Pos::new(side, VPos::Top)), at)
+    let style = style.pos(Pos::new(side, VPos::Top));
+    backend.draw_text(&label.text, &style, at).map_err(failed)
 }
 
 /// One ring out of several. The bridges between them are walked both ways, so they enclose

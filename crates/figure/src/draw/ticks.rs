@@ -69,7 +69,7 @@ fn log((low, high): (f64, f64), target: usize) -> Ticks {
     let stride = (decades as usize).div_ceil(target.max(2)).max(1) as i32;
     let multiples: &[i32] = if decades <= 2 { &[1, 2, 5] } else { &[1] };
     // One notation for the whole axis: plain decimals only where all labels are short.
-    let plain = first - 1 >= -5 && last <= 4;
+    let plain = first > -5 && last <= 4;
     let mut ticks = Ticks::default();
     for exponent in first - 1..=last {
         for multiple in 1..10 {

@@ -10,8 +10,8 @@ mod marks;
 mod size;
 
 pub use areas::{Polygon, Polygons, Span};
-pub use axis::{Axis, Scale};
 pub(crate) use axis::narrowest;
+pub use axis::{Axis, Scale};
 pub use curves::{Band, Line};
 pub use figure::{Figure, Legend};
 pub use layer::{Layer, Orientation};

@@ -1,0 +1,88 @@
+//! The command line: global options and the soil and tool options that every verb calls the same.
+
+use std::str::FromStr;
+
+use clap::Parser;
+use soilctl_soil::STANDARD_GRAVITY_M_S2;
+
+use crate::output::Format;
+use crate::verbs::Verb;
+
+/// From the force at which a plate fails soil to the soil's friction angle and density.
+///
+/// Angles are in degrees, everything else in SI units. Exit codes: 0 done; 1 done, and the answer is negative;
+/// 2 wrong usage or bad input; 3 done in part.
+#[derive(Debug, Parser)]
+#[command(name = "soilctl", version, subcommand_required = true, arg_required_else_help = false)]
+pub(crate) struct Cli {
+    /// Form of the answer on stdout
+    #[arg(long, global = true, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+
+    /// No progress and no notes on stderr
+    #[arg(long, global = true)]
+    pub(crate) quiet: bool,
+
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+}
+
+/// Loads on and properties of the soil, beside its friction and density.
+#[derive(Debug, Clone, Copy, clap::Args)]
+pub(crate) struct LoadArgs {
+    /// Cohesion of the soil [Pa], at least 0
+    #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
+    pub(crate) cohesion: f64,
+
+    /// Adhesion between soil and plate [Pa], at least 0
+    #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
+    pub(crate) adhesion: f64,
+
+    /// Vertical pressure on the surface, on both sides of the plate [Pa], at least 0
+    #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
+    pub(crate) surcharge: f64,
+
+    /// Gravity [m/s2], above 0
+    #[arg(long, value_name = "M/S2", default_value_t = STANDARD_GRAVITY_M_S2, value_parser = finite,
+          allow_negative_numbers = true)]
+    pub(crate) gravity: f64,
+
+    /// Slope of the surface [deg], positive when it rises ahead of the plate
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
+    pub(crate) beta: f64,
+}
+
+/// A number, or the word `column` for the column of that name in the stroke table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum NumberOrColumn {
+    Number(f64),
+    Column,
+}
+
+impl NumberOrColumn {
+    pub(crate) fn number(self) -> Option<f64> {
+        match self {
+            Self::Number(value) => Some(value),
+            Self::Column => None,
+        }
+    }
+}
+
+impl FromStr for NumberOrColumn {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "column" {
+            return Ok(Self::Column);
+        }
+        finite(text).map(Self::Number).map_err(|problem| format!("{problem}, or the word column"))
+    }
+}
+
+/// A number that is neither NaN nor infinite.
+pub(crate) fn finite(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err("it must be a finite number with a decimal point, such as 0.025".into()),
+    }
+}

@@ -1,0 +1,67 @@
+use soilctl_earth_pressure::EarthPressureError;
+use soilctl_figure::FigureError;
+use soilctl_soil::SoilError;
+use soilctl_strokes::StrokesError;
+use thiserror::Error;
+
+/// Why a verb gave no answer.
+#[derive(Debug, Error)]
+pub(crate) enum CliError {
+    /// Options that do not go together, or one that is missing.
+    #[error("{0}")]
+    Usage(String),
+    /// A force model or a table.
+    #[error(transparent)]
+    EarthPressure(#[from] EarthPressureError),
+    /// One row of a stroke table.
+    #[error("{file}, line {line}: {problem}")]
+    Row {
+        /// Name of the file.
+        file: String,
+        /// Line in the file.
+        line: usize,
+        /// What is wrong there.
+        problem: EarthPressureError,
+    },
+    /// A soil, an interface or a plate.
+    #[error(transparent)]
+    Soil(#[from] SoilError),
+    /// A stroke table.
+    #[error(transparent)]
+    Strokes(#[from] StrokesError),
+    /// A figure.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+    /// An answer that is no number.
+    #[error(
+        "{key} came out as {value}, which is no answer; the inputs are beyond what double precision can hold, so \
+         bring them closer to the size of a real plate and soil"
+    )]
+    NotFinite {
+        /// Key of the answer.
+        key: String,
+        /// NaN or an infinity.
+        value: f64,
+    },
+    /// A file that cannot be written or read.
+    #[error("{path}: {problem}")]
+    File {
+        /// The path.
+        path: String,
+        /// What the system says.
+        problem: std::io::Error,
+    },
+    /// Stdout.
+    #[error("the answer could not be written: {0}")]
+    Stdout(#[from] std::io::Error),
+    /// An answer that could not be put into JSON.
+    #[error("the answer could not be put into JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+impl CliError {
+    /// Whether the reader of stdout went away, which is its right.
+    pub(crate) fn is_broken_pipe(&self) -> bool {
+        matches!(self, Self::Stdout(problem) if problem.kind() == std::io::ErrorKind::BrokenPipe)
+    }
+}

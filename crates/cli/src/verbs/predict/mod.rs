@@ -1,0 +1,108 @@
+//! `soilctl predict`: force and coefficients of a plate from a named model.
+
+mod answer;
+mod chosen;
+mod curves;
+mod plot;
+mod single;
+mod strokes;
+mod surfaces;
+
+use std::path::PathBuf;
+
+pub(crate) use answer::Prediction;
+use soilctl_earth_pressure::Loads;
+use soilctl_soil::SoilError;
+
+use super::Outcome;
+use crate::args::{LoadArgs, NumberOrColumn, finite};
+use crate::error::CliError;
+use crate::output::Output;
+
+/// Coefficients are per slant length, passive minus active: K = 2 F / (gamma L^2 w), L = depth / sin(alpha). Without
+/// --depth, --width and --density the force is null.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// Model: coulomb, log-spiral, log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table
+    #[arg(long, value_name = "NAME", default_value = "chen")]
+    model: String,
+
+    /// A table file (.csv or .parquet) as the model
+    #[arg(long, value_name = "FILE", conflicts_with = "model")]
+    model_table: Option<PathBuf>,
+
+    /// Tool angle from the horizontal [deg]
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true,
+          required_unless_present = "strokes", conflicts_with = "strokes")]
+    alpha: Option<f64>,
+
+    /// Internal friction angle of the soil [deg]
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
+    phi: f64,
+
+    /// Friction angle between soil and plate [deg], or `column` for delta_set_deg of --strokes
+    #[arg(long, value_name = "DEG|column", allow_negative_numbers = true)]
+    delta: NumberOrColumn,
+
+    /// Bulk density [kg/m3], or `column` for density_kg_m3 of --strokes
+    #[arg(long, value_name = "KG/M3|column", allow_negative_numbers = true)]
+    density: Option<NumberOrColumn>,
+
+    /// Vertical depth of the plate's lower edge below the surface [m]
+    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true,
+          conflicts_with = "strokes")]
+    depth: Option<f64>,
+
+    /// Width of the plate [m]
+    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true,
+          conflicts_with = "strokes")]
+    width: Option<f64>,
+
+    #[command(flatten)]
+    loads: LoadArgs,
+
+    /// A stroke table: one prediction a row, with alpha, depth and width from the file
+    #[arg(long, value_name = "FILE")]
+    strokes: Option<PathBuf>,
+
+    /// Draws a figure (.svg or .png)
+    #[arg(long, value_name = "FILE", conflicts_with = "strokes")]
+    plot: Option<PathBuf>,
+
+    /// What --plot draws
+    #[arg(long, value_name = "KIND", value_enum, default_value_t = plot::Kind::Surface, requires = "plot")]
+    plot_kind: plot::Kind,
+}
+
+impl Args {
+    /// The loads, checked.
+    fn checked_loads(&self) -> Result<Loads, SoilError> {
+        let surcharge = self.loads.surcharge;
+        if surcharge < 0.0 {
+            return Err(SoilError::OutOfRange {
+                quantity: "surcharge",
+                value: surcharge,
+                unit: "Pa",
+                allowed: "at least 0 Pa",
+            });
+        }
+        Ok(Loads {
+            cohesion_pa: self.loads.cohesion,
+            adhesion_pa: self.loads.adhesion,
+            surcharge_pa: surcharge,
+        })
+    }
+}
+
+pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    let answer = match (&args.strokes, args.alpha) {
+        (Some(path), _) => strokes::predict(args, path)?,
+        (None, Some(alpha)) => single::predict(args, alpha)?,
+        (None, None) => return Err(CliError::Usage("give --alpha DEG or --strokes FILE".into())),
+    };
+    if let (Some(path), Some(alpha)) = (&args.plot, args.alpha) {
+        plot::plot_predict(path, args.plot_kind, single::case(args, alpha)?, output)?;
+    }
+    output.answer(&answer)?;
+    Ok(Outcome::Done)
+}

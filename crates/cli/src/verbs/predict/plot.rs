@@ -1,0 +1,68 @@
+//! The figures of `predict --plot`.
+
+use std::path::Path;
+
+use clap::ValueEnum;
+use soilctl_earth_pressure::Case;
+use soilctl_figure::{Figure, Size};
+
+use super::curves::{self, Angle};
+use super::surfaces;
+use crate::error::CliError;
+use crate::output::Output;
+
+/// What to draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Kind {
+    /// Failure surfaces of the models that have one, over each other
+    Surface,
+    /// k_net of all models against the friction angle of the soil
+    Phi,
+    /// k_net of all models against the interface friction angle
+    Delta,
+    /// k_net of all models against the tool angle
+    Alpha,
+}
+
+/// Draws a figure of a case into a file.
+pub(super) fn plot_predict(path: &Path, kind: Kind, case: Case, output: &Output) -> Result<(), CliError> {
+    let is_png = match path.extension().and_then(|ending| ending.to_str()) {
+        Some("svg") => false,
+        Some("png") => true,
+        _ => {
+            return Err(CliError::Usage(format!(
+                "--plot is {}; the name must end in .svg or .png",
+                path.display()
+            )));
+        }
+    };
+    let figure = match kind {
+        Kind::Surface => surfaces::figure(&case, output)?,
+        Kind::Phi => curves::figure(&case, Angle::Phi)?,
+        Kind::Delta => curves::figure(&case, Angle::Delta)?,
+        Kind::Alpha => curves::figure(&case, Angle::Alpha)?,
+    };
+    let bytes = render(&figure, is_png)?;
+    std::fs::write(path, bytes)
+        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+}
+
+fn render(figure: &Figure, is_png: bool) -> Result<Vec<u8>, CliError> {
+    let size = Size::default();
+    Ok(if is_png { figure.to_png(size)? } else { figure.to_svg(size)?.into_bytes() })
+}
+
+/// The angles of a case in words, without the one left out.
+pub(super) fn angles_in_words(case: &Case, without: &str) -> String {
+    let angles = [
+        ("alpha", case.tool_angle),
+        ("beta", case.surface_slope),
+        ("phi", case.friction),
+        ("delta", case.interface),
+    ];
+    let words = angles
+        .iter()
+        .filter(|(name, angle)| *name != without && (*name != "beta" || angle.radians() != 0.0))
+        .map(|(name, angle)| format!("{name} {}°", crate::text::number(angle.degrees())));
+    words.collect::<Vec<_>>().join(", ")
+}

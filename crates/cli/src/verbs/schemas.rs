@@ -1,0 +1,38 @@
+//! `soilctl schemas DIR`: the JSON schemas of all answers, for the reference documentation.
+
+use std::path::{Path, PathBuf};
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde_json::{Value, json};
+
+use super::{Outcome, predict, table};
+use crate::error::CliError;
+use crate::output::{Answer, Document};
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct Args {
+    /// Folder to write to
+    dir: PathBuf,
+}
+
+pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
+    write::<predict::Prediction>(&args.dir)?;
+    write::<table::TableAnswer>(&args.dir)?;
+    Ok(Outcome::Done)
+}
+
+fn write<A: Answer + JsonSchema + 'static>(dir: &Path) -> Result<(), CliError> {
+    let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+    let mut schema = serde_json::to_value(generator.into_root_schema_for::<Document<'static, A>>())?;
+    if let Some(keys) = schema.as_object_mut() {
+        keys.insert("title".into(), Value::from(A::SCHEMA));
+    }
+    if let Some(id) = schema.pointer_mut("/properties/schema") {
+        *id = json!({"description": "Id of this schema.", "const": A::SCHEMA});
+    }
+    let path = dir.join(A::SCHEMA.replace('/', ".") + ".json");
+    let text = serde_json::to_string_pretty(&schema)? + "\n";
+    std::fs::write(&path, text)
+        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+}

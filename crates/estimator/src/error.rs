@@ -1,0 +1,72 @@
+use soilctl_earth_pressure::EarthPressureError;
+use soilctl_soil::SoilError;
+use thiserror::Error;
+
+/// What can go wrong in an estimate.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EstimatorError {
+    /// No measurement at all.
+    #[error("there is no measurement; give at least one stroke")]
+    NoMeasurement,
+    /// More distinct measurements than the estimator takes.
+    #[error("there are {count} distinct measurements, the limit is {limit}; group strokes by tool angle and depth")]
+    TooManyMeasurements {
+        /// How many were given.
+        count: usize,
+        /// How many are taken.
+        limit: usize,
+    },
+    /// An interval of knowledge is not an interval.
+    #[error("{quantity} is known as {low} to {high} {unit}; it must be {allowed}")]
+    BadInterval {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+        /// Unit.
+        unit: &'static str,
+        /// What is allowed, in words.
+        allowed: String,
+    },
+    /// A measurement has no width, so bands would be lines.
+    #[error(
+        "measurement {label} has no uncertainty (force {force_n} N exactly); give a positive standard deviation, \
+         or treat the data as exact"
+    )]
+    NoUncertainty {
+        /// The measurement.
+        label: String,
+        /// Its force.
+        force_n: f64,
+    },
+    /// Too little data for what was asked.
+    #[error("{task} needs {needed}, but there {found}")]
+    TooLittle {
+        /// What was asked for.
+        task: &'static str,
+        /// What it needs.
+        needed: &'static str,
+        /// What there is.
+        found: String,
+    },
+    /// The force model refuses an input.
+    #[error("{context}{source}")]
+    Model {
+        /// Which measurement, with a colon, or nothing.
+        context: String,
+        /// What the model says.
+        source: EarthPressureError,
+    },
+    /// A vocabulary value is not valid.
+    #[error(transparent)]
+    Soil(#[from] SoilError),
+}
+
+impl From<EarthPressureError> for EstimatorError {
+    fn from(source: EarthPressureError) -> Self {
+        Self::Model { context: String::new(), source }
+    }
+}

@@ -1,0 +1,153 @@
+//! The consistent set over one triangle of the (phi, delta) plane, enclosed in a convex polytope.
+
+use crate::convex::{Point, area_centroid, clip, hull};
+
+/// A linear function on a triangle: values at its three corners.
+#[derive(Clone, Copy)]
+pub(crate) struct Plane(pub(crate) [f64; 3]);
+
+/// Lower and upper density bounds over a triangle, each set reduced to those that matter somewhere in it.
+pub(crate) struct Piece {
+    corners: [Point; 3],
+    lower: Vec<Plane>,
+    upper: Vec<Plane>,
+    /// Part of the triangle in (phi, delta) where every lower bound is below every upper bound.
+    base: Vec<Point>,
+}
+
+impl Piece {
+    /// The set between the bounds over the part of a triangle where delta lies in `delta` and phi in `phi`;
+    /// `None` if it is empty. Corners counter-clockwise.
+    pub(crate) fn new(
+        corners: [Point; 3],
+        lower: Vec<Plane>,
+        upper: Vec<Plane>,
+        phi: (f64, f64),
+        delta: (f64, f64),
+    ) -> Option<Self> {
+        let lower = undominated(lower, |a, b| a <= b);
+        let upper = undominated(upper, |a, b| a >= b);
+        let mut piece = Self { corners, lower, upper, base: corners.to_vec() };
+        for (d, (low, high)) in [phi, delta].into_iter().enumerate() {
+            piece.base = clip(&piece.base, |p| p[d] - low);
+            piece.base = clip(&piece.base, |p| high - p[d]);
+        }
+        for lo in &piece.lower {
+            for hi in &piece.upper {
+                piece.base = clip(&piece.base, |p| value(&corners, hi, p) - value(&corners, lo, p));
+            }
+        }
+        (piece.base.len() >= 3).then_some(piece)
+    }
+
+    /// Shadow on the (phi, delta) plane.
+    pub(crate) fn base(&self) -> &[Point] {
+        &self.base
+    }
+
+    /// Shadow on the plane of one base coordinate (0 phi, 1 delta) and density: hull of the lifted vertices.
+    pub(crate) fn shadow(&self, coordinate: usize) -> Vec<Point> {
+        let mut points = Vec::new();
+        for (planes, side) in [(&self.lower, 1.0), (&self.upper, -1.0)] {
+            for (plane, part) in self.parts(planes, side) {
+                points.extend(part.iter().map(|&p| [p[coordinate], value(&self.corners, plane, p)]));
+            }
+        }
+        hull(points)
+    }
+
+    /// Volume in deg2 kg/m3: the density range integrated over the base.
+    pub(crate) fn volume(&self) -> f64 {
+        let integral = |planes: &[Plane], side: f64| -> f64 {
+            self.parts(planes, side)
+                .map(|(plane, part)| {
+                    let (area, centroid) = area_centroid(&part);
+                    area.abs() * value(&self.corners, plane, centroid)
+                })
+                .sum()
+        };
+        integral(&self.upper, -1.0) - integral(&self.lower, 1.0)
+    }
+
+    /// The base cut into the parts on which each plane is the binding one.
+    fn parts<'a>(
+        &'a self,
+        planes: &'a [Plane],
+        side: f64,
+    ) -> impl Iterator<Item = (&'a Plane, Vec<Point>)> + 'a {
+        planes.iter().enumerate().filter_map(move |(i, plane)| {
+            let mut part = self.base.clone();
+            for (j, other) in planes.iter().enumerate() {
+                if i != j && !part.is_empty() {
+                    part = clip(&part, |p| {
+                        side * (value(&self.corners, plane, p) - value(&self.corners, other, p))
+                    });
+                }
+            }
+            (!part.is_empty()).then_some((plane, part))
+        })
+    }
+}
+
+/// Drops planes that another one makes redundant at all three corners, hence everywhere between them.
+fn undominated(planes: Vec<Plane>, weaker: impl Fn(f64, f64) -> bool) -> Vec<Plane> {
+    let mut kept: Vec<Plane> = Vec::with_capacity(2);
+    for plane in planes {
+        let beaten_by = |other: &Plane| (0..3).all(|c| weaker(plane.0[c], other.0[c]));
+        if kept.iter().any(beaten_by) {
+            continue;
+        }
+        kept.retain(|other| !(0..3).all(|c| weaker(other.0[c], plane.0[c])));
+        kept.push(plane);
+    }
+    kept
+}
+
+/// Value of a plane at a point, by the point's barycentric coordinates.
+fn value(corners: &[Point; 3], plane: &Plane, p: Point) -> f64 {
+    let [a, b, c] = corners;
+    let (bx, by, cx, cy) = (b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]);
+    let (px, py) = (p[0] - a[0], p[1] - a[1]);
+    let scale = 1.0 / (bx * cy - by * cx);
+    let (u, v) = ((px * cy - py * cx) * scale, (bx * py - by * px) * scale);
+    plane.0[0] + u * (plane.0[1] - plane.0[0]) + v * (plane.0[2] - plane.0[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CORNERS: [Point; 3] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]];
+
+    #[test]
+    fn a_prism_has_the_volume_of_a_prism() {
+        let piece = Piece::new(
+            CORNERS,
+            vec![Plane([1.0; 3]), Plane([0.5; 3])],
+            vec![Plane([3.0; 3])],
+            (0.0, 1.0),
+            (0.0, 1.0),
+        )
+        .unwrap();
+        assert!((piece.volume() - 1.0).abs() < 1e-15);
+        assert!((area_centroid(&piece.shadow(0)).0 - 2.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_tent_over_half_the_triangle() {
+        // Upper bound falls from 1 to -1 along phi, lower bound is 0: only phi < 1/2 is left.
+        let piece = Piece::new(
+            CORNERS,
+            vec![Plane([0.0; 3])],
+            vec![Plane([1.0, -1.0, -1.0])],
+            (0.0, 1.0),
+            (0.0, 1.0),
+        )
+        .unwrap();
+        let reach = piece.base().iter().map(|p| p[0]).fold(0.0, f64::max);
+        assert!((reach - 0.5).abs() < 1e-15);
+        // Volume: integral over phi in 0..1/2 of phi (1 - 2 phi).
+        assert!((piece.volume() - 1.0 / 24.0).abs() < 1e-15);
+        assert!(Piece::new(CORNERS, vec![Plane([2.0; 3])], vec![Plane([1.0; 3])], (0., 1.), (0., 1.)).is_none());
+    }
+}

@@ -1,0 +1,52 @@
+//! A figure with every kind of layer and hostile names.
+#![allow(dead_code)]
+
+use soilctl_figure::{Axis, Band, Figure, FigureError, Line, Points, Polygon, Polygons, RefLine, Span, Text};
+
+/// Text that breaks out of careless documents.
+pub(crate) const HOSTILE: &str = "<script>alert('1')</script> & \"q\" %{x} \u{0}";
+
+/// One layer of each kind.
+pub(crate) fn everything() -> Result<Figure, FigureError> {
+    let mut figure = Figure::new(HOSTILE, Axis::linear("x (mm)"), Axis::linear(HOSTILE));
+    let square = |low: f64, high: f64| vec![(low, low), (high, low), (high, high), (low, high)];
+    figure
+        .push(Span::horizontal("hspan", 1.0, 2.0))?
+        .push(Span::vertical("vspan", 3.0, 4.0))?
+        .push(Line::new(HOSTILE, [(0.0, 0.1), (1.0, 2.5), (2.0, 1.0 / 3.0)]))?
+        .push(Band::new("band, \"quoted\"", [0.0, 5.0], [0.0, 1.0], [2.0, 3.0]))?
+        .push(Polygons::new("area", [Polygon::new(square(0.0, 4.0)).hole(square(1.0, 2.0))]))?
+        .push(
+            Points::new("pts", [(1.0, 1.0), (2.0, 1e-7)])
+                .y_error([(0.5, 0.25), (0.0, 1.0)])
+                .labels(["a", HOSTILE]),
+        )?
+        .push(RefLine::horizontal("hline", 2.0))?
+        .push(RefLine::vertical("vline", 4.5))?
+        .push(Text::new(HOSTILE, (2.0, 2.0)))?;
+    Ok(figure)
+}
+
+/// Fails unless the text is well-formed as far as tags and quotes go.
+pub(crate) fn assert_well_formed(xml: &str) {
+    let mut open: Vec<&str> = Vec::new();
+    let mut rest = xml;
+    while let Some(start) = rest.find('<') {
+        assert!(!rest[..start].contains('>'), "stray > in {}", &rest[..start]);
+        let end = rest[start..].find('>').expect("unclosed tag") + start;
+        let tag = &rest[start + 1..end];
+        assert_eq!(tag.matches('"').count() % 2, 0, "{tag}");
+        if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name));
+        } else if !tag.ends_with('/') {
+            open.push(tag.split_whitespace().next().expect("a name"));
+        }
+        rest = &rest[end + 1..];
+    }
+    assert!(open.is_empty(), "{open:?}");
+    let entities = xml.split('&').skip(1);
+    for entity in entities {
+        let name = entity.split(';').next().expect("an entity");
+        assert!(["lt", "gt", "amp", "quot", "apos", "#39"].contains(&name), "&{name}");
+    }
+}

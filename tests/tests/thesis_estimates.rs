@@ -1,0 +1,133 @@
+//! Chapter 7 of Hong (2001) reproduced: friction angle and density ranges of the four soils.
+//!
+//! Recipe: bands of one standard deviation, measured density +-4 %, interface friction +-1 deg, plate 5 in wide,
+//! 1 in of slant length.
+
+use soilctl_earth_pressure::{ForceModel, model};
+use soilctl_estimator::{Estimate, Observation, Setup, estimate, section};
+use soilctl_soil::{Angle, Plate, units};
+use soilctl_tests::data;
+
+fn column(file: &str, soil: &str) -> Vec<Vec<String>> {
+    csv::Reader::from_path(data(file))
+        .unwrap()
+        .records()
+        .map(|r| r.unwrap().iter().map(str::to_owned).collect::<Vec<_>>())
+        .filter(|r| r[0] == soil)
+        .collect()
+}
+
+fn number(text: &str) -> f64 {
+    text.parse().unwrap()
+}
+
+fn observations(soil: &str) -> Vec<Observation> {
+    column("failure_forces.csv", soil)
+        .iter()
+        .map(|row| {
+            let alpha = Angle::from_degrees(number(&row[1]));
+            let depth = units::inches_to_m(1.0) * alpha.sin();
+            let plate = Plate::new(alpha, Angle::ZERO, depth, units::inches_to_m(5.0)).unwrap();
+            let [force, sd] = [2, 3].map(|i| units::lbf_to_n(number(&row[i])));
+            Observation::new(format!("{} deg", row[1]), plate, force, sd).unwrap()
+        })
+        .collect()
+}
+
+fn setup<'m>(model: &'m dyn ForceModel, soil: &str, density_known: bool) -> Setup<'m> {
+    let row = &column("soils.csv", soil)[0];
+    let (density, delta) = (units::g_cc_to_kg_m3(number(&row[1])), number(&row[6]));
+    let setup = Setup::new(model, observations(soil), (delta - 1.0, delta + 1.0));
+    if density_known { setup.with_density(0.96 * density, 1.04 * density) } else { setup }
+}
+
+fn run(id: &str, soil: &str, density_known: bool) -> Estimate {
+    let model = model(id).unwrap();
+    estimate(&setup(&*model, soil, density_known)).unwrap()
+}
+
+fn assert_range(what: &str, found: [f64; 2], printed: [f64; 2], tolerance: f64) {
+    println!("{what}: {:.2} - {:.2}, printed {} - {}", found[0], found[1], printed[0], printed[1]);
+    for (f, p) in found.into_iter().zip(printed) {
+        assert!((f - p).abs() <= tolerance, "{what}: {found:?}, printed {printed:?}");
+    }
+}
+
+#[test]
+fn rained_ticino_with_density() {
+    for (id, printed, tolerance) in [
+        ("thesis-ub", [41.4, 43.8], 0.4),
+        ("thesis-lb", [43.6, 46.1], 0.4),
+        ("chen", [40.8, 43.2], 0.4),
+        ("caquot", [41.2, 43.6], 0.5),
+    ] {
+        let found = run(id, "ticino_rained", true);
+        assert_range(id, found.phi_deg.unwrap(), printed, tolerance);
+        assert!(!found.limits.any());
+    }
+}
+
+#[test]
+fn rained_ticino_without_density() {
+    for (id, density, phi) in [("thesis-ub", [1200., 1900.], [41., 45.]), ("thesis-lb", [1150., 1810.], [43., 48.])] {
+        let found = run(id, "ticino_rained", false);
+        assert_range(id, found.density_kg_m3.unwrap(), density, 80.0);
+        assert_range(id, found.phi_deg.unwrap(), phi, 1.2);
+    }
+}
+
+#[test]
+fn loose_ticino_under_chen_is_inconsistent() {
+    assert!(!run("chen", "ticino_loose", true).is_consistent());
+    assert!(run("caquot", "ticino_loose", true).is_consistent());
+    assert!(run("thesis-ub", "ticino_loose", true).is_consistent());
+}
+
+/// The reconstructed soils are only as good as their reconstruction: forces +-1 to 4 % are +-0.1 to 0.5 deg,
+/// deviations +-50 % of some 8 % another 0.5 deg; Nevada comes out 1.0 deg low under the bounds, and the glass
+/// beads under Chen 1.2 deg high at the lower end.
+#[test]
+fn the_other_soils_come_near_table_7_2() {
+    for (soil, id, printed) in [
+        ("nevada_fine", "thesis-ub", [40.9, 44.0]),
+        ("nevada_fine", "thesis-lb", [42.7, 46.1]),
+        ("nevada_fine", "chen", [39.9, 42.2]),
+        ("nevada_fine", "caquot", [39.7, 42.8]),
+        ("glass_beads", "thesis-ub", [28.0, 30.8]),
+        ("glass_beads", "thesis-lb", [29.3, 32.5]),
+        ("glass_beads", "chen", [26.5, 29.8]),
+        ("glass_beads", "caquot", [28.0, 30.7]),
+        ("ticino_loose", "thesis-ub", [41.4, 44.4]),
+        ("ticino_loose", "caquot", [40.8, 42.9]),
+    ] {
+        let found = run(id, soil, true).phi_deg.unwrap();
+        assert_range(&format!("{soil} {id}"), found, printed, 1.3);
+    }
+}
+
+/// The bracket holds the regions of both bounds.
+#[test]
+fn the_bracket_contains_both_bounds() {
+    let (upper, lower) = (run("thesis-ub", "ticino_rained", true), run("thesis-lb", "ticino_rained", true));
+    let bracket = run("table", "ticino_rained", true);
+    for inner in [&upper, &lower] {
+        let shared = bracket.region.common_area(&inner.region);
+        assert!(shared > 0.9999 * inner.region.area());
+    }
+}
+
+/// The union over the continuous interval holds every section and more than the integer ones.
+#[test]
+fn the_union_holds_its_sections() {
+    let model = model("thesis-ub").unwrap();
+    let setup = setup(&*model, "ticino_rained", false);
+    let all = estimate(&setup).unwrap();
+    let mut largest = 0.0_f64;
+    for delta in [22.0, 22.37, 23.0, 23.8, 24.0] {
+        let section = section(&setup, delta).unwrap();
+        // Both are enclosures; a section at the end of the interval may stick out by its own slack.
+        assert!(all.region.common_area(&section) > 0.9995 * section.area(), "{delta}");
+        largest = largest.max(section.area());
+    }
+    assert!(all.region.area() > 1.1 * largest);
+}

@@ -1,0 +1,153 @@
+//! The tasks and their steps.
+
+use std::path::PathBuf;
+
+use crate::error::XtaskError;
+use crate::run::Step;
+use crate::workspace::Workspace;
+use crate::{chromium, python};
+
+/// Cases of each property test in `verify`; an ordinary test run takes proptest's 256.
+const VERIFY_CASES: &str = "20000";
+
+/// What xtask can be asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Task {
+    Setup,
+    Test,
+    Lint,
+    Verify,
+}
+
+const TASKS: [(Task, &str, &str); 4] = [
+    (Task::Setup, "setup", "create .venv with the pinned Python packages, install chromium if there is none"),
+    (Task::Test, "test", "setup, then all tests: Rust, command line, report in the browser"),
+    (Task::Lint, "lint", "format, clippy and documentation, warnings are errors"),
+    (
+        Task::Verify,
+        "verify",
+        "property tests of the numerical crates with 20000 cases each (optimised build)",
+    ),
+];
+
+/// What to type.
+pub(crate) fn usage() -> String {
+    let lines = TASKS.map(|(_, word, does)| format!("  {word:<8}{does}"));
+    format!("usage: cargo xtask <task>\n\n{}", lines.join("\n"))
+}
+
+impl Task {
+    /// The task of a name.
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
+        TASKS.into_iter().find(|(_, name, _)| *name == word).map(|(task, ..)| task)
+    }
+
+    /// Its name.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Setup => "setup",
+            Self::Test => "test",
+            Self::Lint => "lint",
+            Self::Verify => "verify",
+        }
+    }
+
+    /// Runs its steps up to the first that fails.
+    pub(crate) fn run(self, workspace: &Workspace) -> Result<(), XtaskError> {
+        match self {
+            Self::Setup => setup(workspace),
+            Self::Test => test(workspace),
+            Self::Lint => lint(workspace),
+            Self::Verify => verify(workspace),
+        }
+    }
+}
+
+fn cargo(workspace: &Workspace, name: &str) -> Step {
+    Step::new(name, workspace.cargo()).dir(workspace.root())
+}
+
+fn setup(workspace: &Workspace) -> Result<(), XtaskError> {
+    python::ensure(workspace)?;
+    chromium::ensure()
+}
+
+fn test(workspace: &Workspace) -> Result<(), XtaskError> {
+    setup(workspace)?;
+    cargo(workspace, "Rust tests").args(["test", "--workspace", "--locked"]).run()?;
+    let soilctl = build_soilctl(workspace)?;
+    // Last, so that a log ends with pytest's summary.
+    Step::new("Python tests", workspace.venv_python())
+        .args(["-m", "pytest", "tests/python"])
+        .dir(workspace.root())
+        .env("SOILCTL", soilctl)
+        .run()
+}
+
+/// Builds the command-line tool and asks cargo where it is, which a configured target folder decides.
+fn build_soilctl(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
+    let name = "build soilctl";
+    let messages = cargo(workspace, name)
+        .args(["build", "--locked", "-p", "soilctl", "--message-format=json-render-diagnostics"])
+        .output()?;
+    executable(&messages, "soilctl").ok_or_else(|| XtaskError::Missing {
+        step: name.to_owned(),
+        what: "cargo reported no executable called soilctl".into(),
+        remedy: "see the package in crates/cli".into(),
+    })
+}
+
+/// The file of a program, from cargo's messages (one JSON object a line).
+fn executable(messages: &str, program: &str) -> Option<PathBuf> {
+    messages.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok()).find_map(
+        |message| {
+            let of_program = message["target"]["name"] == program;
+            message["executable"].as_str().filter(|_| of_program).map(PathBuf::from)
+        },
+    )
+}
+
+fn lint(workspace: &Workspace) -> Result<(), XtaskError> {
+    cargo(workspace, "format").args(["fmt", "--all", "--check"]).run()?;
+    cargo(workspace, "clippy")
+        .args(["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"])
+        .run()?;
+    cargo(workspace, "documentation")
+        .args(["doc", "--no-deps", "--workspace", "--locked"])
+        .env("RUSTDOCFLAGS", "-D warnings")
+        .run()
+}
+
+fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
+    cargo(workspace, "property tests")
+        .args(["test", "--release", "--locked"])
+        .args(["-p", "soilctl-earth-pressure", "-p", "soilctl-estimator", "-p", "soilctl-strokes"])
+        .env("PROPTEST_CASES", VERIFY_CASES)
+        .run()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_task_is_found_by_its_word_and_in_the_usage() {
+        for (task, word, _) in TASKS {
+            assert_eq!(Task::from_word(word), Some(task));
+            assert_eq!(task.word(), word);
+            assert!(usage().contains(word));
+        }
+        assert_eq!(Task::from_word("tests"), None);
+    }
+
+    #[test]
+    fn the_executable_is_taken_from_the_right_message() {
+        let messages = r#"{"reason":"compiler-artifact","target":{"name":"xtask"},"executable":"/t/xtask"}
+not json
+{"reason":"compiler-artifact","target":{"name":"soilctl"},"executable":null}
+{"reason":"compiler-artifact","target":{"name":"soilctl"},"executable":"/t/debug/soilctl"}
+{"reason":"build-finished","success":true}"#;
+        assert_eq!(executable(messages, "soilctl"), Some(PathBuf::from("/t/debug/soilctl")));
+        assert_eq!(executable(messages, "other"), None);
+    }
+}
