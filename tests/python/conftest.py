@@ -83,7 +83,8 @@ def soilctl():
         pytest.fail("SOILCTL must hold the path of the soilctl binary; `cargo xtask test` sets it", pytrace=False)
     path = Path(binary).resolve()
     if not path.is_file():
-        pytest.fail(f"SOILCTL is {binary!r}, which is not a file; build it with `cargo build -p soilctl`", pytrace=False)
+        advice = "build it with `cargo build -p soilctl`"
+        pytest.fail(f"SOILCTL is {binary!r}, which is not a file; {advice}", pytrace=False)
     return Soilctl(path)
 
 
@@ -138,18 +139,22 @@ def open_page(browser):
         page = context.new_page()
         page.requests, page.problems = [], []
 
+        def note(request):
+            if request.url != url and not request.url.startswith(("data:", "blob:")):
+                page.requests.append(request.url)
+
         def handle(route):
             request = route.request
             if request.url == url and request.is_navigation_request():
                 route.continue_()
             else:
-                page.requests.append(request.url)
+                note(request)
                 route.abort()
 
         context.route("**/*", handle)
         # Whatever does not pass the route above: sockets, and requests made by the browser for the page.
         page.on("websocket", lambda socket: page.requests.append(socket.url))
-        page.on("request", lambda r: r.url == url or r.url.startswith(("data:", "blob:")) or page.requests.append(r.url))
+        page.on("request", note)
         page.on("console", lambda m: page.problems.append(m.text) if m.type in ("error", "warning") else None)
         page.on("pageerror", lambda error: page.problems.append(str(error)))
         page.goto(url, wait_until="load")
@@ -158,11 +163,3 @@ def open_page(browser):
     yield open_file
     for context in contexts:
         context.close()
-
-
-@pytest.fixture
-def page(browser):
-    """An empty page in a context of its own."""
-    context = browser.new_context()
-    yield context.new_page()
-    context.close()

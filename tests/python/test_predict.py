@@ -125,5 +125,11 @@ def test_same_question_same_bytes(soilctl):
 
 def test_predictions_for_a_stroke_table(soilctl, validate, data):
     file = data / "soils" / "ticino_rained" / "strokes.csv"
-    answer = soilctl.json("predict", "--model", "coulomb", "--phi", 40, "--delta", 23, "--density", 1600, "--strokes", file)
+    soil = ["--phi", 40, "--delta", 23, "--density", 1600]
+    answer = soilctl.json("predict", "--model", "coulomb", *soil, "--strokes", file)
     validate(answer)
+    assert [stroke["alpha_deg"] for stroke in answer["strokes"]] == [70, 80, 90, 100]
+    for stroke in answer["strokes"]:
+        size = stroke["depth_m"], 0.127
+        force = float(reference.coulomb_force_n(stroke["alpha_deg"], 40, 23, 1600, *size))
+        assert stroke["force_n"] == pytest.approx(force, rel=1e-6)

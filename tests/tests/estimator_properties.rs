@@ -125,8 +125,16 @@ fn area_against_dense_sampling() {
                 range
             };
             let rungs: Vec<_> = (0..=steps).map(rung).collect();
-            // Union over the ladder; neighbours overlap where both are not empty.
-            let inside: Vec<_> = rungs.iter().filter(|r| r.0 <= r.1).collect();
+            // Union over the ladder; neighbours overlap where both are not empty. Where consistency begins or ends
+            // between two rungs, the end is where the bounds meet.
+            let mut inside: Vec<_> = rungs.iter().copied().filter(|r| r.0 <= r.1).collect();
+            for w in rungs.windows(2) {
+                let (a, b) = (w[0].1 - w[0].0, w[1].1 - w[1].0);
+                if (a < 0.0) != (b < 0.0) {
+                    let meet = w[0].0 + a / (a - b) * (w[1].0 - w[0].0);
+                    inside.push((meet, meet));
+                }
+            }
             let low = inside.iter().map(|r| r.0).fold(f64::INFINITY, f64::min);
             let high = inside.iter().map(|r| r.1).fold(f64::NEG_INFINITY, f64::max);
             if low < high {

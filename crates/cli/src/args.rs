@@ -30,24 +30,24 @@ pub(crate) struct Cli {
 /// Loads on and properties of the soil, beside its friction and density.
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub(crate) struct LoadArgs {
-    /// Cohesion of the soil [Pa], at least 0
+    /// Cohesion of the soil (Pa), at least 0
     #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
     pub(crate) cohesion: f64,
 
-    /// Adhesion between soil and plate [Pa], at least 0
+    /// Adhesion between soil and plate (Pa), at least 0
     #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
     pub(crate) adhesion: f64,
 
-    /// Vertical pressure on the surface, on both sides of the plate [Pa], at least 0
+    /// Vertical pressure on the surface, on both sides of the plate (Pa), at least 0
     #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
     pub(crate) surcharge: f64,
 
-    /// Gravity [m/s2], above 0
+    /// Gravity (m/s2), above 0
     #[arg(long, value_name = "M/S2", default_value_t = STANDARD_GRAVITY_M_S2, value_parser = finite,
           allow_negative_numbers = true)]
     pub(crate) gravity: f64,
 
-    /// Slope of the surface [deg], positive when it rises ahead of the plate
+    /// Slope of the surface (deg), positive when it rises ahead of the plate
     #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
     pub(crate) beta: f64,
 }

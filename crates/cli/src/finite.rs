@@ -219,12 +219,12 @@ impl ser::SerializeMap for Walk {
 mod tests {
     use super::*;
 
-    #[derive(Serialize)]
+    #[derive(serde::Serialize)]
     struct Inner {
         ends: [Option<f64>; 2],
     }
 
-    #[derive(Serialize)]
+    #[derive(serde::Serialize)]
     #[serde(tag = "kind")]
     enum Outer {
         One { rows: Vec<Inner> },

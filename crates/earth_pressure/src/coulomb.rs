@@ -74,7 +74,7 @@ fn passive_plane(case: &Case) -> Result<f64, EarthPressureError> {
     let (alpha, beta, phi, delta) = radians(case);
     let q =
         ((phi + delta).sin() * (phi + beta).sin() / ((alpha + delta).sin() * (alpha + beta).sin())).sqrt();
-    if !(q < 1.0) || (alpha + beta).sin() <= 0.0 {
+    if q.is_nan() || q >= 1.0 || (alpha + beta).sin() <= 0.0 {
         return Err(case.singular(
             ID,
             "a plane failure surface can carry any force here (Coulomb's q reaches 1); use chen or log-spiral",

@@ -8,8 +8,7 @@
 //! move too far are cut into four. So a cell never loses a consistent soil, and the union converges to the
 //! consistent set with the square of the cell size.
 
-use std::collections::HashMap;
-
+use rustc_hash::FxHashMap;
 use soilctl_earth_pressure::EarthPressureError;
 
 use crate::constraint::{Band, Constraint};
@@ -20,10 +19,12 @@ use crate::{EstimatorError, Setup};
 const UNITS_PER_DEG: i32 = 256;
 /// Cells of the first level, in units: half a degree, so that table nodes fall on cell boundaries.
 const FIRST_CELL: i32 = 128;
-/// Largest outward move of a band boundary, relative to density: 0.02 %, or about 0.002 deg.
-const MOVE_OF_DENSITY: f64 = 2e-4;
-/// Largest outward move relative to the height of the narrowest band.
-const MOVE_OF_BAND: f64 = 5e-4;
+/// Largest outward move of a band boundary, relative to density: 0.03 %, or about 0.003 deg.
+const MOST_MOVE: f64 = 3e-4;
+/// Move that is always allowed, relative to density: bands narrower than 1 % cost no more than that.
+const LEAST_MOVE: f64 = 1e-5;
+/// Largest outward move relative to the height of the narrowest band, between these two.
+const MOVE_OF_BAND: f64 = 2e-3;
 /// 4/3 for the quadratic part, the rest for what is not quadratic.
 const RESERVE: f64 = 4.0 / 3.0 * 1.2;
 
@@ -49,7 +50,7 @@ pub(crate) fn cover(setup: &Setup<'_>, constraints: &[Constraint<'_>]) -> Result
         let above = [(u, v), (u + size, v + size), (u, v + size)];
         let triangles: &[_] = if v == u { &[below] } else { &[below, above] };
         let half = size / 2;
-        match lattice.pieces(triangles, half < 2, phi, delta) {
+        match lattice.pieces([u, v, size], triangles, phi, delta) {
             Some(found) => pieces.extend(found),
             None => {
                 stack.extend([(u + half, v + half, half), (u, v + half, half), (u + half, v, half), (u, v, half)]);
@@ -78,7 +79,7 @@ pub(crate) fn cover_section(
         }
         let half = size / 2;
         let triangle = [(u, 0), (u + size, 0), (u + size, size)];
-        match lattice.pieces(&[triangle], half < 2, phi, (f64::NEG_INFINITY, f64::INFINITY)) {
+        match lattice.pieces([u, 0, size], &[triangle], phi, (f64::NEG_INFINITY, f64::INFINITY)) {
             Some(found) => pieces.extend(found),
             None => stack.extend([(u + half, half), (u, half)]),
         }
@@ -109,7 +110,7 @@ enum Enclosure {
 struct Lattice<'a, 'm> {
     constraints: &'a [Constraint<'m>],
     /// Index of a point's first band, or `None` where a model has no answer.
-    index: HashMap<(i32, i32), Option<usize>>,
+    index: FxHashMap<(i32, i32), Option<usize>>,
     bands: Vec<Band>,
     density: Band,
     /// The only delta, for a section.
@@ -121,18 +122,19 @@ struct Lattice<'a, 'm> {
 impl<'a, 'm> Lattice<'a, 'm> {
     fn new(setup: &Setup<'_>, constraints: &'a [Constraint<'m>], section: Option<f64>) -> Self {
         let (low, high) = setup.density_range_kg_m3();
-        let (index, bands) = (HashMap::new(), Vec::new());
+        let (index, bands) = (FxHashMap::default(), Vec::new());
         Self { constraints, index, bands, density: [low, high], section, refusal: None }
     }
 
     /// Pieces over the triangles of one cell, or `None` if it should be cut.
     fn pieces(
         &mut self,
+        cell: [i32; 3],
         triangles: &[[(i32, i32); 3]],
-        finest: bool,
         phi: (f64, f64),
         delta: (f64, f64),
     ) -> Option<Vec<Piece>> {
+        let finest = cell[2] < 4;
         let mut found = Vec::with_capacity(2);
         for &corners in triangles {
             match self.enclose(corners) {
@@ -140,7 +142,7 @@ impl<'a, 'm> Lattice<'a, 'm> {
                 Enclosure::Loose if finest => {}
                 Enclosure::Planes { lower, upper, tight } if tight || finest => {
                     let at = corners.map(|(u, v)| [deg(u), deg(v)]);
-                    found.extend(Piece::new(at, lower, upper, phi, delta));
+                    found.extend(Piece::new(cell, at, lower, upper, phi, delta));
                 }
                 Enclosure::Loose | Enclosure::Planes { .. } => return None,
             }
@@ -217,8 +219,9 @@ impl<'a, 'm> Lattice<'a, 'm> {
                 *plane = f.map(|x| x + shift + x.abs() * 1e-12 * if side == 0 { -1.0 } else { 1.0 });
             }
             let height = (0..3).map(|c| planes[1][c] - planes[0][c]).fold(f64::INFINITY, f64::min);
-            let density = planes[1].iter().copied().fold(0.0, f64::max);
-            tight &= moved <= (MOVE_OF_DENSITY * density).min((MOVE_OF_BAND * height).max(1e-9 * density));
+            let density = planes[1].iter().copied().fold(1.0, f64::max);
+            let allowed = (MOVE_OF_BAND * height).clamp(LEAST_MOVE * density, MOST_MOVE * density);
+            tight &= moved <= allowed;
             floor = floor.max(planes[0].iter().copied().fold(f64::INFINITY, f64::min));
             ceiling = ceiling.min(planes[1].iter().copied().fold(f64::NEG_INFINITY, f64::max));
             lower.push(Plane(planes[0]));

@@ -64,14 +64,13 @@ pub fn estimate(setup: &Setup<'_>) -> Result<Estimate, EstimatorError> {
     setup.check()?;
     let pieces = cover(setup, &merged(setup)?)?;
     let exact_delta = setup.delta_deg.0 == setup.delta_deg.1;
-    let shadows = |f: &dyn Fn(&Piece) -> Vec<[f64; 2]>| -> Vec<Vec<[f64; 2]>> {
-        if exact_delta { Vec::new() } else { pieces.iter().map(f).collect() }
-    };
-    let region = Region::of_angle_and_density(pieces.iter().map(|p| p.shadow(0)));
+    // The shadows of a section on planes with delta mean nothing.
+    let solid = if exact_delta { &[] } else { &pieces[..] };
+    let region = region_of(&pieces);
     let bounds = region.bounds();
     Ok(Estimate {
-        delta_density: Region::of_angle_and_density(shadows(&|p| p.shadow(1))),
-        phi_delta: Region::of_angles(shadows(&|p| p.base().to_vec())),
+        delta_density: Region::of_angle_and_density(solid.iter().map(|p| (p.delta_strip(), p.shadow(1)))),
+        phi_delta: Region::of_angles(solid.iter().map(|p| (p.phi_strip(), p.base().to_vec()))),
         volume: if exact_delta { 0.0 } else { pieces.iter().map(Piece::volume).sum() },
         phi_deg: bounds.map(|b| b.0),
         density_kg_m3: bounds.map(|b| b.1),
@@ -82,8 +81,11 @@ pub fn estimate(setup: &Setup<'_>) -> Result<Estimate, EstimatorError> {
 
 /// The consistent (phi, density) alone: what [`estimate`] calls `region`, at a third of the cost.
 pub(crate) fn region_only(setup: &Setup<'_>) -> Result<Region, EstimatorError> {
-    let pieces = cover(setup, &merged(setup)?)?;
-    Ok(Region::of_angle_and_density(pieces.iter().map(|p| p.shadow(0))))
+    Ok(region_of(&cover(setup, &merged(setup)?)?))
+}
+
+fn region_of(pieces: &[Piece]) -> Region {
+    Region::of_angle_and_density(pieces.iter().map(|p| (p.phi_strip(), p.shadow(0))))
 }
 
 /// Whether any soil is consistent: the cheapest question.
@@ -98,8 +100,7 @@ pub(crate) fn is_consistent(setup: &Setup<'_>) -> Result<bool, EstimatorError> {
 pub fn section(setup: &Setup<'_>, delta_deg: f64) -> Result<Region, EstimatorError> {
     let setup = Setup { delta_deg: (delta_deg, delta_deg), ..setup.clone() };
     setup.check()?;
-    let pieces = cover_section(&setup, &merged(&setup)?, delta_deg)?;
-    Ok(Region::of_angle_and_density(pieces.iter().map(|p| p.shadow(0))))
+    Ok(region_of(&cover_section(&setup, &merged(&setup)?, delta_deg)?))
 }
 
 /// The band of each measurement alone at one delta: consistent (phi, density), in the order of the observations.

@@ -6,8 +6,13 @@ use crate::convex::{Point, area_centroid, clip, hull};
 #[derive(Clone, Copy)]
 pub(crate) struct Plane(pub(crate) [f64; 3]);
 
+/// A row or column of lattice cells: lower edge and width in lattice units.
+pub(crate) type Strip = (i32, i32);
+
 /// Lower and upper density bounds over a triangle, each set reduced to those that matter somewhere in it.
 pub(crate) struct Piece {
+    /// Lattice cell the triangle belongs to: lower corner in phi and delta, size.
+    cell: [i32; 3],
     corners: [Point; 3],
     lower: Vec<Plane>,
     upper: Vec<Plane>,
@@ -19,6 +24,7 @@ impl Piece {
     /// The set between the bounds over the part of a triangle where delta lies in `delta` and phi in `phi`;
     /// `None` if it is empty. Corners counter-clockwise.
     pub(crate) fn new(
+        cell: [i32; 3],
         corners: [Point; 3],
         lower: Vec<Plane>,
         upper: Vec<Plane>,
@@ -27,7 +33,7 @@ impl Piece {
     ) -> Option<Self> {
         let lower = undominated(lower, |a, b| a <= b);
         let upper = undominated(upper, |a, b| a >= b);
-        let mut piece = Self { corners, lower, upper, base: corners.to_vec() };
+        let mut piece = Self { cell, corners, lower, upper, base: corners.to_vec() };
         for (d, (low, high)) in [phi, delta].into_iter().enumerate() {
             piece.base = clip(&piece.base, |p| p[d] - low);
             piece.base = clip(&piece.base, |p| high - p[d]);
@@ -38,6 +44,16 @@ impl Piece {
             }
         }
         (piece.base.len() >= 3).then_some(piece)
+    }
+
+    /// The column of cells in phi that this piece stands in: lower edge and width.
+    pub(crate) const fn phi_strip(&self) -> Strip {
+        (self.cell[0], self.cell[2])
+    }
+
+    /// The row of cells in delta that this piece stands in.
+    pub(crate) const fn delta_strip(&self) -> Strip {
+        (self.cell[1], self.cell[2])
     }
 
     /// Shadow on the (phi, delta) plane.
@@ -122,6 +138,7 @@ mod tests {
     #[test]
     fn a_prism_has_the_volume_of_a_prism() {
         let piece = Piece::new(
+            [0, 0, 1],
             CORNERS,
             vec![Plane([1.0; 3]), Plane([0.5; 3])],
             vec![Plane([3.0; 3])],
@@ -137,6 +154,7 @@ mod tests {
     fn a_tent_over_half_the_triangle() {
         // Upper bound falls from 1 to -1 along phi, lower bound is 0: only phi < 1/2 is left.
         let piece = Piece::new(
+            [0, 0, 1],
             CORNERS,
             vec![Plane([0.0; 3])],
             vec![Plane([1.0, -1.0, -1.0])],
@@ -148,6 +166,6 @@ mod tests {
         assert!((reach - 0.5).abs() < 1e-15);
         // Volume: integral over phi in 0..1/2 of phi (1 - 2 phi).
         assert!((piece.volume() - 1.0 / 24.0).abs() < 1e-15);
-        assert!(Piece::new(CORNERS, vec![Plane([2.0; 3])], vec![Plane([1.0; 3])], (0., 1.), (0., 1.)).is_none());
+        assert!(Piece::new([0, 0, 1], CORNERS, vec![Plane([2.0; 3])], vec![Plane([1.0; 3])], (0., 1.), (0., 1.)).is_none());
     }
 }

@@ -1,9 +1,12 @@
+use std::collections::BTreeMap;
+
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::simplify::SimplifyShape;
 use i_overlay::float::single::SingleFloatOverlay;
 
-use crate::convex::{Point, area_centroid};
+use crate::convex::{Point, area_centroid, hull};
+use crate::piece::Strip;
 
 /// A closed curve of `[x, y]` points; the first point is not repeated at the end.
 pub type Ring = Vec<[f64; 2]>;
@@ -12,9 +15,6 @@ pub type Ring = Vec<[f64; 2]>;
 const DENSITY_SCALE: f64 = 100.0;
 /// Pieces are grown by this much before they are united, so that neighbours overlap in spite of rounding.
 const GROWTH: f64 = 1e-6;
-/// Pieces united at a time; unions of unions keep the cost of each call low.
-const BATCH: usize = 24;
-
 /// A set in a parameter plane: polygons with holes, possibly several, possibly none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
@@ -23,34 +23,27 @@ pub struct Region {
 
 impl Region {
     /// Union of convex polygons in the plane of an angle (degrees) and density (kg/m3).
-    pub(crate) fn of_angle_and_density(pieces: impl IntoIterator<Item = Vec<Point>>) -> Self {
+    pub(crate) fn of_angle_and_density(pieces: impl IntoIterator<Item = (Strip, Vec<Point>)>) -> Self {
         Self::union(pieces, DENSITY_SCALE)
     }
 
     /// Union of convex polygons in the plane of two angles.
-    pub(crate) fn of_angles(pieces: impl IntoIterator<Item = Vec<Point>>) -> Self {
+    pub(crate) fn of_angles(pieces: impl IntoIterator<Item = (Strip, Vec<Point>)>) -> Self {
         Self::union(pieces, 1.0)
     }
 
-    /// The union is the library's, on its 64-bit integer grid; every contour is counter-clockwise, so "non-zero"
-    /// means "in any of them".
-    fn union(pieces: impl IntoIterator<Item = Vec<Point>>, y_scale: f64) -> Self {
-        let mut contours: Vec<Ring> =
-            pieces.into_iter().filter(|p| p.len() >= 3).map(|piece| grown(&piece, y_scale)).collect();
-        let mut batch = BATCH;
-        while contours.len() > BATCH {
-            let before = contours.len();
-            contours = contours
-                .chunks(batch)
-                .flat_map(|part| part.to_vec().simplify_shape_as::<i64>(FillRule::NonZero))
-                .flatten()
-                .collect();
-            // Many separate polygons do not shrink; take ever larger bites.
-            batch = if 2 * contours.len() > before { 4 * batch } else { batch };
-            if batch > 4 * before {
-                break;
+    /// Pieces that stand in the same narrow strip and overlap are replaced by their convex hull, which differs from
+    /// their union by the square of the strip's width; the hulls are united by the library on its 64-bit integer
+    /// grid. Every contour is counter-clockwise, so "non-zero" means "in any of them".
+    fn union(pieces: impl IntoIterator<Item = (Strip, Vec<Point>)>, y_scale: f64) -> Self {
+        let mut strips: BTreeMap<Strip, Vec<Vec<Point>>> = BTreeMap::new();
+        for (strip, piece) in pieces {
+            if piece.len() >= 3 {
+                strips.entry(strip).or_default().push(piece);
             }
         }
+        let contours: Vec<Ring> =
+            strips.into_values().flat_map(hulls).map(|piece| grown(&piece, y_scale)).collect();
         let mut polygons = contours.simplify_shape_as::<i64>(FillRule::NonZero);
         for point in polygons.iter_mut().flatten().flatten() {
             point[1] *= y_scale;
@@ -130,6 +123,49 @@ impl Region {
     }
 }
 
+/// Hulls of the connected groups among the pieces of one strip.
+///
+/// Overlap is judged after taking out the slope that the pieces have in common, so that steep thin bands side by
+/// side stay apart.
+fn hulls(pieces: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
+    if pieces.len() == 1 {
+        return pieces;
+    }
+    let (mut n, mut sx, mut sy, mut sxx, mut sxy) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    for piece in &pieces {
+        // Slope within pieces only: each is taken about its own mean.
+        let count = piece.len() as f64;
+        let mean = [0, 1].map(|d| piece.iter().map(|p| p[d]).sum::<f64>() / count);
+        for p in piece {
+            let (x, y) = (p[0] - mean[0], p[1] - mean[1]);
+            (n, sx, sy, sxx, sxy) = (n + 1.0, sx + x, sy + y, sxx + x * x, sxy + x * y);
+        }
+    }
+    let variance = sxx - sx * sx / n;
+    let slope = if variance > 0.0 { (sxy - sx * sy / n) / variance } else { 0.0 };
+    let mut ranged: Vec<(f64, f64, Vec<Point>)> = pieces
+        .into_iter()
+        .map(|piece| {
+            let level = |p: &Point| p[1] - slope * p[0];
+            let low = piece.iter().map(level).fold(f64::INFINITY, f64::min);
+            let high = piece.iter().map(level).fold(f64::NEG_INFINITY, f64::max);
+            (low, high, piece)
+        })
+        .collect();
+    ranged.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut groups: Vec<(f64, Vec<Point>)> = Vec::new();
+    for (low, high, piece) in ranged {
+        match groups.last_mut() {
+            Some((top, points)) if low <= *top => {
+                *top = top.max(high);
+                points.extend(piece);
+            }
+            _ => groups.push((high, piece)),
+        }
+    }
+    groups.into_iter().map(|(_, points)| hull(points)).collect()
+}
+
 fn grown(piece: &[Point], y_scale: f64) -> Ring {
     let n = piece.len() as f64;
     let scaled = |p: &Point| [p[0], p[1] / y_scale];
@@ -155,7 +191,8 @@ mod tests {
     #[test]
     fn a_ring_of_squares_has_a_hole_and_an_outlier_is_a_second_polygon() {
         let ring = [(0., 0.), (1., 0.), (2., 0.), (0., 100.), (2., 100.), (0., 200.), (1., 200.), (2., 200.)];
-        let pieces = ring.iter().map(|&(x, y)| square(x, y, 1.0)).chain([square(10.0, 0.0, 1.0)]);
+        let squares = ring.iter().map(|&(x, y)| square(x, y, 1.0)).chain([square(10.0, 0.0, 1.0)]);
+        let pieces = squares.map(|s| ((s[0][0] as i32, 1), s));
         let region = Region::of_angle_and_density(pieces);
         assert_eq!(region.polygons().len(), 2);
         assert_eq!(region.polygons().iter().map(Vec::len).max(), Some(2));
@@ -167,16 +204,17 @@ mod tests {
 
     #[test]
     fn nothing_is_nothing() {
-        let region = Region::of_angles(Vec::new());
+        let region = Region::of_angles([]);
         assert!(region.is_empty() && region.bounds().is_none() && region.area() == 0.0);
     }
 
     proptest! {
-        /// Batches of unions are the union: compared with counting sample points.
+        /// The union is the union: compared with sample points.
         #[test]
-        fn union_in_batches_is_the_union(corners in proptest::collection::vec((0.0..10.0, 0.0..1000.0, 0.1..2.0), 1..90)) {
+        fn the_union_is_the_union(corners in proptest::collection::vec((0.0..10.0, 0.0..1000.0, 0.1..2.0), 1..90)) {
             let pieces: Vec<_> = corners.iter().map(|&(x, y, size)| square(x, y, size)).collect();
-            let region = Region::of_angle_and_density(pieces.clone());
+            // Each in a strip of its own: nothing is replaced by a hull.
+            let region = Region::of_angle_and_density((0..).map(|i| (i, 1)).zip(pieces.clone()));
             for i in 0..30 {
                 for j in 0..30 {
                     let p = [0.0137 + f64::from(i) * 0.4, 1.37 + f64::from(j) * 40.0];

@@ -214,7 +214,7 @@ impl Place {
         let ends = ((axis[self.cell], left.ln_k), (axis[self.cell + 1], right.ln_k));
         Some(Node {
             ln_k: monotone_cubic(before, ends.0, ends.1, after, self.t),
-            margin: left.margin.max(right.margin),
+            margin: left.margin + self.t * (right.margin - left.margin),
         })
     }
 }

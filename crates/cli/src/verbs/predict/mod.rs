@@ -19,9 +19,11 @@ use crate::args::{LoadArgs, NumberOrColumn, finite};
 use crate::error::CliError;
 use crate::output::Output;
 
-/// Coefficients are per slant length, passive minus active: K = 2 F / (gamma L^2 w), L = depth / sin(alpha). Without
-/// --depth, --width and --density the force is null.
 #[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Coefficients are per slant length, K = 2 F / (gamma L^2 w) with L = depth / sin(alpha); the net \
+    one is passive minus active. Without --depth, --width and --density the force is null."
+)]
 pub(crate) struct Args {
     /// Model: coulomb, log-spiral, log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table
     #[arg(long, value_name = "NAME", default_value = "chen")]
@@ -31,29 +33,29 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", conflicts_with = "model")]
     model_table: Option<PathBuf>,
 
-    /// Tool angle from the horizontal [deg]
+    /// Tool angle from the horizontal (deg)
     #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true,
           required_unless_present = "strokes", conflicts_with = "strokes")]
     alpha: Option<f64>,
 
-    /// Internal friction angle of the soil [deg]
+    /// Internal friction angle of the soil (deg)
     #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
     phi: f64,
 
-    /// Friction angle between soil and plate [deg], or `column` for delta_set_deg of --strokes
+    /// Friction angle between soil and plate (deg), or `column` for delta_set_deg of --strokes
     #[arg(long, value_name = "DEG|column", allow_negative_numbers = true)]
     delta: NumberOrColumn,
 
-    /// Bulk density [kg/m3], or `column` for density_kg_m3 of --strokes
+    /// Bulk density (kg/m3), or `column` for density_kg_m3 of --strokes
     #[arg(long, value_name = "KG/M3|column", allow_negative_numbers = true)]
     density: Option<NumberOrColumn>,
 
-    /// Vertical depth of the plate's lower edge below the surface [m]
+    /// Vertical depth of the plate's lower edge below the surface (m)
     #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true,
           conflicts_with = "strokes")]
     depth: Option<f64>,
 
-    /// Width of the plate [m]
+    /// Width of the plate (m)
     #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true,
           conflicts_with = "strokes")]
     width: Option<f64>,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use soilctl_earth_pressure::Case;
-use soilctl_figure::{Figure, Size};
+use soilctl_figure::Size;
 
 use super::curves::{self, Angle};
 use super::surfaces;
@@ -42,14 +42,11 @@ pub(super) fn plot_predict(path: &Path, kind: Kind, case: Case, output: &Output)
         Kind::Delta => curves::figure(&case, Angle::Delta)?,
         Kind::Alpha => curves::figure(&case, Angle::Alpha)?,
     };
-    let bytes = render(&figure, is_png)?;
+    // A failure surface is several times as long as it is deep.
+    let size = if kind == Kind::Surface { Size::new(760, 400)? } else { Size::default() };
+    let bytes = if is_png { figure.to_png(size)? } else { figure.to_svg(size)?.into_bytes() };
     std::fs::write(path, bytes)
         .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
-}
-
-fn render(figure: &Figure, is_png: bool) -> Result<Vec<u8>, CliError> {
-    let size = Size::default();
-    Ok(if is_png { figure.to_png(size)? } else { figure.to_svg(size)?.into_bytes() })
 }
 
 /// The angles of a case in words, without the one left out.

@@ -1,7 +1,7 @@
 //! Failure surfaces of several models over each other, in slant lengths of the plate.
 
 use soilctl_earth_pressure::{Case, model};
-use soilctl_figure::{Axis, Dash, Figure, Line, Polygon, Polygons};
+use soilctl_figure::{Axis, Dash, Figure, Line};
 
 use super::plot::angles_in_words;
 use crate::error::CliError;
@@ -9,8 +9,10 @@ use crate::output::Output;
 
 const MODELS: [(&str, &str); 3] =
     [("coulomb", "Coulomb"), ("log-spiral", "log-spiral"), ("chen", "Chen & Liu")];
-/// Colour of the plate and of the ground: the last of the palette, away from the first ones of the models.
-const GROUND_COLOR: usize = 7;
+/// Black, for the plate and the ground.
+const GROUND_COLOR: usize = 6;
+/// Length of the plate that is drawn, in wetted lengths.
+const OUT_OF_GROUND: f64 = 1.25;
 /// Ground drawn behind the plate.
 const BEHIND: f64 = 0.8;
 
@@ -50,16 +52,7 @@ pub(super) fn figure(case: &Case, output: &Output) -> Result<Figure, CliError> {
     for (color, (name, surface)) in surfaces.iter().enumerate() {
         figure.push(Line::new(*name, surface.points.clone()).color(color).width(2.0))?;
     }
-    figure.push(Polygons::new("plate", [plate(case, top)]).color(GROUND_COLOR))?;
+    let out = (OUT_OF_GROUND * top.0, OUT_OF_GROUND * top.1);
+    figure.push(Line::new("plate", [(0.0, 0.0), out]).color(GROUND_COLOR).dash(Dash::Solid).width(4.0))?;
     Ok(figure)
-}
-
-/// The plate as a thin bar that stands a little out of the ground.
-fn plate(case: &Case, top: (f64, f64)) -> Polygon {
-    const THICKNESS: f64 = 0.04;
-    const OUT: f64 = 1.25;
-    // Its thickness lies behind the face that pushes.
-    let (back_x, back_y) = (-THICKNESS * case.tool_angle.sin(), -THICKNESS * case.tool_angle.cos());
-    let end = (OUT * top.0, OUT * top.1);
-    Polygon::new([(0.0, 0.0), end, (end.0 + back_x, end.1 + back_y), (back_x, back_y)])
 }

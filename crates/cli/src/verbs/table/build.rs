@@ -14,22 +14,22 @@ use crate::output::Output;
 /// Most nodes of a table.
 const MAX_CELLS: usize = 2_000_000;
 
-/// Nodes at which the model has no answer (delta above phi among them) stay empty.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Nodes at which the model has no answer (delta above phi among them) stay empty.")]
 pub(super) struct Args {
     /// Model: coulomb, log-spiral, log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table
     #[arg(long, value_name = "NAME", default_value = "chen")]
     model: String,
 
-    /// Nodes of the tool angle [deg]
+    /// Nodes of the tool angle (deg)
     #[arg(long, value_name = "FROM:TO:STEP", default_value = "70:100:5")]
     alpha: Nodes,
 
-    /// Nodes of the friction angle of the soil [deg]
+    /// Nodes of the friction angle of the soil (deg)
     #[arg(long, value_name = "FROM:TO:STEP", default_value = "25:50:5")]
     phi: Nodes,
 
-    /// Nodes of the interface friction angle [deg]
+    /// Nodes of the interface friction angle (deg)
     #[arg(long, value_name = "FROM:TO:STEP", default_value = "0:30:5")]
     delta: Nodes,
 

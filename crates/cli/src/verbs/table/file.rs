@@ -37,10 +37,11 @@ pub(crate) fn read_table(path: &Path) -> Result<(PredictionTable, Sidecar), CliE
 
 /// Writes a table file and its sidecar.
 pub(super) fn write_table(table: &PredictionTable, source: &str, path: &Path) -> Result<(), CliError> {
-    Ok(match Kind::of(path)? {
+    match Kind::of(path)? {
         Kind::Csv => write_csv(table, source, path)?,
         Kind::Parquet => write_parquet(table, source, path)?,
-    })
+    }
+    Ok(())
 }
 
 /// Form of a table file.

@@ -1,0 +1,33 @@
+//! Running the program.
+#![allow(dead_code, reason = "no test file uses all of it")]
+#![allow(clippy::expect_used, reason = "helpers of tests")]
+
+use std::process::Output;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+pub(crate) fn soilctl(args: &[&str]) -> Output {
+    Command::cargo_bin("soilctl")
+        .expect("the binary is built with its tests")
+        .args(args)
+        .output()
+        .expect("it runs")
+}
+
+/// Runs with `--format json`; stdout must be exactly one document and stderr empty.
+pub(crate) fn json(args: &[&str]) -> (i32, Value) {
+    let done = soilctl(&[args, &["--format", "json"]].concat());
+    let stderr = String::from_utf8_lossy(&done.stderr);
+    assert!(stderr.is_empty(), "{args:?} wrote to stderr: {stderr}");
+    let answer = serde_json::from_slice(&done.stdout).expect("stdout is one JSON document");
+    (done.status.code().expect("no signal"), answer)
+}
+
+/// Runs what must be refused with exit code 2: the message.
+pub(crate) fn refused(args: &[&str]) -> String {
+    let done = soilctl(args);
+    assert_eq!(done.status.code(), Some(2), "{args:?}");
+    assert!(done.stdout.is_empty(), "{args:?} wrote an answer");
+    String::from_utf8(done.stderr).expect("UTF-8")
+}
