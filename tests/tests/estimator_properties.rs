@@ -2,8 +2,8 @@
 
 use soilctl_earth_pressure::{Case, ForceModel, MODEL_IDS, model};
 use soilctl_estimator::{
-    Observation, Optimiser, Setup, StrokeMenu, agreement_factor, best_fit, conflict, estimate, exact_estimate,
-    local_minima, next_strokes, section, spread_starts,
+    Observation, Optimiser, Setup, StrokeMenu, agreement_factor, best_fit, conflict, estimate,
+    exact_estimate, local_minima, next_strokes, section, spread_starts,
 };
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2};
 
@@ -52,7 +52,8 @@ fn the_truth_is_inside_every_time() {
     let models: Vec<_> = MODEL_IDS.iter().map(|id| model(id).unwrap()).collect();
     let mut done = 0;
     while done < 1000 {
-        let model = &*models[done % models.len()];
+        // The two models that search for every force are dear; they get a share, the others the rest.
+        let model = &*models[if done % 5 == 0 { done / 5 } else { [0, 3, 5, 6, 7][done % 5] } % models.len()];
         let phi = random.between(26.0, 49.0);
         let delta = random.between(0.0, 29.0_f64.min(phi));
         let truth = Truth { phi, delta, density: random.between(1100.0, 2100.0) };
@@ -106,9 +107,12 @@ fn area_against_dense_sampling() {
         let model = model(id).unwrap();
         let setup = Setup::new(&*model, four_strokes(&*model, TRUTH, relative), interval);
         let region = estimate(&setup).unwrap().region;
-        let ([p0, p1], [r0, r1]) = region.bounds().unwrap();
-        let slices: Vec<_> =
-            setup.observations.iter().map(|o| model.at(o.plate().tool_angle(), Angle::ZERO).unwrap()).collect();
+        let ([p0, p1], _) = region.bounds().unwrap();
+        let slices: Vec<_> = setup
+            .observations
+            .iter()
+            .map(|o| model.at(o.plate().tool_angle(), Angle::ZERO).unwrap())
+            .collect();
         let (columns, steps) = (700, 160);
         let mut area = 0.0;
         for i in 0..columns {
@@ -142,7 +146,6 @@ fn area_against_dense_sampling() {
             }
         }
         let error = (region.area() / area - 1.0).abs();
-        println!("{id}: {} {area} {error} {r0} {r1}", region.area());
         assert!(error < 0.002, "{id}: {} against {area}, {error}", region.area());
     }
 }
@@ -214,7 +217,8 @@ fn plain_optimisation_has_several_answers() {
     let model = model("thesis-ub").unwrap();
     let mut observations = four_strokes(&*model, TRUTH, 0.05);
     for (o, noise) in observations.iter_mut().zip([1.04, 0.97, 0.96, 1.03]) {
-        *o = Observation::new(o.label().to_owned(), *o.plate(), noise * o.force_n(), 0.05 * o.force_n()).unwrap();
+        *o = Observation::new(o.label().to_owned(), *o.plate(), noise * o.force_n(), 0.05 * o.force_n())
+            .unwrap();
     }
     let setup = Setup::new(&*model, observations, (10.0, 30.0));
     for optimiser in [Optimiser::DownhillSimplex, Optimiser::LevenbergMarquardt] {
@@ -225,7 +229,6 @@ fn plain_optimisation_has_several_answers() {
             let good: Vec<f64> = ends.iter().filter(|e| e.misfit < 0.02).map(f).collect();
             good.iter().copied().fold(f64::MIN, f64::max) - good.iter().copied().fold(f64::MAX, f64::min)
         };
-        println!("{optimiser:?} {} {} {}", spread(&|e| e.phi_deg), spread(&|e| e.density_kg_m3), spread(&|e| e.misfit));
         assert!(spread(&|e| e.phi_deg) > 1.0 && spread(&|e| e.density_kg_m3) > 100.0);
     }
 }
@@ -269,7 +272,9 @@ fn nonsense_is_refused() {
     for interval in [(24.0, 22.0), (-1.0, 3.0), (28.0, 31.0), (f64::NAN, 3.0)] {
         assert!(estimate(&Setup::new(&*model, good.clone(), interval)).is_err(), "{interval:?}");
     }
-    assert!(estimate(&Setup::new(&*model, good.clone(), (22., 24.)).with_density(1600.0, f64::INFINITY)).is_err());
+    assert!(
+        estimate(&Setup::new(&*model, good.clone(), (22., 24.)).with_density(1600.0, f64::INFINITY)).is_err()
+    );
     let steep = Observation::new("110 deg", plate(110.0, 0.02), 5.0, 0.5).unwrap();
     let error = estimate(&Setup::new(&*model, vec![steep], (22., 24.))).unwrap_err().to_string();
     assert!(error.contains("110 deg") && error.contains("70 to 100"), "{error}");

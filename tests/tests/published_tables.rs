@@ -109,7 +109,14 @@ fn table_4_3(model: &dyn ForceModel, pick: impl Fn(&SensitivityRow) -> Option<f6
         let base = Case::level_deg(row.alpha_deg, 40.0, 25.0);
         let ours = sensitivity_percent(model, &base, input, Angle::from_degrees(row.step_deg)).unwrap();
         let off = (ours - printed).abs();
-        assert!(off < 0.2, "{} alpha {} {} +{}: {ours} {printed}", model.id(), row.alpha_deg, row.input, row.step_deg);
+        assert!(
+            off < 0.2,
+            "{} alpha {} {} +{}: {ours} {printed}",
+            model.id(),
+            row.alpha_deg,
+            row.input,
+            row.step_deg
+        );
         worst = worst.max(off);
     }
     worst

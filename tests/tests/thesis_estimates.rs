@@ -69,7 +69,9 @@ fn rained_ticino_with_density() {
 
 #[test]
 fn rained_ticino_without_density() {
-    for (id, density, phi) in [("thesis-ub", [1200., 1900.], [41., 45.]), ("thesis-lb", [1150., 1810.], [43., 48.])] {
+    for (id, density, phi) in
+        [("thesis-ub", [1200., 1900.], [41., 45.]), ("thesis-lb", [1150., 1810.], [43., 48.])]
+    {
         let found = run(id, "ticino_rained", false);
         assert_range(id, found.density_kg_m3.unwrap(), density, 80.0);
         assert_range(id, found.phi_deg.unwrap(), phi, 1.2);
@@ -125,8 +127,9 @@ fn the_union_holds_its_sections() {
     let mut largest = 0.0_f64;
     for delta in [22.0, 22.37, 23.0, 23.8, 24.0] {
         let section = section(&setup, delta).unwrap();
-        // Both are enclosures; a section at the end of the interval may stick out by its own slack.
-        assert!(all.region.common_area(&section) > 0.9995 * section.area(), "{delta}");
+        // Both are enclosures; a section at an end of the interval sticks out by its own slack.
+        let slack = if delta == 22.0 || delta == 24.0 { 0.998 } else { 0.9999 };
+        assert!(all.region.common_area(&section) > slack * section.area(), "{delta}");
         largest = largest.max(section.area());
     }
     assert!(all.region.area() > 1.1 * largest);

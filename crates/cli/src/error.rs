@@ -1,4 +1,6 @@
+use soilctl_direct_shear::DirectShearError;
 use soilctl_earth_pressure::EarthPressureError;
+use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
 use soilctl_soil::SoilError;
 use soilctl_strokes::StrokesError;
@@ -29,6 +31,12 @@ pub(crate) enum CliError {
     /// A stroke table.
     #[error(transparent)]
     Strokes(#[from] StrokesError),
+    /// Direct shear.
+    #[error(transparent)]
+    DirectShear(#[from] DirectShearError),
+    /// An estimate.
+    #[error(transparent)]
+    Estimator(#[from] EstimatorError),
     /// A figure.
     #[error(transparent)]
     Figure(#[from] FigureError),

@@ -1,13 +1,14 @@
-use soilctl_soil::SoilError;
+use soilctl_soil::{Rounded, SoilError};
 use thiserror::Error;
 
-/// What can go wrong in a force model or a prediction table.
+/// What can go wrong in a force model or a prediction table. Numbers are rounded in messages only ([`Rounded`]).
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EarthPressureError {
     /// An input is outside the range in which the model holds.
     #[error(
-        "model {model} covers {quantity} from {low} to {high} deg, but {quantity} is {value} deg; {advice}"
+        "model {model} covers {quantity} from {} to {} deg, but {quantity} is {} deg; {advice}",
+        Rounded(*.low), Rounded(*.high), Rounded(*.value)
     )]
     OutsideModel {
         /// Model id.
@@ -25,7 +26,8 @@ pub enum EarthPressureError {
     },
     /// The inputs are in range one by one, but the model has no finite answer for them together.
     #[error(
-        "model {model} has no finite answer at alpha {alpha_deg} deg, phi {phi_deg} deg, delta {delta_deg} deg: {reason}"
+        "model {model} has no finite answer at alpha {} deg, phi {} deg, delta {} deg: {reason}",
+        Rounded(*.alpha_deg), Rounded(*.phi_deg), Rounded(*.delta_deg)
     )]
     Singular {
         /// Model id.
@@ -57,8 +59,9 @@ pub enum EarthPressureError {
     },
     /// The point lies in a part of the table that was never filled.
     #[error(
-        "table {table} has no filled cells around alpha {alpha_deg} deg, phi {phi_deg} deg, delta {delta_deg} deg; \
-         fill them or use another model"
+        "table {table} has no filled cells around alpha {} deg, phi {} deg, delta {} deg; \
+         fill them or use another model",
+        Rounded(*.alpha_deg), Rounded(*.phi_deg), Rounded(*.delta_deg)
     )]
     EmptyCell {
         /// Table name.
@@ -77,6 +80,16 @@ pub enum EarthPressureError {
         table: String,
         /// What is wrong, with the value and what is allowed.
         problem: String,
+    },
+    /// A table or its file is larger than any that is taken; found out before memory is asked for.
+    #[error("{table} has {size}; a table may have at most {limit} nodes: take larger steps or a smaller range")]
+    TooLarge {
+        /// Table or file name.
+        table: String,
+        /// Its size, in words.
+        size: String,
+        /// Most nodes taken.
+        limit: usize,
     },
     /// A file could not be read or written.
     #[error("{path}: {problem}")]

@@ -21,7 +21,7 @@ use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRan
 use crate::{Caquot, Case, EarthPressureError, LoadFactors, Prediction, chen_liu};
 
 /// Points of the first scan over the spiral's angle.
-const SCAN: usize = 64;
+const SCAN: usize = 24;
 
 /// Ohde's log-spiral model.
 #[derive(Debug, Clone, Copy)]
@@ -164,7 +164,7 @@ impl Spiral {
             return None;
         }
         minimise(1e-4, PI - 1e-3, SCAN, |theta| {
-            let weight = self.factors(theta).weight;
+            let weight = self.weight(&self.member(theta));
             if weight > 0.0 { weight } else { f64::NAN }
         })
     }
@@ -188,43 +188,55 @@ impl Spiral {
         (m.pole.0 + r * direction.cos(), m.pole.1 + r * direction.sin())
     }
 
-    /// Passive factors of one spiral, from the moments about its pole.
+    /// Weight factor of one spiral, from the moments about its pole; NaN where no Rankine zone is left.
+    fn weight(&self, m: &Member) -> f64 {
+        let height = m.f1.1 - m.d1.1;
+        if m.d1.0 <= 0.0 || height <= 0.0 {
+            return f64::NAN;
+        }
+        let above_d1 = if self.thesis { -height / 3.0 } else { height / 3.0 };
+        let zone = 0.5 * self.rankine() * height * height * self.thrust_arm(m, above_d1);
+        // Unit weight 1 and slant length 1: the factor is twice the force.
+        -2.0 * (self.weight_moment(m) + zone) / self.plate_arm(m, 1.0 / 3.0)
+    }
+
+    /// Passive factors of one spiral; surcharge and cohesion press evenly, so theirs act at half the height.
     fn factors(&self, theta: f64) -> LoadFactors {
         let m = self.member(theta);
         let height = m.f1.1 - m.d1.1;
-        if m.d1.0 <= 0.0 || height <= 0.0 {
-            return LoadFactors { weight: f64::NAN, ..LoadFactors::default() };
-        }
-        let force = ((self.alpha + self.delta).sin(), (self.alpha + self.delta).cos());
-        // Arm of the plate's force acting at a fraction of the slant length above the tip.
-        let arm = |above_tip: f64| {
-            let point = (m.tip.0 * (1.0 - above_tip), m.tip.1 * (1.0 - above_tip));
-            cross(minus(point, m.pole), force)
-        };
-        // Thrust of the Rankine zone: parallel to the surface, pushing back.
-        let (cb, root) =
-            (self.beta.cos(), (self.beta.cos().powi(2) - self.phi.cos().powi(2)).max(0.0).sqrt());
-        let rankine = cb * (cb + root) / (cb - root);
-        let push = (-self.beta.cos(), -self.beta.sin());
-        let thrust = |above_d1: f64| cross(minus((m.d1.0, m.d1.1 + above_d1), m.pole), push);
-        let third = if self.thesis { -height / 3.0 } else { height / 3.0 };
-        // Everything is per gamma, q, c or c_a = 1; the factor of the weight is F / (1/2 gamma L^2).
-        let weight = -2.0 * (self.weight_moment(&m) + 0.5 * rankine * height * height * thrust(third))
-            / arm(1.0 / 3.0);
+        let (zone, plate) = (height * self.thrust_arm(&m, 0.5 * height), self.plate_arm(&m, 0.5));
 
-        let surface = m.d1.0 / cb;
+        let surface = m.d1.0 / self.beta.cos();
         let middle = (0.5 * m.f1.0, 0.5 * m.f1.1);
         let on_surface = cross(minus(middle, m.pole), (0.0, -surface));
-        let surcharge = -(on_surface + rankine / cb * height * thrust(0.5 * height)) / arm(0.5);
+        let surcharge = -(on_surface + self.rankine() / self.beta.cos() * zone) / plate;
 
-        let (r0, t) = (m.r0, self.phi.tan());
-        let along_spiral = -r0 * r0 * (2.0 * t * m.theta).exp_m1() / (2.0 * t);
+        let t = self.phi.tan();
+        let along_spiral = -m.r0 * m.r0 * (2.0 * t * m.theta).exp_m1() / (2.0 * t);
         let root_n = (FRAC_PI_2 / 2.0 + self.phi / 2.0).tan();
-        let cohesion = -(along_spiral + 2.0 * root_n * height * thrust(0.5 * height)) / arm(0.5);
+        let cohesion = -(along_spiral + 2.0 * root_n * zone) / plate;
 
         let down_plate = (self.alpha.cos(), -self.alpha.sin());
-        let adhesion = -cross(minus((0.0, 0.0), m.pole), down_plate) / arm(0.5);
-        LoadFactors { weight, surcharge, cohesion, adhesion }
+        let adhesion = -cross(minus((0.0, 0.0), m.pole), down_plate) / plate;
+        LoadFactors { weight: self.weight(&m), surcharge, cohesion, adhesion }
+    }
+
+    /// Rankine's passive coefficient on a vertical plane, thrust parallel to the surface.
+    fn rankine(&self) -> f64 {
+        let root = (self.beta.cos().powi(2) - self.phi.cos().powi(2)).max(0.0).sqrt();
+        self.beta.cos() * (self.beta.cos() + root) / (self.beta.cos() - root)
+    }
+
+    /// Moment about the pole of a unit thrust of the Rankine zone at a height above d1.
+    fn thrust_arm(&self, m: &Member, above_d1: f64) -> f64 {
+        let push = (-self.beta.cos(), -self.beta.sin());
+        cross(minus((m.d1.0, m.d1.1 + above_d1), m.pole), push)
+    }
+
+    /// Moment about the pole of a unit force of the plate acting at a fraction of the slant length above the tip.
+    fn plate_arm(&self, m: &Member, above_tip: f64) -> f64 {
+        let point = (m.tip.0 * (1.0 - above_tip), m.tip.1 * (1.0 - above_tip));
+        cross(minus(point, m.pole), ((self.alpha + self.delta).sin(), (self.alpha + self.delta).cos()))
     }
 
     /// Moment about the pole of the weight (unit weight 1, acting down) of the soil between plate, spiral,
@@ -287,7 +299,8 @@ mod tests {
         // As the pole goes to minus infinity the spiral becomes a straight line, whose force is a Coulomb
         // wedge's on that line, so it cannot be below Coulomb's least.
         let case = Case::level_deg(80.0, 35.0, 10.0);
-        let flat = Spiral::new(&case, false).factors(1e-3).weight;
+        let spiral = Spiral::new(&case, false);
+        let flat = spiral.weight(&spiral.member(1e-3));
         assert!(flat > 0.95 * Coulomb.predict(&case).unwrap().passive.unwrap().weight);
     }
 

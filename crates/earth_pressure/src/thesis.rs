@@ -73,7 +73,7 @@ pub fn appendix_c(column: Column) -> Result<PredictionTable, EarthPressureError>
         let status = if filled_in { CellStatus::Interpolated } else { CellStatus::Solved };
         cells.push((node, Cell { k_net: number(3)?, status }));
     }
-    PredictionTable::from_cells(&name, column.quantity(), &cells)
+    PredictionTable::from_cells(&name, column.quantity(), &cells, |_| name.clone())
 }
 
 /// Model `thesis-ub`: the numerical upper bound.

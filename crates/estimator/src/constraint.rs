@@ -35,7 +35,9 @@ impl Constraint<'_> {
             return Ok(None);
         }
         // The denominators swap where the force left for the weight is negative, so that the interval stays one.
-        let divide = |force: f64, k: f64, k_negative: f64| force / (self.scale * if force >= 0.0 { k } else { k_negative });
+        let divide = |force: f64, k: f64, k_negative: f64| {
+            force / (self.scale * if force >= 0.0 { k } else { k_negative })
+        };
         let low = divide(self.low_n - rest, net.weight_upper, net.weight_lower);
         let high = divide(self.high_n - rest, net.weight_lower, net.weight_upper);
         Ok(Some([low, high]))
@@ -73,8 +75,8 @@ pub(crate) fn merged<'m>(setup: &Setup<'m>) -> Result<Vec<Constraint<'m>>, Estim
     for observation in &setup.observations {
         let plate = observation.plate();
         let size = if loads { [plate.depth_m(), plate.width_m()] } else { [0.0; 2] };
-        let key =
-            [plate.tool_angle().radians(), plate.surface_slope().radians(), size[0], size[1]].map(f64::to_bits);
+        let key = [plate.tool_angle().radians(), plate.surface_slope().radians(), size[0], size[1]]
+            .map(f64::to_bits);
         match keyed.iter_mut().find(|(k, _)| *k == key) {
             Some((_, known)) => {
                 // Same angle, other size: forces scale with L^2 w.

@@ -42,7 +42,8 @@ pub(crate) fn cover(setup: &Setup<'_>, constraints: &[Constraint<'_>]) -> Result
     stack.reverse();
     let mut pieces = Vec::new();
     while let Some((u, v, size)) = stack.pop() {
-        let outside = deg(u + size) <= phi.0 || deg(u) >= phi.1 || deg(v + size) <= delta.0 || deg(v) >= delta.1;
+        let outside =
+            deg(u + size) <= phi.0 || deg(u) >= phi.1 || deg(v + size) <= delta.0 || deg(v) >= delta.1;
         if outside || v > u {
             continue;
         }
@@ -53,7 +54,12 @@ pub(crate) fn cover(setup: &Setup<'_>, constraints: &[Constraint<'_>]) -> Result
         match lattice.pieces([u, v, size], triangles, phi, delta) {
             Some(found) => pieces.extend(found),
             None => {
-                stack.extend([(u + half, v + half, half), (u, v + half, half), (u + half, v, half), (u, v, half)]);
+                stack.extend([
+                    (u + half, v + half, half),
+                    (u, v + half, half),
+                    (u + half, v, half),
+                    (u, v, half),
+                ]);
             }
         }
     }

@@ -65,11 +65,7 @@ pub(crate) fn smallest_ellipse(points: &[[f64; 2]]) -> Option<Ellipse> {
             let q = Vector3::new(p.x, p.y, 1.0);
             (q.transpose() * inverse * q)[0]
         };
-        let (far, distance) = scaled
-            .iter()
-            .map(reach)
-            .enumerate()
-            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let (far, distance) = scaled.iter().map(reach).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
         if distance <= 3.0 * (1.0 + TOLERANCE) {
             break;
         }

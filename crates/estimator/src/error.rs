@@ -10,7 +10,9 @@ pub enum EstimatorError {
     #[error("there is no measurement; give at least one stroke")]
     NoMeasurement,
     /// More distinct measurements than the estimator takes.
-    #[error("there are {count} distinct measurements, the limit is {limit}; group strokes by tool angle and depth")]
+    #[error(
+        "there are {count} distinct measurements, the limit is {limit}; group strokes by tool angle and depth"
+    )]
     TooManyMeasurements {
         /// How many were given.
         count: usize,

@@ -4,8 +4,8 @@ use crate::piece::Piece;
 use crate::region::Region;
 use crate::{EstimatorError, Setup};
 
-/// Every soil that could have produced the measurements.
-#[derive(Debug, Clone, PartialEq)]
+/// Every soil that could have produced the measurements; the default is that none could.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Estimate {
     /// Consistent (phi in degrees, density in kg/m3), over the whole interval of delta.
     pub region: Region,
@@ -113,8 +113,7 @@ pub fn bands(setup: &Setup<'_>, delta_deg: f64) -> Result<Vec<Region>, Estimator
         .observations
         .iter()
         .map(|observation| {
-            let alone =
-                Setup { density_kg_m3: None, ..setup.with_observations(vec![observation.clone()]) };
+            let alone = Setup { density_kg_m3: None, ..setup.with_observations(vec![observation.clone()]) };
             section(&alone, delta_deg)
         })
         .collect()

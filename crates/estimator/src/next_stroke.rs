@@ -77,7 +77,9 @@ pub fn next_strokes(
     };
     let mut candidates = Vec::new();
     for &alpha_deg in &menu.tool_angles_deg {
-        let Some(stage) = (if outside(alpha_deg) { closed_form.as_ref() } else { Some(&own) }) else { continue };
+        let Some(stage) = (if outside(alpha_deg) { closed_form.as_ref() } else { Some(&own) }) else {
+            continue;
+        };
         for &depth_m in &menu.depths_m {
             candidates.extend(stage.candidate(menu, alpha_deg, depth_m)?);
         }
@@ -103,7 +105,9 @@ impl Stage<'_> {
         let uncertainty = menu.force_scatter + 2.0 * menu.depth_error_m / depth_m;
         let (mut area, mut phi, mut density, mut force, mut count) = (0.0, 0.0, 0.0, 0.0_f64, 0.0);
         for [phi_deg, density_kg_m3, delta_deg] in self.soils() {
-            let Some(force_n) = self.force_n(&plate, phi_deg, density_kg_m3, delta_deg) else { return Ok(None) };
+            let Some(force_n) = self.force_n(&plate, phi_deg, density_kg_m3, delta_deg) else {
+                return Ok(None);
+            };
             let mut observations = self.setup.observations.clone();
             observations.push(Observation::new("candidate", plate, force_n, uncertainty * force_n)?);
             let after = region_only(&self.setup.with_observations(observations))?;

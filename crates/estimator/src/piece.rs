@@ -166,6 +166,9 @@ mod tests {
         assert!((reach - 0.5).abs() < 1e-15);
         // Volume: integral over phi in 0..1/2 of phi (1 - 2 phi).
         assert!((piece.volume() - 1.0 / 24.0).abs() < 1e-15);
-        assert!(Piece::new([0, 0, 1], CORNERS, vec![Plane([2.0; 3])], vec![Plane([1.0; 3])], (0., 1.), (0., 1.)).is_none());
+        assert!(
+            Piece::new([0, 0, 1], CORNERS, vec![Plane([2.0; 3])], vec![Plane([1.0; 3])], (0., 1.), (0., 1.))
+                .is_none()
+        );
     }
 }

@@ -16,7 +16,7 @@ const DENSITY_SCALE: f64 = 100.0;
 /// Pieces are grown by this much before they are united, so that neighbours overlap in spite of rounding.
 const GROWTH: f64 = 1e-6;
 /// A set in a parameter plane: polygons with holes, possibly several, possibly none.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Region {
     polygons: Vec<Vec<Ring>>,
 }
@@ -218,6 +218,12 @@ mod tests {
             for i in 0..30 {
                 for j in 0..30 {
                     let p = [0.0137 + f64::from(i) * 0.4, 1.37 + f64::from(j) * 40.0];
+                    // Pieces are grown a little; points on the rim prove nothing.
+                    let on_rim = |s: &Vec<Point>| {
+                        let near = |d: usize, edge: f64, by: f64| (p[d] - edge).abs() < by;
+                        near(0, s[0][0], 1e-5) || near(0, s[2][0], 1e-5) || near(1, s[0][1], 1e-3) || near(1, s[2][1], 1e-3)
+                    };
+                    if pieces.iter().any(on_rim) { continue }
                     let inside = pieces.iter().any(|s| s[0][0] < p[0] && p[0] < s[2][0] && s[0][1] < p[1] && p[1] < s[2][1]);
                     prop_assert_eq!(region.contains(p), inside);
                 }

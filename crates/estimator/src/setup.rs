@@ -60,7 +60,8 @@ impl<'m> Setup<'m> {
     /// Friction angles that are searched: what was asked for, as far as the model reaches.
     #[must_use]
     pub fn phi_range_deg(&self) -> (f64, f64) {
-        let (asked, model) = (self.phi_search_deg.unwrap_or(PHI_SEARCH_DEG), self.model.valid_range().phi_deg);
+        let (asked, model) =
+            (self.phi_search_deg.unwrap_or(PHI_SEARCH_DEG), self.model.valid_range().phi_deg);
         (asked.0.max(model.0), asked.1.min(model.1))
     }
 
@@ -90,7 +91,13 @@ impl<'m> Setup<'m> {
             interval("density", density, "kg/m3", DENSITY_SEARCH_KG_M3, "the estimator")?;
         }
         if !(self.gravity_m_s2 > 0.0 && self.gravity_m_s2.is_finite()) {
-            interval("gravity", (self.gravity_m_s2, self.gravity_m_s2), "m/s2", (1e-6, 1e3), "the estimator")?;
+            interval(
+                "gravity",
+                (self.gravity_m_s2, self.gravity_m_s2),
+                "m/s2",
+                (1e-6, 1e3),
+                "the estimator",
+            )?;
         }
         for load in [self.loads.cohesion_pa, self.loads.adhesion_pa, self.loads.surcharge_pa] {
             interval("a load", (load, load), "Pa", (0.0, 1e9), "the estimator")?;

@@ -1,13 +1,16 @@
 use thiserror::Error;
 
+use crate::Rounded;
+
 /// What can be wrong with a soil, an interface, a plate or a stroke.
 ///
-/// Every message names the quantity, the value that was given, what is allowed and its unit.
+/// Every message names the quantity, the value that was given, what is allowed and its unit. Numbers are
+/// rounded in the message only ([`Rounded`]).
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SoilError {
     /// A quantity is outside the range in which it means anything.
-    #[error("{quantity} is {value} {unit}; it must be {allowed}")]
+    #[error("{quantity} is {} {unit}; it must be {allowed}", Rounded(*.value))]
     OutOfRange {
         /// Name of the quantity, as the command line calls it.
         quantity: &'static str,
@@ -20,8 +23,9 @@ pub enum SoilError {
     },
     /// Interface friction above the friction of the soil itself: the soil would shear first.
     #[error(
-        "interface friction delta is {delta_deg} deg, more than the soil's friction phi of {phi_deg} deg; \
-         soil slides on soil before it slides on the plate, so use delta <= phi"
+        "interface friction delta is {} deg, more than the soil's friction phi of {} deg; \
+         soil slides on soil before it slides on the plate, so use delta <= phi",
+        Rounded(*.delta_deg), Rounded(*.phi_deg)
     )]
     InterfaceRougherThanSoil {
         /// Interface friction in degrees.
@@ -30,7 +34,10 @@ pub enum SoilError {
         phi_deg: f64,
     },
     /// Lower bound above upper bound.
-    #[error("a bracket needs lower <= upper, but lower is {lower} and upper is {upper}")]
+    #[error(
+        "a bracket needs finite ends and lower <= upper, but lower is {} and upper is {}",
+        Rounded(*.lower), Rounded(*.upper)
+    )]
     InvertedBracket {
         /// The lower value.
         lower: f64,

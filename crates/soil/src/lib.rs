@@ -32,6 +32,7 @@ mod coefficient;
 mod error;
 mod interface;
 mod plate;
+mod rounded;
 mod soil;
 pub mod units;
 
@@ -41,4 +42,5 @@ pub use coefficient::{DepthCoefficient, SlantCoefficient};
 pub use error::SoilError;
 pub use interface::Interface;
 pub use plate::{MAX_ANGLE_SUM_DEG, Plate, Stroke};
+pub use rounded::Rounded;
 pub use soil::{STANDARD_GRAVITY_M_S2, Soil};

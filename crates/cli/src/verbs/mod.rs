@@ -2,11 +2,16 @@
 //! JSON, a line in `schemas.rs`.
 
 mod completions;
+mod estimate;
 mod predict;
+mod report;
 mod schemas;
 mod table;
 
+use std::path::Path;
+
 use clap::Subcommand;
+use soilctl_figure::{Figure, Size};
 
 use crate::error::CliError;
 use crate::output::Output;
@@ -16,6 +21,10 @@ use crate::output::Output;
 pub(crate) enum Verb {
     /// Force and coefficients of a plate from a named model
     Predict(predict::Args),
+    /// Every soil that could have produced the measured forces
+    Estimate(Box<estimate::Args>),
+    /// One HTML page: the estimate with its figures and what they mean
+    Report(Box<report::Args>),
     /// Shows, builds and checks prediction tables
     Table(table::Args),
     /// Prints a completion script for a shell
@@ -38,9 +47,27 @@ impl Verb {
     pub(crate) fn run(self, output: &mut Output) -> Result<Outcome, CliError> {
         match self {
             Self::Predict(args) => predict::run(&args, output),
+            Self::Estimate(args) => estimate::run(&args, output),
+            Self::Report(args) => report::run(&args, output),
             Self::Table(args) => table::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),
         }
     }
+}
+
+/// Writes a figure into a file, in the form that its name asks for.
+fn save_figure(figure: &Figure, path: &Path, size: Size) -> Result<(), CliError> {
+    let bytes = match path.extension().and_then(|ending| ending.to_str()) {
+        Some("svg") => figure.to_svg(size)?.into_bytes(),
+        Some("png") => figure.to_png(size)?,
+        _ => {
+            return Err(CliError::Usage(format!(
+                "--plot is {}; the name must end in .svg or .png",
+                path.display()
+            )));
+        }
+    };
+    std::fs::write(path, bytes)
+        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
 }

@@ -1,19 +1,12 @@
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
+use csv::{ErrorKind, StringRecord};
 
 use super::sidecar::{Sidecar, file_error};
-use super::{Cell, CellStatus, PredictionTable};
+use super::{Cell, CellStatus, MAX_NODES, Placed, PredictionTable};
 use crate::EarthPressureError;
 
-#[derive(Serialize, Deserialize)]
-struct Row {
-    alpha_deg: f64,
-    phi_deg: f64,
-    delta_deg: f64,
-    k_net: f64,
-    status: String,
-}
+const COLUMNS: [&str; 5] = ["alpha_deg", "phi_deg", "delta_deg", "k_net", "status"];
 
 /// Writes a table as CSV (`alpha_deg, phi_deg, delta_deg, k_net, status`) with its sidecar. Numbers are written
 /// so that they read back to the same bits.
@@ -22,31 +15,92 @@ struct Row {
 /// [`EarthPressureError::File`] if a file cannot be written.
 pub fn write_csv(table: &PredictionTable, source: &str, path: &Path) -> Result<(), EarthPressureError> {
     let mut writer = csv::Writer::from_path(path).map_err(|e| file_error(path, &e))?;
+    writer.write_record(COLUMNS).map_err(|e| file_error(path, &e))?;
     for ([alpha_deg, phi_deg, delta_deg], cell) in table.filled() {
-        let row = Row { alpha_deg, phi_deg, delta_deg, k_net: cell.k_net, status: cell.status.word().into() };
-        writer.serialize(row).map_err(|e| file_error(path, &e))?;
+        // Debug keeps ".0", the shortest text that reads back as a number of the same kind and bits.
+        let numbers = [alpha_deg, phi_deg, delta_deg, cell.k_net].map(|x| format!("{x:?}"));
+        let fields = numbers.iter().map(String::as_str).chain([cell.status.word()]);
+        writer.write_record(fields).map_err(|e| file_error(path, &e))?;
     }
     writer.flush().map_err(|e| file_error(path, &e))?;
     Sidecar::of(table, source).write(path)
 }
 
-/// Reads a table and its sidecar.
+/// Reads a table and its sidecar. The columns may stand in any order and among others.
 ///
 /// # Errors
-/// [`EarthPressureError::File`] if a file is missing or malformed (with the line),
-/// [`EarthPressureError::BadTable`] if its content is wrong or another version's.
+/// [`EarthPressureError::File`] if a file cannot be read, [`EarthPressureError::BadTable`] if its content is wrong
+/// (with the line) or another version's, [`EarthPressureError::TooLarge`] if it has more than [`MAX_NODES`] rows.
 pub fn read_csv(path: &Path) -> Result<(PredictionTable, Sidecar), EarthPressureError> {
     let sidecar = Sidecar::read(path)?;
-    let mut reader = csv::Reader::from_path(path).map_err(|e| file_error(path, &e))?;
-    let mut cells = Vec::new();
-    for (i, row) in reader.deserialize::<Row>().enumerate() {
-        let row = row.map_err(|e| file_error(path, &e))?;
-        let status = CellStatus::from_word(&row.status).ok_or_else(|| EarthPressureError::BadTable {
-            table: format!("{}, line {}", path.display(), i + 2),
-            problem: format!("status is {:?}; it must be \"solved\" or \"interpolated\"", row.status),
-        })?;
-        cells.push(([row.alpha_deg, row.phi_deg, row.delta_deg], Cell { k_net: row.k_net, status }));
+    // Rows of another length are reported by what is missing in them.
+    let mut reader =
+        csv::ReaderBuilder::new().flexible(true).from_path(path).map_err(|e| file_error(path, &e))?;
+    let places = places(reader.headers().map_err(|e| csv_error(path, &e))?)
+        .map_err(|problem| bad_line(path, 1, problem))?;
+    let (mut cells, mut lines) = (Vec::<Placed>::new(), Vec::new());
+    let mut record = StringRecord::new();
+    while reader.read_record(&mut record).map_err(|e| csv_error(path, &e))? {
+        if cells.len() == MAX_NODES {
+            return Err(EarthPressureError::TooLarge {
+                table: path.display().to_string(),
+                size: format!("more than {MAX_NODES} rows"),
+                limit: MAX_NODES,
+            });
+        }
+        let line = record.position().map_or(0, csv::Position::line);
+        cells.push(cell(&record, places).map_err(|problem| bad_line(path, line, problem))?);
+        lines.push(line);
     }
     sidecar.check_count(path, cells.len())?;
-    Ok((PredictionTable::from_cells(&sidecar.name, sidecar.quantity, &cells)?, sidecar))
+    let whence = |i: usize| at_line(path, lines[i]);
+    Ok((PredictionTable::from_cells(&sidecar.name, sidecar.quantity, &cells, whence)?, sidecar))
+}
+
+/// Where each of [`COLUMNS`] stands.
+fn places(headers: &StringRecord) -> Result<[usize; 5], String> {
+    let mut places = [0; 5];
+    for (place, column) in places.iter_mut().zip(COLUMNS) {
+        let mut found = headers.iter().enumerate().filter(|(_, name)| name.trim() == column).map(|(i, _)| i);
+        *place = found.next().ok_or_else(|| {
+            format!("column {column} is missing; the first line must name {}", COLUMNS.join(", "))
+        })?;
+        if found.next().is_some() {
+            return Err(format!("column {column} is given twice; remove or rename one of the two"));
+        }
+    }
+    Ok(places)
+}
+
+fn cell(record: &StringRecord, places: [usize; 5]) -> Result<Placed, String> {
+    let field = |i: usize| match record.get(places[i]) {
+        Some(text) if !text.trim().is_empty() => Ok(text.trim()),
+        _ => Err(format!("{} is missing; every row must have {}", COLUMNS[i], COLUMNS.join(", "))),
+    };
+    let number = |i: usize| {
+        let text = field(i)?;
+        text.parse::<f64>()
+            .map_err(|_| format!("{} is {text:?}; it must be a number with a decimal point", COLUMNS[i]))
+    };
+    let node = [number(0)?, number(1)?, number(2)?];
+    let (k_net, word) = (number(3)?, field(4)?);
+    Ok((node, Cell { k_net, status: CellStatus::parse(word)? }))
+}
+
+fn at_line(path: &Path, line: u64) -> String {
+    format!("{}, line {line}", path.display())
+}
+
+fn bad_line(path: &Path, line: u64, problem: String) -> EarthPressureError {
+    EarthPressureError::BadTable { table: at_line(path, line), problem }
+}
+
+fn csv_error(path: &Path, error: &csv::Error) -> EarthPressureError {
+    match (error.kind(), error.position()) {
+        (ErrorKind::Utf8 { .. }, position) => {
+            let line = position.map_or(1, csv::Position::line);
+            bad_line(path, line, "the text is not UTF-8; save the file as UTF-8".into())
+        }
+        _ => file_error(path, error),
+    }
 }

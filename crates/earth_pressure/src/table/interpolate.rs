@@ -6,6 +6,9 @@
 //! at the four nodes around the cell, times 1.5 (3 in an outermost cell). It is 0 at a solved node. A test
 //! compares it with what interpolation really misses of a closed-form model.
 
+use soilctl_soil::Rounded;
+
+use super::cubic::{cell_error, monotone_cubic};
 use super::{CellStatus, PredictionTable};
 use crate::EarthPressureError;
 
@@ -27,7 +30,8 @@ pub struct TableSlice {
     delta: Vec<f64>,
     /// Row by row in phi.
     nodes: Vec<Option<Node>>,
-    /// Bound on the error of each cell along phi and along delta, before the factor t (1 - t).
+    /// Bound on the error along phi in the cell above each node and along delta in the cell to its right, before
+    /// the factor t (1 - t). Between nodes of the other axis it is interpolated, so that the margin is continuous.
     errors: Vec<(f64, f64)>,
 }
 
@@ -46,9 +50,10 @@ impl PredictionTable {
         let [alphas, phis, deltas] = self.axes();
         let place = Place::find(alphas, alpha_deg).ok_or_else(|| {
             self.bad(format!(
-                "alpha is {alpha_deg} deg; the table covers {} to {} deg",
-                alphas[0],
-                alphas[alphas.len() - 1]
+                "alpha is {} deg; the table covers {} to {} deg",
+                Rounded(alpha_deg),
+                Rounded(alphas[0]),
+                Rounded(alphas[alphas.len() - 1])
             ))
         })?;
         let mut nodes = Vec::with_capacity(phis.len() * deltas.len());
@@ -110,9 +115,10 @@ impl TableSlice {
             Place::find(axis, x).ok_or_else(|| EarthPressureError::BadTable {
                 table: self.name.clone(),
                 problem: format!(
-                    "{label} is {x} deg; the table covers {} to {} deg",
-                    axis[0],
-                    axis[axis.len() - 1]
+                    "{label} is {} deg; the table covers {} to {} deg",
+                    Rounded(x),
+                    Rounded(axis[0]),
+                    Rounded(axis[axis.len() - 1])
                 ),
             })
         };
@@ -127,7 +133,13 @@ impl TableSlice {
             phi_deg,
             delta_deg,
         })?;
-        let (along_phi, along_delta) = self.errors[in_phi.cell * self.delta.len() + in_delta.cell];
+        let error = |j: usize, k: usize| {
+            let (j, k) = (j.min(self.phi.len() - 1), k.min(self.delta.len() - 1));
+            self.errors[j * self.delta.len() + k]
+        };
+        let (j, k) = (in_phi.cell, in_delta.cell);
+        let along_phi = error(j, k).0 + in_delta.t * (error(j, k + 1).0 - error(j, k).0);
+        let along_delta = error(j, k).1 + in_phi.t * (error(j + 1, k).1 - error(j, k).1);
         let margin = node.margin
             + in_phi.t * (1.0 - in_phi.t) * along_phi
             + in_delta.t * (1.0 - in_delta.t) * along_delta;
@@ -140,15 +152,9 @@ impl TableSlice {
         let mut errors = Vec::with_capacity(rows * columns);
         for j in 0..rows {
             for k in 0..columns {
-                let next = (j + 1 < rows, k + 1 < columns);
-                let along_phi =
-                    |k: usize| cell_error(&self.phi, j, |j| if j < rows { ln_k(j, k) } else { None });
-                let along_delta =
-                    |j: usize| cell_error(&self.delta, k, |k| if k < columns { ln_k(j, k) } else { None });
-                errors.push((
-                    if next.1 { along_phi(k).max(along_phi(k + 1)) } else { along_phi(k) },
-                    if next.0 { along_delta(j).max(along_delta(j + 1)) } else { along_delta(j) },
-                ));
+                let along_phi = cell_error(&self.phi, j, |j| if j < rows { ln_k(j, k) } else { None });
+                let along_delta = cell_error(&self.delta, k, |k| if k < columns { ln_k(j, k) } else { None });
+                errors.push((along_phi, along_delta));
             }
         }
         self.errors = errors;
@@ -217,68 +223,6 @@ impl Place {
             margin: left.margin + self.t * (right.margin - left.margin),
         })
     }
-}
-
-type Knot = (f64, f64);
-
-fn secant(a: Knot, b: Knot) -> f64 {
-    (b.1 - a.1) / (b.0 - a.0)
-}
-
-/// Cubic Hermite on the cell a-b at fraction t, with slopes that keep monotone data monotone.
-fn monotone_cubic(before: Option<Knot>, a: Knot, b: Knot, after: Option<Knot>, t: f64) -> f64 {
-    let (h, middle) = (b.0 - a.0, secant(a, b));
-    // Inner slope: weighted harmonic mean. At an end of the data: three-point slope, limited.
-    let inner = |h0: f64, s0: f64, h1: f64, s1: f64| {
-        if s0 * s1 <= 0.0 {
-            return 0.0;
-        }
-        let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
-        (w0 + w1) / (w0 / s0 + w1 / s1)
-    };
-    let end = |h0: f64, s0: f64, next: Option<(f64, f64)>| match next {
-        None => s0,
-        Some((h1, s1)) => {
-            let slope = ((2.0 * h0 + h1) * s0 - h0 * s1) / (h0 + h1);
-            if slope * s0 <= 0.0 {
-                0.0
-            } else if s0 * s1 <= 0.0 && slope.abs() > 3.0 * s0.abs() {
-                3.0 * s0
-            } else {
-                slope
-            }
-        }
-    };
-    let left = before.map(|p| (a.0 - p.0, secant(p, a)));
-    let right = after.map(|p| (p.0 - b.0, secant(b, p)));
-    let slope_a = left.map_or_else(|| end(h, middle, right), |(h0, s0)| inner(h0, s0, h, middle));
-    let slope_b = right.map_or_else(|| end(h, middle, left), |(h1, s1)| inner(h, middle, h1, s1));
-    let (t2, t3) = (t * t, t * t * t);
-    (2.0 * t3 - 3.0 * t2 + 1.0) * a.1
-        + (t3 - 2.0 * t2 + t) * h * slope_a
-        + (3.0 * t2 - 2.0 * t3) * b.1
-        + (t3 - t2) * h * slope_b
-}
-
-/// `t (1 - t)` times this bounds what linear interpolation in a cell may miss.
-fn cell_error(axis: &[f64], cell: usize, at: impl Fn(usize) -> Option<f64>) -> f64 {
-    if cell + 1 >= axis.len() {
-        return 0.0;
-    }
-    let h = axis[cell + 1] - axis[cell];
-    let curvature_at = |i: usize| {
-        let knot = |i: usize| Some((*axis.get(i)?, at(i)?));
-        let (p, q, r) = (knot(i.checked_sub(1)?)?, knot(i)?, knot(i + 1)?);
-        Some((2.0 * (secant(q, r) - secant(p, q)) / (r.0 - p.0)).abs())
-    };
-    let around = cell.saturating_sub(1)..=cell + 2;
-    let largest = around.filter_map(curvature_at).fold(f64::NAN, f64::max);
-    if largest.is_nan() {
-        // Nothing is known about the curvature; allow twice the step of the cell.
-        return at(cell).zip(at(cell + 1)).map_or(0.0, |(a, b)| 2.0 * (b - a).abs());
-    }
-    let inner = curvature_at(cell).is_some() && curvature_at(cell + 1).is_some();
-    0.5 * h * h * largest * if inner { 1.5 } else { 3.0 }
 }
 
 #[cfg(test)]

@@ -4,9 +4,11 @@
 //! interpolation; every look-up says by how much interpolation may be wrong.
 
 mod csv_file;
+mod cubic;
 mod interpolate;
 mod model;
 mod parquet_file;
+mod parquet_pages;
 mod sidecar;
 
 pub use csv_file::{read_csv, write_csv};
@@ -16,8 +18,13 @@ pub use parquet_file::{read_parquet, write_parquet};
 pub use sidecar::{SIDECAR_SCHEMA, Sidecar, sidecar_path};
 
 use serde::{Deserialize, Serialize};
+use soilctl_soil::Rounded;
 
 use crate::{Case, EarthPressureError, ForceModel};
+
+/// Most nodes of a table and most rows of a table file. Far beyond what anyone has solved (Appendix C has 294), and
+/// reading it still takes less than 1 GB.
+pub const MAX_NODES: usize = 4_000_000;
 
 /// Whether a cell was computed or filled in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -39,8 +46,12 @@ impl CellStatus {
         }
     }
 
-    pub(crate) fn from_word(word: &str) -> Option<Self> {
-        [Self::Solved, Self::Interpolated].into_iter().find(|s| s.word() == word)
+    /// The status behind a word, or what is wrong with the word.
+    fn parse(word: &str) -> Result<Self, String> {
+        [Self::Solved, Self::Interpolated]
+            .into_iter()
+            .find(|status| status.word() == word)
+            .ok_or_else(|| format!("status is {word:?}; it must be \"solved\" or \"interpolated\""))
     }
 }
 
@@ -65,6 +76,13 @@ pub struct Cell {
     pub status: CellStatus,
 }
 
+/// A cell with its node: alpha, phi and delta in degrees.
+pub(crate) type Placed = ([f64; 3], Cell);
+
+const AXIS_NAMES: [&str; 3] = ["alpha", "phi", "delta"];
+/// Two angles closer than this (degrees) are one node, so that nodes survive a unit conversion.
+const SAME_NODE_DEG: f64 = 1e-9;
+
 /// Net coefficients on a grid (level surface, cohesionless, slant-normalised).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PredictionTable {
@@ -76,29 +94,33 @@ pub struct PredictionTable {
 }
 
 impl PredictionTable {
-    /// An empty table on a grid. Each axis is strictly ascending, at least two nodes, degrees.
+    /// An empty table on a grid. Each axis is strictly ascending, at least two nodes, degrees; all three together
+    /// make at most [`MAX_NODES`] nodes.
     ///
     /// # Errors
-    /// [`EarthPressureError::BadTable`] if an axis is too short, not finite or not ascending.
+    /// [`EarthPressureError::BadTable`] if an axis is too short, not finite or not ascending,
+    /// [`EarthPressureError::TooLarge`] if there are too many nodes.
     pub fn new(
         name: impl Into<String>,
         quantity: Quantity,
         axes: [Vec<f64>; 3],
     ) -> Result<Self, EarthPressureError> {
         let name = name.into();
-        for (axis, label) in axes.iter().zip(["alpha", "phi", "delta"]) {
-            let ascending = axis.windows(2).all(|w| w[0] < w[1]);
-            if axis.len() < 2 || !ascending || axis.iter().any(|x| !x.is_finite()) {
-                return Err(EarthPressureError::BadTable {
-                    table: name,
-                    problem: format!(
-                        "axis {label} is {axis:?}; it must be at least two finite ascending degrees"
-                    ),
-                });
+        for (axis, label) in axes.iter().zip(AXIS_NAMES) {
+            if let Some(problem) = axis_problem(axis) {
+                let problem = format!("axis {label} {problem}");
+                return Err(EarthPressureError::BadTable { table: name, problem });
             }
         }
-        let size = axes.iter().map(Vec::len).product();
-        Ok(Self { name, quantity, axes, cells: vec![None; size] })
+        let counts = [axes[0].len(), axes[1].len(), axes[2].len()];
+        let nodes = counts.into_iter().try_fold(1_usize, usize::checked_mul);
+        match nodes.filter(|&nodes| nodes <= MAX_NODES) {
+            Some(nodes) => Ok(Self { name, quantity, axes, cells: vec![None; nodes] }),
+            None => {
+                let size = format!("a grid of {} x {} x {} nodes", counts[0], counts[1], counts[2]);
+                Err(EarthPressureError::TooLarge { table: name, size, limit: MAX_NODES })
+            }
+        }
     }
 
     /// A table filled by a model on every node with delta <= phi. Nodes where the model has no answer stay
@@ -168,25 +190,23 @@ impl PredictionTable {
     pub fn insert(&mut self, node: [f64; 3], cell: Cell) -> Result<(), EarthPressureError> {
         let mut at = [0; 3];
         for (d, place) in at.iter_mut().enumerate() {
-            *place = self.axes[d]
-                .iter()
-                .position(|&x| (x - node[d]).abs() < 1e-9)
-                .ok_or_else(|| self.bad(format!("{node:?} is not a node of the grid")))?;
+            let axis = &self.axes[d];
+            // Binary search: an axis may have a million nodes, and a file a row for each.
+            *place = axis.partition_point(|&x| x <= node[d] - SAME_NODE_DEG);
+            if !axis.get(*place).is_some_and(|x| (x - node[d]).abs() < SAME_NODE_DEG) {
+                return Err(self.bad(format!("{} is not a node of the grid", in_words(node))));
+            }
         }
         let index = self.index(at[0], at[1], at[2]);
         if self.cells[index].is_some() {
-            return Err(self.bad(format!("the cell at {node:?} appears twice")));
+            return Err(self.bad(format!("the cell at {} is given twice; give it once", in_words(node))));
         }
         self.set(index, cell)
     }
 
     fn set(&mut self, index: usize, cell: Cell) -> Result<(), EarthPressureError> {
-        if !(cell.k_net > 0.0 && cell.k_net.is_finite()) {
-            return Err(self.bad(format!(
-                "k_net is {} at {:?}; it must be a finite number above 0",
-                cell.k_net,
-                self.node(index)
-            )));
+        if let Some(problem) = k_net_problem(cell.k_net) {
+            return Err(self.bad(format!("{problem}, at {}", in_words(self.node(index)))));
         }
         self.cells[index] = Some(cell);
         Ok(())
@@ -205,22 +225,74 @@ impl PredictionTable {
         EarthPressureError::BadTable { table: self.name.clone(), problem }
     }
 
-    /// A table from loose cells: the axes are the values that occur.
+    /// A table from loose cells: the axes are the values that occur. `whence` says where a cell was read, for
+    /// messages.
     pub(crate) fn from_cells(
         name: &str,
         quantity: Quantity,
-        cells: &[([f64; 3], Cell)],
+        cells: &[Placed],
+        whence: impl Fn(usize) -> String,
     ) -> Result<Self, EarthPressureError> {
+        let bad = |i: usize, problem: String| EarthPressureError::BadTable { table: whence(i), problem };
+        for (i, (node, cell)) in cells.iter().enumerate() {
+            if let Some(d) = node.iter().position(|x| !x.is_finite()) {
+                let problem =
+                    format!("{}_deg is {}; it must be a finite number of degrees", AXIS_NAMES[d], node[d]);
+                return Err(bad(i, problem));
+            }
+            if let Some(problem) = k_net_problem(cell.k_net) {
+                return Err(bad(i, problem));
+            }
+        }
         let axis = |d: usize| {
             let mut nodes: Vec<f64> = cells.iter().map(|(n, _)| n[d]).collect();
             nodes.sort_by(f64::total_cmp);
-            nodes.dedup();
+            nodes.dedup_by(|next, kept| *next - *kept < SAME_NODE_DEG);
             nodes
         };
         let mut table = Self::new(name, quantity, [axis(0), axis(1), axis(2)])?;
-        for &(node, cell) in cells {
-            table.insert(node, cell)?;
+        for (i, &(node, cell)) in cells.iter().enumerate() {
+            table.insert(node, cell).map_err(|error| {
+                // Every node is on the grid and every coefficient is good: it can only be given twice.
+                let same = |other: &Placed| {
+                    other.0.iter().zip(node).all(|(a, b)| (a - b).abs() < 2.0 * SAME_NODE_DEG)
+                };
+                match cells[..i].iter().position(same) {
+                    Some(first) => bad(
+                        i,
+                        format!("{} is given twice, first in {}; give it once", in_words(node), whence(first)),
+                    ),
+                    None => error,
+                }
+            })?;
         }
         Ok(table)
+    }
+}
+
+/// A node as messages show it.
+fn in_words(node: [f64; 3]) -> String {
+    let [alpha, phi, delta] = node.map(Rounded);
+    format!("alpha {alpha} deg, phi {phi} deg, delta {delta} deg")
+}
+
+fn k_net_problem(k_net: f64) -> Option<String> {
+    let good = k_net > 0.0 && k_net.is_finite();
+    (!good).then(|| format!("k_net is {}; it must be a finite number above 0", Rounded(k_net)))
+}
+
+/// What is wrong with an axis; names the values, not the whole axis, which may be long.
+fn axis_problem(axis: &[f64]) -> Option<String> {
+    if let Some(value) = axis.iter().find(|x| !x.is_finite()) {
+        return Some(format!("has a node at {value}; every node must be a finite number of degrees"));
+    }
+    if let Some(pair) = axis.windows(2).find(|pair| pair[0] >= pair[1]) {
+        let (before, after) = (Rounded(pair[0]), Rounded(pair[1]));
+        return Some(format!("goes from {before} to {after} deg; its nodes must ascend"));
+    }
+    match axis {
+        [] => Some("is empty; it must have at least two nodes".into()),
+        [only] => Some(format!("has one node only, {} deg; it must have at least two", Rounded(*only))),
+        _ => None,
     }
 }

@@ -26,16 +26,6 @@ pub(super) enum Kind {
 
 /// Draws a figure of a case into a file.
 pub(super) fn plot_predict(path: &Path, kind: Kind, case: Case, output: &Output) -> Result<(), CliError> {
-    let is_png = match path.extension().and_then(|ending| ending.to_str()) {
-        Some("svg") => false,
-        Some("png") => true,
-        _ => {
-            return Err(CliError::Usage(format!(
-                "--plot is {}; the name must end in .svg or .png",
-                path.display()
-            )));
-        }
-    };
     let figure = match kind {
         Kind::Surface => surfaces::figure(&case, output)?,
         Kind::Phi => curves::figure(&case, Angle::Phi)?,
@@ -44,9 +34,7 @@ pub(super) fn plot_predict(path: &Path, kind: Kind, case: Case, output: &Output)
     };
     // A failure surface is several times as long as it is deep.
     let size = if kind == Kind::Surface { Size::new(760, 400)? } else { Size::default() };
-    let bytes = if is_png { figure.to_png(size)? } else { figure.to_svg(size)?.into_bytes() };
-    std::fs::write(path, bytes)
-        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+    crate::verbs::save_figure(&figure, path, size)
 }
 
 /// The angles of a case in words, without the one left out.

@@ -1,0 +1,150 @@
+//! The estimate itself: everything that both the answer and the report are made of.
+
+use soilctl_earth_pressure::{ForceModel, model};
+use soilctl_estimator::{
+    Conflict, Estimate, Optimiser, Region, Setup, StrokeMenu, agreement_factor, best_fit, conflict, estimate,
+    local_minima, next_strokes, section, spread_starts,
+};
+
+use super::answer::{
+    Centre, Disagreement, EstimateAnswer, Measured, Minimum, NextStroke, Section,
+};
+use super::args::EstimateArgs;
+use super::inputs::Inputs;
+use super::{exact, words};
+use crate::error::CliError;
+
+/// Inputs, estimate and answer of one run.
+pub(crate) struct Work {
+    pub(crate) inputs: Inputs,
+    pub(crate) model: Box<dyn ForceModel>,
+    pub(crate) estimate: Estimate,
+    /// Sections at the chosen deltas.
+    pub(crate) sections: Vec<(f64, Region)>,
+    pub(crate) answer: EstimateAnswer,
+}
+
+impl Work {
+    pub(crate) fn setup(&self, args: &EstimateArgs) -> Result<Setup<'_>, CliError> {
+        self.inputs.setup(args, &*self.model)
+    }
+}
+
+/// Runs an estimate with everything that was asked for.
+pub(crate) fn run(args: &EstimateArgs, exact_data: bool) -> Result<Work, CliError> {
+    let inputs = Inputs::read(args, exact_data)?;
+    let model = model(&args.model)?;
+    let setup = inputs.setup(args, &*model)?;
+    let deltas = inputs.sections(args);
+    // Exact data have bands of no width, which meet nowhere but in theory: contours take their place.
+    let estimate = if exact_data { Estimate::default() } else { estimate(&setup)? };
+    let sections = if exact_data { &[] } else { &deltas[..] };
+    let sections = sections
+        .iter()
+        .map(|&delta| Ok((delta, section(&setup, delta)?)))
+        .collect::<Result<Vec<_>, CliError>>()?;
+    let exact = if exact_data { Some(exact::answer(&setup, &deltas)?) } else { None };
+    let consistent = estimate.is_consistent();
+    let disagreement = if consistent || exact_data { None } else { Some(disagreement(&setup)?) };
+    let next = if args.next_strokes && consistent {
+        Some(next_strokes(&setup, &estimate, &menu(args, &inputs, &setup))?.iter().map(NextStroke::from).collect())
+    } else {
+        None
+    };
+    let optimisers = if args.compare { Some(compare(&setup, &estimate)?) } else { None };
+    let best_estimate = best_fit(&setup, &estimate)?.map(Into::into);
+    let mut answer = EstimateAnswer {
+        model: model.id().into(),
+        consistent,
+        phi_deg: estimate.phi_deg,
+        density_kg_m3: estimate.density_kg_m3,
+        regions: Vec::new(),
+        region: estimate.region.polygons().to_vec(),
+        delta_density: estimate.delta_density.polygons().to_vec(),
+        phi_delta: estimate.phi_delta.polygons().to_vec(),
+        area_deg_kg_m3: estimate.region.area(),
+        volume_deg2_kg_m3: estimate.volume,
+        delta_deg: [inputs.delta_deg.0, inputs.delta_deg.1],
+        density_known_kg_m3: inputs.density_kg_m3.map(|(low, high)| [low, high]),
+        centre: centre(&estimate),
+        best_estimate,
+        cut_by: words::limits(&estimate),
+        measurements: setup
+            .observations
+            .iter()
+            .zip(&inputs.measurements)
+            .map(|(observation, m)| Measured::of(observation, m.count))
+            .collect(),
+        disagreement,
+        verdict: String::new(),
+        next_strokes: next,
+        optimisers,
+        exact,
+        warnings: inputs.warnings.clone(),
+    };
+    if consistent {
+        answer.regions = sections
+            .iter()
+            .map(|(delta_deg, region)| Section {
+                delta_deg: *delta_deg,
+                polygons: region.polygons().concat(),
+            })
+            .collect();
+    }
+    answer.verdict = words::verdict(&answer);
+    answer.warnings.extend(words::warnings(&answer));
+    Ok(Work { inputs, model, estimate, sections, answer })
+}
+
+fn centre(estimate: &Estimate) -> Option<Centre> {
+    let [phi_deg, density_kg_m3] = estimate.region.centroid()?;
+    let reach = |centre: f64, [low, high]: [f64; 2]| (high - centre).max(centre - low);
+    Some(Centre {
+        phi_deg,
+        phi_half_width_deg: reach(phi_deg, estimate.phi_deg?),
+        density_kg_m3,
+        density_half_width_kg_m3: reach(density_kg_m3, estimate.density_kg_m3?),
+    })
+}
+
+fn disagreement(setup: &Setup<'_>) -> Result<Disagreement, CliError> {
+    let Conflict { culprits, pairs, alone, .. } = conflict(setup)?;
+    let label = |i: usize| setup.observations[i].label().to_owned();
+    Ok(Disagreement {
+        culprits: culprits.into_iter().map(label).collect(),
+        pairs: pairs.into_iter().map(|(i, j)| [label(i), label(j)]).collect(),
+        alone: alone.into_iter().map(label).collect(),
+        uncertainty_factor: agreement_factor(setup)?,
+    })
+}
+
+/// Strokes to choose from: scatter as in the table, depth error as in the campaign.
+fn menu(args: &EstimateArgs, inputs: &Inputs, setup: &Setup<'_>) -> StrokeMenu {
+    let mut depths_m = args.next_depth.clone();
+    if depths_m.is_empty() {
+        depths_m = inputs.measurements.iter().map(|m| (m.depth_m * 1e3).round() / 1e3).collect();
+        depths_m.sort_by(f64::total_cmp);
+        depths_m.dedup();
+    }
+    let relative = setup.observations.iter().map(|o| 0.5 * (o.high_n() - o.low_n()) / o.force_n());
+    StrokeMenu {
+        tool_angles_deg: args.next_alpha.clone(),
+        depths_m,
+        width_m: inputs.measurements[0].width_m,
+        force_scatter: relative.sum::<f64>() / setup.observations.len() as f64,
+        depth_error_m: inputs.campaign.depth_sd_m,
+        force_limit_n: args.force_limit,
+    }
+}
+
+fn compare(setup: &Setup<'_>, estimate: &Estimate) -> Result<Vec<Minimum>, CliError> {
+    let starts = spread_starts(setup);
+    let mut found = Vec::new();
+    for optimiser in [Optimiser::DownhillSimplex, Optimiser::LevenbergMarquardt] {
+        for minimum in local_minima(setup, optimiser, &starts)? {
+            let inside = estimate.region.contains([minimum.end.phi_deg, minimum.end.density_kg_m3]);
+            found.push(Minimum::of(&minimum, inside));
+        }
+    }
+    Ok(found)
+}
