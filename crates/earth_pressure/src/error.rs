@@ -82,7 +82,9 @@ pub enum EarthPressureError {
         problem: String,
     },
     /// A table or its file is larger than any that is taken; found out before memory is asked for.
-    #[error("{table} has {size}; a table may have at most {limit} nodes: take larger steps or a smaller range")]
+    #[error(
+        "{table} has {size}; a table may have at most {limit} nodes: take larger steps or a smaller range"
+    )]
     TooLarge {
         /// Table or file name.
         table: String,

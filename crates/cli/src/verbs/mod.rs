@@ -6,6 +6,7 @@ mod estimate;
 mod predict;
 mod report;
 mod schemas;
+mod shear;
 mod table;
 
 use std::path::Path;
@@ -25,6 +26,8 @@ pub(crate) enum Verb {
     Estimate(Box<estimate::Args>),
     /// One HTML page: the estimate with its figures and what they mean
     Report(Box<report::Args>),
+    /// Friction angle against normal stress from direct-shear tests
+    Shear(Box<shear::Args>),
     /// Shows, builds and checks prediction tables
     Table(table::Args),
     /// Prints a completion script for a shell
@@ -49,6 +52,7 @@ impl Verb {
             Self::Predict(args) => predict::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
             Self::Report(args) => report::run(&args, output),
+            Self::Shear(args) => shear::run(&args, output),
             Self::Table(args) => table::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),

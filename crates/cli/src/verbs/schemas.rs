@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Value, json};
 
-use super::{Outcome, estimate, predict, report, table};
+use super::{Outcome, estimate, predict, report, shear, table};
 use crate::error::CliError;
 use crate::output::{Answer, Document};
 
@@ -20,6 +20,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<predict::Prediction>(&args.dir)?;
     write::<estimate::EstimateAnswer>(&args.dir)?;
     write::<report::ReportAnswer>(&args.dir)?;
+    write::<shear::ShearAnswer>(&args.dir)?;
     write::<table::TableAnswer>(&args.dir)?;
     Ok(Outcome::Done)
 }

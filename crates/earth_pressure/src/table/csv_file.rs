@@ -3,10 +3,8 @@ use std::path::Path;
 use csv::{ErrorKind, StringRecord};
 
 use super::sidecar::{Sidecar, file_error};
-use super::{Cell, CellStatus, MAX_NODES, Placed, PredictionTable};
+use super::{COLUMNS, Cell, CellStatus, MAX_NODES, Placed, PredictionTable};
 use crate::EarthPressureError;
-
-const COLUMNS: [&str; 5] = ["alpha_deg", "phi_deg", "delta_deg", "k_net", "status"];
 
 /// Writes a table as CSV (`alpha_deg, phi_deg, delta_deg, k_net, status`) with its sidecar. Numbers are written
 /// so that they read back to the same bits.

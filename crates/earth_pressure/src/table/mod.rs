@@ -3,6 +3,7 @@
 //! Any model or bound can fill a [`PredictionTable`]. Every cell says whether it was solved or itself comes from
 //! interpolation; every look-up says by how much interpolation may be wrong.
 
+mod cells;
 mod csv_file;
 mod cubic;
 mod interpolate;
@@ -18,7 +19,8 @@ pub use parquet_file::{read_parquet, write_parquet};
 pub use sidecar::{SIDECAR_SCHEMA, Sidecar, sidecar_path};
 
 use serde::{Deserialize, Serialize};
-use soilctl_soil::Rounded;
+
+use cells::{AXIS_NAMES, Placed, SAME_NODE_DEG, axis_problem, in_words, k_net_problem};
 
 use crate::{Case, EarthPressureError, ForceModel};
 
@@ -76,12 +78,8 @@ pub struct Cell {
     pub status: CellStatus,
 }
 
-/// A cell with its node: alpha, phi and delta in degrees.
-pub(crate) type Placed = ([f64; 3], Cell);
-
-const AXIS_NAMES: [&str; 3] = ["alpha", "phi", "delta"];
-/// Two angles closer than this (degrees) are one node, so that nodes survive a unit conversion.
-const SAME_NODE_DEG: f64 = 1e-9;
+/// Columns of a table file.
+const COLUMNS: [&str; 5] = ["alpha_deg", "phi_deg", "delta_deg", "k_net", "status"];
 
 /// Net coefficients on a grid (level surface, cohesionless, slant-normalised).
 #[derive(Debug, Clone, PartialEq)]
@@ -223,76 +221,5 @@ impl PredictionTable {
 
     fn bad(&self, problem: String) -> EarthPressureError {
         EarthPressureError::BadTable { table: self.name.clone(), problem }
-    }
-
-    /// A table from loose cells: the axes are the values that occur. `whence` says where a cell was read, for
-    /// messages.
-    pub(crate) fn from_cells(
-        name: &str,
-        quantity: Quantity,
-        cells: &[Placed],
-        whence: impl Fn(usize) -> String,
-    ) -> Result<Self, EarthPressureError> {
-        let bad = |i: usize, problem: String| EarthPressureError::BadTable { table: whence(i), problem };
-        for (i, (node, cell)) in cells.iter().enumerate() {
-            if let Some(d) = node.iter().position(|x| !x.is_finite()) {
-                let problem =
-                    format!("{}_deg is {}; it must be a finite number of degrees", AXIS_NAMES[d], node[d]);
-                return Err(bad(i, problem));
-            }
-            if let Some(problem) = k_net_problem(cell.k_net) {
-                return Err(bad(i, problem));
-            }
-        }
-        let axis = |d: usize| {
-            let mut nodes: Vec<f64> = cells.iter().map(|(n, _)| n[d]).collect();
-            nodes.sort_by(f64::total_cmp);
-            nodes.dedup_by(|next, kept| *next - *kept < SAME_NODE_DEG);
-            nodes
-        };
-        let mut table = Self::new(name, quantity, [axis(0), axis(1), axis(2)])?;
-        for (i, &(node, cell)) in cells.iter().enumerate() {
-            table.insert(node, cell).map_err(|error| {
-                // Every node is on the grid and every coefficient is good: it can only be given twice.
-                let same = |other: &Placed| {
-                    other.0.iter().zip(node).all(|(a, b)| (a - b).abs() < 2.0 * SAME_NODE_DEG)
-                };
-                match cells[..i].iter().position(same) {
-                    Some(first) => bad(
-                        i,
-                        format!("{} is given twice, first in {}; give it once", in_words(node), whence(first)),
-                    ),
-                    None => error,
-                }
-            })?;
-        }
-        Ok(table)
-    }
-}
-
-/// A node as messages show it.
-fn in_words(node: [f64; 3]) -> String {
-    let [alpha, phi, delta] = node.map(Rounded);
-    format!("alpha {alpha} deg, phi {phi} deg, delta {delta} deg")
-}
-
-fn k_net_problem(k_net: f64) -> Option<String> {
-    let good = k_net > 0.0 && k_net.is_finite();
-    (!good).then(|| format!("k_net is {}; it must be a finite number above 0", Rounded(k_net)))
-}
-
-/// What is wrong with an axis; names the values, not the whole axis, which may be long.
-fn axis_problem(axis: &[f64]) -> Option<String> {
-    if let Some(value) = axis.iter().find(|x| !x.is_finite()) {
-        return Some(format!("has a node at {value}; every node must be a finite number of degrees"));
-    }
-    if let Some(pair) = axis.windows(2).find(|pair| pair[0] >= pair[1]) {
-        let (before, after) = (Rounded(pair[0]), Rounded(pair[1]));
-        return Some(format!("goes from {before} to {after} deg; its nodes must ascend"));
-    }
-    match axis {
-        [] => Some("is empty; it must have at least two nodes".into()),
-        [only] => Some(format!("has one node only, {} deg; it must have at least two", Rounded(*only))),
-        _ => None,
     }
 }

@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::at::AngleAt;
+use super::equivalent::StrokeAnswer;
 use super::raw::RawAnswer;
-use super::stroke::StrokeAnswer;
 use super::words::text;
 use crate::output::Answer;
 

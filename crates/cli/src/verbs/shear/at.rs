@@ -60,9 +60,5 @@ fn outside_tested(fitted: &Fitted, stress_pa: f64) -> Option<String> {
     } else {
         return None;
     };
-    Some(format!(
-        "{}: {} is {beyond}: the angles there are extrapolated",
-        fitted.name(),
-        stress(stress_pa)
-    ))
+    Some(format!("{}: {} is {beyond}: the angles there are extrapolated", fitted.name(), stress(stress_pa)))
 }

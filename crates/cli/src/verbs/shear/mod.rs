@@ -3,6 +3,7 @@
 mod answer;
 mod at;
 mod carry;
+mod equivalent;
 mod fits;
 mod input;
 mod plot;

@@ -1,16 +1,9 @@
-//! Friction angles at the stresses that a plate's stroke puts on the failure surface.
+//! The options of a plate's stroke.
 
-use schemars::JsonSchema;
-use serde::Serialize;
-use soilctl_direct_shear::{
-    DirectShearError, FrictionCurve, PointDepth, StrokeFriction, StrokeLoad, consistent_friction_at_stroke,
-    friction_at_stroke,
-};
+use soilctl_direct_shear::{PointDepth, StrokeLoad};
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, Soil, Stroke};
 
-use super::carry::{self, Carried};
-use super::fits::Fitted;
-use super::words::stress;
+use super::equivalent::Inputs;
 use crate::args::finite;
 use crate::error::CliError;
 
@@ -63,10 +56,10 @@ pub(super) struct StrokeArgs {
 
 /// A stroke, checked.
 pub(super) struct Given {
-    inputs: Inputs,
+    pub(super) inputs: Inputs,
     /// Each point with its fraction of the plate's depth.
-    loads: Vec<(f64, StrokeLoad)>,
-    carry_to_pa: Option<f64>,
+    pub(super) loads: Vec<(f64, StrokeLoad)>,
+    pub(super) carry_to_pa: Option<f64>,
 }
 
 impl StrokeArgs {
