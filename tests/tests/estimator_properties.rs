@@ -1,4 +1,5 @@
 //! What the estimator promises: the truth is inside, areas are right, verdicts name what conflicts.
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use soilctl_earth_pressure::{Case, ForceModel, MODEL_IDS, model};
 use soilctl_estimator::{

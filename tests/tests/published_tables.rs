@@ -1,4 +1,5 @@
 //! The closed-form models against the tables of Hong (2001): Appendix C and Table 4.3.
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use serde::Deserialize;
 use soilctl_earth_pressure::thesis::{Column, appendix_c};

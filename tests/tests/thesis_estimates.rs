@@ -2,6 +2,7 @@
 //!
 //! Recipe: bands of one standard deviation, measured density +-4 %, interface friction +-1 deg, plate 5 in wide,
 //! 1 in of slant length.
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use soilctl_earth_pressure::{ForceModel, model};
 use soilctl_estimator::{Estimate, Observation, Setup, estimate, section};

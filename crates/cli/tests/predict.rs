@@ -168,3 +168,15 @@ fn figures_are_written_in_the_form_of_their_name() {
     assert!(refused(&case(&["--plot", "figure.pdf"])).contains(".svg or .png"));
     assert!(refused(&case(&["--plot", "no/such/folder.svg"])).contains("no/such/folder.svg"));
 }
+
+#[test]
+fn sensitivities_are_those_of_table_4_3() {
+    // Chen, 80 deg, one degree more: 4.1, 5.2, 6.5 and 3.7 % (Hong 2001, Table 4.3).
+    let (_, answer) = json(&case(&[]));
+    let s = &answer["sensitivity_percent_per_deg"];
+    for (key, printed) in [("alpha", 4.1), ("beta", 5.2), ("phi", 6.5), ("delta", 3.7)] {
+        assert!((number(s, key) - printed).abs() < 0.06, "{key}: {}", s[key]);
+    }
+    let (_, table) = json(&case(&["--model", "thesis-ub"]));
+    assert!(table["sensitivity_percent_per_deg"]["beta"].is_null());
+}

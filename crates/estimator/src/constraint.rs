@@ -1,6 +1,6 @@
 //! Measurements as constraints on density: for given phi and delta, a force interval is a density interval.
 
-use soilctl_earth_pressure::{EarthPressureError, ModelSlice};
+use soilctl_earth_pressure::{EarthPressureError, ModelSlice, NetFactors};
 
 use crate::{EstimatorError, Observation, Setup};
 
@@ -22,18 +22,7 @@ impl Constraint<'_> {
     /// Band at a point. `None` where the model carries any load (Coulomb's singular corner), so that no finite
     /// force is consistent.
     pub(crate) fn band(&self, phi_deg: f64, delta_deg: f64) -> Result<Option<Band>, EarthPressureError> {
-        let net = match self.slice.net(phi_deg, delta_deg) {
-            Ok(net) => net,
-            Err(EarthPressureError::Singular { .. }) => return Ok(None),
-            Err(error) => return Err(error),
-        };
-        let [surcharge, cohesion, adhesion] = self.loads_n;
-        let rest = surcharge * net.factors.surcharge
-            + cohesion * net.factors.cohesion
-            + adhesion * net.factors.adhesion;
-        if !(net.weight_lower > 0.0) {
-            return Ok(None);
-        }
+        let Some((net, rest)) = self.net(phi_deg, delta_deg)? else { return Ok(None) };
         // The denominators swap where the force left for the weight is negative, so that the interval stays one.
         let divide = |force: f64, k: f64, k_negative: f64| {
             force / (self.scale * if force >= 0.0 { k } else { k_negative })
@@ -43,22 +32,27 @@ impl Constraint<'_> {
         Ok(Some([low, high]))
     }
 
-    /// Force at a point for a density, by the geometric mean of a bracket; `None` as for [`Self::band`].
+    /// Force per density and force without density at a point, by the geometric mean of a bracket; `None` as for
+    /// [`Self::band`].
     pub(crate) fn force_parts(
         &self,
         phi_deg: f64,
         delta_deg: f64,
     ) -> Result<Option<(f64, f64)>, EarthPressureError> {
-        let net = match self.slice.net(phi_deg, delta_deg) {
-            Ok(net) => net,
-            Err(EarthPressureError::Singular { .. }) => return Ok(None),
-            Err(error) => return Err(error),
-        };
-        let [surcharge, cohesion, adhesion] = self.loads_n;
-        let rest = surcharge * net.factors.surcharge
-            + cohesion * net.factors.cohesion
-            + adhesion * net.factors.adhesion;
-        Ok(Some((self.scale * net.factors.weight, rest)))
+        Ok(self.net(phi_deg, delta_deg)?.map(|(net, rest)| (self.scale * net.factors.weight, rest)))
+    }
+
+    /// The model's factors and the force of the loads other than weight.
+    fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<Option<(NetFactors, f64)>, EarthPressureError> {
+        match self.slice.net(phi_deg, delta_deg) {
+            Ok(net) if net.weight_lower > 0.0 => {
+                let [surcharge, cohesion, adhesion] = self.loads_n;
+                let f = net.factors;
+                Ok(Some((net, surcharge * f.surcharge + cohesion * f.cohesion + adhesion * f.adhesion)))
+            }
+            Ok(_) | Err(EarthPressureError::Singular { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
     }
 }
 

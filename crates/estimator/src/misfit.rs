@@ -61,7 +61,7 @@ impl<'m> Misfit<'m> {
             slope += (per_density / force) * (1.0 - rest / force);
             curvature += (per_density / force).powi(2);
         }
-        if !(low <= high) {
+        if low > high || curvature == 0.0 {
             return None;
         }
         let density_kg_m3 = (slope / curvature).clamp(low, high);

@@ -1,4 +1,4 @@
-use soilctl_soil::{Plate, SoilError};
+use soilctl_soil::{Plate, Stroke};
 
 use crate::EstimatorError;
 
@@ -39,15 +39,7 @@ impl Observation {
         low_n: f64,
         high_n: f64,
     ) -> Result<Self, EstimatorError> {
-        if !(force_n > 0.0 && force_n.is_finite()) {
-            return Err(SoilError::OutOfRange {
-                quantity: "force_n",
-                value: force_n,
-                unit: "N",
-                allowed: "above 0 N",
-            }
-            .into());
-        }
+        Stroke::new(plate, force_n)?;
         if !(low_n <= force_n && force_n <= high_n && high_n.is_finite() && low_n.is_finite()) {
             return Err(EstimatorError::BadInterval {
                 quantity: "the failure force",

@@ -61,8 +61,12 @@ fn axis(axis: &Axis, (low, high): (f64, f64)) -> Value {
     });
     if axis.scale == Scale::Log {
         json["minor"] = json!({ "ticks": "outside", "ticklen": 3, "tickcolor": hex(INK) });
-        // Labels at 2 and 5 as well where only few decades are in view.
-        json["dtick"] = if high / low < 300.0 { json!("D2") } else { json!(decade_step(low, high)) };
+        // Labels between the decades as well where only few of these are in view.
+        json["dtick"] = match high / low {
+            ratio if ratio < 15.0 => json!("D1"),
+            ratio if ratio < 300.0 => json!("D2"),
+            _ => json!(decade_step(low, high)),
+        };
     }
     json
 }

@@ -117,6 +117,18 @@ impl Minimum {
         };
         Self { optimiser, start: found.start, end: found.end.into(), inside }
     }
+
+    /// Optimiser, friction angle, density, interface friction, misfit and whether it lies in the region.
+    pub(crate) fn cells(&self) -> [String; 6] {
+        [
+            self.optimiser.to_owned(),
+            format!("{:.2}", self.end.phi_deg),
+            format!("{:.0}", self.end.density_kg_m3),
+            format!("{:.2}", self.end.delta_deg),
+            format!("{:.2e}", self.end.misfit),
+            if self.inside { "yes" } else { "no" }.to_owned(),
+        ]
+    }
 }
 
 /// A stroke that might be made next.

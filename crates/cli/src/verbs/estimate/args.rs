@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 
 use crate::args::{LoadArgs, NumberOrColumn, finite};
+use crate::error::CliError;
 
 /// What a force's uncertainty means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -40,9 +41,9 @@ pub(crate) struct EstimateArgs {
     #[arg(long, value_name = "FRACTION", default_value_t = 0.04, value_parser = finite, allow_negative_numbers = true)]
     pub(crate) density_tol: f64,
 
-    /// Standard deviations that a band reaches on either side of the force
-    #[arg(long, value_name = "K", default_value_t = 1.0, value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) sigma: f64,
+    /// Standard deviations that a band reaches on either side of the force [default: 1]
+    #[arg(long, value_name = "K", value_parser = finite, allow_negative_numbers = true)]
+    sigma: Option<f64>,
 
     /// What the uncertainty of a force means
     #[arg(long, value_name = "KIND", value_enum, default_value_t = Uncertainty::Sigma)]
@@ -84,6 +85,29 @@ pub(crate) struct EstimateArgs {
     /// Also run what one would otherwise use, downhill simplex and Levenberg-Marquardt from many starts
     #[arg(long)]
     pub(crate) compare: bool,
+}
+
+impl EstimateArgs {
+    /// Standard deviations on either side; bounds know none.
+    pub(crate) fn sigma(&self) -> Result<f64, CliError> {
+        match (self.sigma, self.uncertainty) {
+            (Some(_), Uncertainty::Bounds) => {
+                Err(CliError::Usage("--sigma has no meaning with --uncertainty bounds; leave one out".into()))
+            }
+            (Some(sigma), _) if sigma <= 0.0 => {
+                Err(CliError::Usage(format!("--sigma is {sigma}; it must be above 0")))
+            }
+            (sigma, _) => Ok(sigma.unwrap_or(1.0)),
+        }
+    }
+
+    /// What a band is, in words.
+    pub(crate) fn band_in_words(&self) -> String {
+        match self.uncertainty {
+            Uncertainty::Sigma => format!("bands of {} σ", crate::text::number(self.sigma.unwrap_or(1.0))),
+            Uncertainty::Bounds => "bands between hard bounds".into(),
+        }
+    }
 }
 
 fn range(text: &str) -> Result<(f64, f64), String> {

@@ -59,7 +59,8 @@ pub(crate) fn region(work: &Work) -> Result<Figure, CliError> {
         }
     }
     if let Some(best) = &work.answer.best_estimate {
-        let label = format!("φ {:.2}°, ρ {:.0} kg/m³, δ {:.2}°", best.phi_deg, best.density_kg_m3, best.delta_deg);
+        let label =
+            format!("φ {:.2}°, ρ {:.0} kg/m³, δ {:.2}°", best.phi_deg, best.density_kg_m3, best.delta_deg);
         let at = vec![(best.phi_deg, best.density_kg_m3)];
         figure.push(Points::new("least misfit", at).marker(Marker::Diamond).labels([label]).color(5))?;
     }
@@ -120,7 +121,8 @@ pub(crate) fn phi_delta(work: &Work) -> Result<Figure, CliError> {
 
 /// Projection on interface friction and density.
 pub(crate) fn delta_density(work: &Work) -> Result<Figure, CliError> {
-    let mut figure = Figure::new("Interface friction and density", Axis::linear(DELTA), Axis::linear(DENSITY));
+    let mut figure =
+        Figure::new("Interface friction and density", Axis::linear(DELTA), Axis::linear(DENSITY));
     push_density(&mut figure, work)?;
     push_region(&mut figure, "consistent", &work.estimate.delta_density, 0)?;
     push_nothing(&mut figure, "nothing to show: no soil is consistent, or δ is known exactly")?;
@@ -154,7 +156,8 @@ pub(crate) fn fit(work: &Work, args: &EstimateArgs) -> Result<Figure, CliError> 
         let curve: Vec<(f64, f64, f64)> = (0..=60)
             .filter_map(|k| {
                 let alpha = low + (high - low) * f64::from(k) / 60.0;
-                let slice = work.model.at(Angle::from_degrees(alpha), Angle::from_degrees(args.loads.beta)).ok()?;
+                let slice =
+                    work.model.at(Angle::from_degrees(alpha), Angle::from_degrees(args.loads.beta)).ok()?;
                 let net = slice.net(*phi, delta.min(*phi)).ok()?;
                 Some((alpha, net.weight_lower, net.weight_upper))
             })
@@ -168,7 +171,9 @@ pub(crate) fn fit(work: &Work, args: &EstimateArgs) -> Result<Figure, CliError> 
             figure.push(Band::new(name, column(|c| c.0), column(|c| c.1), column(|c| c.2)).color(i))?;
         } else {
             let dash = [Dash::Dash, Dash::Solid, Dash::Dot][i % 3];
-            figure.push(Line::new(name, curve.iter().map(|c| (c.0, c.1)).collect::<Vec<_>>()).dash(dash).color(i))?;
+            figure.push(
+                Line::new(name, curve.iter().map(|c| (c.0, c.1)).collect::<Vec<_>>()).dash(dash).color(i),
+            )?;
         }
     }
     let scale = |plate: &soilctl_soil::Plate| {
@@ -181,14 +186,18 @@ pub(crate) fn fit(work: &Work, args: &EstimateArgs) -> Result<Figure, CliError> 
         errors.push(((o.force_n() - o.low_n()) / s, (o.high_n() - o.force_n()) / s));
         labels.push(format!("{}: {:.3} N ({:.3} to {:.3})", o.label(), o.force_n(), o.low_n(), o.high_n()));
     }
-    figure.push(Points::new("measured", points).y_error(errors).labels(labels).marker(Marker::Circle).color(5))?;
+    figure.push(
+        Points::new("measured", points).y_error(errors).labels(labels).marker(Marker::Circle).color(5),
+    )?;
     Ok(figure)
 }
 
 /// Contours of exact data at the best delta, their crossings and the smallest ellipse around them.
 pub(crate) fn contours(work: &Work) -> Result<Figure, CliError> {
     let Some(best) = work.answer.exact.as_ref().and_then(|exact| exact.best.as_ref()) else {
-        return Err(CliError::Usage("contours are drawn with --exact, where at least two of them cross".into()));
+        return Err(CliError::Usage(
+            "contours are drawn with --exact, where at least two of them cross".into(),
+        ));
     };
     let crossings: Vec<(f64, f64)> = best.crossings();
     let ends = |d: fn(&(f64, f64)) -> f64| {

@@ -3,7 +3,9 @@
 use soilctl_earth_pressure::{ForceModel, Loads};
 use soilctl_estimator::{Observation, Setup};
 use soilctl_soil::{Angle, Plate};
-use soilctl_strokes::{Campaign, Measurement, ReadOptions, StrokeTable, Uncertainty as Deviations, measurements};
+use soilctl_strokes::{
+    Campaign, Measurement, ReadOptions, StrokeTable, Uncertainty as Deviations, measurements,
+};
 
 use super::args::{EstimateArgs, Uncertainty};
 use crate::args::NumberOrColumn;
@@ -26,9 +28,7 @@ impl Inputs {
     pub(crate) fn read(args: &EstimateArgs, exact: bool) -> Result<Self, CliError> {
         at_least("delta-tol", args.delta_tol, 0.0, "deg")?;
         at_least("adjust-high-angles", args.adjust_high_angles, 0.0, "")?;
-        if args.sigma <= 0.0 {
-            return Err(CliError::Usage(format!("--sigma is {}; it must be above 0", args.sigma)));
-        }
+        args.sigma()?;
         if !(0.0..1.0).contains(&args.density_tol) {
             return Err(CliError::Usage(format!(
                 "--density-tol is {}; it must be at least 0 and below 1 (0.04 is 4 %)",
@@ -73,7 +73,8 @@ impl Inputs {
         args: &EstimateArgs,
         model: &'m dyn ForceModel,
     ) -> Result<Setup<'m>, CliError> {
-        let observations = self.measurements.iter().map(|m| observation(args, m)).collect::<Result<_, _>>()?;
+        let observations =
+            self.measurements.iter().map(|m| observation(args, m)).collect::<Result<_, _>>()?;
         let mut setup = Setup::new(model, observations, self.delta_deg);
         setup.density_kg_m3 = self.density_kg_m3;
         setup.phi_search_deg = args.phi_range;
@@ -100,7 +101,7 @@ fn observation(args: &EstimateArgs, m: &Measurement) -> Result<Observation, CliE
     let alpha = Angle::from_degrees(m.alpha_deg);
     let plate = Plate::new(alpha, Angle::from_degrees(args.loads.beta), m.depth_m, m.width_m)?;
     let observation = match args.uncertainty {
-        Uncertainty::Sigma => Observation::new(&m.label, plate, m.force_n, args.sigma * m.force_sd_n)?,
+        Uncertainty::Sigma => Observation::new(&m.label, plate, m.force_n, args.sigma()? * m.force_sd_n)?,
         Uncertainty::Bounds if m.count == 1 => Observation::new(&m.label, plate, m.force_n, m.force_sd_n)?,
         Uncertainty::Bounds => {
             Observation::from_bounds(&m.label, plate, m.force_n, m.force_min_n, m.force_max_n)?

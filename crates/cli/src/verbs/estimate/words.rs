@@ -30,7 +30,10 @@ pub(super) fn verdict(answer: &EstimateAnswer) -> String {
                  {:.2} deg.",
                 best.delta_deg
             ),
-            None => "Taken as exact, no two contours cross: no soil in range explains two of the measurements.".into(),
+            None => {
+                "Taken as exact, no two contours cross: no soil in range explains two of the measurements."
+                    .into()
+            }
         };
     }
     match (answer.phi_deg, answer.density_kg_m3) {
@@ -40,7 +43,8 @@ pub(super) fn verdict(answer: &EstimateAnswer) -> String {
             answer.model, phi[0], phi[1], density[0], density[1]
         ),
         _ => {
-            let mut text = format!("No soil explains all measurements under model {} with {delta}", answer.model);
+            let mut text =
+                format!("No soil explains all measurements under model {} with {delta}", answer.model);
             if let Some([low, high]) = answer.density_known_kg_m3 {
                 text += &format!(" and density {low:.0} to {high:.0} kg/m3");
             }
@@ -119,7 +123,15 @@ impl Answer for EstimateAnswer {
         text += &columns(&rows);
         if let Some(next) = &self.next_strokes {
             text += "\nnext strokes, the best first\n";
-            let heading = ["alpha (deg)", "depth (mm)", "area left", "phi width", "density width", "force (N)", "model"];
+            let heading = [
+                "alpha (deg)",
+                "depth (mm)",
+                "area left",
+                "phi width",
+                "density width",
+                "force (N)",
+                "model",
+            ];
             let mut rows = vec![heading.map(String::from).to_vec()];
             for n in next.iter().take(10) {
                 rows.push(vec![
@@ -136,19 +148,15 @@ impl Answer for EstimateAnswer {
         }
         if let Some(minima) = &self.optimisers {
             text += "\nlocal optimisers (distinct ends)\n";
-            let mut rows = vec![["optimiser", "phi (deg)", "density", "delta (deg)", "misfit", "in region"]
-                .map(String::from)
-                .to_vec()];
-            for (m, count) in distinct(minima) {
-                rows.push(vec![
-                    format!("{} x{count}", m.optimiser),
-                    format!("{:.2}", m.end.phi_deg),
-                    format!("{:.0}", m.end.density_kg_m3),
-                    format!("{:.2}", m.end.delta_deg),
-                    format!("{:.2e}", m.end.misfit),
-                    if m.inside { "yes" } else { "no" }.into(),
-                ]);
-            }
+            let mut rows = vec![
+                ["optimiser", "phi (deg)", "density", "delta (deg)", "misfit", "in region"]
+                    .map(String::from)
+                    .to_vec(),
+            ];
+            rows.extend(distinct(minima).into_iter().map(|(m, count)| {
+                let [optimiser, rest @ ..] = m.cells();
+                std::iter::once(format!("{optimiser} x{count}")).chain(rest).collect()
+            }));
             text += &columns(&rows);
         }
         for warning in &self.warnings {

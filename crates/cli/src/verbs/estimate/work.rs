@@ -6,9 +6,7 @@ use soilctl_estimator::{
     local_minima, next_strokes, section, spread_starts,
 };
 
-use super::answer::{
-    Centre, Disagreement, EstimateAnswer, Measured, Minimum, NextStroke, Section,
-};
+use super::answer::{Centre, Disagreement, EstimateAnswer, Measured, Minimum, NextStroke, Section};
 use super::args::EstimateArgs;
 use super::inputs::Inputs;
 use super::{exact, words};
@@ -47,7 +45,12 @@ pub(crate) fn run(args: &EstimateArgs, exact_data: bool) -> Result<Work, CliErro
     let consistent = estimate.is_consistent();
     let disagreement = if consistent || exact_data { None } else { Some(disagreement(&setup)?) };
     let next = if args.next_strokes && consistent {
-        Some(next_strokes(&setup, &estimate, &menu(args, &inputs, &setup))?.iter().map(NextStroke::from).collect())
+        Some(
+            next_strokes(&setup, &estimate, &menu(args, &inputs, &setup))?
+                .iter()
+                .map(NextStroke::from)
+                .collect(),
+        )
     } else {
         None
     };

@@ -28,6 +28,8 @@ pub(crate) struct Prediction {
     pub(super) k_net_upper: Option<f64>,
     /// Failure force in N with all loads; null without depth, width or density.
     pub(super) force_n: Option<f64>,
+    /// Change of `k_net` in per cent when one angle grows by 1 deg and the others stay; null with a stroke table.
+    pub(super) sensitivity_percent_per_deg: Option<Sensitivity>,
     /// What was asked.
     pub(super) inputs: Inputs,
     /// By how much, relatively, interpolation in a table may be wrong (the largest over the strokes); 0 for a
@@ -42,6 +44,19 @@ pub(crate) struct Prediction {
     /// One prediction a stroke; only with a stroke table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) strokes: Option<Vec<StrokePrediction>>,
+}
+
+/// Sensitivity to each angle; null where the model has no answer a degree further.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Sensitivity {
+    /// To the tool angle.
+    pub(super) alpha: Option<f64>,
+    /// To the surface slope.
+    pub(super) beta: Option<f64>,
+    /// To the friction angle of the soil.
+    pub(super) phi: Option<f64>,
+    /// To the interface friction angle.
+    pub(super) delta: Option<f64>,
 }
 
 /// The inputs of a prediction.
@@ -153,6 +168,13 @@ impl Prediction {
             line("k_net_upper", value(self.k_net_upper), "upper end of the bracket");
         }
         line("k_net_depth", value(self.k_net_depth), "the same per depth: 2 F / (gamma H^2 w)");
+        if let Some(s) = &self.sensitivity_percent_per_deg {
+            for (key, change) in
+                [("d_alpha", s.alpha), ("d_beta", s.beta), ("d_phi", s.phi), ("d_delta", s.delta)]
+            {
+                line(key, value(change), "% of k_net for one degree more");
+            }
+        }
         match self.force_n {
             Some(force) => line("force_n", number(force), "N, with all loads"),
             None => line("force_n", "-".into(), "needs --depth, --width and --density"),

@@ -1,10 +1,10 @@
 //! The prediction of one plate given on the command line.
 
-use soilctl_earth_pressure::{Case, check_loads};
+use soilctl_earth_pressure::{Case, ForceModel, Input, check_loads, sensitivity_percent};
 use soilctl_soil::{Angle, Interface, Plate, Soil};
 
 use super::Args;
-use super::answer::{Inputs, Prediction};
+use super::answer::{Inputs, Prediction, Sensitivity};
 use super::chosen::Chosen;
 use crate::args::NumberOrColumn;
 use crate::error::CliError;
@@ -47,6 +47,7 @@ pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliErro
         k_net_lower: bracket.then_some(found.net_lower.0),
         k_net_upper: bracket.then_some(found.net_upper.0),
         force_n: complete.then(|| found.force_n(&plate, &soil, &loads)),
+        sensitivity_percent_per_deg: Some(sensitivity(model, &case)),
         inputs: Inputs {
             alpha_deg: Some(alpha_deg),
             delta_deg: Some(delta_deg),
@@ -61,6 +62,16 @@ pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliErro
         valid_range: model.valid_range().into(),
         strokes: None,
     })
+}
+
+fn sensitivity(model: &dyn ForceModel, case: &Case) -> Sensitivity {
+    let to = |input| sensitivity_percent(model, case, input, Angle::from_degrees(1.0)).ok();
+    Sensitivity {
+        alpha: to(Input::ToolAngle),
+        beta: to(Input::SurfaceSlope),
+        phi: to(Input::Friction),
+        delta: to(Input::Interface),
+    }
 }
 
 /// Inputs that never come from a file; the others are null.

@@ -39,6 +39,7 @@ pub(super) fn predict(args: &Args, path: &Path) -> Result<Prediction, CliError> 
         k_net_lower: None,
         k_net_upper: None,
         force_n: None,
+        sensitivity_percent_per_deg: None,
         inputs: inputs(args),
         interpolation_margin,
         notes,

@@ -25,7 +25,11 @@ pub(super) fn section(page: &mut HtmlReport, args: &Args, work: &Work) -> Result
     angles.dedup();
     angles.truncate(6);
     let angular = [
-        (format!("interface friction ± {:.1}°", campaign.delta_sd_deg), Input::Interface, campaign.delta_sd_deg),
+        (
+            format!("interface friction ± {:.1}°", campaign.delta_sd_deg),
+            Input::Interface,
+            campaign.delta_sd_deg,
+        ),
         (format!("tool angle ± {TOOL_ANGLE_DEG:.1}°"), Input::ToolAngle, TOOL_ANGLE_DEG),
         (format!("surface slope ± {SURFACE_DEG:.1}°"), Input::SurfaceSlope, SURFACE_DEG),
     ];
@@ -49,10 +53,12 @@ pub(super) fn section(page: &mut HtmlReport, args: &Args, work: &Work) -> Result
     rows.push((format!("depth ± {:.2} mm", 1e3 * campaign.depth_sd_m), depth));
     let density = 100.0 * campaign.density_sd_rel;
     rows.push((format!("density ± {density:.1} %"), vec![density; angles.len()]));
-    rows.push((format!("force sensor ± {:.0} %", 100.0 * FORCE_SENSOR), vec![100.0 * FORCE_SENSOR; angles.len()]));
-    let combined = (0..angles.len())
-        .map(|i| rows.iter().map(|(_, e)| e[i] * e[i]).sum::<f64>().sqrt())
-        .collect();
+    rows.push((
+        format!("force sensor ± {:.0} %", 100.0 * FORCE_SENSOR),
+        vec![100.0 * FORCE_SENSOR; angles.len()],
+    ));
+    let combined =
+        (0..angles.len()).map(|i| rows.iter().map(|(_, e)| e[i] * e[i]).sum::<f64>().sqrt()).collect();
     rows.push(("all, independent".into(), combined));
     let observed = angles
         .iter()

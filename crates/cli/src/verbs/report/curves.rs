@@ -9,8 +9,12 @@ use crate::error::CliError;
 use crate::text::number;
 use crate::verbs::estimate::work::Work;
 
-const MODELS: [(&str, &str); 4] =
-    [("coulomb", "Coulomb"), ("log-spiral", "log-spiral"), ("caquot", "Caquot & Kerisel"), ("chen", "Chen & Liu")];
+const MODELS: [(&str, &str); 4] = [
+    ("coulomb", "Coulomb"),
+    ("log-spiral", "log-spiral"),
+    ("caquot", "Caquot & Kerisel"),
+    ("chen", "Chen & Liu"),
+];
 const STEPS: usize = 60;
 
 /// `None` if no model has an answer there.
@@ -34,16 +38,20 @@ pub(super) fn against_phi(args: &Args, work: &Work, alpha_deg: f64) -> Result<Op
         Ok((0..=STEPS).map(phi).map_while(at).filter(|point| point.2 < 300.0).collect())
     };
     let title = format!("Net coefficient at α = {}°, δ = {}°", number(alpha_deg), number(delta));
-    let mut figure = Figure::new(title, Axis::linear("Friction angle φ (deg)"), Axis::log("Net coefficient K"));
+    let mut figure =
+        Figure::new(title, Axis::linear("Friction angle φ (deg)"), Axis::log("Net coefficient K"));
     let bracket = predict("table")?;
     if bracket.len() > 1 {
         let column = |f: fn(&(f64, f64, f64)) -> f64| bracket.iter().map(f).collect::<Vec<_>>();
-        figure.push(Band::new("numerical bounds", column(|c| c.0), column(|c| c.1), column(|c| c.2)).color(4))?;
+        figure.push(
+            Band::new("numerical bounds", column(|c| c.0), column(|c| c.1), column(|c| c.2)).color(4),
+        )?;
     }
     for (color, (id, name)) in MODELS.into_iter().enumerate() {
         let curve = predict(id)?;
         if curve.len() > 1 {
-            figure.push(Line::new(name, curve.iter().map(|c| (c.0, c.1)).collect::<Vec<_>>()).color(color))?;
+            figure
+                .push(Line::new(name, curve.iter().map(|c| (c.0, c.1)).collect::<Vec<_>>()).color(color))?;
         }
     }
     if figure.layers().is_empty() {
@@ -54,7 +62,8 @@ pub(super) fn against_phi(args: &Args, work: &Work, alpha_deg: f64) -> Result<Op
         (Some(best), None) => best.density_kg_m3,
         (None, None) => return Ok(Some(figure)),
     };
-    for o in setup.observations.iter().filter(|o| (o.plate().tool_angle().degrees() - alpha_deg).abs() < 1e-9) {
+    for o in setup.observations.iter().filter(|o| (o.plate().tool_angle().degrees() - alpha_deg).abs() < 1e-9)
+    {
         let plate = o.plate();
         let scale = 0.5 * density * setup.gravity_m_s2 * plate.slant_length_m().powi(2) * plate.width_m();
         if o.low_n() > 0.0 {

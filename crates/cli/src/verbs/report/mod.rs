@@ -69,7 +69,8 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     if args.open
         && let Err(problem) = open::that_detached(&args.out)
     {
-        output.note(&format!("the page could not be opened ({problem}); open {} yourself", args.out.display()));
+        output
+            .note(&format!("the page could not be opened ({problem}); open {} yourself", args.out.display()));
     }
     let consistent = work.answer.consistent;
     output.answer(&ReportAnswer { report: args.out.display().to_string(), estimate: work.answer })?;

@@ -36,19 +36,20 @@ fn subtitle(args: &Args, work: &Work) -> String {
         None => "density unknown".into(),
     };
     format!(
-        "{} measurements, model {}, interface friction {} to {}°, {density}, bands of {} σ",
+        "{} measurements, model {}, interface friction {} to {}°, {density}, {}",
         a.measurements.len(),
         a.model,
         number(a.delta_deg[0]),
         number(a.delta_deg[1]),
-        number(args.estimate.sigma),
+        args.estimate.band_in_words(),
     )
 }
 
 fn verdict(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
     let a = &work.answer;
     let kind = if a.consistent { CalloutKind::Good } else { CalloutKind::Bad };
-    let title = if a.consistent { "The measurements agree" } else { "The measurements contradict each other" };
+    let title =
+        if a.consistent { "The measurements agree" } else { "The measurements contradict each other" };
     page.callout(kind, title, a.verdict.as_str());
     for warning in &a.warnings {
         page.callout(CalloutKind::Warning, "Keep in mind", warning.as_str());
@@ -61,8 +62,13 @@ fn verdict(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
         ("centre ±", Align::Right),
         ("least misfit", Align::Right),
     ];
-    let mut table = Table::new("Estimate: the full range, its centre with the half width that covers it, and the soil of least misfit inside it", columns);
-    let centre = |pick: fn(&crate::verbs::estimate::answer::Centre) -> String| a.centre.as_ref().map_or("–".into(), pick);
+    let mut table = Table::new(
+        "Estimate: the full range, its centre with the half width that covers it, and the soil of least misfit inside it",
+        columns,
+    );
+    let centre = |pick: fn(&crate::verbs::estimate::answer::Centre) -> String| {
+        a.centre.as_ref().map_or("–".into(), pick)
+    };
     let best = |pick: fn(&crate::verbs::estimate::answer::Point) -> String| {
         a.best_estimate.as_ref().map_or("–".into(), pick)
     };
@@ -173,9 +179,19 @@ fn models(page: &mut HtmlReport, args: &Args, work: &Work) -> Result<(), CliErro
 fn next(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
     let Some(next) = &work.answer.next_strokes else { return Ok(()) };
     page.heading("Next best stroke");
-    let columns = ["tool angle (deg)", "depth (mm)", "area left (%)", "φ width (deg)", "ρ width (kg/m³)", "force (N)", "model"];
-    let mut table =
-        Table::new("What would be left of the region, on average over soils inside it", columns.map(|c| (c, Align::Right)));
+    let columns = [
+        "tool angle (deg)",
+        "depth (mm)",
+        "area left (%)",
+        "φ width (deg)",
+        "ρ width (kg/m³)",
+        "force (N)",
+        "model",
+    ];
+    let mut table = Table::new(
+        "What would be left of the region, on average over soils inside it",
+        columns.map(|c| (c, Align::Right)),
+    );
     for n in next.iter().take(12) {
         table.row([
             number(n.alpha_deg),
@@ -204,19 +220,12 @@ fn optimisers(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
         "Local optimisers give one soil and no range, and where they end depends on where they start. Each row is one \
          distinct end; all three parameters were free.",
     );
-    let columns =
-        ["optimiser", "starts", "φ (deg)", "ρ (kg/m³)", "δ (deg)", "misfit", "in the region"].map(|c| (c, Align::Right));
+    let columns = ["optimiser", "starts", "φ (deg)", "ρ (kg/m³)", "δ (deg)", "misfit", "in the region"]
+        .map(|c| (c, Align::Right));
     let mut table = Table::new("Ends of downhill simplex and Levenberg-Marquardt", columns);
     for (m, count) in words::distinct(minima) {
-        table.row([
-            m.optimiser.to_owned(),
-            count.to_string(),
-            format!("{:.2}", m.end.phi_deg),
-            format!("{:.0}", m.end.density_kg_m3),
-            format!("{:.2}", m.end.delta_deg),
-            format!("{:.2e}", m.end.misfit),
-            if m.inside { "yes" } else { "no" }.to_owned(),
-        ])?;
+        let [optimiser, rest @ ..] = m.cells();
+        table.row([optimiser, count.to_string()].into_iter().chain(rest))?;
     }
     page.table(table);
     Ok(())

@@ -32,7 +32,8 @@ pub(super) fn section(page: &mut HtmlReport, args: &Args, file: &Path, work: &Wo
             .iter()
             .map(|o| {
                 let stroke = Stroke::new(*o.plate(), o.force_n())?;
-                let load = StrokeLoad::new(&stroke, unit_weight, delta, PointDepth::FractionOfPlate(fraction))?;
+                let load =
+                    StrokeLoad::new(&stroke, unit_weight, delta, PointDepth::FractionOfPlate(fraction))?;
                 Ok(friction_at_stroke(&fit, &load, Angle::from_degrees(centre.phi_deg))?)
             })
             .collect()
@@ -43,7 +44,8 @@ pub(super) fn section(page: &mut HtmlReport, args: &Args, file: &Path, work: &Wo
          between σ_L (far from the plate) and σ_U (beside it).",
         fit.friction_at_1_psi_deg, fit.exponent
     ));
-    let columns = ["point at depth", "from (deg)", "to (deg)", "estimate from", "to", "verdict"].map(|c| (c, Align::Right));
+    let columns = ["point at depth", "from (deg)", "to (deg)", "estimate from", "to", "verdict"]
+        .map(|c| (c, Align::Right));
     let mut table = Table::new("Friction angle by direct shear and by this estimate", columns);
     let mut bars = vec![("estimate".to_owned(), phi[0], phi[1])];
     let mut extrapolated = false;
@@ -64,8 +66,12 @@ pub(super) fn section(page: &mut HtmlReport, args: &Args, file: &Path, work: &Wo
         bars.push((format!("direct shear, {name} depth"), low, high));
     }
     page.table(table);
-    let mut figure = Figure::new("Friction angle, estimate and direct shear", Axis::linear("").range(-0.5, 2.5)?, Axis::linear("Friction angle φ (deg)"))
-        .with_legend(Legend::Below);
+    let mut figure = Figure::new(
+        "Friction angle, estimate and direct shear",
+        Axis::linear("").range(-0.5, 2.5)?,
+        Axis::linear("Friction angle φ (deg)"),
+    )
+    .with_legend(Legend::Below);
     for (i, (name, low, high)) in bars.into_iter().enumerate() {
         let middle = f64::midpoint(low, high);
         let label = format!("{low:.1} to {high:.1}°");

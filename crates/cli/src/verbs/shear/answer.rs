@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::at::AngleAt;
 use super::equivalent::StrokeAnswer;
-use super::raw::RawAnswer;
+use super::raw_answer::RawAnswer;
 use super::words::text;
 use crate::output::Answer;
 

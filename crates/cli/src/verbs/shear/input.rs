@@ -1,9 +1,9 @@
 //! Where the shear points come from: a table of angles, or raw records.
 
-use soilctl_direct_shear::raw::RawAnalysis;
 use soilctl_direct_shear::{ShearSeries, read_shear_points};
 
 use super::Args;
+use super::raw::Evaluated;
 use crate::error::CliError;
 
 /// The tests of every soil.
@@ -12,21 +12,21 @@ pub(super) struct Input {
     pub(super) name: String,
     pub(super) series: Vec<ShearSeries>,
     /// The evaluated records, if the points come from such.
-    pub(super) analysis: Option<RawAnalysis>,
+    pub(super) raw: Option<Evaluated>,
 }
 
 pub(super) fn read(args: &Args) -> Result<Input, CliError> {
     if let Some(path) = &args.raw.raw {
-        let analysis = args.raw.analyse(path)?;
-        let series = vec![analysis.series(args.raw.soil_name.clone())?];
-        return Ok(Input { name: path.display().to_string(), series, analysis: Some(analysis) });
+        let evaluated = args.raw.analyse(path)?;
+        let series = vec![evaluated.analysis.series(args.raw.soil_name.clone())?];
+        return Ok(Input { name: path.display().to_string(), series, raw: Some(evaluated) });
     }
     let Some(path) = &args.file else {
         return Err(CliError::Usage("give FILE or --raw RUNS.csv".into()));
     };
     let name = path.display().to_string();
     let series = chosen(read_shear_points(path)?, &args.soil, &name)?;
-    Ok(Input { name, series, analysis: None })
+    Ok(Input { name, series, raw: None })
 }
 
 /// The soils asked for, in the order of the file; all if none is named.

@@ -10,6 +10,7 @@ mod plot;
 mod plot_fits;
 mod plot_records;
 mod raw;
+mod raw_answer;
 mod stroke;
 mod words;
 mod words_stroke;
@@ -21,6 +22,7 @@ use answer::SoilAnswer;
 use fits::Fitted;
 use input::Input;
 use soilctl_direct_shear::LogLogFit;
+use soilctl_direct_shear::raw::RawAnalysis;
 use soilctl_soil::units;
 use stroke::Given;
 
@@ -81,9 +83,10 @@ impl Args {
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let fit_limit_pa = args.checked_fit_limit()?;
     let stroke = args.stroke.given()?;
-    let Input { name, series, analysis } = input::read(args)?;
-    let weights = analysis.as_ref().map(|found| found.weights());
-    let mut warnings = analysis.as_ref().map(|found| found.warnings.clone()).unwrap_or_default();
+    let Input { name, series, raw } = input::read(args)?;
+    let analysis = raw.as_ref().map(|evaluated| &evaluated.analysis);
+    let weights = analysis.map(RawAnalysis::weights);
+    let mut warnings = analysis.map(|found| found.warnings.clone()).unwrap_or_default();
     let fitted: Vec<Fitted> =
         series.into_iter().map(|one| Fitted::of(one, weights.as_deref(), fit_limit_pa)).collect();
     if let Some(problem) = fits::nothing_fitted(&fitted) {
@@ -100,9 +103,9 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         )));
     }
     if let Some(path) = &args.plot {
-        plot::draw(path, args.plot_kind, &fitted, &soils, analysis.as_ref())?;
+        plot::draw(path, args.plot_kind, &fitted, &soils, analysis)?;
     }
-    let raw = analysis.as_ref().map(|found| args.raw.answer(found)).transpose()?;
+    let raw = raw.as_ref().map(|evaluated| args.raw.answer(evaluated));
     output.answer(&ShearAnswer { fit_limit_pa, soils, raw, warnings })?;
     Ok(Outcome::Done)
 }

@@ -28,8 +28,13 @@ pub(super) fn figure(fitted: &[Fitted], soils: &[SoilAnswer]) -> Result<Figure, 
             }
         }
         if let Some(floor) = &one.floor {
-            let points = along(floor, (low, high));
-            lines.push(Line::new("", points).color(color).dash(Dash::Dot).width(1.5));
+            let (from, to) = floor.stress_range_pa();
+            let corner = floor.floor_stress_pa.clamp(from, to);
+            let points = [along(floor, (from, corner)), along(floor, (corner, to))].concat();
+            lines.push(Line::new("", points).color(color).dash(Dash::Dot).width(1.8));
+            for stretch in [(low, from), (to, high)] {
+                lines.push(Line::new("", along(floor, stretch)).color(color).dash(Dash::LooseDot).width(1.8));
+            }
         }
     }
     lines.retain(|line| !line.points.is_empty());
@@ -60,10 +65,13 @@ pub(super) fn figure(fitted: &[Fitted], soils: &[SoilAnswer]) -> Result<Figure, 
 /// Entries of the legend for the line styles, which all soils share: lines left of the plot, so only their samples
 /// are seen.
 fn push_key(figure: &mut Figure, left: f64, fitted: &[Fitted]) -> Result<(), CliError> {
+    let power = fitted.iter().any(|one| one.power.is_some());
+    let floor = fitted.iter().any(|one| one.floor.is_some());
     let styles = [
-        ("power law", Dash::Solid, 2.0, fitted.iter().any(|one| one.power.is_some())),
-        ("power law, extrapolated", Dash::Dash, 1.5, fitted.iter().any(|one| one.power.is_some())),
-        ("slope and floor", Dash::Dot, 1.5, fitted.iter().any(|one| one.floor.is_some())),
+        ("power law", Dash::Solid, 2.0, power),
+        ("power law, extrapolated", Dash::Dash, 1.5, power),
+        ("slope and floor", Dash::Dot, 1.8, floor),
+        ("slope and floor, extrapolated", Dash::LooseDot, 1.8, floor),
     ];
     for (name, dash, width, _) in styles.into_iter().filter(|style| style.3) {
         let unseen = [(left / 4.0, 1.0), (left / 2.0, 1.0)];

@@ -1,15 +1,14 @@
-//! Options and answer for raw shear-box records.
+//! Raw shear-box records: the options and the evaluation.
 
 use std::path::{Path, PathBuf};
 
-use schemars::JsonSchema;
-use serde::Serialize;
 use soilctl_direct_shear::DirectShearError;
 use soilctl_direct_shear::raw::{
-    LoadSummary, RawAnalysis, RawSettings, RunResult, ShearBox, analyse_runs, read_friction_loop, read_runs,
+    RawAnalysis, RawSettings, ShearBox, analyse_runs, read_friction_loop, read_runs,
 };
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
+use super::raw_answer::{Load, RawAnswer, Run};
 use crate::args::finite;
 use crate::error::CliError;
 
@@ -51,6 +50,13 @@ pub(super) struct RawArgs {
     keep: usize,
 }
 
+/// Evaluated records.
+pub(super) struct Evaluated {
+    pub(super) analysis: RawAnalysis,
+    /// Half the height of the friction loop, if there is one.
+    machine_friction_n: Option<f64>,
+}
+
 impl RawArgs {
     fn settings(&self) -> RawSettings {
         let usual = RawSettings::default();
@@ -64,7 +70,7 @@ impl RawArgs {
     }
 
     /// Reads and evaluates the records.
-    pub(super) fn analyse(&self, path: &Path) -> Result<RawAnalysis, CliError> {
+    pub(super) fn analyse(&self, path: &Path) -> Result<Evaluated, CliError> {
         let settings = self.settings();
         settings.check()?;
         let friction_loop = self.friction_loop.as_ref().map(read_friction_loop).transpose()?;
@@ -74,113 +80,21 @@ impl RawArgs {
             other => other.into(),
         };
         let runs = read_runs(path).map_err(named)?;
-        analyse_runs(&runs, friction_loop.as_ref(), &settings).map_err(named)
+        let analysis = analyse_runs(&runs, friction_loop.as_ref(), &settings).map_err(named)?;
+        Ok(Evaluated { analysis, machine_friction_n: friction_loop.map(|known| known.half_height_n()) })
     }
 
-    pub(super) fn answer(&self, analysis: &RawAnalysis) -> Result<RawAnswer, CliError> {
-        let friction_loop = self.friction_loop.as_ref().map(read_friction_loop).transpose()?;
-        Ok(RawAnswer {
-            box_area_m2: self.box_area,
-            box_gravity_m_s2: self.box_gravity,
-            bias_n: self.bias,
-            machine_friction_n: friction_loop.map(|known| known.half_height_n()),
-            low_load_limit_pa: self.settings().low_stress_limit_pa,
-            loads: analysis.loads.iter().map(Load::of).collect(),
-            runs: analysis.runs.iter().map(Run::of).collect(),
-        })
-    }
-}
-
-/// What raw records show.
-#[derive(Debug, Serialize, JsonSchema)]
-pub(crate) struct RawAnswer {
-    /// Area of the shear plane.
-    box_area_m2: f64,
-    /// Gravity where the box stands.
-    box_gravity_m_s2: f64,
-    /// Reading of the load cell without load.
-    bias_n: f64,
-    /// Half the height of the friction loop; null without one.
-    pub(super) machine_friction_n: Option<f64>,
-    /// Forces below this normal stress were smoothed.
-    low_load_limit_pa: f64,
-    /// One entry a load; they are the points of the soil.
-    pub(super) loads: Vec<Load>,
-    /// One entry a run.
-    pub(super) runs: Vec<Run>,
-}
-
-/// The kept runs of one load.
-#[derive(Debug, Serialize, JsonSchema)]
-pub(crate) struct Load {
-    /// Load.
-    pub(super) load_kg: f64,
-    /// Normal stress.
-    pub(super) normal_stress_pa: f64,
-    /// Mean peak friction angle of the kept runs.
-    pub(super) friction_angle_deg: f64,
-    /// Standard deviation of the kept runs; null for one run.
-    pub(super) standard_deviation_deg: Option<f64>,
-    /// Largest minus smallest kept angle.
-    pub(super) spread_deg: f64,
-    /// Names of the kept runs.
-    pub(super) kept: Vec<String>,
-    /// Names of the dropped runs.
-    pub(super) dropped: Vec<String>,
-}
-
-impl Load {
-    fn of(load: &LoadSummary) -> Self {
-        Self {
-            load_kg: load.load_kg,
-            normal_stress_pa: load.normal_stress_pa,
-            friction_angle_deg: load.friction.degrees(),
-            standard_deviation_deg: load.standard_deviation_deg,
-            spread_deg: load.spread_deg,
-            kept: load.kept.clone(),
-            dropped: load.dropped.clone(),
-        }
-    }
-}
-
-/// What one run shows.
-#[derive(Debug, Serialize, JsonSchema)]
-pub(crate) struct Run {
-    /// Name of the run.
-    run_id: String,
-    /// Load.
-    load_kg: f64,
-    /// Normal stress.
-    normal_stress_pa: f64,
-    /// Peak friction angle.
-    friction_angle_deg: f64,
-    /// By how much machine friction would raise the peak angle; 0 without a friction loop.
-    loop_correction_deg: f64,
-    /// Displacement at the peak.
-    peak_displacement_m: f64,
-    /// Whether the peak is the last reading.
-    peak_at_end: bool,
-    /// Vertical movement up to the peak, upward positive; null if it was not recorded.
-    peak_vertical_m: Option<f64>,
-    /// Dilation angle at the peak, positive when the soil expands; null if it was not recorded.
-    dilation_angle_deg: Option<f64>,
-    /// Whether the force was smoothed.
-    smoothed: bool,
-}
-
-impl Run {
-    fn of(run: &RunResult) -> Self {
-        Self {
-            run_id: run.run_id.clone(),
-            load_kg: run.load_kg,
-            normal_stress_pa: run.normal_stress_pa,
-            friction_angle_deg: run.friction.degrees(),
-            loop_correction_deg: run.loop_correction_deg,
-            peak_displacement_m: run.peak_displacement_m,
-            peak_at_end: run.peak_at_end,
-            peak_vertical_m: run.peak_vertical_m,
-            dilation_angle_deg: run.dilation.map(|angle| angle.degrees()),
-            smoothed: run.smoothed,
+    /// The answer to evaluated records.
+    pub(super) fn answer(&self, evaluated: &Evaluated) -> RawAnswer {
+        let settings = self.settings();
+        RawAnswer {
+            box_area_m2: settings.shear_box.area_m2,
+            box_gravity_m_s2: settings.shear_box.gravity_m_s2,
+            bias_n: settings.bias_n,
+            machine_friction_n: evaluated.machine_friction_n,
+            low_load_limit_pa: settings.low_stress_limit_pa,
+            loads: evaluated.analysis.loads.iter().map(Load::of).collect(),
+            runs: evaluated.analysis.runs.iter().map(Run::of).collect(),
         }
     }
 }

@@ -7,24 +7,25 @@ use super::equivalent::Inputs;
 use crate::args::finite;
 use crate::error::CliError;
 
-const TOGETHER: [&str; 6] = ["alpha", "depth", "width", "density", "delta", "force"];
+/// What a stroke needs beside its force; each of them needs the force in turn.
+const WITH_FORCE: [&str; 5] = ["alpha", "depth", "width", "density", "delta"];
 
 #[derive(Debug, clap::Args)]
 pub(super) struct StrokeArgs {
     /// Tool angle from the horizontal (deg); --alpha, --depth, --width, --density, --delta and --force go together
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true, requires_all = TOGETHER)]
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true, requires = "force")]
     alpha: Option<f64>,
 
     /// Vertical depth of the plate's lower edge below the surface (m)
-    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true, requires_all = TOGETHER)]
+    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true, requires = "force")]
     depth: Option<f64>,
 
     /// Width of the plate (m)
-    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true, requires_all = TOGETHER)]
+    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true, requires = "force")]
     width: Option<f64>,
 
     /// Bulk density (kg/m3)
-    #[arg(long, value_name = "KG/M3", value_parser = finite, allow_negative_numbers = true, requires_all = TOGETHER)]
+    #[arg(long, value_name = "KG/M3", value_parser = finite, allow_negative_numbers = true, requires = "force")]
     density: Option<f64>,
 
     /// Gravity at the stroke (m/s2)
@@ -33,11 +34,11 @@ pub(super) struct StrokeArgs {
     gravity: f64,
 
     /// Friction angle between soil and plate (deg)
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true, requires_all = TOGETHER)]
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true, requires = "force")]
     delta: Option<f64>,
 
     /// Failure force of the stroke (N)
-    #[arg(long, value_name = "N", value_parser = finite, allow_negative_numbers = true, requires_all = TOGETHER)]
+    #[arg(long, value_name = "N", value_parser = finite, allow_negative_numbers = true, requires_all = WITH_FORCE)]
     force: Option<f64>,
 
     /// Friction angle to compute the stresses with (deg); if not given, angle and stress are made consistent

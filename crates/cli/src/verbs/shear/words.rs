@@ -3,7 +3,7 @@
 use soilctl_soil::units::pa_to_psi;
 
 use super::answer::{PowerLaw, ShearAnswer, SlopeFloor, SoilAnswer};
-use super::raw::RawAnswer;
+use super::raw_answer::RawAnswer;
 use super::words_stroke::stroke_text;
 use crate::text::{columns, number_or_dash};
 
@@ -144,7 +144,7 @@ fn slope_floor_words(fit: &SlopeFloor) -> String {
 }
 
 fn at_text(soil: &SoilAnswer) -> String {
-    let mut rows = vec![header(&["psi", "kPa", "phi deg ", "+- deg", "curve"])];
+    let mut rows = vec![header(&["psi", "kPa", "phi deg ", "s.e. deg", "curve"])];
     rows.extend(soil.at.iter().map(|at| {
         let [psi, kpa] = stress_cells(at.normal_stress_pa);
         let error = at.standard_error_deg.map_or_else(|| "-".into(), |error| format!("{error:.1}"));

@@ -1,0 +1,179 @@
+//! `soilctl estimate` and `soilctl report` from outside: keys, verdicts, exit codes, messages.
+
+mod common;
+
+use std::path::PathBuf;
+
+use common::{json, refused, soilctl};
+use serde_json::Value;
+
+fn soil(name: &str) -> String {
+    let path =
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../data/soils").join(name).join("strokes.csv");
+    path.to_string_lossy().into_owned()
+}
+
+fn range(answer: &Value, key: &str) -> [f64; 2] {
+    [0, 1].map(|i| answer[key][i].as_f64().unwrap_or_else(|| panic!("{key} is {}", answer[key])))
+}
+
+#[test]
+fn rained_ticino_has_the_fixed_keys_and_the_thesis_ranges() {
+    let file = soil("ticino_rained");
+    for (model, low, high) in [("thesis-ub", 41.4, 43.8), ("thesis-lb", 43.6, 46.1), ("chen", 40.8, 43.2)] {
+        let args = ["estimate", &file, "--model", model, "--delta", "23", "--density", "1600"];
+        let (code, answer) = json(&args);
+        assert_eq!((code, &answer["consistent"]), (0, &Value::Bool(true)));
+        assert_eq!(answer["schema"], "soilctl.estimate/1");
+        let phi = range(&answer, "phi_deg");
+        assert!((phi[0] - low).abs() <= 0.4 && (phi[1] - high).abs() <= 0.4, "{model}: {phi:?}");
+        let density = range(&answer, "density_kg_m3");
+        assert!((density[0] - 1536.0).abs() < 1.0 && (density[1] - 1664.0).abs() < 1.0);
+        let sections = answer["regions"].as_array().unwrap();
+        assert_eq!(
+            sections.iter().map(|s| s["delta_deg"].as_f64().unwrap()).collect::<Vec<_>>(),
+            [22.0, 23.0, 24.0]
+        );
+        for section in sections {
+            for point in section["polygons"].as_array().unwrap().iter().flat_map(|r| r.as_array().unwrap()) {
+                let p = [0, 1].map(|i| point[i].as_f64().unwrap());
+                assert!(p[0] >= phi[0] - 0.01 && p[0] <= phi[1] + 0.01);
+            }
+        }
+    }
+}
+
+#[test]
+fn columns_of_the_table_are_used_when_told_so() {
+    let file = soil("ticino_rained");
+    let by_option = json(&["estimate", &file, "--delta", "23", "--density", "1600"]).1;
+    let by_column = json(&["estimate", &file, "--delta", "column", "--density", "column"]).1;
+    assert_eq!(by_option["phi_deg"], by_column["phi_deg"]);
+}
+
+#[test]
+fn loose_ticino_under_chen_is_a_negative_answer_that_names_the_conflict() {
+    let file = soil("ticino_loose");
+    let (code, answer) = json(&["estimate", &file, "--model", "chen", "--delta", "23", "--density", "1430"]);
+    assert_eq!((code, &answer["consistent"]), (1, &Value::Bool(false)));
+    assert!(answer["phi_deg"].is_null() && answer["density_kg_m3"].is_null());
+    assert_eq!(answer["regions"].as_array().map(Vec::len), Some(0));
+    let pairs = answer["disagreement"]["pairs"].to_string();
+    assert!(pairs.contains("80 deg") && pairs.contains("100 deg"), "{pairs}");
+    let words = answer["verdict"].as_str().unwrap();
+    assert!(words.contains("No soil explains") && words.contains("80 deg"), "{words}");
+}
+
+#[test]
+fn exact_data_need_exact() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("exact.csv");
+    // Chen & Liu's own forces for phi 38, delta 23 deg, 1500 kg/m3, 0.025 m deep.
+    let mut csv = String::from("alpha_deg,depth_m,width_m,force_n,force_sd_n\n");
+    for alpha in ["70", "80", "90", "100"] {
+        let args = [
+            "predict",
+            "--alpha",
+            alpha,
+            "--phi",
+            "38",
+            "--delta",
+            "23",
+            "--density",
+            "1500",
+            "--depth",
+            "0.025",
+            "--width",
+            "0.127",
+        ];
+        let force = json(&args).1["force_n"].as_f64().unwrap();
+        csv += &format!("{alpha},0.025,0.127,{force:?},0\n");
+    }
+    std::fs::write(&file, csv).unwrap();
+    let file = file.to_str().unwrap();
+    let message = refused(&["estimate", file, "--model", "chen", "--delta", "23"]);
+    assert!(
+        message.contains("line 2") && message.contains("force_sd_n") && message.contains("--exact"),
+        "{message}"
+    );
+    let (code, answer) =
+        json(&["estimate", file, "--model", "chen", "--delta", "23", "--delta-tol", "4", "--exact"]);
+    assert_eq!(code, 0);
+    let best = &answer["exact"]["best"];
+    assert!((best["delta_deg"].as_f64().unwrap() - 23.0).abs() < 0.1);
+    assert!((best["ellipse_centre"][0].as_f64().unwrap() - 38.0).abs() < 0.1);
+}
+
+#[test]
+fn bad_options_are_refused_with_value_and_range() {
+    let file = soil("ticino_rained");
+    for (args, parts) in [
+        (vec!["--delta", "60"], vec!["59 to 61 deg", "0 to 30 deg"]),
+        (vec!["--delta", "-3"], vec!["-3", "at least 0"]),
+        (vec!["--delta", "23", "--density", "-5"], vec!["density"]),
+        (vec!["--delta", "23", "--sigma", "0"], vec!["--sigma is 0", "above 0"]),
+        (vec!["--delta", "23", "--sigma", "2", "--uncertainty", "bounds"], vec!["--sigma", "bounds"]),
+        (vec!["--delta", "23", "--density-tol", "4"], vec!["--density-tol is 4", "below 1"]),
+        (vec!["--delta", "23", "--model", "rankine"], vec!["rankine", "coulomb"]),
+        (vec!["--delta", "23", "--cohesion", "50"], vec!["cohesion", "table"]),
+        (vec!["--delta", "23", "--phi-range", "45:30"], vec!["LOW must be below HIGH"]),
+        (vec![], vec!["--delta"]),
+    ] {
+        let message = refused(&[&["estimate", file.as_str()], &args[..]].concat());
+        for part in parts {
+            assert!(message.contains(part), "{part} is not in {message}");
+        }
+    }
+}
+
+#[test]
+fn a_tool_angle_outside_the_table_is_named() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("strokes.csv");
+    std::fs::write(&file, "alpha_deg,depth_m,width_m,force_n,force_sd_n\n40,0.025,0.127,3,0.2\n").unwrap();
+    let file = file.to_str().unwrap();
+    let message = refused(&["estimate", file, "--delta", "23"]);
+    assert!(message.contains("40 deg") && message.contains("70 to 100"), "{message}");
+    let (code, answer) = json(&["estimate", file, "--delta", "23", "--model", "chen"]);
+    assert_eq!(code, 0);
+    assert!(answer["warnings"].to_string().contains("one tool angle"));
+}
+
+#[test]
+fn the_report_is_one_page_that_names_itself() {
+    let dir = tempfile::tempdir().unwrap();
+    let page = dir.path().join("page.html");
+    let file = soil("ticino_rained");
+    let shear = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../data/direct_shear.csv");
+    let shear = shear.to_string_lossy().into_owned();
+    let args = [
+        "report",
+        &file,
+        "--model",
+        "thesis-ub",
+        "--delta",
+        "23",
+        "--density",
+        "1600",
+        "--next-strokes",
+        "--compare",
+    ];
+    let out = ["--shear", &shear, "--soil", "ticino_rained", "--out", page.to_str().unwrap()];
+    let done = soilctl(&[&args[..], &out[..]].concat());
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(String::from_utf8_lossy(&done.stdout).contains("page.html"));
+    let html = std::fs::read_to_string(&page).unwrap();
+    for part in [
+        "ticino_rained",
+        "Error budget",
+        "Direct shear",
+        "apart",
+        "Next best stroke",
+        "Levenberg-Marquardt",
+        "Extrapolated",
+    ] {
+        assert!(html.contains(part), "{part} is missing");
+    }
+    let message = refused(&["report", &file, "--delta", "23", "--shear", &shear]);
+    assert!(message.contains("--soil") && message.contains("nevada_fine"), "{message}");
+}
