@@ -48,7 +48,6 @@ fn run(id: &str, soil: &str, density_known: bool) -> Estimate {
 }
 
 fn assert_range(what: &str, found: [f64; 2], printed: [f64; 2], tolerance: f64) {
-    println!("{what}: {:.2} - {:.2}, printed {} - {}", found[0], found[1], printed[0], printed[1]);
     for (f, p) in found.into_iter().zip(printed) {
         assert!((f - p).abs() <= tolerance, "{what}: {found:?}, printed {printed:?}");
     }

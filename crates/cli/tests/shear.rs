@@ -1,9 +1,10 @@
-//! `soilctl shear` from outside: fits, extrapolation, strokes, raw records, messages.
+//! `soilctl shear` from outside: fits, extrapolation, messages.
+
+#![allow(clippy::unwrap_used)]
 
 mod common;
 
-use std::path::{Path, PathBuf};
-
+use common::shear::{PA_PER_PSI, data, list, number, says, shear};
 use common::{json, refused, soilctl};
 use serde_json::Value;
 
@@ -13,45 +14,7 @@ const SOILS: [(&str, f64, f64); 4] = [
     ("ticino_rained", 43.139, -0.0475),
     ("glass_beads", 26.462, -0.0683),
 ];
-const PA_PER_PSI: f64 = 6_894.757;
 const HEADER: &str = "soil,normal_stress_psi,friction_angle_deg\n";
-/// The stroke of the loose soil at 90 deg in Hong (2001), chapter 6: 1.595 lbf on 1 in by 5 in.
-const STROKE: [&str; 12] = [
-    "--alpha",
-    "90",
-    "--depth",
-    "0.0254",
-    "--width",
-    "0.127",
-    "--density",
-    "1430",
-    "--delta",
-    "23",
-    "--force",
-    "7.094914",
-];
-
-fn data(name: &str) -> String {
-    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data").join(name);
-    path.to_str().unwrap().to_owned()
-}
-
-fn shear(more: &[&str]) -> (i32, Value) {
-    json(&[&["shear", &data("direct_shear.csv")], more].concat())
-}
-
-fn raw(more: &[&str]) -> (i32, Value) {
-    let (runs, empty_box) = (data("direct_shear_raw/runs.csv"), data("direct_shear_raw/loop.csv"));
-    json(&[&["shear", "--raw", &runs, "--loop", &empty_box, "--bias", "0.85"], more].concat())
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
-}
-
-fn list(value: &Value) -> &[Value] {
-    value.as_array().unwrap_or_else(|| panic!("{value} is no list"))
-}
 
 /// Writes a table; the message with which it is refused.
 fn refused_table(bytes: &[u8]) -> String {
@@ -59,12 +22,6 @@ fn refused_table(bytes: &[u8]) -> String {
     let file = dir.path().join("mine.csv");
     std::fs::write(&file, bytes).unwrap();
     refused(&["shear", file.to_str().unwrap()])
-}
-
-fn says(message: &str, parts: &[&str]) {
-    for part in parts {
-        assert!(message.contains(part), "{part:?} is not in: {message}");
-    }
 }
 
 #[test]
@@ -132,96 +89,6 @@ fn extrapolation_is_flagged_below_the_lowest_load_only() {
 }
 
 #[test]
-fn stroke_stresses_are_those_of_table_6_14() {
-    let given = [&["--soil", "ticino_loose", "--phi", "42.9"], &STROKE[..]].concat();
-    let (code, answer) = shear(&given);
-    let stroke = &answer["soils"][0]["stroke"];
-    assert_eq!((code, list(&stroke["points"]).len(), &stroke["carried"]), (0, 4, &Value::Null));
-    for (place, low_psi, high_psi) in [(0, 0.032, 0.118), (2, 0.042, 0.157)] {
-        let point = &stroke["points"][place];
-        let psi = |key: &str| number(&point[key]) / PA_PER_PSI;
-        assert!((psi("low_stress_pa") / low_psi - 1.0).abs() < 0.013, "{point}");
-        assert!((psi("high_stress_pa") / high_psi - 1.0).abs() < 0.013, "{point}");
-        assert_eq!((&point["low_extrapolated"], &point["high_extrapolated"]), (&true.into(), &true.into()));
-    }
-    let (_, consistent) =
-        shear(&[&["--soil", "ticino_loose", "--point-fraction", "1"], &STROKE[..]].concat());
-    let point = &consistent["soils"][0]["stroke"]["points"][0];
-    let phi = number(&point["friction_at_low_stress_deg"]).to_radians();
-    let low = 1430.0 * 9.80665 * 0.0254 * (1.0 + phi.sin()) * phi.cos();
-    assert!((number(&point["low_stress_pa"]) / low - 1.0).abs() < 1e-9 && number(&point["iterations"]) > 0.0);
-}
-
-#[test]
-fn carrying_the_angle_of_a_stroke_is_warned_of() {
-    let (_, answer) = shear(&[&["--soil", "ticino_loose", "--carry-to", "100000"], &STROKE[..]].concat());
-    let carried = list(&answer["soils"][0]["stroke"]["carried"]);
-    assert_eq!(carried.len(), 4);
-    assert!(carried.iter().all(|shift| (-15.0..-9.0).contains(&number(&shift["shift_deg"]))), "{carried:?}");
-    let warnings: Vec<_> = list(&answer["warnings"]).iter().map(|text| text.as_str().unwrap()).collect();
-    says(warnings.last().unwrap(), &["used at 100000 Pa", "overestimated", "guess"]);
-    let file = data("direct_shear.csv");
-    let args = [&["shear", &file, "--carry-to", "100000"], &STROKE[..]].concat();
-    says(
-        &String::from_utf8(soilctl(&args).stdout).unwrap(),
-        &["used at 14.5 psi (100 kPa)", "stroke: 7.09491 N"],
-    );
-}
-
-#[test]
-fn a_stroke_is_given_whole_and_possible() {
-    let file = data("direct_shear.csv");
-    says(
-        &refused(&["shear", &file, "--force", "7"]),
-        &["--alpha", "--depth", "--width", "--density", "--delta"],
-    );
-    says(&refused(&["shear", &file, "--alpha", "90"]), &["--depth", "--force"]);
-    says(&refused(&["shear", &file, "--carry-to", "1000"]), &["--force"]);
-    let with = |more: &[&str]| refused(&[&["shear", &file], more, &STROKE[..]].concat());
-    says(&with(&["--phi", "20"]), &["delta is 23 deg", "phi"]);
-    says(&with(&["--point-fraction", "1.5"]), &["1.5", "at most 1"]);
-    says(&with(&["--gravity", "-1"]), &["gravity is -1"]);
-    says(&with(&["--carry-to", "0"]), &["0 Pa"]);
-    // Rougher than one of two soils: that one has no stroke, the other one has.
-    let rough: Vec<&str> = STROKE.iter().map(|arg| if *arg == "23" { "32" } else { arg }).collect();
-    let two = ["--soil", "glass_beads", "--soil", "ticino_rained"];
-    let (code, answer) = shear(&[&two[..], &rough].concat());
-    let soils = list(&answer["soils"]);
-    assert_eq!((code, soils[0]["stroke"].is_null(), soils[1]["stroke"].is_null()), (0, false, true));
-    assert!(
-        list(&answer["warnings"]).iter().any(|text| text.as_str().unwrap().contains("glass_beads, stroke"))
-    );
-    let alone = refused(&[&["shear", &file, "--soil", "glass_beads"], &rough[..]].concat());
-    says(&alone, &["no soil gives a friction angle for this stroke"]);
-}
-
-#[test]
-fn raw_records_give_their_truth_back() {
-    let (code, answer) = raw(&["--soil-name", "synthetic", "--stress", "800"]);
-    let soil = &answer["soils"][0];
-    assert_eq!((code, &soil["soil"]), (0, &"synthetic".into()));
-    for point in list(&soil["points"]) {
-        let below = (34_474.0 / number(&point["normal_stress_pa"])).log10().max(0.0);
-        assert!((number(&point["friction_angle_deg"]) - 32.0 - 6.0 * below).abs() < 0.3, "{point}");
-    }
-    assert!((number(&soil["slope_floor"]["floor_deg"]) - 32.0).abs() < 0.2);
-    assert!((number(&soil["slope_floor"]["slope_deg_per_decade"]) - 6.0).abs() < 0.3);
-    assert!(soil["best"].as_str().unwrap().starts_with("the slope and floor"));
-    let records = &answer["raw"];
-    assert!((number(&records["machine_friction_n"]) - 0.10).abs() < 0.01);
-    assert_eq!((list(&records["loads"]).len(), list(&records["runs"]).len()), (7, 19));
-    assert_eq!(records["loads"][0]["dropped"], serde_json::json!(["0.4473kg-d"]));
-    assert!((number(&records["runs"][0]["peak_displacement_m"]) - 0.002).abs() < 0.000_45);
-
-    let (_, small) = raw(&["--box-area", "0.00178"]);
-    let stress = |answer: &Value| number(&answer["soils"][0]["points"][0]["normal_stress_pa"]);
-    assert!((stress(&small) / stress(&answer) - 2.0).abs() < 1e-9);
-    let (_, without) = json(&["shear", "--raw", &data("direct_shear_raw/runs.csv"), "--bias", "0.85"]);
-    assert!(without["raw"]["machine_friction_n"].is_null());
-    says(without["warnings"][0].as_str().unwrap(), &["no friction loop"]);
-}
-
-#[test]
 fn a_curve_that_cannot_be_fitted_is_null_and_said_so() {
     let dir = tempfile::tempdir().unwrap();
     let file = dir.path().join("few.csv");
@@ -262,43 +129,4 @@ fn bad_tables_are_refused_with_file_line_and_column() {
     says(&refused(&["shear", "no/such/file.csv"]), &["no/such/file.csv"]);
     says(&refused(&["shear", &data("direct_shear.csv"), "--stress", "0"]), &["normal_stress_pa is 0 Pa"]);
     says(&refused(&["shear", &data("direct_shear.csv"), "--stress", "nan"]), &["nan", "finite number"]);
-}
-
-#[test]
-fn bad_records_and_options_are_refused() {
-    let dir = tempfile::tempdir().unwrap();
-    let file = dir.path().join("runs.csv");
-    let path = file.to_str().unwrap();
-    let header = "run_id,load_kg,displacement_mm,shear_force_n\n";
-    std::fs::write(&file, format!("{header}a,1,0,x\n")).unwrap();
-    says(&refused(&["shear", "--raw", path]), &["runs.csv, line 2, column `shear_force_n`"]);
-    std::fs::write(&file, format!("{header}a,1,0,0\na,1,1,5\n")).unwrap();
-    says(&refused(&["shear", "--raw", path]), &["runs.csv, run `a`", "at least 3"]);
-    let runs = data("direct_shear_raw/runs.csv");
-    says(&refused(&["shear", "--raw", &runs, "--box-area", "0"]), &["area_m2 is 0 m2"]);
-    says(&refused(&["shear", "--raw", &runs, "--loop", path]), &["runs.csv", "direction"]);
-    says(&refused(&["shear", "--raw", &runs, &runs]), &["cannot be used with"]);
-    says(&refused(&["shear", &data("direct_shear.csv"), "--loop", &runs]), &["--raw"]);
-    says(&refused(&["shear"]), &["FILE"]);
-}
-
-#[test]
-fn figures_are_written_in_the_form_of_their_name() {
-    let dir = tempfile::tempdir().unwrap();
-    for (ending, magic) in [("svg", &b"<svg"[..]), ("png", &b"\x89PNG"[..])] {
-        for kind in ["fits", "records"] {
-            let file = dir.path().join(format!("{kind}.{ending}"));
-            assert_eq!(raw(&["--plot-kind", kind, "--plot", file.to_str().unwrap()]).0, 0);
-            assert!(std::fs::read(&file).unwrap().starts_with(magic), "{kind}.{ending}");
-        }
-    }
-    let file = dir.path().join("all.svg");
-    assert_eq!(shear(&[&["--plot", file.to_str().unwrap()], &STROKE[..]].concat()).0, 0);
-    says(
-        &std::fs::read_to_string(&file).unwrap(),
-        &["nevada_fine", "extrapolated", "stresses of the stroke"],
-    );
-    let table = data("direct_shear.csv");
-    says(&refused(&["shear", &table, "--plot", "x.pdf"]), &[".svg or .png"]);
-    says(&refused(&["shear", &table, "--plot", "x.svg", "--plot-kind", "records"]), &["--raw"]);
 }

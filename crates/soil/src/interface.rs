@@ -49,3 +49,20 @@ impl Interface {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_do_not_show_the_way_through_radians() {
+        let angle = Angle::from_degrees(30.0);
+        assert_ne!(angle.degrees(), 30.0);
+        let soil = Soil::new(angle, 1500.0).unwrap();
+        let rough = Interface::new(Angle::from_degrees(35.0), 0.0).unwrap();
+        let error = rough.check_against(&soil).unwrap_err();
+        assert!(error.to_string().contains("phi of 30 deg"), "{error}");
+        let SoilError::InterfaceRougherThanSoil { phi_deg, .. } = error else { panic!("{error}") };
+        assert_eq!(phi_deg, angle.degrees());
+    }
+}

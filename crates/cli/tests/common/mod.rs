@@ -2,6 +2,8 @@
 #![allow(dead_code, reason = "no test file uses all of it")]
 #![allow(clippy::expect_used, reason = "helpers of tests")]
 
+pub(crate) mod shear;
+
 use std::process::Output;
 
 use assert_cmd::Command;

@@ -33,7 +33,8 @@ pub(crate) struct SoilAnswer {
     pub(super) points: Vec<Point>,
     /// `phi = a sigma^b`, sigma in psi, through the loads below `fit_limit_pa`.
     pub(super) power_law: Option<PowerLaw>,
-    /// A fall with the logarithm of stress down to a floor, through all loads.
+    /// A fall with the logarithm of stress down to a floor, through all loads. With raw records a load counts as often
+    /// as runs were kept, here and in the constant.
     pub(super) slope_floor: Option<SlopeFloor>,
     /// One angle for all loads, for comparison.
     pub(super) constant: Option<Constant>,

@@ -32,6 +32,7 @@ pub(super) fn angles(
 ) -> Result<Vec<AngleAt>, CliError> {
     let mut found = Vec::new();
     for &stress_pa in stresses_pa {
+        let before = found.len();
         for curve in fitted.curves() {
             match curve.friction_at(stress_pa) {
                 Ok(at) => found.push(AngleAt {
@@ -45,7 +46,9 @@ pub(super) fn angles(
                 Err(problem) => warnings.push(format!("{}: {problem}", fitted.name())),
             }
         }
-        warnings.extend(outside_tested(fitted, stress_pa));
+        if found.len() > before {
+            warnings.extend(outside_tested(fitted, stress_pa));
+        }
     }
     Ok(found)
 }

@@ -54,7 +54,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "PA", value_parser = finite, allow_negative_numbers = true, value_delimiter = ',')]
     stress: Vec<f64>,
 
-    #[command(flatten, next_help_heading = "Raw records")]
+    #[command(flatten, next_help_heading = "Raw records, with --raw instead of FILE")]
     raw: raw::RawArgs,
 
     #[command(flatten, next_help_heading = "Stroke of a plate")]

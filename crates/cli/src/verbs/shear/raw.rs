@@ -19,34 +19,34 @@ pub(super) struct RawArgs {
     pub(super) raw: Option<PathBuf>,
 
     /// Record of the empty box in both directions: displacement_mm, shear_force_n, direction
-    #[arg(long = "loop", value_name = "LOOP.csv", requires = "raw")]
+    #[arg(long = "loop", value_name = "LOOP.csv", conflicts_with = "file")]
     friction_loop: Option<PathBuf>,
 
     /// Name of the soil in the raw records
-    #[arg(long, value_name = "NAME", requires = "raw")]
+    #[arg(long, value_name = "NAME", conflicts_with = "file")]
     pub(super) soil_name: Option<String>,
 
     /// Area of the shear plane (m2)
-    #[arg(long, value_name = "M2", value_parser = finite, allow_negative_numbers = true, requires = "raw",
+    #[arg(long, value_name = "M2", value_parser = finite, allow_negative_numbers = true, conflicts_with = "file",
           default_value_t = ShearBox::default().area_m2)]
     box_area: f64,
 
     /// Gravity where the box stands (m/s2)
-    #[arg(long, value_name = "M/S2", value_parser = finite, allow_negative_numbers = true, requires = "raw",
+    #[arg(long, value_name = "M/S2", value_parser = finite, allow_negative_numbers = true, conflicts_with = "file",
           default_value_t = STANDARD_GRAVITY_M_S2)]
     box_gravity: f64,
 
     /// Reading of the load cell without load (N), subtracted from every shear force
-    #[arg(long, value_name = "N", value_parser = finite, allow_negative_numbers = true, requires = "raw",
+    #[arg(long, value_name = "N", value_parser = finite, allow_negative_numbers = true, conflicts_with = "file",
           default_value_t = 0.0)]
     bias: f64,
 
     /// Forces are smoothed below this normal stress (Pa); 2.5 psi = 17237 Pa if not given
-    #[arg(long, value_name = "PA", value_parser = finite, allow_negative_numbers = true, requires = "raw")]
+    #[arg(long, value_name = "PA", value_parser = finite, allow_negative_numbers = true, conflicts_with = "file")]
     low_load_limit: Option<f64>,
 
     /// Of more runs than this at a load, the closest ones are kept
-    #[arg(long, value_name = "RUNS", requires = "raw", default_value_t = RawSettings::default().runs_kept)]
+    #[arg(long, value_name = "RUNS", conflicts_with = "file", default_value_t = RawSettings::default().runs_kept)]
     keep: usize,
 }
 
