@@ -78,10 +78,10 @@ impl Random {
     }
 }
 
-/// Reads the file with one byte changed at each of 300 seeded places; counts the errors.
-fn refused(path: &Path, good: &[u8]) -> usize {
+/// Reads the file with one byte changed, at a number of seeded places one after the other; counts the errors.
+fn refused(path: &Path, good: &[u8], places: usize) -> usize {
     let mut random = Random(20_010_607);
-    (0..300)
+    (0..places)
         .filter(|_| {
             let mut bytes = good.to_vec();
             bytes[random.below(good.len())] ^= 1 + random.below(255) as u8;
@@ -96,7 +96,7 @@ fn one_wrong_byte_is_never_a_panic() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("t.parquet");
     write_parquet(&table(), "Chen & Liu", &path).unwrap();
-    let refused = refused(&path, &std::fs::read(&path).unwrap());
+    let refused = refused(&path, &std::fs::read(&path).unwrap(), 300);
     assert!(refused > 100, "{refused} of 300 damaged files were noticed");
 }
 
@@ -113,7 +113,7 @@ fn files_of_other_writers_are_read_and_their_damage_is_never_a_panic() {
                     std::fs::write(&path, &good).unwrap();
                     let read = read_parquet(&path).unwrap().0;
                     assert!(read.filled().eq(table().filled()), "{optional} {dictionary} {version:?}");
-                    assert!(refused(&path, &good) > 100);
+                    assert!(refused(&path, &good, 100) > 30);
                 }
             }
         }
