@@ -23,8 +23,10 @@ const FIRST_CELL: i32 = 128;
 const MOST_MOVE: f64 = 3e-4;
 /// Move that is always allowed, relative to density: bands narrower than 1 % cost no more than that.
 const LEAST_MOVE: f64 = 1e-5;
-/// Largest outward move relative to the height of the narrowest band, between these two.
+/// Largest outward move relative to the height of the narrowest band and what delta sweeps, between these two.
 const MOVE_OF_BAND: f64 = 2e-3;
+/// Part of the density by which a band shifts when delta grows by a degree: forces grow by 3 to 5 % (Table 4.3).
+const SWEEP_PER_DEG: f64 = 0.03;
 /// 4/3 for the quadratic part, the rest for what is not quadratic.
 const RESERVE: f64 = 4.0 / 3.0 * 1.2;
 
@@ -121,6 +123,8 @@ struct Lattice<'a, 'm> {
     density: Band,
     /// The only delta, for a section.
     section: Option<f64>,
+    /// Part of the density that a band sweeps over the interval of delta.
+    sweep: f64,
     /// Why the first point without an answer has none.
     refusal: Option<EarthPressureError>,
 }
@@ -129,7 +133,9 @@ impl<'a, 'm> Lattice<'a, 'm> {
     fn new(setup: &Setup<'_>, constraints: &'a [Constraint<'m>], section: Option<f64>) -> Self {
         let (low, high) = setup.density_range_kg_m3();
         let (index, bands) = (FxHashMap::default(), Vec::new());
-        Self { constraints, index, bands, density: [low, high], section, refusal: None }
+        let sweep = SWEEP_PER_DEG * (setup.delta_deg.1 - setup.delta_deg.0);
+        let sweep = if section.is_some() { 0.0 } else { sweep };
+        Self { constraints, index, bands, density: [low, high], section, sweep, refusal: None }
     }
 
     /// Pieces over the triangles of one cell, or `None` if it should be cut.
@@ -226,7 +232,8 @@ impl<'a, 'm> Lattice<'a, 'm> {
             }
             let height = (0..3).map(|c| planes[1][c] - planes[0][c]).fold(f64::INFINITY, f64::min);
             let density = planes[1].iter().copied().fold(1.0, f64::max);
-            let allowed = (MOVE_OF_BAND * height).clamp(LEAST_MOVE * density, MOST_MOVE * density);
+            let allowed = (MOVE_OF_BAND * (height + self.sweep * density))
+                .clamp(LEAST_MOVE * density, MOST_MOVE * density);
             tight &= moved <= allowed;
             floor = floor.max(planes[0].iter().copied().fold(f64::INFINITY, f64::min));
             ceiling = ceiling.min(planes[1].iter().copied().fold(f64::NEG_INFINITY, f64::max));

@@ -9,18 +9,23 @@ use crate::{EstimatorError, Setup};
 pub struct Estimate {
     /// Consistent (phi in degrees, density in kg/m3), over the whole interval of delta.
     pub region: Region,
-    /// Consistent (delta in degrees, density in kg/m3); empty if delta is known exactly.
-    pub delta_density: Region,
-    /// Consistent (phi, delta) in degrees; empty if delta is known exactly.
-    pub phi_delta: Region,
-    /// Volume of the consistent set in deg2 kg/m3; 0 if delta is known exactly.
-    pub volume: f64,
     /// Range of phi in degrees; `None` if no soil is consistent.
     pub phi_deg: Option<[f64; 2]>,
     /// Range of density in kg/m3; `None` if no soil is consistent.
     pub density_kg_m3: Option<[f64; 2]>,
     /// Where the region was cut by the limits of the search rather than by a measurement.
     pub limits: Limits,
+}
+
+/// The consistent set seen along the other two axes, and its volume; empty and 0 if delta is known exactly.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Projections {
+    /// Consistent (delta in degrees, density in kg/m3).
+    pub delta_density: Region,
+    /// Consistent (phi, delta) in degrees.
+    pub phi_delta: Region,
+    /// Volume of the consistent set in deg2 kg/m3.
+    pub volume: f64,
 }
 
 /// Which limits of the search the region touches: its true extent there may be larger.
@@ -63,15 +68,9 @@ impl Estimate {
 pub fn estimate(setup: &Setup<'_>) -> Result<Estimate, EstimatorError> {
     setup.check()?;
     let pieces = cover(setup, &merged(setup)?)?;
-    let exact_delta = setup.delta_deg.0 == setup.delta_deg.1;
-    // The shadows of a section on planes with delta mean nothing.
-    let solid = if exact_delta { &[] } else { &pieces[..] };
     let region = region_of(&pieces);
     let bounds = region.bounds();
     Ok(Estimate {
-        delta_density: Region::of_angle_and_density(solid.iter().map(|p| (p.delta_strip(), p.shadow(1)))),
-        phi_delta: Region::of_angles(solid.iter().map(|p| (p.phi_strip(), p.base().to_vec()))),
-        volume: if exact_delta { 0.0 } else { pieces.iter().map(Piece::volume).sum() },
         phi_deg: bounds.map(|b| b.0),
         density_kg_m3: bounds.map(|b| b.1),
         limits: bounds.map_or_else(Limits::default, |b| touched(setup, b)),
@@ -79,7 +78,24 @@ pub fn estimate(setup: &Setup<'_>) -> Result<Estimate, EstimatorError> {
     })
 }
 
-/// The consistent (phi, density) alone: what [`estimate`] calls `region`, at a third of the cost.
+/// The other two projections of the set behind [`estimate`], and its volume.
+///
+/// # Errors
+/// As [`estimate`].
+pub fn projections(setup: &Setup<'_>) -> Result<Projections, EstimatorError> {
+    setup.check()?;
+    if setup.delta_deg.0 == setup.delta_deg.1 {
+        return Ok(Projections::default());
+    }
+    let pieces = cover(setup, &merged(setup)?)?;
+    Ok(Projections {
+        delta_density: Region::of_angle_and_density(pieces.iter().map(|p| (p.delta_strip(), p.shadow(1)))),
+        phi_delta: Region::of_angles(pieces.iter().map(|p| (p.phi_strip(), p.base().to_vec()))),
+        volume: pieces.iter().map(Piece::volume).sum(),
+    })
+}
+
+/// The consistent (phi, density) alone: what [`estimate`] calls `region`.
 pub(crate) fn region_only(setup: &Setup<'_>) -> Result<Region, EstimatorError> {
     Ok(region_of(&cover(setup, &merged(setup)?)?))
 }

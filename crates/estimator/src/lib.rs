@@ -41,7 +41,7 @@ mod verdict;
 
 pub use ellipse::Ellipse;
 pub use error::EstimatorError;
-pub use estimate::{Estimate, Limits, bands, estimate, section};
+pub use estimate::{Estimate, Limits, Projections, bands, estimate, projections, section};
 pub use exact::{ExactSection, exact_estimate, exact_section};
 pub use misfit::{Fit, best_fit};
 pub use next_stroke::{Candidate, StrokeMenu, next_strokes};

@@ -22,12 +22,12 @@ pub struct Region {
 }
 
 impl Region {
-    /// Union of convex polygons in the plane of an angle (degrees) and density (kg/m3).
+    /// Union of the hulls of point sets in the plane of an angle (degrees) and density (kg/m3).
     pub(crate) fn of_angle_and_density(pieces: impl IntoIterator<Item = (Strip, Vec<Point>)>) -> Self {
         Self::union(pieces, DENSITY_SCALE)
     }
 
-    /// Union of convex polygons in the plane of two angles.
+    /// Union of the hulls of point sets in the plane of two angles.
     pub(crate) fn of_angles(pieces: impl IntoIterator<Item = (Strip, Vec<Point>)>) -> Self {
         Self::union(pieces, 1.0)
     }
@@ -129,7 +129,7 @@ impl Region {
 /// side stay apart.
 fn hulls(pieces: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
     if pieces.len() == 1 {
-        return pieces;
+        return pieces.into_iter().map(hull).collect();
     }
     let (mut n, mut sx, mut sy, mut sxx, mut sxy) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for piece in &pieces {

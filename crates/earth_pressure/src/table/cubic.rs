@@ -8,21 +8,22 @@ fn secant(a: Knot, b: Knot) -> f64 {
     (b.1 - a.1) / (b.0 - a.0)
 }
 
-/// Cubic Hermite on the cell a-b at fraction t, with slopes that keep monotone data monotone.
-#[inline]
-pub(super) fn monotone_cubic(before: Option<Knot>, a: Knot, b: Knot, after: Option<Knot>, t: f64) -> f64 {
-    let (h, middle) = (b.0 - a.0, secant(a, b));
-    // Inner slope: weighted harmonic mean. At an end of the data: three-point slope, limited.
-    let inner = |h0: f64, s0: f64, h1: f64, s1: f64| {
-        if s0 * s1 <= 0.0 {
-            return 0.0;
+/// Step and secant slope towards a neighbour.
+type Side = (f64, f64);
+
+/// Slope at a node that keeps monotone data monotone: a weighted harmonic mean of the secants on both sides, or, at
+/// an end of the data, a limited three-point slope from the one side and the one beyond it.
+fn slope(left: Option<Side>, right: Option<Side>, beyond: Option<Side>) -> f64 {
+    match (left, right) {
+        (Some((h0, s0)), Some((h1, s1))) => {
+            if s0 * s1 <= 0.0 {
+                return 0.0;
+            }
+            let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
+            (w0 + w1) / (w0 / s0 + w1 / s1)
         }
-        let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
-        (w0 + w1) / (w0 / s0 + w1 / s1)
-    };
-    let end = |h0: f64, s0: f64, next: Option<(f64, f64)>| match next {
-        None => s0,
-        Some((h1, s1)) => {
+        (Some((h0, s0)), None) | (None, Some((h0, s0))) => {
+            let Some((h1, s1)) = beyond else { return s0 };
             let slope = ((2.0 * h0 + h1) * s0 - h0 * s1) / (h0 + h1);
             if slope * s0 <= 0.0 {
                 0.0
@@ -32,16 +33,48 @@ pub(super) fn monotone_cubic(before: Option<Knot>, a: Knot, b: Knot, after: Opti
                 slope
             }
         }
+        (None, None) => 0.0,
+    }
+}
+
+/// Slope at node `i` of values on an axis, some of which may be missing; NaN if its own is.
+pub(super) fn node_slope(axis: &[f64], i: usize, at: impl Fn(usize) -> Option<f64>) -> f64 {
+    let knot = |i: usize| Some((*axis.get(i)?, at(i)?));
+    let side = |a: usize, b: usize| {
+        let (a, b) = (knot(a)?, knot(b)?);
+        Some((b.0 - a.0, secant(a, b)))
     };
+    if knot(i).is_none() {
+        return f64::NAN;
+    }
+    let left = i.checked_sub(1).and_then(|before| side(before, i));
+    let right = side(i, i + 1);
+    let beyond = match (left, right) {
+        (None, _) => side(i + 1, i + 2),
+        (_, None) => i.checked_sub(2).and_then(|before| side(before, i - 1)),
+        _ => None,
+    };
+    slope(left, right, beyond)
+}
+
+/// Cubic Hermite on a cell of width h at fraction t, from values and slopes at its ends.
+#[inline]
+pub(super) fn hermite(h: f64, (y0, m0): (f64, f64), (y1, m1): (f64, f64), t: f64) -> f64 {
+    let (t2, t3) = (t * t, t * t * t);
+    (2.0 * t3 - 3.0 * t2 + 1.0) * y0
+        + (t3 - 2.0 * t2 + t) * h * m0
+        + (3.0 * t2 - 2.0 * t3) * y1
+        + (t3 - t2) * h * m1
+}
+
+/// Cubic on the cell a-b at fraction t, with the slopes of [`slope`] from the nodes around it.
+#[inline]
+pub(super) fn monotone_cubic(before: Option<Knot>, a: Knot, b: Knot, after: Option<Knot>, t: f64) -> f64 {
+    let middle = Some((b.0 - a.0, secant(a, b)));
     let left = before.map(|p| (a.0 - p.0, secant(p, a)));
     let right = after.map(|p| (p.0 - b.0, secant(b, p)));
-    let slope_a = left.map_or_else(|| end(h, middle, right), |(h0, s0)| inner(h0, s0, h, middle));
-    let slope_b = right.map_or_else(|| end(h, middle, left), |(h1, s1)| inner(h, middle, h1, s1));
-    let (t2, t3) = (t * t, t * t * t);
-    (2.0 * t3 - 3.0 * t2 + 1.0) * a.1
-        + (t3 - 2.0 * t2 + t) * h * slope_a
-        + (3.0 * t2 - 2.0 * t3) * b.1
-        + (t3 - t2) * h * slope_b
+    let slopes = (slope(left, middle, right), slope(middle, right, left));
+    hermite(b.0 - a.0, (a.1, slopes.0), (b.1, slopes.1), t)
 }
 
 /// `t (1 - t)` times this bounds what linear interpolation in a cell may miss.

@@ -8,7 +8,7 @@
 
 use soilctl_soil::Rounded;
 
-use super::cubic::{cell_error, monotone_cubic};
+use super::cubic::{cell_error, hermite, monotone_cubic, node_slope};
 use super::{CellStatus, PredictionTable};
 use crate::EarthPressureError;
 
@@ -30,6 +30,8 @@ pub struct TableSlice {
     delta: Vec<f64>,
     /// Row by row in phi.
     nodes: Vec<Option<Node>>,
+    /// Slope of `ln K` along delta at each node.
+    slopes: Vec<f64>,
     /// Bound on the error along phi in the cell above each node and along delta in the cell to its right, before
     /// the factor t (1 - t). Between nodes of the other axis it is interpolated, so that the margin is continuous.
     errors: Vec<(f64, f64)>,
@@ -75,10 +77,10 @@ impl PredictionTable {
             }
         }
         let (phi, delta) = (phis.clone(), deltas.clone());
-        let mut slice =
-            TableSlice { name: self.name.clone(), alpha_deg, phi, delta, nodes, errors: Vec::new() };
+        let (name, slopes, errors) = (self.name.clone(), Vec::new(), Vec::new());
+        let mut slice = TableSlice { name, alpha_deg, phi, delta, nodes, slopes, errors };
         slice.complete_diagonal();
-        slice.bound_errors();
+        slice.prepare();
         Ok(slice)
     }
 
@@ -124,9 +126,7 @@ impl TableSlice {
         };
         let in_phi = place(&self.phi, phi_deg, "phi")?;
         let in_delta = place(&self.delta, delta_deg, "delta")?;
-        let node = in_phi.interpolate(&self.phi, |j| {
-            in_delta.interpolate(&self.delta, |k| self.nodes[j * self.delta.len() + k])
-        });
+        let node = in_phi.interpolate(&self.phi, |j| self.along_delta(j, in_delta));
         let node = node.ok_or_else(|| EarthPressureError::EmptyCell {
             table: self.name.clone(),
             alpha_deg: self.alpha_deg,
@@ -146,18 +146,37 @@ impl TableSlice {
         Ok(Lookup { k_net: node.ln_k.exp(), margin })
     }
 
-    fn bound_errors(&mut self) {
+    /// Row `j` at a place along delta.
+    fn along_delta(&self, j: usize, place: Place) -> Option<Node> {
+        let left = j * self.delta.len() + place.cell;
+        let a = self.nodes[left]?;
+        if place.t == 0.0 {
+            return Some(a);
+        }
+        let b = self.nodes[left + 1]?;
+        let h = self.delta[place.cell + 1] - self.delta[place.cell];
+        let ends = ((a.ln_k, self.slopes[left]), (b.ln_k, self.slopes[left + 1]));
+        Some(Node {
+            ln_k: hermite(h, ends.0, ends.1, place.t),
+            margin: a.margin + place.t * (b.margin - a.margin),
+        })
+    }
+
+    /// Slopes and error bounds at all nodes.
+    fn prepare(&mut self) {
         let (rows, columns) = (self.phi.len(), self.delta.len());
-        let ln_k = |j: usize, k: usize| self.nodes.get(j * columns + k)?.map(|n| n.ln_k);
-        let mut errors = Vec::with_capacity(rows * columns);
         for j in 0..rows {
             for k in 0..columns {
-                let along_phi = cell_error(&self.phi, j, |j| if j < rows { ln_k(j, k) } else { None });
-                let along_delta = cell_error(&self.delta, k, |k| if k < columns { ln_k(j, k) } else { None });
-                errors.push((along_phi, along_delta));
+                let ln_k = |j: usize, k: usize| {
+                    (j < rows && k < columns).then(|| self.nodes[j * columns + k])?.map(|n| n.ln_k)
+                };
+                self.slopes.push(node_slope(&self.delta, k, |k| ln_k(j, k)));
+                self.errors.push((
+                    cell_error(&self.phi, j, |j| ln_k(j, k)),
+                    cell_error(&self.delta, k, |k| ln_k(j, k)),
+                ));
             }
         }
-        self.errors = errors;
     }
 
     /// Fills the node just above delta = phi in each row by a parallelogram, so that the triangle of the grid

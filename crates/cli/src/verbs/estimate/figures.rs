@@ -114,7 +114,7 @@ fn phi_window(regions: &[Region], low: f64, high: f64) -> [f64; 2] {
 pub(crate) fn phi_delta(work: &Work) -> Result<Figure, CliError> {
     let mut figure =
         Figure::new("Friction angle and interface friction", Axis::linear(PHI), Axis::linear(DELTA));
-    push_region(&mut figure, "consistent", &work.estimate.phi_delta, 0)?;
+    push_region(&mut figure, "consistent", &work.projections.phi_delta, 0)?;
     push_nothing(&mut figure, "nothing to show: no soil is consistent, or δ is known exactly")?;
     Ok(figure)
 }
@@ -124,7 +124,7 @@ pub(crate) fn delta_density(work: &Work) -> Result<Figure, CliError> {
     let mut figure =
         Figure::new("Interface friction and density", Axis::linear(DELTA), Axis::linear(DENSITY));
     push_density(&mut figure, work)?;
-    push_region(&mut figure, "consistent", &work.estimate.delta_density, 0)?;
+    push_region(&mut figure, "consistent", &work.projections.delta_density, 0)?;
     push_nothing(&mut figure, "nothing to show: no soil is consistent, or δ is known exactly")?;
     Ok(figure)
 }

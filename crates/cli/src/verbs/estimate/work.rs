@@ -2,8 +2,8 @@
 
 use soilctl_earth_pressure::{ForceModel, model};
 use soilctl_estimator::{
-    Conflict, Estimate, Optimiser, Region, Setup, StrokeMenu, agreement_factor, best_fit, conflict, estimate,
-    local_minima, next_strokes, section, spread_starts,
+    Conflict, Estimate, Optimiser, Projections, Region, Setup, StrokeMenu, agreement_factor, best_fit,
+    conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
 };
 
 use super::answer::{Centre, Disagreement, EstimateAnswer, Measured, Minimum, NextStroke, Section};
@@ -17,6 +17,7 @@ pub(crate) struct Work {
     pub(crate) inputs: Inputs,
     pub(crate) model: Box<dyn ForceModel>,
     pub(crate) estimate: Estimate,
+    pub(crate) projections: Projections,
     /// Sections at the chosen deltas.
     pub(crate) sections: Vec<(f64, Region)>,
     pub(crate) answer: EstimateAnswer,
@@ -36,6 +37,7 @@ pub(crate) fn run(args: &EstimateArgs, exact_data: bool) -> Result<Work, CliErro
     let deltas = inputs.sections(args);
     // Exact data have bands of no width, which meet nowhere but in theory: contours take their place.
     let estimate = if exact_data { Estimate::default() } else { estimate(&setup)? };
+    let projections = if exact_data { Projections::default() } else { projections(&setup)? };
     let sections = if exact_data { &[] } else { &deltas[..] };
     let sections = sections
         .iter()
@@ -63,10 +65,10 @@ pub(crate) fn run(args: &EstimateArgs, exact_data: bool) -> Result<Work, CliErro
         density_kg_m3: estimate.density_kg_m3,
         regions: Vec::new(),
         region: estimate.region.polygons().to_vec(),
-        delta_density: estimate.delta_density.polygons().to_vec(),
-        phi_delta: estimate.phi_delta.polygons().to_vec(),
+        delta_density: projections.delta_density.polygons().to_vec(),
+        phi_delta: projections.phi_delta.polygons().to_vec(),
         area_deg_kg_m3: estimate.region.area(),
-        volume_deg2_kg_m3: estimate.volume,
+        volume_deg2_kg_m3: projections.volume,
         delta_deg: [inputs.delta_deg.0, inputs.delta_deg.1],
         density_known_kg_m3: inputs.density_kg_m3.map(|(low, high)| [low, high]),
         centre: centre(&estimate),
@@ -96,7 +98,7 @@ pub(crate) fn run(args: &EstimateArgs, exact_data: bool) -> Result<Work, CliErro
     }
     answer.verdict = words::verdict(&answer);
     answer.warnings.extend(words::warnings(&answer));
-    Ok(Work { inputs, model, estimate, sections, answer })
+    Ok(Work { inputs, model, estimate, projections, sections, answer })
 }
 
 fn centre(estimate: &Estimate) -> Option<Centre> {

@@ -138,11 +138,11 @@ fn regions(page: &mut HtmlReport, args: &Args, work: &Work) -> Result<(), CliErr
         "Each measurement alone allows a band; steep bands (large tool angles) tell friction angles apart, flat \
          ones (small tool angles) densities.",
     )?;
-    if work.answer.consistent && !work.estimate.phi_delta.is_empty() {
+    if work.answer.consistent && !work.projections.phi_delta.is_empty() {
         page.heading("The other projections");
         page.paragraph(format!(
             "The consistent set is a body in (φ, ρ, δ) of {:.4} deg² kg/m³; these are its other two shadows.",
-            work.estimate.volume
+            work.projections.volume
         ));
         page.figure(&figures::phi_delta(work)?, Size::default(), "Friction angle and interface friction.")?;
         page.figure(&figures::delta_density(work)?, Size::default(), "Interface friction and density.")?;
