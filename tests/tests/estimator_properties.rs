@@ -1,7 +1,8 @@
 //! What the estimator promises: the truth is inside, areas are right, verdicts name what conflicts.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use soilctl_earth_pressure::{Case, ForceModel, MODEL_IDS, model};
+use soilctl_earth_pressure::table::{PredictionTable, TableModel};
+use soilctl_earth_pressure::{Case, ChenLiu, ForceModel, MODEL_IDS, model};
 use soilctl_estimator::{
     Observation, Optimiser, Setup, StrokeMenu, agreement_factor, best_fit, conflict, estimate,
     exact_estimate, local_minima, next_strokes, projections, section, spread_starts,
@@ -282,4 +283,26 @@ fn nonsense_is_refused() {
     assert!(error.contains("110 deg") && error.contains("70 to 100"), "{error}");
     assert!(Observation::new("x", plate(90.0, 0.02), -1.0, 0.1).is_err());
     assert!(Observation::new("x", plate(90.0, 0.02), 1.0, f64::NAN).is_err());
+}
+
+/// A table whose range does not fall on the estimator's lattice, and a soil at its very edge, as rough as can be.
+#[test]
+fn nothing_is_lost_at_the_edge_of_a_table() {
+    let axes = [vec![70.0, 85.0, 100.0], vec![30.3, 35.1, 40.7], vec![0.0, 10.03, 20.0, 30.299]];
+    let table = PredictionTable::fill(&ChenLiu, axes).unwrap();
+    let model = TableModel::new("odd", "a table off the lattice", table);
+    for (phi, delta) in [(30.3, 30.299), (30.3001, 30.299), (40.7, 30.2989), (40.6999, 3.0), (30.3, 0.0)] {
+        let truth = Truth { phi, delta, density: 1500.0 };
+        for interval in [(delta, delta), ((delta - 0.5_f64).max(0.0), delta)] {
+            let setup = Setup::new(&model, four_strokes(&model, truth, 0.02), interval);
+            let region = estimate(&setup).unwrap().region;
+            // The point itself lies on the rim; a hair inside must be in.
+            let inwards = if phi > 35.0 { phi - 1e-4 } else { phi + 1e-4 };
+            assert!(
+                region.contains([inwards, 1500.0]),
+                "phi {phi}, delta {interval:?}: {:?}",
+                region.bounds()
+            );
+        }
+    }
 }

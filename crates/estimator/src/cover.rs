@@ -9,7 +9,7 @@
 //! consistent set with the square of the cell size.
 
 use rustc_hash::FxHashMap;
-use soilctl_earth_pressure::EarthPressureError;
+use soilctl_earth_pressure::{EarthPressureError, ValidRange};
 
 use crate::constraint::{Band, Constraint};
 use crate::piece::{Piece, Plane};
@@ -121,6 +121,7 @@ struct Lattice<'a, 'm> {
     index: FxHashMap<(i32, i32), Option<usize>>,
     bands: Vec<Band>,
     density: Band,
+    range: ValidRange,
     /// The only delta, for a section.
     section: Option<f64>,
     /// Part of the density that a band sweeps over the interval of delta.
@@ -133,9 +134,10 @@ impl<'a, 'm> Lattice<'a, 'm> {
     fn new(setup: &Setup<'_>, constraints: &'a [Constraint<'m>], section: Option<f64>) -> Self {
         let (low, high) = setup.density_range_kg_m3();
         let (index, bands) = (FxHashMap::default(), Vec::new());
+        let range = setup.model.valid_range();
         let sweep = SWEEP_PER_DEG * (setup.delta_deg.1 - setup.delta_deg.0);
         let sweep = if section.is_some() { 0.0 } else { sweep };
-        Self { constraints, index, bands, density: [low, high], section, sweep, refusal: None }
+        Self { constraints, index, bands, density: [low, high], range, section, sweep, refusal: None }
     }
 
     /// Pieces over the triangles of one cell, or `None` if it should be cut.
@@ -176,10 +178,11 @@ impl<'a, 'm> Lattice<'a, 'm> {
         }
         let start = self.bands.len();
         let mut place = Some(start);
-        let delta = self.section.unwrap_or(deg(v));
+        // Corners that stick out of the model's range take its value at the edge; the pieces are clipped there.
+        let delta = self.section.unwrap_or(deg(v)).clamp(self.range.delta_deg.0, self.range.delta_deg.1);
+        let phi = deg(u).clamp(self.range.phi_deg.0, self.range.phi_deg.1).max(delta);
         for constraint in self.constraints {
-            // Beyond the edge of a table the point has no bands; the cell is cut until it lies inside.
-            match constraint.band(deg(u), delta) {
+            match constraint.band(phi, delta) {
                 Ok(Some(band)) => self.bands.push(band),
                 refused => {
                     self.refusal = self.refusal.take().or(refused.err());
