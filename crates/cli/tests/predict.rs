@@ -58,6 +58,11 @@ fn every_model_answers_and_tables_have_no_split() {
         }
     }
     let (_, answer) = json(&case(&["--model", "table"]));
+    let ends = &answer["k_net_provenance"];
+    assert_eq!(
+        (&ends["lower"], &ends["upper"]),
+        (&"Appendix C, num_lb".into(), &"Appendix C, num_ub".into())
+    );
     let (low, high) = (number(&answer, "k_net_lower"), number(&answer, "k_net_upper"));
     assert!(low < high && ((low * high).sqrt() - number(&answer, "k_net")).abs() < 1e-12);
 }

@@ -1,4 +1,6 @@
-use soilctl_soil::{Angle, Interface, MAX_ANGLE_SUM_DEG, Plate, SlantCoefficient, Soil, SoilError};
+use soilctl_soil::{
+    Angle, Bracket, Interface, MAX_ANGLE_SUM_DEG, Plate, Provenance, SlantCoefficient, Soil, SoilError,
+};
 
 use crate::EarthPressureError;
 
@@ -176,6 +178,14 @@ impl Prediction {
     #[must_use]
     pub fn k_net(&self) -> SlantCoefficient {
         SlantCoefficient(self.net.weight)
+    }
+
+    /// The bracket on the slant-normalised coefficient of the weight term.
+    ///
+    /// # Errors
+    /// [`SoilError::InvertedBracket`] if a table's lower bound lies above its upper one.
+    pub fn bracket(&self, provenance: Provenance) -> Result<Bracket, SoilError> {
+        Bracket::new(self.net_lower.0, self.net_upper.0, provenance)
     }
 
     /// Failure force in N on a plate in a soil, with all loads.

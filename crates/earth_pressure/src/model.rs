@@ -1,4 +1,4 @@
-use soilctl_soil::{Angle, Interface, Plate, Soil};
+use soilctl_soil::{Angle, Interface, Plate, Provenance, Soil};
 
 use crate::{
     Caquot, Case, ChenLiu, Coulomb, EarthPressureError, LoadFactors, Loads, LogSpiral, Prediction, thesis,
@@ -11,6 +11,11 @@ pub trait ForceModel: Send + Sync {
 
     /// Where the model comes from and what it is: exact, upper bound, table, ...
     fn reference(&self) -> &'static str;
+
+    /// What the lower and the upper end of its brackets come from; the same for a point model.
+    fn provenance(&self) -> Provenance {
+        Provenance { lower: self.reference().into(), upper: self.reference().into() }
+    }
 
     /// Angles for which the model answers.
     fn valid_range(&self) -> ValidRange;

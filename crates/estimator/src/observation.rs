@@ -6,8 +6,7 @@ use crate::EstimatorError;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observation {
     label: String,
-    plate: Plate,
-    force_n: f64,
+    stroke: Stroke,
     low_n: f64,
     high_n: f64,
 }
@@ -39,7 +38,7 @@ impl Observation {
         low_n: f64,
         high_n: f64,
     ) -> Result<Self, EstimatorError> {
-        Stroke::new(plate, force_n)?;
+        let stroke = Stroke::new(plate, force_n)?;
         if !(low_n <= force_n && force_n <= high_n && high_n.is_finite() && low_n.is_finite()) {
             return Err(EstimatorError::BadInterval {
                 quantity: "the failure force",
@@ -49,7 +48,7 @@ impl Observation {
                 allowed: format!("a finite interval around {force_n} N"),
             });
         }
-        Ok(Self { label: label.into(), plate, force_n, low_n: low_n.max(0.0), high_n })
+        Ok(Self { label: label.into(), stroke, low_n: low_n.max(0.0), high_n })
     }
 
     /// Name for messages and figures.
@@ -61,13 +60,13 @@ impl Observation {
     /// The plate that measured.
     #[must_use]
     pub const fn plate(&self) -> &Plate {
-        &self.plate
+        self.stroke.plate()
     }
 
     /// Measured force in N.
     #[must_use]
     pub const fn force_n(&self) -> f64 {
-        self.force_n
+        self.stroke.force_n()
     }
 
     /// Lower end of the interval in N.
@@ -85,8 +84,8 @@ impl Observation {
     /// The same measurement with its interval scaled about the force.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
-        let low_n = (self.force_n - factor * (self.force_n - self.low_n)).max(0.0);
-        let high_n = self.force_n + factor * (self.high_n - self.force_n);
+        let low_n = (self.force_n() - factor * (self.force_n() - self.low_n)).max(0.0);
+        let high_n = self.force_n() + factor * (self.high_n - self.force_n());
         Self { low_n, high_n, ..self.clone() }
     }
 

@@ -1,4 +1,4 @@
-use soilctl_soil::{Angle, SlantCoefficient};
+use soilctl_soil::{Angle, Provenance, SlantCoefficient};
 
 use super::{PredictionTable, TableSlice};
 use crate::model::{ForceModel, ModelSlice, NetFactors, ValidRange};
@@ -103,6 +103,10 @@ impl ForceModel for BracketModel {
 
     fn reference(&self) -> &'static str {
         self.reference
+    }
+
+    fn provenance(&self) -> Provenance {
+        Provenance { lower: self.lower.name().into(), upper: self.upper.name().into() }
     }
 
     fn valid_range(&self) -> ValidRange {

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_earth_pressure::ValidRange;
+use soilctl_soil::Provenance;
 
 use crate::output::Answer;
 use crate::text::{columns, number, number_or_dash};
@@ -26,6 +27,9 @@ pub(crate) struct Prediction {
     /// Upper end of the bracket on `k_net`; only for the model `table`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) k_net_upper: Option<f64>,
+    /// Where the ends of the bracket come from; only for the model `table`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) k_net_provenance: Option<Ends>,
     /// Failure force in N with all loads; null without depth, width or density.
     pub(super) force_n: Option<f64>,
     /// Change of `k_net` in per cent when one angle grows by 1 deg and the others stay; null with a stroke table.
@@ -44,6 +48,21 @@ pub(crate) struct Prediction {
     /// One prediction a stroke; only with a stroke table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) strokes: Option<Vec<StrokePrediction>>,
+}
+
+/// Where the ends of a bracket come from.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Ends {
+    /// The lower end.
+    pub(super) lower: String,
+    /// The upper end.
+    pub(super) upper: String,
+}
+
+impl From<&Provenance> for Ends {
+    fn from(provenance: &Provenance) -> Self {
+        Self { lower: provenance.lower.clone(), upper: provenance.upper.clone() }
+    }
 }
 
 /// Sensitivity to each angle; null where the model has no answer a degree further.

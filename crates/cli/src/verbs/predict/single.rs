@@ -1,7 +1,7 @@
 //! The prediction of one plate given on the command line.
 
 use soilctl_earth_pressure::{Case, ForceModel, Input, check_loads, sensitivity_percent};
-use soilctl_soil::{Angle, Interface, Plate, Soil};
+use soilctl_soil::{Angle, Bracket, Interface, Plate, Soil};
 
 use super::Args;
 use super::answer::{Inputs, Prediction, Sensitivity};
@@ -36,7 +36,7 @@ pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliErro
     let case = case(args, alpha_deg)?;
     check_loads(model, &case, &loads)?;
     let found = model.predict(&case)?;
-    let bracket = model.id() == "table";
+    let bracket = if model.id() == "table" { Some(found.bracket(model.provenance())?) } else { None };
     let complete = args.depth.is_some() && args.width.is_some() && density.is_some();
     Ok(Prediction {
         model: model.id().into(),
@@ -44,8 +44,9 @@ pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliErro
         k_active: found.active.map(|side| side.weight),
         k_net: Some(found.k_net().0),
         k_net_depth: Some(found.k_net().to_depth(plate.tool_angle()).0),
-        k_net_lower: bracket.then_some(found.net_lower.0),
-        k_net_upper: bracket.then_some(found.net_upper.0),
+        k_net_lower: bracket.as_ref().map(Bracket::lower),
+        k_net_upper: bracket.as_ref().map(Bracket::upper),
+        k_net_provenance: bracket.as_ref().map(|b| b.provenance().into()),
         force_n: complete.then(|| found.force_n(&plate, &soil, &loads)),
         sensitivity_percent_per_deg: Some(sensitivity(model, &case)),
         inputs: Inputs {

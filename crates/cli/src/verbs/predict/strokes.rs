@@ -38,6 +38,7 @@ pub(super) fn predict(args: &Args, path: &Path) -> Result<Prediction, CliError> 
         k_net_depth: None,
         k_net_lower: None,
         k_net_upper: None,
+        k_net_provenance: None,
         force_n: None,
         sensitivity_percent_per_deg: None,
         inputs: inputs(args),
