@@ -122,6 +122,7 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
     cargo(workspace, "property tests")
         .args(["test", "--release", "--locked"])
         .args(["-p", "soilctl-earth-pressure", "-p", "soilctl-estimator", "-p", "soilctl-strokes"])
+        .args(["-p", "soilctl-certificate", "-p", "soilctl-limit-analysis"])
         .env("PROPTEST_CASES", VERIFY_CASES)
         .run()
 }

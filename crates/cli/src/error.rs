@@ -1,7 +1,9 @@
+use soilctl_certificate::CertificateError;
 use soilctl_direct_shear::DirectShearError;
 use soilctl_earth_pressure::EarthPressureError;
 use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
+use soilctl_limit_analysis::LimitError;
 use soilctl_soil::SoilError;
 use soilctl_strokes::StrokesError;
 use thiserror::Error;
@@ -37,6 +39,12 @@ pub(crate) enum CliError {
     /// An estimate.
     #[error(transparent)]
     Estimator(#[from] EstimatorError),
+    /// Limit analysis.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
+    /// A saved solution.
+    #[error(transparent)]
+    Certificate(#[from] CertificateError),
     /// A figure.
     #[error(transparent)]
     Figure(#[from] FigureError),

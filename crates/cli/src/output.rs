@@ -81,6 +81,19 @@ impl Output {
         let _ = writeln!(std::io::stderr(), "error: {error}");
     }
 
+    /// A line on stderr that says what goes on; hidden like a progress bar.
+    pub(crate) fn spinner(&self, message: &'static str) -> ProgressBar {
+        if self.quiet || !std::io::stderr().is_terminal() {
+            return ProgressBar::hidden();
+        }
+        let spinner = ProgressBar::new_spinner().with_message(message);
+        spinner.enable_steady_tick(std::time::Duration::from_millis(100));
+        match ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
+            Ok(style) => spinner.with_style(style),
+            Err(_) => spinner,
+        }
+    }
+
     /// A progress bar on stderr; hidden if that is no terminal, or nobody wants to see it.
     pub(crate) fn progress(&self, steps: u64) -> ProgressBar {
         if self.quiet || !std::io::stderr().is_terminal() {

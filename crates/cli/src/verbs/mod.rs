@@ -1,6 +1,8 @@
 //! The verbs, one file each. A new verb is a module, a line in [`Verb`], a line in [`Verb::run`] and, if it answers in
 //! JSON, a line in `schemas.rs`.
 
+mod bound;
+mod certify;
 mod completions;
 mod estimate;
 mod predict;
@@ -22,6 +24,10 @@ use crate::output::Output;
 pub(crate) enum Verb {
     /// Force and coefficients of a plate from a named model
     Predict(predict::Args),
+    /// Proven lower and upper bounds on a plate's force, by limit analysis
+    Bound(bound::Args),
+    /// Proves the bounds of a saved solution anew
+    Certify(certify::Args),
     /// Every soil that could have produced the measured forces
     Estimate(Box<estimate::Args>),
     /// One HTML page: the estimate with its figures and what they mean
@@ -44,12 +50,16 @@ pub(crate) enum Outcome {
     Done,
     /// Done, and the answer is negative.
     Negative,
+    /// Done in part: the budget ended before the goal.
+    Partial,
 }
 
 impl Verb {
     pub(crate) fn run(self, output: &mut Output) -> Result<Outcome, CliError> {
         match self {
             Self::Predict(args) => predict::run(&args, output),
+            Self::Bound(args) => bound::run(&args, output),
+            Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
             Self::Report(args) => report::run(&args, output),
             Self::Shear(args) => shear::run(&args, output),

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Value, json};
 
-use super::{Outcome, estimate, predict, report, shear, table};
+use super::{Outcome, bound, certify, estimate, predict, report, shear, table};
 use crate::error::CliError;
 use crate::output::{Answer, Document};
 
@@ -18,6 +18,8 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<predict::Prediction>(&args.dir)?;
+    write::<bound::BoundAnswer>(&args.dir)?;
+    write::<certify::CertifyAnswer>(&args.dir)?;
     write::<estimate::EstimateAnswer>(&args.dir)?;
     write::<report::ReportAnswer>(&args.dir)?;
     write::<shear::ShearAnswer>(&args.dir)?;

@@ -1,0 +1,61 @@
+use super::StressFunction;
+use crate::interval::{Interval, Vector};
+use crate::statement::Condition;
+use crate::tiling::Beyond;
+
+impl StressFunction<'_> {
+    /// The structure's force on the soil times its velocity, which is what is bounded.
+    pub(super) fn power(&self) -> Interval {
+        let velocity = Vector::point(self.problem.statement.velocity);
+        self.function_power(velocity) + self.reference_power(velocity)
+    }
+
+    /// The part of the stress function: along a boundary walked with the soil on the left its tractions add up to the
+    /// change of `(f_y, -f_x)`. Where one edge ends and the next one starts, slopes cancel; they are counted as whole
+    /// numbers first, so that they do so exactly.
+    fn function_power(&self, velocity: Vector) -> Interval {
+        let mut at_copies = vec![0_i32; self.field.copies.len()];
+        for side in self.tiling.sides() {
+            if let Beyond::Boundary(_, Condition::Face { .. }) = self.tiling.beyond(side) {
+                let [start, end] = self.ends(side);
+                at_copies[start] -= 1;
+                at_copies[end] += 1;
+            }
+        }
+        let mut of_chains = vec![0_i32; self.field.chains.len()];
+        let mut power = Interval::ZERO;
+        let add = |power: Interval, count: i32, slopes: Vector| {
+            // `(f_y, -f_x) . velocity`.
+            power + Interval::point(f64::from(count)) * slopes.cross(velocity) * Interval::point(-1.0)
+        };
+        for (jet, count) in self.jets.iter().zip(at_copies).filter(|(_, count)| *count != 0) {
+            power = add(power, count, jet.slopes);
+            of_chains[jet.base] += count;
+        }
+        for (chain, count) in of_chains.into_iter().enumerate() {
+            power = add(power, count, self.chains.gradient(chain, 0));
+        }
+        power
+    }
+
+    /// The part of the reference, which is linear along a line. On both sides of a thin plate it cancels.
+    fn reference_power(&self, velocity: Vector) -> Interval {
+        let statement = self.problem.statement;
+        let mut senses = vec![0_i32; statement.lines.len()];
+        for boundary in &statement.boundaries {
+            if matches!(boundary.condition, Condition::Face { .. }) {
+                senses[boundary.line] += if boundary.forward { 1 } else { -1 };
+            }
+        }
+        let mut power = Interval::ZERO;
+        for (line, sense) in senses.into_iter().enumerate().filter(|(_, sense)| *sense != 0) {
+            let outward = -self.problem.direction(line).turned() * Interval::point(f64::from(sense));
+            let ends = [statement.lines[line].from, statement.lines[line].to];
+            for end in ends {
+                let stress = self.reference.at(Interval::point(statement.points[end][1]));
+                power = power + stress.on(outward).dot(velocity).half();
+            }
+        }
+        power
+    }
+}

@@ -1,0 +1,179 @@
+use super::chains::Chains;
+use super::given::GivenLines;
+use crate::CertificateError;
+use crate::fields::{Jet, LowerField};
+use crate::interval::{Interval, Vector};
+use crate::problem::{Problem, exists, finite};
+use crate::tiling::{Tiling, fraction};
+
+/// Value and slopes of the stress function at a vertex copy, beyond the affine function of the chain `base`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LocalJet {
+    pub(super) base: usize,
+    pub(super) f: Interval,
+    pub(super) slopes: Vector,
+}
+
+/// Checks that lists have the right lengths, indices point at something, and numbers are finite.
+pub(super) fn check_numbers(problem: &Problem, field: &LowerField) -> Result<(), CertificateError> {
+    let (triangles, line_count) = (field.mesh.triangles.len(), problem.statement.lines.len());
+    let lengths = [
+        ("corners", field.corners.len(), triangles, "triangle"),
+        ("slopes", field.slopes.len(), triangles, "triangle"),
+        ("lines", field.lines.len(), line_count, "line of the statement"),
+    ];
+    for (list, found, needed, each) in lengths {
+        if found != needed {
+            return Err(CertificateError::Length { list, found, needed, each });
+        }
+    }
+    for (i, copies) in field.corners.iter().enumerate() {
+        for copy in copies {
+            exists(|| format!("triangle {i}"), "vertex copy", *copy, field.copies.len())?;
+        }
+        for slope in field.slopes[i] {
+            finite("slope", || format!("triangle {i}"), slope, "force")?;
+        }
+    }
+    for (i, slope) in field.lines.iter().enumerate() {
+        finite("slope", || format!("line {i}"), *slope, "force")?;
+    }
+    finite("far stress", || "the field".into(), field.far_stress, "stress")?;
+    for (i, copy) in field.copies.iter().enumerate() {
+        let place = || format!("vertex copy {i}");
+        exists(place, "vertex", copy.vertex, field.mesh.vertices.len())?;
+        let numbers = match copy.jet {
+            Jet::Chain { .. } | Jet::Zero { .. } => [0.0; 3],
+            Jet::Free { f, fx, fy, .. } => [f, fx, fy],
+            Jet::OneApex { f, turn, .. } => [f, turn, 0.0],
+            Jet::ManyApexes { f, .. } | Jet::TwoLines { f } => [f, 0.0, 0.0],
+            Jet::OneLine { f, along, .. } => [f, along, 0.0],
+        };
+        for x in numbers {
+            finite("value or slope", place, x, "")?;
+        }
+        let chain = |chain| exists(place, "chain", chain, field.chains.len());
+        match copy.jet {
+            Jet::Chain { chain: base } | Jet::Free { base, .. } => chain(base)?,
+            Jet::ManyApexes { base, .. } | Jet::Zero { base } => chain(base)?,
+            Jet::OneApex { base, apex, .. } => {
+                chain(base)?;
+                exists(place, "vertex copy", apex, field.copies.len())?;
+            }
+            Jet::OneLine { line, .. } => exists(place, "line", line, line_count)?,
+            Jet::TwoLines { .. } => {}
+        }
+    }
+    Ok(())
+}
+
+/// What values and slopes the numbers of the field mean.
+pub(super) fn local_jets(
+    problem: &Problem,
+    tiling: &Tiling,
+    field: &LowerField,
+    chains: &Chains,
+    given: &GivenLines,
+) -> Result<Vec<LocalJet>, CertificateError> {
+    let maker = Maker { problem, tiling, field, chains, given };
+    (0..field.copies.len()).map(|copy| maker.jet(copy)).collect()
+}
+
+struct Maker<'a> {
+    problem: &'a Problem<'a>,
+    tiling: &'a Tiling<'a>,
+    field: &'a LowerField,
+    chains: &'a Chains<'a>,
+    given: &'a GivenLines,
+}
+
+fn bad(copy: usize, problem: &'static str) -> CertificateError {
+    CertificateError::BadField { place: format!("vertex copy {copy}"), problem }
+}
+
+impl Maker<'_> {
+    fn jet(&self, copy: usize) -> Result<LocalJet, CertificateError> {
+        let (base, f, slopes) = match self.field.copies[copy].jet {
+            Jet::Chain { chain: base } | Jet::Zero { base } => (base, 0.0, Vector::ZERO),
+            Jet::Free { base, f, fx, fy } => (base, f, Vector::point([fx, fy])),
+            Jet::OneApex { base, apex, f, turn } => (base, f, self.one_apex(copy, base, apex, [f, turn])?),
+            Jet::ManyApexes { base, f } => {
+                let depth = self.position(copy).y - Interval::point(self.problem.statement.datum);
+                if !depth.is_not_zero() {
+                    return Err(bad(copy, "it is next to apexes at the datum and itself not away from it"));
+                }
+                let y = Interval::point(3.0) * Interval::point(f) / depth;
+                (base, f, Vector { x: Interval::ZERO, y })
+            }
+            Jet::OneLine { line, f, along } => {
+                let n = self.problem.direction(line).turned();
+                let across = self.across(copy, line, 0)?;
+                // `-n` turned left is `(n_y, -n_x)`.
+                (0, f, n * (across / n.square()) - n.turned() * Interval::point(along))
+            }
+            Jet::TwoLines { f } => (0, f, self.two_lines(copy)?),
+        };
+        Ok(LocalJet { base, f: f.into(), slopes })
+    }
+
+    fn position(&self, copy: usize) -> Vector {
+        self.tiling.position(self.field.copies[copy].vertex)
+    }
+
+    /// The fraction of a line at which a vertex copy is.
+    fn fraction(&self, copy: usize, line: usize) -> Result<f64, CertificateError> {
+        let place = self.field.mesh.vertices[self.field.copies[copy].vertex].place;
+        fraction(self.problem, place, line).ok_or_else(|| bad(copy, "not on the line that it depends on"))
+    }
+
+    /// The slope across a line at a vertex copy.
+    fn across(&self, copy: usize, line: usize, base: usize) -> Result<Interval, CertificateError> {
+        if !self.given.is_on(line) {
+            return Err(bad(copy, "depends on a line along which the shear stress is not given"));
+        }
+        let s = Interval::point(self.fraction(copy, line)?);
+        Ok(self.given.across(self.chains, line, s, base))
+    }
+
+    /// Slopes such that the value and a third of the slope towards the apex add up to zero.
+    fn one_apex(
+        &self,
+        copy: usize,
+        base: usize,
+        apex: usize,
+        [f, turn]: [f64; 2],
+    ) -> Result<Vector, CertificateError> {
+        let along = Interval::point(3.0) * Interval::point(f);
+        if let [Some(line), _] = self.given.at(copy) {
+            // Then `r = s t`, and the slope across is that of the line.
+            let s = Interval::point(self.fraction(copy, line)?) - Interval::point(self.fraction(apex, line)?);
+            if !s.is_not_zero() {
+                return Err(bad(copy, "it is next to itself"));
+            }
+            let t = self.problem.direction(line);
+            let across = self.across(copy, line, base)?;
+            return Ok(t * (along / (s * t.square())) + t.turned() * (across / t.square()));
+        }
+        let r = self.position(copy) - self.position(apex);
+        if !r.square().is_positive() {
+            return Err(bad(copy, "it is not proven to be away from the apex next to it"));
+        }
+        Ok(r * (along / r.square()) + r.turned() * Interval::point(turn))
+    }
+
+    /// Slopes where two lines of given shear meet.
+    fn two_lines(&self, copy: usize) -> Result<Vector, CertificateError> {
+        let [Some(a), Some(b)] = self.given.at(copy) else {
+            return Err(bad(copy, "there are no two lines of given shear here"));
+        };
+        let [m, n] = [a, b].map(|line| self.problem.direction(line).turned());
+        let (over_m, over_n) = (self.across(copy, a, 0)?, self.across(copy, b, 0)?);
+        let area = m.cross(n);
+        if !area.is_not_zero() {
+            let (place, what) = (format!("vertex copy {copy}"), "parallel lines of given shear that meet");
+            return Err(CertificateError::NotCovered { place, what });
+        }
+        // The quarter turn of either has no part along itself.
+        Ok((m.turned() * over_n - n.turned() * over_m) * (Interval::ONE / area))
+    }
+}

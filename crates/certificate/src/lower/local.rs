@@ -1,0 +1,69 @@
+use super::StressFunction;
+use super::element::Local;
+use crate::interval::{Interval, Vector};
+use crate::statement::Condition;
+use crate::tiling::{Beyond, Side, after};
+
+impl StressFunction<'_> {
+    /// The local values of a triangle's element, less some affine function, which carries no stress.
+    ///
+    /// Values that are stored relative to a chain stay as they are if that chain is what is taken away. In a triangle
+    /// without an apex also the affine function that touches at corner 0 is taken away: what is left is small, and so
+    /// is its rounding.
+    pub(super) fn local(&self, triangle: usize) -> Local {
+        let copies = self.field.corners[triangle];
+        let corners = self.tiling.corners(triangle);
+        let apex = copies.map(|copy| self.is_apex(copy));
+        // Next to an apex, all have the base of the apex.
+        let frame = copies.map(|copy| self.jets[copy].base).into_iter().max().unwrap_or(0);
+        let mut f = [0, 1, 2].map(|k| {
+            let jet = self.jets[copies[k]];
+            jet.f + self.chains.value(jet.base, frame, corners[k])
+        });
+        let mut slopes = copies.map(|copy| {
+            let jet = self.jets[copy];
+            jet.slopes + self.chains.gradient(jet.base, frame)
+        });
+        let mut across = [0, 1, 2].map(|k| {
+            if apex[after(k, 1)] || apex[after(k, 2)] {
+                return Interval::ZERO;
+            }
+            let edge = corners[after(k, 2)] - corners[after(k, 1)];
+            self.slope(Side { triangle, corner: k }, frame, edge.turned())
+        });
+        if apex == [false; 3] {
+            let (value, slope) = (f[0], slopes[0]);
+            for k in 0..3 {
+                let edge = corners[after(k, 2)] - corners[after(k, 1)];
+                across[k] = across[k] - slope.dot(edge.turned());
+            }
+            (f[0], slopes[0]) = (Interval::ZERO, Vector::ZERO);
+            for k in 1..3 {
+                f[k] = f[k] - value - slope.dot(corners[k] - corners[0]);
+                slopes[k] = slopes[k] - slope;
+            }
+        }
+        Local { corners, apex, f, slopes, across }
+    }
+
+    /// The slope across the middle of an edge, along its vector turned left, beyond that of the chain `frame`.
+    fn slope(&self, side: Side, frame: usize, turned: Vector) -> Interval {
+        let stored = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
+        let absolute = |slope: Interval| slope + self.chains.gradient(0, frame).dot(turned);
+        match self.tiling.beyond(side) {
+            Beyond::Soil(other) if other < side => absolute(-stored(other)),
+            Beyond::Soil(_) => absolute(stored(side)),
+            Beyond::Boundary(_, Condition::Free) => {
+                let base = self.jets[self.ends(side)[0]].base;
+                self.chains.gradient(base, frame).dot(turned)
+            }
+            Beyond::Boundary(on, condition) if condition.shear_is_given() => {
+                // The edge is this part of its line.
+                let part = Interval::point(on.end) - Interval::point(on.start);
+                let middle = (Interval::point(on.start) + Interval::point(on.end)).half();
+                part * self.given.across(&self.chains, on.side.line, middle, frame)
+            }
+            Beyond::Boundary(..) => absolute(stored(side)),
+        }
+    }
+}

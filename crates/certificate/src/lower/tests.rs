@@ -1,0 +1,175 @@
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::examples::{Plate, fill, pushed_field, rankine_field, wall};
+use crate::interval::{Interval, Vector};
+use crate::problem::Stress;
+use crate::{Gradient, LineUse, Place};
+
+fn middle(x: Interval) -> f64 {
+    0.5 * (x.lo() + x.hi())
+}
+
+/// Stresses at the start and end of an edge, on the part of the triangle that adjoins it, with the edge's vector.
+fn at_edge(function: &StressFunction, side: Side) -> (Vector, [Stress; 2]) {
+    let corners = function.tiling.corners(side.triangle);
+    let [a, b, _] = function.stresses(side.triangle)[side.corner];
+    (corners[after(side.corner, 2)] - corners[after(side.corner, 1)], [a, b])
+}
+
+/// Checks on a random stress function that tractions balance and conditions hold, which nothing in the proof computes.
+fn balances(plate: Plate, seed: u64) {
+    let statement = plate.statement();
+    let mesh = plate.mesh(0.1, seed);
+    let field = fill(&statement, &mesh, 3.0, seed);
+    let problem = Problem::new(&statement).unwrap();
+    let tiling = Tiling::new(&problem, &mesh).unwrap();
+    let function = StressFunction::new(&problem, &tiling, &field, reference(&statement).unwrap()).unwrap();
+    let near =
+        |a: f64, b: f64, what: &str, side: Side| assert!((a - b).abs() < 1e-9, "{what} {side}: {a} {b}");
+    let mut power = 0.0;
+    for side in tiling.sides() {
+        let (t, stresses) = at_edge(&function, side);
+        let n = t.turned();
+        let tractions = stresses.map(|s| s.on(n));
+        match tiling.beyond(side) {
+            Beyond::Soil(other) => {
+                let (_, [end, start]) = at_edge(&function, other);
+                for (here, there) in tractions.into_iter().zip([start, end].map(|s| s.on(n))) {
+                    near(middle(here.x), middle(there.x), "x across", side);
+                    near(middle(here.y), middle(there.y), "y across", side);
+                }
+            }
+            Beyond::Boundary(on, condition) => {
+                for (i, s) in stresses.iter().enumerate() {
+                    let y = tiling.corners(side.triangle)[after(side.corner, 1 + i)].y;
+                    let outside = match condition {
+                        Condition::Far => function.reference.at(y).between(t, n),
+                        _ => Interval::ZERO,
+                    };
+                    if condition.shear_is_given() {
+                        near(middle(s.between(t, n)), middle(outside), "shear", side);
+                    }
+                    if condition == Condition::Free {
+                        let traction = s.on(n);
+                        near(middle(traction.x), -statement.surcharge * middle(n.x), "free x", side);
+                        near(middle(traction.y), -statement.surcharge * middle(n.y), "free y", side);
+                    }
+                }
+                if let Condition::Face { .. } = condition {
+                    assert_eq!(on.side.line, 4);
+                    // On the soil, so with the outward normal.
+                    power -= 0.5 * (middle(tractions[0].x) + middle(tractions[1].x));
+                }
+            }
+        }
+    }
+    near(middle(function.power()), power, "power", Side { triangle: 0, corner: 0 });
+}
+
+fn plates() -> impl Strategy<Value = Plate> {
+    let tilted = prop_oneof![Just([0.0, -1.0]), Just([0.1, -0.9])];
+    (0..3_i32, any::<bool>(), any::<bool>(), tilted).prop_map(|(lean, rough, loaded, gravity)| Plate {
+        lean: f64::from(lean) * 0.3,
+        delta_deg: if rough { 20.0 } else { 0.0 },
+        surcharge: if loaded { 0.7 } else { 0.0 },
+        gravity,
+    })
+}
+
+proptest! {
+    #[test]
+    fn any_stress_function_balances(plate in plates(), seed in 0_u64..1000) {
+        balances(plate, seed);
+    }
+}
+
+#[test]
+fn soil_at_rest_holds_nothing() {
+    for lean in [0.0, 0.3, 0.6] {
+        for delta_deg in [0.0, 20.0] {
+            for surcharge in [0.0, 0.7] {
+                let plate = Plate { lean, delta_deg, surcharge, gravity: [0.0, -1.0] };
+                let statement = plate.statement();
+                let field = fill(&statement, &plate.mesh(0.1, 1), 0.0, 1);
+                let bound = prove_lower(&statement, &field).unwrap();
+                assert!(bound.abs() < 1e-12, "{bound}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rankine_is_proven() {
+    for n in [2, 4, 10, 40] {
+        let bound = prove_lower(&wall(), &rankine_field(n, 3.0 * (1.0 - 1e-11))).unwrap();
+        assert!(bound <= 6.0 && bound > 6.0 - 1e-9, "{n}: {bound}");
+    }
+}
+
+#[test]
+fn surcharge_and_cohesion_add_to_rankine() {
+    // Pressure Kp (depth + q) + 2 c sqrt(Kp), with Kp = 3.
+    let (q, c) = (0.5, 0.3);
+    let more = 2.0 * q + 2.0 * c * 3.0_f64.sqrt();
+    let expected = 6.0 + 3.0 * q * 2.0 + 2.0 * c * 3.0_f64.sqrt() * 2.0;
+    let mut statement = wall();
+    statement.surcharge = q;
+    statement.regions[0].material.cohesion = c;
+    let less = 1.0 - 1e-11;
+    let bound = prove_lower(&statement, &pushed_field(8, 2.0 * less, more * less)).unwrap();
+    assert!(bound <= expected && bound > expected - 1e-9, "{bound} {expected}");
+    assert!(prove_lower(&statement, &pushed_field(8, 2.0, more * (1.0 + 1e-11))).is_err());
+    // A rough face bears a normal pressure, and a frictionless one no tension.
+    statement.boundaries[0].condition = Condition::Face { delta_deg: 10.0, adhesion: 0.0 };
+    assert!(
+        prove_lower(&statement, &pushed_field(8, 0.0, 0.0)).is_err(),
+        "the copies on the wall are for a smooth one"
+    );
+    let mut pulled = wall();
+    pulled.regions[0].material.cohesion = 1.0;
+    let error = prove_lower(&pulled, &pushed_field(8, -1.0, -0.1)).unwrap_err();
+    assert!(error.to_string().contains("grip of the face"), "{error}");
+}
+
+#[test]
+fn too_much_stress_is_not_proven() {
+    let error = prove_lower(&wall(), &rankine_field(4, 3.0 * (1.0 + 1e-11))).unwrap_err();
+    assert!(matches!(error, CertificateError::NotProven { low, .. } if low < 0.0 && low > -1e-9), "{error}");
+}
+
+fn refused(change: impl Fn(&mut Statement, &mut LowerField)) -> CertificateError {
+    let (mut statement, mut field) = (wall(), rankine_field(4, 2.0));
+    change(&mut statement, &mut field);
+    prove_lower(&statement, &field).unwrap_err()
+}
+
+#[test]
+fn rules_of_construction_are_checked() {
+    // Triangle 0 has the top left corner of the wall, vertices 0, 5, 6.
+    let other_copy = refused(|_, f| {
+        f.copies.push(f.copies[6]);
+        f.corners[0][2] = 15;
+    });
+    assert!(matches!(other_copy, CertificateError::BadField { .. }), "{other_copy}");
+    let free_beside_apex = refused(|_, f| f.copies[6].jet = Jet::Free { base: 0, f: 0.0, fx: 0.0, fy: 0.0 });
+    assert!(matches!(free_beside_apex, CertificateError::BadField { .. }), "{free_beside_apex}");
+    let free_on_smooth = refused(|_, f| f.copies[10].jet = Jet::Free { base: 0, f: 0.0, fx: 0.0, fy: 0.0 });
+    assert!(matches!(free_on_smooth, CertificateError::BadField { .. }), "{free_on_smooth}");
+    let chain = refused(|_, f| f.chains[0].gradient = Gradient::Free { x: 1e-300, y: 0.0 });
+    assert!(matches!(chain, CertificateError::BadField { .. }), "{chain}");
+    let chain_below = refused(|_, f| f.copies[10].jet = Jet::Chain { chain: 0 });
+    assert!(matches!(chain_below, CertificateError::BadField { .. }), "{chain_below}");
+    let moved = refused(|_, f| f.mesh.vertices[6].place = Place::Corner { point: 2 });
+    assert!(matches!(moved, CertificateError::BadMesh { .. }), "{moved}");
+    let length = refused(|_, f| f.lines.clear());
+    assert!(matches!(length, CertificateError::Length { .. }), "{length}");
+    let tilted = refused(|s, _| s.points[0][1] = 0.1);
+    assert!(matches!(tilted, CertificateError::NotCovered { .. }), "{tilted}");
+    let face = refused(|s, _| s.boundaries[0].condition = Condition::Free);
+    assert!(matches!(face, CertificateError::NotCovered { .. }), "{face}");
+    let heavy = refused(|s, _| s.regions[0].loops[0].push(LineUse { line: 0, forward: false }));
+    assert!(matches!(heavy, CertificateError::BadStatement { .. }), "{heavy}");
+}

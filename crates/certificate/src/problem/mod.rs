@@ -1,0 +1,97 @@
+//! A statement that has been checked, with what the proofs look up in it.
+
+mod far;
+mod numbers;
+mod outline;
+mod reference;
+mod sides;
+
+use crate::CertificateError;
+use crate::interval::{Angle, Interval, Vector, angle};
+use crate::statement::{Condition, LineUse, Statement};
+
+pub(crate) use far::FarFrame;
+pub(crate) use numbers::{exists, finite};
+pub(crate) use reference::{Reference, Stress};
+
+/// Strength of one region.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Strength {
+    pub(crate) friction: Angle,
+    pub(crate) cohesion: Interval,
+}
+
+/// A checked statement.
+#[derive(Debug)]
+pub(crate) struct Problem<'a> {
+    pub(crate) statement: &'a Statement,
+    /// One for each region.
+    pub(crate) strengths: Vec<Strength>,
+    /// How far the soil goes on beyond far lines.
+    pub(crate) far: FarFrame,
+    /// For each line, the region on its left when walked forwards and when walked backwards.
+    owners: Vec<[Option<usize>; 2]>,
+    /// For each line, the boundary condition of the same two sides.
+    conditions: Vec<[Option<Condition>; 2]>,
+    /// For each pair of points joined by a line, lower index first, the line. Sorted.
+    joined: Vec<([usize; 2], usize)>,
+}
+
+/// Where the entry for a side is in a pair.
+fn slot(side: LineUse) -> usize {
+    usize::from(!side.forward)
+}
+
+impl<'a> Problem<'a> {
+    /// Checks a statement.
+    pub(crate) fn new(statement: &'a Statement) -> Result<Self, CertificateError> {
+        numbers::check(statement)?;
+        let owners = sides::owners(statement)?;
+        let conditions = sides::conditions(statement, &owners)?;
+        outline::check(statement, &owners)?;
+        let far = FarFrame::new(statement)?;
+        let strength =
+            |phi_deg, cohesion| Strength { friction: angle(phi_deg), cohesion: Interval::point(cohesion) };
+        let strengths =
+            statement.regions.iter().map(|r| strength(r.material.phi_deg, r.material.cohesion)).collect();
+        let mut joined: Vec<_> = statement
+            .lines
+            .iter()
+            .enumerate()
+            .map(|(i, l)| ([l.from.min(l.to), l.from.max(l.to)], i))
+            .collect();
+        joined.sort_unstable();
+        Ok(Self { statement, strengths, far, owners, conditions, joined })
+    }
+
+    /// The region that has this side of a line on its boundary.
+    pub(crate) fn owner(&self, side: LineUse) -> Option<usize> {
+        self.owners[side.line][slot(side)]
+    }
+
+    /// The condition on this side of a line.
+    pub(crate) fn condition(&self, side: LineUse) -> Option<Condition> {
+        self.conditions[side.line][slot(side)]
+    }
+
+    /// The line between two points.
+    pub(crate) fn line_between(&self, a: usize, b: usize) -> Option<usize> {
+        let key = [a.min(b), a.max(b)];
+        self.joined.binary_search_by_key(&key, |j| j.0).ok().map(|i| self.joined[i].1)
+    }
+
+    /// First point of a line.
+    pub(crate) fn start(&self, line: usize) -> Vector {
+        Vector::point(self.statement.points[self.statement.lines[line].from])
+    }
+
+    /// From the first point of a line to its last.
+    pub(crate) fn direction(&self, line: usize) -> Vector {
+        Vector::point(self.statement.points[self.statement.lines[line].to]) - self.start(line)
+    }
+
+    /// The point at `from + s (to - from)`.
+    pub(crate) fn on_line(&self, line: usize, s: f64) -> Vector {
+        self.start(line) + self.direction(line) * Interval::point(s)
+    }
+}

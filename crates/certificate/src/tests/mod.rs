@@ -1,0 +1,4 @@
+mod altered;
+mod files;
+mod shapes;
+mod speed;

@@ -1,0 +1,158 @@
+//! A mesh that is proven to cover the regions exactly once, with what is on the other side of each triangle edge.
+
+mod cover;
+mod pairs;
+
+use crate::CertificateError;
+use crate::interval::{Interval, Vector};
+use crate::mesh::{Mesh, Place};
+use crate::problem::{Problem, exists, finite};
+use crate::statement::{Condition, LineUse};
+
+/// Edge `corner` of a triangle: the one opposite to that corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Side {
+    pub(crate) triangle: usize,
+    pub(crate) corner: usize,
+}
+
+impl std::fmt::Display for Side {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "triangle {}, edge {}", self.triangle, self.corner)
+    }
+}
+
+/// Corner `k + i` of a triangle.
+pub(crate) fn after(k: usize, i: usize) -> usize {
+    (k + i) % 3
+}
+
+/// An edge on a side of a line, with the fractions of the line at which it starts and ends, in the triangle's sense.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OnLine {
+    pub(crate) side: LineUse,
+    pub(crate) start: f64,
+    pub(crate) end: f64,
+}
+
+/// What an edge of a triangle adjoins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Beyond {
+    /// The edge of another triangle, with the same vertices.
+    Soil(Side),
+    /// A boundary.
+    Boundary(OnLine, Condition),
+}
+
+/// A mesh that fits its problem.
+#[derive(Debug)]
+pub(crate) struct Tiling<'a> {
+    pub(crate) mesh: &'a Mesh,
+    /// Enclosures of the exact positions of the vertices.
+    positions: Vec<Vector>,
+    /// For each triangle, what its edges adjoin.
+    beyond: Vec<[Beyond; 3]>,
+}
+
+impl<'a> Tiling<'a> {
+    /// Checks a mesh.
+    pub(crate) fn new(problem: &Problem, mesh: &'a Mesh) -> Result<Self, CertificateError> {
+        let positions = positions(problem, mesh)?;
+        for (i, t) in mesh.triangles.iter().enumerate() {
+            let place = || format!("triangle {i}");
+            exists(place, "region", t.region, problem.statement.regions.len())?;
+            for corner in t.corners {
+                exists(place, "vertex", corner, positions.len())?;
+            }
+        }
+        let mut tiling = Self { mesh, positions, beyond: Vec::new() };
+        for i in 0..mesh.triangles.len() {
+            if !tiling.double_area(i).is_positive() {
+                let place = format!("triangle {i}");
+                let problem =
+                    "its corners are not proven to be counter-clockwise with some area between them";
+                return Err(CertificateError::BadMesh { place, problem });
+            }
+        }
+        let across = pairs::across(mesh)?;
+        tiling.beyond = cover::beyond(problem, mesh, &across)?;
+        Ok(tiling)
+    }
+
+    /// Positions of the corners of a triangle.
+    pub(crate) fn corners(&self, triangle: usize) -> [Vector; 3] {
+        self.mesh.triangles[triangle].corners.map(|v| self.positions[v])
+    }
+
+    /// Twice the area of a triangle.
+    pub(crate) fn double_area(&self, triangle: usize) -> Interval {
+        let [p, q, r] = self.corners(triangle);
+        (q - p).cross(r - p)
+    }
+
+    /// What an edge adjoins.
+    pub(crate) fn beyond(&self, side: Side) -> Beyond {
+        self.beyond[side.triangle][side.corner]
+    }
+
+    /// All edges of all triangles.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = Side> + use<> {
+        (0..self.beyond.len()).flat_map(|triangle| (0..3).map(move |corner| Side { triangle, corner }))
+    }
+
+    /// Region of a triangle.
+    pub(crate) fn region(&self, triangle: usize) -> usize {
+        self.mesh.triangles[triangle].region
+    }
+
+    /// Position of a vertex.
+    pub(crate) fn position(&self, vertex: usize) -> Vector {
+        self.positions[vertex]
+    }
+}
+
+/// The fraction of a line at which a vertex is; nothing if the vertex is not declared to be on the line.
+pub(crate) fn fraction(problem: &Problem, place: Place, line: usize) -> Option<f64> {
+    let ends = problem.statement.lines.get(line)?;
+    match place {
+        Place::Corner { point } if point == ends.from => Some(0.0),
+        Place::Corner { point } if point == ends.to => Some(1.0),
+        Place::OnLine { line: on, s } if on == line => Some(s),
+        _ => None,
+    }
+}
+
+fn positions(problem: &Problem, mesh: &Mesh) -> Result<Vec<Vector>, CertificateError> {
+    let statement = problem.statement;
+    let position = |(i, vertex): (usize, &crate::Vertex)| {
+        let place = || format!("vertex {i}");
+        match vertex.place {
+            Place::Corner { point } => {
+                exists(place, "point", point, statement.points.len())?;
+                Ok(Vector::point(statement.points[point]))
+            }
+            Place::OnLine { line, s } => {
+                exists(place, "line", line, statement.lines.len())?;
+                if s > 0.0 && s < 1.0 {
+                    Ok(problem.on_line(line, s))
+                } else {
+                    let (quantity, allowed) = ("fraction of the line", "above 0 and below 1");
+                    Err(CertificateError::OutOfRange {
+                        quantity,
+                        place: place(),
+                        value: s,
+                        unit: "",
+                        allowed,
+                    })
+                }
+            }
+            Place::Inside => {
+                for x in vertex.position {
+                    finite("coordinate", place, x, "length")?;
+                }
+                Ok(Vector::point(vertex.position))
+            }
+        }
+    };
+    mesh.vertices.iter().enumerate().map(position).collect()
+}

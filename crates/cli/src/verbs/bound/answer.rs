@@ -1,0 +1,193 @@
+//! What `bound` answers.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_limit_analysis::{Bounds, Ended, Solve, Status};
+
+use super::Args;
+use super::plate::Scaled;
+use crate::output::Answer;
+use crate::text::{columns, number, number_or_dash};
+
+/// Proven bounds on the net force coefficient of an embedded plate.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct BoundAnswer {
+    /// Lower bound on the net coefficient per slant length, `2 F / (gamma L^2 w)`.
+    lower: f64,
+    /// Upper bound on it.
+    upper: f64,
+    /// `(U - L) / ((U + L) / 2)`.
+    gap: f64,
+    /// Whether both bounds are proven with interval arithmetic.
+    certified: bool,
+    /// Triangles of the mesh of the lower bound; each has three parts.
+    lower_elements: usize,
+    /// Triangles of the mesh of the upper bound.
+    upper_elements: usize,
+    /// Time spent in s.
+    seconds: f64,
+    /// Lower bound on the force in N; null without depth, width or density.
+    force_lower_n: Option<f64>,
+    /// Upper bound on the force in N; null likewise.
+    force_upper_n: Option<f64>,
+    /// Why the run ended: gap, time, elements or stopped.
+    ended: &'static str,
+    /// All levels, coarse to fine.
+    levels: Vec<LevelAnswer>,
+    /// What was asked.
+    inputs: Inputs,
+}
+
+/// One level of meshes.
+#[derive(Debug, Serialize, JsonSchema)]
+struct LevelAnswer {
+    /// The upper bound on this level's mesh.
+    upper: SolveAnswer,
+    /// The lower bound on this level's mesh or one before; null if none was solved.
+    lower: Option<SolveAnswer>,
+    /// Gap of the forces less the sum of its shares over all elements, relative to the gap; null without both bounds.
+    identity_error: Option<f64>,
+}
+
+/// One solve.
+#[derive(Debug, Serialize, JsonSchema)]
+struct SolveAnswer {
+    /// Triangles.
+    elements: usize,
+    /// How the solver ended; proves nothing.
+    status: &'static str,
+    /// Steps of the solver.
+    iterations: u32,
+    /// Time in the solver in s.
+    seconds: f64,
+    /// Time for repair and proof in s.
+    proof_seconds: f64,
+    /// Proven coefficient per slant length; null if nothing was proven.
+    proven: Option<f64>,
+}
+
+/// The inputs.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Inputs {
+    /// Tool angle.
+    alpha_deg: f64,
+    /// Surface slope.
+    beta_deg: f64,
+    /// Friction angle of the soil.
+    phi_deg: f64,
+    /// Interface friction angle.
+    delta_deg: f64,
+    /// Cohesion.
+    cohesion_pa: f64,
+    /// Adhesion.
+    adhesion_pa: f64,
+    /// Surcharge.
+    surcharge_pa: f64,
+    /// Bulk density; null if not given.
+    density_kg_m3: Option<f64>,
+    /// Gravity.
+    gravity_m_s2: f64,
+    /// Vertical depth of the lower edge; null if not given.
+    depth_m: Option<f64>,
+    /// Width of the plate; null if not given.
+    width_m: Option<f64>,
+}
+
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Solved => "solved",
+        Status::Almost => "almost_solved",
+        Status::Infeasible => "infeasible",
+        Status::Unbounded => "unbounded",
+        Status::Stopped => "stopped",
+        Status::Failed => "failed",
+    }
+}
+
+impl BoundAnswer {
+    pub(super) fn new(args: &Args, scaled: &Scaled, bounds: &Bounds) -> Self {
+        let [lower, upper] = scaled.coefficients(bounds);
+        let coefficient = upper / bounds.upper.value;
+        let solve = |s: &Solve| SolveAnswer {
+            elements: s.elements,
+            status: status(s.status),
+            iterations: s.iterations,
+            seconds: s.seconds,
+            proof_seconds: s.proof_seconds,
+            proven: s.proven.map(|p| p * coefficient),
+        };
+        let levels = bounds
+            .levels
+            .iter()
+            .map(|level| LevelAnswer {
+                upper: solve(&level.upper),
+                lower: level.lower.as_ref().map(solve),
+                identity_error: level.identity.map(|[gap, sum]| (gap - sum).abs() / gap.abs()),
+            })
+            .collect();
+        let newtons = scaled.newtons();
+        Self {
+            lower,
+            upper,
+            gap: bounds.gap(),
+            certified: true,
+            lower_elements: bounds.lower.elements,
+            upper_elements: bounds.upper.elements,
+            seconds: bounds.seconds,
+            force_lower_n: newtons.map(|n| n * lower),
+            force_upper_n: newtons.map(|n| n * upper),
+            ended: match bounds.ended {
+                Ended::Gap => "gap",
+                Ended::Time => "time",
+                Ended::Elements => "elements",
+                Ended::Stopped => "stopped",
+            },
+            levels,
+            inputs: Inputs {
+                alpha_deg: args.alpha,
+                beta_deg: args.loads.beta,
+                phi_deg: args.phi,
+                delta_deg: args.delta,
+                cohesion_pa: args.loads.cohesion,
+                adhesion_pa: args.loads.adhesion,
+                surcharge_pa: args.loads.surcharge,
+                density_kg_m3: args.density,
+                gravity_m_s2: args.loads.gravity,
+                depth_m: args.depth,
+                width_m: args.width,
+            },
+        }
+    }
+}
+
+impl Answer for BoundAnswer {
+    const SCHEMA: &'static str = "soilctl.bound/1";
+
+    fn text(&self) -> String {
+        let mut text = format!(
+            "net coefficient per slant length, 2 F / (gamma L^2 w):\nlower  {}\nupper  {}\ngap    {} %\n",
+            number(self.lower),
+            number(self.upper),
+            number(100.0 * self.gap)
+        );
+        if let (Some(lower), Some(upper)) = (self.force_lower_n, self.force_upper_n) {
+            text += &format!("force  {} to {} N\n", number(lower), number(upper));
+        }
+        text += &format!("both bounds are proven; {:.1} s, ended by {}\n\n", self.seconds, self.ended);
+        let header = ["elements", "upper", "s", "elements", "lower", "s"];
+        let mut rows = vec![header.map(str::to_owned).to_vec()];
+        for level in &self.levels {
+            let mut row = level.upper.cells();
+            row.extend(level.lower.as_ref().map_or_else(|| vec!["-".to_owned(); 3], SolveAnswer::cells));
+            rows.push(row);
+        }
+        text + &columns(&rows)
+    }
+}
+
+impl SolveAnswer {
+    fn cells(&self) -> Vec<String> {
+        let seconds = self.seconds + self.proof_seconds;
+        vec![self.elements.to_string(), number_or_dash(self.proven), format!("{seconds:.2}")]
+    }
+}

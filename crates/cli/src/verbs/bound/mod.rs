@@ -1,0 +1,111 @@
+//! `soilctl bound`: proven bounds on the force of an embedded plate.
+
+mod answer;
+mod plate;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+pub(crate) use answer::BoundAnswer;
+use soilctl_limit_analysis::{Level, Options, bound};
+
+use super::Outcome;
+use crate::args::{LoadArgs, finite};
+use crate::error::CliError;
+use crate::output::Output;
+use plate::Scaled;
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Both bounds are proven with interval arithmetic; the true force of the rigid-plastic soil with \
+    associated flow lies between them. Coefficients are net and per slant length, K = 2 F / (gamma L^2 w). Exit code 3: \
+    the budget ended before the gap was reached. Ctrl-C ends the run with the best bounds so far."
+)]
+pub(crate) struct Args {
+    /// Tool angle from the horizontal (deg), 10 to 170
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
+    alpha: f64,
+
+    /// Internal friction angle of the soil (deg), above 0 and below 70
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
+    phi: f64,
+
+    /// Friction angle between soil and plate (deg), at most phi
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
+    delta: f64,
+
+    /// Bulk density (kg/m3); needed for forces, and with cohesion, adhesion or surcharge
+    #[arg(long, value_name = "KG/M3", value_parser = finite, allow_negative_numbers = true)]
+    density: Option<f64>,
+
+    /// Vertical depth of the plate's lower edge below the surface (m); likewise
+    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true)]
+    depth: Option<f64>,
+
+    /// Width of the plate (m); needed for forces
+    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true)]
+    width: Option<f64>,
+
+    #[command(flatten)]
+    loads: LoadArgs,
+
+    /// Gap (U - L) / ((U + L) / 2) at which to stop
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.01, value_parser = positive)]
+    max_gap: f64,
+
+    /// Time that may be spent (s)
+    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = positive)]
+    max_seconds: f64,
+
+    /// Most elements of a mesh
+    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1000..=1_000_000))]
+    max_elements: u32,
+
+    /// Threads; the bounds are the same for any number
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    threads: u32,
+
+    /// Saves the fields that prove the bounds, for `soilctl certify`
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match finite(text)? {
+        value if value > 0.0 => Ok(value),
+        value => Err(format!("{value} is not above 0")),
+    }
+}
+
+pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    let scaled = Scaled::new(args)?;
+    let problem = scaled.plate.problem()?;
+    let options = Options {
+        max_gap: args.max_gap,
+        max_seconds: args.max_seconds,
+        max_elements: args.max_elements as usize,
+        threads: args.threads as usize,
+        ..Options::default()
+    };
+    let stop = Arc::clone(&options.stop);
+    // A second handler cannot be set; then Ctrl-C just ends the program.
+    let _ = ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed));
+    let progress = output.spinner("first mesh");
+    let bounds = bound(&problem, &options, &mut |level, gap| progress.set_message(words(level, gap)))?;
+    progress.finish_and_clear();
+    if let Some(path) = &args.save {
+        scaled.solution(&problem, &bounds).write(path)?;
+    }
+    let answer = BoundAnswer::new(args, &scaled, &bounds);
+    output.answer(&answer)?;
+    Ok(if bounds.gap() <= args.max_gap { Outcome::Done } else { Outcome::Partial })
+}
+
+fn words(level: &Level, gap: Option<f64>) -> String {
+    let elements = level.upper.elements;
+    gap.map_or_else(
+        || format!("{elements} elements, no bounds yet"),
+        |gap| format!("{elements} elements, gap {:.2} %", 100.0 * gap),
+    )
+}

@@ -1,0 +1,100 @@
+//! The plate of the command line in the units of the solver, and back.
+
+use soilctl_certificate::{Claim, SCHEMA, Scale, Solution};
+use soilctl_limit_analysis::{Bounds, EmbeddedPlate, Problem};
+use soilctl_soil::{Angle, Interface, Plate, Soil};
+
+use super::Args;
+use crate::error::CliError;
+
+/// Stands in for a quantity that was not given, so that the others are checked all the same.
+const ANY: f64 = 1.0;
+
+/// A plate of unit slant length in soil of unit weight one, and what the units stand for.
+#[derive(Debug)]
+pub(super) struct Scaled {
+    pub(super) plate: EmbeddedPlate,
+    /// Slant length in m and unit weight in N/m3, if they are known.
+    pub(super) units: Option<(f64, f64)>,
+    /// Width in m.
+    width_m: Option<f64>,
+    /// What makes a coefficient of a force along the surface.
+    coefficient: f64,
+}
+
+impl Scaled {
+    pub(super) fn new(args: &Args) -> Result<Self, CliError> {
+        let loads = &args.loads;
+        // The types refuse what is out of range.
+        let plate = Plate::new(
+            Angle::from_degrees(args.alpha),
+            Angle::from_degrees(loads.beta),
+            args.depth.unwrap_or(ANY),
+            args.width.unwrap_or(ANY),
+        )?;
+        let soil = Soil::new(Angle::from_degrees(args.phi), args.density.unwrap_or(ANY))?
+            .with_cohesion(loads.cohesion)?
+            .with_gravity(loads.gravity)?;
+        Interface::new(Angle::from_degrees(args.delta), loads.adhesion)?;
+        let units = match (args.depth, args.density) {
+            (Some(_), Some(_)) => Some((plate.slant_length_m(), soil.unit_weight_n_m3())),
+            _ => None,
+        };
+        let in_units = |option: &str, stress_pa: f64| match units {
+            Some((length, weight)) => Ok(stress_pa / (length * weight)),
+            None if stress_pa == 0.0 => Ok(0.0),
+            None => Err(CliError::Usage(format!(
+                "--{option} is {stress_pa} Pa, but how much that is depends on depth and density; give --depth M and \
+                 --density KG/M3 too"
+            ))),
+        };
+        Ok(Self {
+            plate: EmbeddedPlate {
+                alpha_deg: args.alpha,
+                beta_deg: loads.beta,
+                phi_deg: args.phi,
+                delta_deg: args.delta,
+                cohesion: in_units("cohesion", loads.cohesion)?,
+                adhesion: in_units("adhesion", loads.adhesion)?,
+                surcharge: in_units("surcharge", loads.surcharge)?,
+            },
+            units,
+            width_m: args.width,
+            coefficient: 2.0 / (args.alpha + args.delta).to_radians().sin(),
+        })
+    }
+
+    /// Lower and upper coefficient; rounding is outwards.
+    pub(super) fn coefficients(&self, bounds: &Bounds) -> [f64; 2] {
+        // The factor and the product are each good to a rounding or two.
+        let slack = 4.0 * f64::EPSILON;
+        let (l, u) = (self.coefficient * bounds.lower.value, self.coefficient * bounds.upper.value);
+        [l - slack * l.abs(), u + slack * u.abs()]
+    }
+
+    /// Newtons for a coefficient of one.
+    pub(super) fn newtons(&self) -> Option<f64> {
+        let (length, weight) = self.units?;
+        Some(0.5 * weight * length * length * self.width_m?)
+    }
+
+    pub(super) fn solution(&self, problem: &Problem, bounds: &Bounds) -> Solution {
+        let p = &self.plate;
+        Solution {
+            schema: SCHEMA.to_owned(),
+            program: format!("soilctl {}", env!("CARGO_PKG_VERSION")),
+            statement: problem.statement().clone(),
+            scale: Scale {
+                length_m: self.units.map(|u| u.0),
+                unit_weight_n_per_m3: self.units.map(|u| u.1),
+                description: Some(format!(
+                    "embedded plate: alpha {} deg, beta {} deg, phi {} deg, delta {} deg; the coefficient per slant \
+                     length is the bound times 2 / sin(alpha + delta)",
+                    p.alpha_deg, p.beta_deg, p.phi_deg, p.delta_deg
+                )),
+            },
+            lower: Some(Claim { field: bounds.lower.field.clone(), claimed: bounds.lower.value }),
+            upper: Some(Claim { field: bounds.upper.field.clone(), claimed: bounds.upper.value }),
+        }
+    }
+}

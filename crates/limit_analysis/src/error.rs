@@ -1,0 +1,58 @@
+use soilctl_certificate::CertificateError;
+use thiserror::Error;
+
+use crate::mesh::MeshError;
+
+/// What can go wrong on the way to a bound.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LimitError {
+    /// The geometry or the mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// A proof was refused.
+    #[error(transparent)]
+    Certificate(#[from] CertificateError),
+    /// A number is outside its range.
+    #[error("{quantity} is {value} {unit}, allowed is from {low} up to, but not including, {high} {unit}")]
+    Range {
+        /// Name of the number.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Least value allowed.
+        low: f64,
+        /// Bound above.
+        high: f64,
+        /// Unit, empty for pure numbers.
+        unit: &'static str,
+    },
+    /// The problem is sound but cannot be solved yet.
+    #[error("{what}: not covered; {advice}")]
+    NotCovered {
+        /// What the problem has.
+        what: &'static str,
+        /// What the user can do.
+        advice: &'static str,
+    },
+    /// No load is finite, or none is possible; in physical words.
+    #[error("there is no collapse load: {reason}; {advice}")]
+    NoCollapse {
+        /// Why.
+        reason: &'static str,
+        /// What the user can do.
+        advice: &'static str,
+    },
+    /// The budget ended before the first pair of bounds was proven.
+    #[error("no pair of bounds was proven within the budget ({spent}); allow more time or elements")]
+    NothingProven {
+        /// What was done so far.
+        spent: String,
+    },
+    /// The solver refused the program.
+    #[error("the cone solver refused the program: {message}; please report the problem file")]
+    Solver {
+        /// The solver's words.
+        message: String,
+    },
+}

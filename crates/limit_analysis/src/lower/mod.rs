@@ -1,0 +1,236 @@
+//! The lower bound: the largest force that some stress field in equilibrium, nowhere beyond yield, can carry.
+//!
+//! Stresses are second derivatives of a stress function with continuous slopes, so that equilibrium holds whatever the
+//! unknowns are, and only yield is left to the cones of the program.
+
+pub(crate) mod dofs;
+mod given;
+mod macro_element;
+mod shape;
+
+use soilctl_certificate::Condition;
+
+use dofs::StressFunction;
+use given::shear_is_given;
+use macro_element::{Curvature, curvatures};
+
+use crate::form::Form;
+use crate::mesh::{Mesh, Place};
+use crate::problem::{Problem, Soil};
+use crate::program::{Cone, Program};
+use crate::topology::Topology;
+
+type Point = [f64; 2];
+
+/// A stress `[xx, yy, xy]`.
+pub(crate) type Stress = [Form; 3];
+
+/// The program of the lower bound with what is needed to read its answer.
+#[derive(Debug)]
+pub(crate) struct Lower {
+    pub(crate) program: Program,
+    pub(crate) function: StressFunction,
+    /// The force to be made large.
+    pub(crate) force: Form,
+}
+
+fn stress(c: &Curvature, local: &[Form; 12], reference: [f64; 3]) -> Stress {
+    let form = |row: &[f64; 12], sign: f64, constant: f64| {
+        let mut f = Form::constant(constant);
+        for (coefficient, value) in row.iter().zip(local) {
+            f.add(sign * coefficient, value);
+        }
+        f
+    };
+    [form(&c[1], 1.0, reference[0]), form(&c[0], 1.0, reference[1]), form(&c[2], -1.0, reference[2])]
+}
+
+/// The cone of Mohr and Coulomb, scaled.
+fn mohr_coulomb(soil: &Soil, [xx, yy, xy]: &Stress, scale: f64) -> [Form; 3] {
+    let mean = -0.5 * soil.sin * scale;
+    [
+        Form::constant(scale * soil.cohesion * soil.cos).plus(mean, xx).plus(mean, yy),
+        Form::default().plus(0.5 * scale, xx).plus(-0.5 * scale, yy),
+        Form::default().plus(scale, xy),
+    ]
+}
+
+fn centre(v: &[Point; 3]) -> Point {
+    [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0]
+}
+
+/// Stress at the nodes of all three parts of a triangle, `None` where it vanishes.
+pub(crate) fn node_stresses(
+    problem: &Problem,
+    mesh: &Mesh,
+    function: &StressFunction,
+    triangle: usize,
+) -> [[Option<Stress>; 3]; 3] {
+    let v = mesh.triangles[triangle].corners.map(|c| mesh.vertices[c].position);
+    let apex = function.corners[triangle].map(|c| function.apex[c]);
+    let curvature = curvatures(&v, apex);
+    let local = function.local(triangle, &v);
+    std::array::from_fn(|k| {
+        std::array::from_fn(|node| {
+            let corner = (k + 1 + node) % 3;
+            if node < 2 && apex[corner] {
+                return None;
+            }
+            let at = if node < 2 { v[corner] } else { centre(&v) };
+            Some(stress(&curvature[k][node], &local, problem.reference(at)))
+        })
+    })
+}
+
+/// Normal and shear stress on a plane with unit direction `t`, the soil on its left.
+fn traction([xx, yy, xy]: &Stress, t: Point) -> (Form, Form) {
+    let n = [t[1], -t[0]];
+    let on = |a: Point, b: Point| {
+        Form::default().plus(a[0] * b[0], xx).plus(a[1] * b[1], yy).plus(a[0] * b[1] + a[1] * b[0], xy)
+    };
+    (on(n, n), on(t, n))
+}
+
+impl Lower {
+    pub(crate) fn new(problem: &Problem, mesh: &Mesh, topology: &Topology, tighten: f64) -> Self {
+        let mut program = Program::default();
+        let function = StressFunction::new(problem, mesh, topology, &mut program);
+        let mut lower = Self { program, function, force: Form::default() };
+        for triangle in 0..mesh.triangles.len() {
+            lower.add_triangle(problem, mesh, topology, triangle);
+        }
+        lower.program.tighten(tighten);
+        for &(index, coefficient) in &lower.force.terms {
+            lower.program.objective.push((index, -coefficient));
+        }
+        lower
+    }
+
+    fn add_triangle(&mut self, problem: &Problem, mesh: &Mesh, topology: &Topology, triangle: usize) {
+        let t = &mesh.triangles[triangle];
+        let v = t.corners.map(|c| mesh.vertices[c].position);
+        let soil = &problem.soils[t.region];
+        let stresses = node_stresses(problem, mesh, &self.function, triangle);
+        let h = (0..3).map(|k| (v[k][0] - v[(k + 1) % 3][0]).hypot(v[k][1] - v[(k + 1) % 3][1])).sum::<f64>()
+            / 3.0;
+        // Multipliers are then about as large as strains times lengths, like the unknowns of the upper bound.
+        let scale = |p: Point| h / problem.stress_scale(p, h);
+        for part in 0..3 {
+            for node in 0..2 {
+                if let Some(s) = &stresses[part][node] {
+                    let cone = mohr_coulomb(soil, s, scale(v[(part + 1 + node) % 3]));
+                    self.program.second_order(cone);
+                }
+            }
+        }
+        // All three parts have the same stress at the centroid.
+        if let Some(s) = &stresses[0][2] {
+            self.program.second_order(mohr_coulomb(soil, s, scale(centre(&v))));
+        }
+        for (k, part) in stresses.iter().enumerate() {
+            let Some(condition) = topology.line[triangle][k].and_then(|l| problem.condition(l)) else {
+                continue;
+            };
+            let ends = [(k + 1) % 3, (k + 2) % 3];
+            let along = [v[ends[1]][0] - v[ends[0]][0], v[ends[1]][1] - v[ends[0]][1]];
+            let length = along[0].hypot(along[1]);
+            let t = [along[0] / length, along[1] / length];
+            if matches!(condition, Condition::Face { .. }) {
+                self.add_force(problem, triangle, ends, &v);
+            }
+            for (node, corner) in ends.into_iter().enumerate() {
+                let Some(s) = &part[node] else { continue };
+                let at = v[corner];
+                match condition {
+                    Condition::Face { delta_deg, adhesion } => {
+                        self.add_face(s, t, scale(at), delta_deg, adhesion)
+                    }
+                    Condition::Far => {
+                        let level = t[0].abs() > t[1].abs();
+                        let far_corner =
+                            level && is_far_corner(problem, mesh, mesh.triangles[triangle].corners[corner]);
+                        self.add_far(problem, soil, s, at, scale(at), level, far_corner);
+                    }
+                    Condition::Free | Condition::Fixed | Condition::Smooth => {}
+                }
+            }
+        }
+    }
+
+    fn add_face(&mut self, s: &Stress, t: Point, scale: f64, delta_deg: f64, adhesion: f64) {
+        let (normal, shear) = traction(s, t);
+        if shear_is_given(Condition::Face { delta_deg, adhesion }) {
+            return self.program.non_negative(Form::default().plus(-scale, &normal));
+        }
+        let hold = Form::constant(scale * adhesion).plus(-scale * delta_deg.to_radians().tan(), &normal);
+        self.program.non_negative(hold.clone().plus(scale, &shear));
+        self.program.non_negative(hold.plus(-scale, &shear));
+    }
+
+    /// Yield of the soil beyond a far line, where only the stress across the line is the mesh's.
+    #[expect(clippy::too_many_arguments, reason = "one call")]
+    fn add_far(
+        &mut self,
+        problem: &Problem,
+        soil: &Soil,
+        s: &Stress,
+        at: Point,
+        scale: f64,
+        level: bool,
+        corner: bool,
+    ) {
+        let [xx, yy, xy] = problem.reference(at).map(Form::constant);
+        if !level {
+            return self.program.second_order(mohr_coulomb(soil, &[s[0].clone(), yy, xy], scale));
+        }
+        let Some(far) = self.function.far_stress else { return };
+        let along = xx.plus(1.0, &Form::unknown(far, 1.0));
+        if corner {
+            let state = [along.clone(), yy, xy.clone()];
+            self.program.second_order(mohr_coulomb(soil, &state, scale));
+        }
+        self.program.second_order(mohr_coulomb(soil, &[along, s[1].clone(), xy], scale));
+    }
+
+    /// Adds what a face edge contributes to the structure's force on the soil, along the structure's velocity.
+    fn add_force(&mut self, problem: &Problem, triangle: usize, [a, b]: [usize; 2], v: &[Point; 3]) {
+        let [ax, ay] = self.function.gradient(triangle, a);
+        let [bx, by] = self.function.gradient(triangle, b);
+        let [u, w] = problem.statement().velocity;
+        for (factor, slope) in [(u, &by), (-u, &ay), (-w, &bx), (w, &ax)] {
+            self.force.add(factor, slope);
+        }
+        // The reference stress on the face, by the trapezium rule, which is exact for linear stress.
+        let n = [v[b][1] - v[a][1], v[a][0] - v[b][0]];
+        for p in [v[a], v[b]] {
+            let [xx, yy, xy] = problem.reference(p);
+            self.force.constant += 0.5 * (u * (xx * n[0] + xy * n[1]) + w * (xy * n[0] + yy * n[1]));
+        }
+    }
+
+    /// Moves a solution towards the state at rest until it is inside all cones by `margin`.
+    ///
+    /// At rest all unknowns are zero, which is strictly inside unless the ground itself is at its limit.
+    pub(crate) fn drawn_inside(&self, x: &[f64], margin: f64) -> Vec<f64> {
+        let rest = vec![0.0; x.len()];
+        let mut share: f64 = 0.0;
+        let mut row = 0;
+        for cone in &self.program.cones {
+            let (here, there) = (self.program.slack(row, *cone, x), self.program.slack(row, *cone, &rest));
+            if *cone != Cone::Zero && here < margin && there > margin {
+                share = share.max((margin - here) / (there - here));
+            }
+            row += cone.rows();
+        }
+        x.iter().map(|v| v * (1.0 - share.min(1.0))).collect()
+    }
+}
+
+fn is_far_corner(problem: &Problem, mesh: &Mesh, vertex: usize) -> bool {
+    let Place::Corner(point) = mesh.vertices[vertex].place else { return false };
+    let far = problem.statement().boundaries.iter().filter(|b| {
+        let line = problem.outline.lines[b.line];
+        b.condition == Condition::Far && (line.from == point || line.to == point)
+    });
+    far.count() == 2
+}

@@ -1,0 +1,123 @@
+//! Value and slopes of the stress function at a vertex, in as few unknowns as the conditions there leave.
+
+use soilctl_certificate::Jet;
+
+use super::macro_element::turned;
+use crate::form::Form;
+
+/// An unknown of the program and the size of its unit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Unknown {
+    pub(crate) index: usize,
+    pub(crate) unit: f64,
+}
+
+impl Unknown {
+    pub(crate) fn form(self) -> Form {
+        Form::unknown(self.index, self.unit)
+    }
+
+    pub(crate) fn value(self, x: &[f64]) -> f64 {
+        self.unit * x[self.index]
+    }
+}
+
+/// What is known about a vertex copy; the same kinds as [`Jet`], with unknowns in place of numbers.
+#[derive(Debug, Clone)]
+pub(crate) enum Shape {
+    /// On a free boundary: the chain's affine function.
+    Chain { chain: usize },
+    /// The affine function of the chain `base`.
+    Zero { base: usize },
+    /// No condition.
+    Free { f: Unknown, fx: Unknown, fy: Unknown },
+    /// Next to one apex, at `r` from it. `turn` is unknown or follows from a line of given shear.
+    OneApex { base: usize, apex: usize, r: [f64; 2], f: Unknown, turn: Turn },
+    /// Next to several apexes, at depth `depth` below all of them.
+    ManyApexes { base: usize, f: Unknown, depth: f64 },
+    /// On a line with normal `n` (not of unit length) and the slope across it.
+    OneLine { line: usize, n: [f64; 2], across: Form, f: Unknown, along: Unknown },
+    /// On two lines.
+    TwoLines { normals: [[f64; 2]; 2], across: [Form; 2], f: Unknown },
+}
+
+/// The free slope next to an apex.
+#[derive(Debug, Clone)]
+pub(crate) enum Turn {
+    Unknown(Unknown),
+    Given(Form),
+}
+
+impl Shape {
+    /// The chain whose affine function the values are relative to.
+    pub(crate) fn base(&self) -> usize {
+        match self {
+            Self::Chain { chain } => *chain,
+            Self::Zero { base } | Self::OneApex { base, .. } | Self::ManyApexes { base, .. } => *base,
+            Self::Free { .. } | Self::OneLine { .. } | Self::TwoLines { .. } => 0,
+        }
+    }
+
+    /// Value and slopes relative to [`Self::base`].
+    pub(crate) fn jet(&self) -> [Form; 3] {
+        let zero = Form::default;
+        match self {
+            Self::Chain { .. } | Self::Zero { .. } => [zero(), zero(), zero()],
+            Self::Free { f, fx, fy } => [f.form(), fx.form(), fy.form()],
+            Self::OneApex { r, f, turn, .. } => {
+                let f = f.form();
+                let turn = match turn {
+                    Turn::Unknown(u) => u.form(),
+                    Turn::Given(form) => form.clone(),
+                };
+                let rr = r[0] * r[0] + r[1] * r[1];
+                let t = turned(*r);
+                let slope = |i: usize| zero().plus(3.0 * r[i] / rr, &f).plus(t[i], &turn);
+                [f.clone(), slope(0), slope(1)]
+            }
+            Self::ManyApexes { f, depth, .. } => [f.form(), zero(), zero().plus(-3.0 / depth, &f.form())],
+            Self::OneLine { n, across, f, along, .. } => {
+                let nn = n[0] * n[0] + n[1] * n[1];
+                let along = along.form();
+                [
+                    f.form(),
+                    zero().plus(n[0] / nn, across).plus(n[1], &along),
+                    zero().plus(n[1] / nn, across).plus(-n[0], &along),
+                ]
+            }
+            Self::TwoLines { normals: [n, m], across: [g, h], f } => {
+                let det = n[0] * m[1] - n[1] * m[0];
+                [
+                    f.form(),
+                    zero().plus(m[1] / det, g).plus(-n[1] / det, h),
+                    zero().plus(-m[0] / det, g).plus(n[0] / det, h),
+                ]
+            }
+        }
+    }
+
+    /// The jet of a solution, as a certificate stores it.
+    pub(crate) fn saved(&self, x: &[f64]) -> Jet {
+        match self {
+            Self::Chain { chain } => Jet::Chain { chain: *chain },
+            Self::Zero { base } => Jet::Zero { base: *base },
+            Self::Free { f, fx, fy } => {
+                Jet::Free { base: 0, f: f.value(x), fx: fx.value(x), fy: fy.value(x) }
+            }
+            Self::OneApex { base, apex, f, turn, .. } => Jet::OneApex {
+                base: *base,
+                apex: *apex,
+                f: f.value(x),
+                turn: match turn {
+                    Turn::Unknown(u) => u.value(x),
+                    Turn::Given(_) => 0.0,
+                },
+            },
+            Self::ManyApexes { base, f, .. } => Jet::ManyApexes { base: *base, f: f.value(x) },
+            Self::OneLine { line, f, along, .. } => {
+                Jet::OneLine { line: *line, f: f.value(x), along: along.value(x) }
+            }
+            Self::TwoLines { f, .. } => Jet::TwoLines { f: f.value(x) },
+        }
+    }
+}

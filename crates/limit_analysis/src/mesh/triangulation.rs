@@ -1,0 +1,59 @@
+//! The constrained Delaunay triangulation, from `spade`, and how it is made.
+
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
+
+use super::MeshError;
+use super::vector::Point;
+
+/// A constrained Delaunay triangulation. Its vertex numbers are the order in which points came.
+pub(super) type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
+/// A vertex of it.
+pub(super) type VertexId = spade::handles::FixedVertexHandle;
+/// A triangle of it.
+pub(super) type FaceId = spade::handles::FixedFaceHandle<spade::handles::InnerTag>;
+/// An edge of it, without direction.
+pub(super) type EdgeId = spade::handles::FixedUndirectedEdgeHandle;
+
+/// How many vertices the frame has. They come first.
+pub(super) const FRAME: usize = 4;
+
+/// The point as spade takes it: what is nearly zero becomes zero.
+pub(super) fn to_spade(at: Point) -> Point2<f64> {
+    spade::mitigate_underflow(Point2::new(at[0], at[1]))
+}
+
+/// Corners of a box well around the points. With it, every vertex and every edge of a domain is surrounded by
+/// triangles: the hull of the triangulation is never anybody's boundary.
+pub(super) fn frame(points: &[Point]) -> [Point; FRAME] {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for p in points {
+        for d in 0..2 {
+            low[d] = low[d].min(p[d]);
+            high[d] = high[d].max(p[d]);
+        }
+    }
+    let by = (high[0] - low[0]).max(high[1] - low[1]);
+    let (low, high) = (low.map(|c| c - by), high.map(|c| c + by));
+    [low, [high[0], low[1]], high, [low[0], high[1]]]
+}
+
+/// Triangulates all points at once, with the constraints.
+///
+/// # Errors
+///
+/// [`MeshError::Numerical`] if points coincide or constraints cross, which the checks before exclude.
+pub(super) fn triangulate(points: &[Point], constraints: Vec<[usize; 2]>) -> Result<Cdt, MeshError> {
+    let spade_points = points.iter().map(|&p| to_spade(p)).collect();
+    let mut conflict = None;
+    let cdt = Cdt::try_bulk_load_cdt(spade_points, constraints, |edge| conflict = conflict.or(Some(edge)))
+        .map_err(|e| MeshError::insertion(points[0], e))?;
+    let failure =
+        |at: Point, reason: &str| MeshError::Numerical { x: at[0], y: at[1], reason: reason.into() };
+    if cdt.num_vertices() != points.len() {
+        return Err(failure(points[0], "two vertices coincide"));
+    }
+    match conflict {
+        Some([a, _]) => Err(failure(points[a], "two edges cross")),
+        None => Ok(cdt),
+    }
+}

@@ -1,0 +1,122 @@
+//! The embedded plate: a thin straight plate in a half-space, pushed along level ground.
+
+use soilctl_certificate::{Boundary, Condition, Line, LineUse, Material, Region, Statement};
+
+use crate::error::LimitError;
+use crate::problem::Problem;
+
+/// Greatest sum of tool angle and interface friction in degrees: beyond it a plate has no finite force.
+pub const MAX_ANGLE_SUM_DEG: f64 = 175.0;
+
+/// An embedded plate, in units of its slant length and of unit weight times slant length.
+///
+/// Its top is at the surface. It moves towards positive x; at tool angles below 90 degrees its tip is ahead of its top.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EmbeddedPlate {
+    /// Tool angle in degrees, 10 to 170.
+    pub alpha_deg: f64,
+    /// Slope of the surface in degrees, rising ahead of the plate; less than the friction angle either way.
+    pub beta_deg: f64,
+    /// Friction angle in degrees, above 0 and below 70.
+    pub phi_deg: f64,
+    /// Interface friction in degrees, 0 to the friction angle.
+    pub delta_deg: f64,
+    /// Cohesion over unit weight times slant length.
+    pub cohesion: f64,
+    /// Adhesion likewise; not with frictionless faces.
+    pub adhesion: f64,
+    /// Surcharge on the whole surface likewise.
+    pub surcharge: f64,
+}
+
+impl Default for EmbeddedPlate {
+    /// An upright, smooth plate in level soil without cohesion, at a friction angle of 30 degrees.
+    fn default() -> Self {
+        Self {
+            alpha_deg: 90.0,
+            beta_deg: 0.0,
+            phi_deg: 30.0,
+            delta_deg: 0.0,
+            cohesion: 0.0,
+            adhesion: 0.0,
+            surcharge: 0.0,
+        }
+    }
+}
+
+fn check(
+    quantity: &'static str,
+    value: f64,
+    low: f64,
+    high: f64,
+    unit: &'static str,
+) -> Result<(), LimitError> {
+    if value >= low && value < high {
+        Ok(())
+    } else {
+        Err(LimitError::Range { quantity, value, low, high, unit })
+    }
+}
+
+impl EmbeddedPlate {
+    /// Index of the plate's tip among the points of the statement.
+    pub const TIP: usize = 5;
+
+    /// The problem, in axes along and across the surface: a slope turns gravity, not the ground.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitError::Range`] or [`LimitError::NotCovered`] for numbers out of the ranges named above.
+    pub fn problem(&self) -> Result<Problem, LimitError> {
+        check("the tool angle alpha", self.alpha_deg, 10.0, 170.0, "deg")?;
+        check("the friction angle phi", self.phi_deg, f64::MIN_POSITIVE, 70.0, "deg")?;
+        check("the interface friction delta", self.delta_deg, 0.0, self.phi_deg.next_up(), "deg")?;
+        check("the surface slope beta", self.beta_deg, (-self.phi_deg).next_up(), self.phi_deg, "deg")?;
+        check("alpha + delta", self.alpha_deg + self.delta_deg, 0.0, MAX_ANGLE_SUM_DEG, "deg")?;
+        check("alpha + beta", self.alpha_deg + self.beta_deg, 10.0, 170.0, "deg")?;
+        for (name, value) in [
+            ("the cohesion", self.cohesion),
+            ("the adhesion", self.adhesion),
+            ("the surcharge", self.surcharge),
+        ] {
+            check(name, value, 0.0, f64::MAX, "(over unit weight times length)")?;
+        }
+        if self.delta_deg == 0.0 && self.adhesion > 0.0 {
+            return Err(LimitError::NotCovered {
+                what: "adhesion on a plate without interface friction",
+                advice: "give an interface friction delta above zero",
+            });
+        }
+        let beta = self.beta_deg.to_radians();
+        // Against the surface, which is level in these axes, the plate stands at alpha + beta.
+        let (sin, cos) = (self.alpha_deg.to_radians() + beta).sin_cos();
+        let reach = 1.0 + 1.5 * (self.phi_deg / 25.0).powi(3);
+        let (behind, ahead, below) = (8.0, 8.0 + 4.0 * reach, 8.0);
+        let points =
+            vec![[-behind, 0.0], [-behind, -below], [ahead, -below], [ahead, 0.0], [0.0, 0.0], [cos, -sin]];
+        let ends = [(0, 1), (1, 2), (2, 3), (3, 4), (4, 5), (4, 0)];
+        let outside = [0, 1, 2, 3, 4, 4, 5];
+        let forward = [true, true, true, true, true, false, true];
+        let uses: Vec<LineUse> =
+            outside.into_iter().zip(forward).map(|(line, forward)| LineUse { line, forward }).collect();
+        let face = Condition::Face { delta_deg: self.delta_deg, adhesion: self.adhesion };
+        let conditions =
+            [Condition::Far, Condition::Far, Condition::Far, Condition::Free, face, face, Condition::Free];
+        let material = Material { phi_deg: self.phi_deg, cohesion: self.cohesion, unit_weight: 1.0 };
+        Problem::new(Statement {
+            points,
+            lines: ends.map(|(from, to)| Line { from, to }).to_vec(),
+            regions: vec![Region { loops: vec![uses.clone()], material }],
+            gravity: [-beta.sin(), -beta.cos()],
+            datum: 0.0,
+            surcharge: self.surcharge,
+            // Level in space, so inclined against a sloping surface.
+            velocity: [beta.cos(), -beta.sin()],
+            boundaries: uses
+                .iter()
+                .zip(conditions)
+                .map(|(side, condition)| Boundary { line: side.line, forward: side.forward, condition })
+                .collect(),
+        })
+    }
+}

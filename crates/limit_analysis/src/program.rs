@@ -1,0 +1,69 @@
+//! A conic program in inequality form: minimise `objective . x` so that every listed group of forms lies in its cone.
+
+use crate::form::Form;
+
+/// The cones in use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cone {
+    /// Equal to zero.
+    Zero,
+    /// Not negative.
+    NonNegative,
+    /// `first >= |(second, third)|`.
+    SecondOrder3,
+}
+
+impl Cone {
+    pub(crate) fn rows(self) -> usize {
+        match self {
+            Self::Zero | Self::NonNegative => 1,
+            Self::SecondOrder3 => 3,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Program {
+    pub(crate) unknowns: usize,
+    pub(crate) objective: Vec<(usize, f64)>,
+    pub(crate) rows: Vec<Form>,
+    pub(crate) cones: Vec<Cone>,
+}
+
+impl Program {
+    pub(crate) fn unknown(&mut self) -> usize {
+        self.unknowns += 1;
+        self.unknowns - 1
+    }
+
+    pub(crate) fn non_negative(&mut self, form: Form) {
+        self.rows.push(form);
+        self.cones.push(Cone::NonNegative);
+    }
+
+    pub(crate) fn second_order(&mut self, forms: [Form; 3]) {
+        self.rows.extend(forms);
+        self.cones.push(Cone::SecondOrder3);
+    }
+
+    /// Makes every point of the program stay clear of all cones.
+    pub(crate) fn tighten(&mut self, by: f64) {
+        let mut row = 0;
+        for cone in &self.cones {
+            if *cone != Cone::Zero {
+                self.rows[row].constant -= by;
+            }
+            row += cone.rows();
+        }
+    }
+
+    /// How far inside a cone, whose first row is given, a point is: negative outside.
+    pub(crate) fn slack(&self, row: usize, cone: Cone, x: &[f64]) -> f64 {
+        let at = |k: usize| self.rows[row + k].value(x);
+        match cone {
+            Cone::Zero => -at(0).abs(),
+            Cone::NonNegative => at(0),
+            Cone::SecondOrder3 => at(0) - at(1).hypot(at(2)),
+        }
+    }
+}

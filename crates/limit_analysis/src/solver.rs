@@ -1,0 +1,123 @@
+//! The one place that names Clarabel.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+
+use crate::error::LimitError;
+use crate::program::{Cone, Program};
+
+/// How a solve ended. None of these proves anything: a certificate does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// To the accuracy asked for.
+    Solved,
+    /// To a lower accuracy.
+    Almost,
+    /// The cones cannot all be met: in a lower bound, soil that fails under its own weight; in an upper bound, a
+    /// structure that cannot move.
+    Infeasible,
+    /// The objective has no limit.
+    Unbounded,
+    /// Time was up, or the user stopped the run.
+    Stopped,
+    /// Numerical trouble or too many steps.
+    Failed,
+}
+
+/// What came back from the solver.
+#[derive(Debug, Clone)]
+pub(crate) struct Answer {
+    pub(crate) x: Vec<f64>,
+    pub(crate) status: Status,
+    pub(crate) iterations: u32,
+    pub(crate) seconds: f64,
+}
+
+/// Factor on the objective: multipliers of some thousand elements then are of the order of one.
+const OBJECTIVE: f64 = 100.0;
+
+/// Solves a program on one thread.
+pub(crate) fn solve(program: &Program, seconds: f64, stop: &Arc<AtomicBool>) -> Result<Answer, LimitError> {
+    let (m, n) = (program.rows.len(), program.unknowns);
+    let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
+    let mut b = Vec::with_capacity(m);
+    for (row, form) in program.rows.iter().enumerate() {
+        b.push(form.constant);
+        for &(column, coefficient) in form.terms.iter().filter(|t| t.1 != 0.0) {
+            columns[column].push((row, -coefficient));
+        }
+    }
+    let mut starts = vec![0];
+    let (mut rows, mut values) = (Vec::new(), Vec::new());
+    for column in &columns {
+        for &(row, value) in column {
+            rows.push(row);
+            values.push(value);
+        }
+        starts.push(rows.len());
+    }
+    let mut q = vec![0.0; n];
+    for &(i, c) in &program.objective {
+        q[i] += OBJECTIVE * c;
+    }
+    let a = CscMatrix::new(m, n, starts, rows, values);
+    let p = CscMatrix::zeros((n, n));
+    let refused = |message: String| LimitError::Solver { message };
+    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones(program), settings(seconds))
+        .map_err(|e| refused(e.to_string()))?;
+    let stop = Arc::clone(stop);
+    solver.set_termination_callback(move |_: &_| stop.load(Ordering::Relaxed));
+    solver.solve();
+    let solution = &solver.solution;
+    let status = match solution.status {
+        SolverStatus::Solved => Status::Solved,
+        SolverStatus::AlmostSolved => Status::Almost,
+        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => Status::Infeasible,
+        SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Status::Unbounded,
+        SolverStatus::MaxTime | SolverStatus::CallbackTerminated => Status::Stopped,
+        _ => Status::Failed,
+    };
+    Ok(Answer {
+        x: solution.x.clone(),
+        status,
+        iterations: solution.iterations,
+        seconds: solution.solve_time,
+    })
+}
+
+fn cones(program: &Program) -> Vec<SupportedConeT<f64>> {
+    let mut cones: Vec<SupportedConeT<f64>> = Vec::new();
+    for cone in &program.cones {
+        match (cone, cones.last_mut()) {
+            (Cone::NonNegative, Some(SupportedConeT::NonnegativeConeT(count)))
+            | (Cone::Zero, Some(SupportedConeT::ZeroConeT(count))) => *count += 1,
+            (Cone::NonNegative, _) => cones.push(SupportedConeT::NonnegativeConeT(1)),
+            (Cone::Zero, _) => cones.push(SupportedConeT::ZeroConeT(1)),
+            (Cone::SecondOrder3, _) => cones.push(SupportedConeT::SecondOrderConeT(3)),
+        }
+    }
+    cones
+}
+
+fn settings(seconds: f64) -> DefaultSettings<f64> {
+    DefaultSettings {
+        verbose: false,
+        time_limit: seconds,
+        // Named, since "auto" would change the bits with the size.
+        direct_solve_method: "qdldl".to_owned(),
+        max_threads: 1,
+        presolve_enable: false,
+        // Rows and columns are scaled by lengths and stresses already; equilibration undoes that and costs twice the
+        // steps.
+        equilibrate_enable: false,
+        iterative_refinement_reltol: 1e-10,
+        iterative_refinement_abstol: 1e-10,
+        tol_gap_rel: 1e-6,
+        tol_gap_abs: 1e-6,
+        tol_feas: 1e-8,
+        ..DefaultSettings::default()
+    }
+}

@@ -1,0 +1,144 @@
+//! The first mesh: fans where stresses are singular, and a guess of where the soil slips.
+
+use soilctl_certificate::Condition;
+
+use crate::bowl::Bowl;
+use crate::mesh::{Fan, Guide};
+use crate::problem::Problem;
+
+/// Radius of the first fans in units of length, and how much each level's are smaller.
+const FAN: f64 = 0.05;
+const SHRINK: f64 = 0.7;
+
+/// Sector angle of the fans.
+const SECTOR_DEG: f64 = 15.0;
+
+/// Clearance of the moving soil's bowl below the slip lines in units of the depth; how it shrinks; and its least value.
+const MARGIN: f64 = 0.8;
+const MARGIN_SHRINK: f64 = 0.7;
+const LEAST_MARGIN: f64 = 0.1;
+
+/// How much flatter than it could possibly be the first slip line leaves the tip, in radians.
+const CLEARANCE: f64 = 0.2;
+
+/// Direction of the face that leads from a tip to the surface, as an angle from the direction of motion, and its
+/// interface friction in radians.
+fn face_above(problem: &Problem, tip: [f64; 2], ahead: f64) -> Option<(f64, f64)> {
+    problem.statement().boundaries.iter().find_map(|b| {
+        let Condition::Face { delta_deg, .. } = b.condition else { return None };
+        let [p, q] = problem.ends(b.line);
+        let other = if p == tip {
+            q
+        } else if q == tip {
+            p
+        } else {
+            return None;
+        };
+        let angle = (other[1] - tip[1]).atan2(ahead * (other[0] - tip[0]));
+        Some((angle, delta_deg.to_radians()))
+    })
+}
+
+/// A line from the tip to the surface that starts at one angle to the direction of motion and bends towards another.
+///
+/// Soil ahead of the plate slides up its face at `delta` and along the slip line at `phi`, or faster outwards: the line
+/// must leave the tip flatter than the plate by both angles, or nothing could move.
+fn slip_line(
+    tip: [f64; 2],
+    depth: f64,
+    [from, to]: [f64; 2],
+    phi: f64,
+    ahead: f64,
+    datum: f64,
+) -> Vec<[f64; 2]> {
+    let step = 0.05 * depth;
+    let (mut points, mut angle) = (vec![tip], from);
+    let mut here = tip;
+    while here[1] < datum && points.len() < 2000 {
+        here = [here[0] + ahead * step * angle.cos(), here[1] + step * angle.sin()];
+        points.push(here);
+        // A logarithmic spiral: its radius grows by sin(phi) of the way.
+        let radius = depth + step * points.len() as f64 * phi.sin();
+        angle = (angle + step * phi.cos() / radius).min(to);
+    }
+    points
+}
+
+/// Where a structure ends inside the soil.
+#[derive(Debug, Clone)]
+pub(crate) struct Start {
+    points: Vec<usize>,
+    pub(crate) tips: Vec<[f64; 2]>,
+    pub(crate) guides: Vec<Guide>,
+    corners: Vec<[f64; 2]>,
+    /// Greatest depth of a tip.
+    depth: f64,
+    /// Greatest friction angle in radians.
+    phi: f64,
+    datum: f64,
+    /// No element is larger.
+    pub(crate) largest: f64,
+}
+
+impl Start {
+    pub(crate) fn new(problem: &Problem) -> Self {
+        let statement = problem.statement();
+        let touches = |point: usize, free: bool| {
+            statement.boundaries.iter().any(|b| {
+                let line = problem.outline.lines[b.line];
+                let kind = if free {
+                    b.condition == Condition::Free
+                } else {
+                    matches!(b.condition, Condition::Face { .. })
+                };
+                kind && (line.from == point || line.to == point)
+            })
+        };
+        let on_face: Vec<usize> = (0..statement.points.len()).filter(|p| touches(*p, false)).collect();
+        let points: Vec<usize> = on_face.iter().copied().filter(|p| !touches(*p, true)).collect();
+        let at = |p: &usize| statement.points[*p];
+        let tips: Vec<[f64; 2]> = points.iter().map(at).collect();
+        let ahead = statement.velocity[0].signum();
+        let mut guides = Vec::new();
+        for tip in points.iter().map(at) {
+            let depth = statement.datum - tip[1];
+            let phi = statement.regions[0].material.phi_deg.to_radians();
+            let flat = std::f64::consts::FRAC_PI_4 - phi / 2.0;
+            let steepest =
+                face_above(problem, tip, ahead).map_or(flat, |(u, delta)| u - delta - phi - CLEARANCE);
+            let slip = slip_line(tip, depth, [flat.min(steepest), flat], phi, ahead, statement.datum);
+            guides.push(Guide { points: slip });
+            guides.push(Guide { points: vec![tip, [tip[0] - ahead * depth * flat.tan(), statement.datum]] });
+        }
+        let low = statement.points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
+        Self {
+            depth: tips.iter().map(|t| statement.datum - t[1]).fold(0.0, f64::max),
+            points,
+            tips,
+            guides,
+            phi: problem.soils.iter().map(|s| s.tan.atan()).fold(0.0, f64::max),
+            datum: statement.datum,
+            corners: on_face.iter().map(at).collect(),
+            largest: 0.4 * (statement.datum - low),
+        }
+    }
+
+    pub(crate) fn fans(&self, level: usize) -> Vec<Fan> {
+        let radius = FAN * SHRINK.powi(level as i32);
+        self.points.iter().map(|&point| Fan { point, radius, angle: SECTOR_DEG.to_radians() }).collect()
+    }
+
+    /// The soil that may move on a level's mesh, around its slip lines.
+    pub(crate) fn bowl(&self, level: usize, guides: &[Guide]) -> Bowl {
+        let guides = if self.points.is_empty() { &[] } else { guides };
+        let margin = self.depth * (MARGIN * MARGIN_SHRINK.powi(level as i32)).max(LEAST_MARGIN);
+        Bowl::around(guides, margin, self.phi, self.datum)
+    }
+
+    /// Wanted edge length on the first mesh.
+    pub(crate) fn size(&self, p: [f64; 2]) -> f64 {
+        let near =
+            self.corners.iter().map(|c| (p[0] - c[0]).hypot(p[1] - c[1])).fold(f64::INFINITY, f64::min);
+        (0.1 + 0.3 * near).min(self.largest)
+    }
+}
