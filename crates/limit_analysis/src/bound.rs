@@ -279,22 +279,16 @@ impl<'a> Run<'a> {
         let mut level = Level { upper: upper_solve, lower: None, identity: None };
         if let Some((solve, field, stress, objective)) = lower? {
             level.lower = Some(solve);
-            if let Some(value) = solve.proven.filter(|v| self.lower.as_ref().is_none_or(|b| *v > b.value)) {
-                self.lower = Some(Bound { value, elements: solve.elements, field });
-                self.stress = Some((stress, objective));
-            }
+            self.keep_lower(&solve, field, stress, objective);
         }
         if let Some(value) = upper_solve.proven.filter(|v| self.upper.as_ref().is_none_or(|b| *v < b.value)) {
             self.upper = Some(Bound { value, elements: upper_solve.elements, field: upper_field });
         }
-        let gap = match (&self.lower, &self.upper) {
-            (Some(l), Some(u)) => Some(relative_gap(l.value, u.value)),
-            _ => None,
-        };
+        let gap = self.gap();
         let (mesh, topology) = &self.meshes[number];
         if let Some((stress, lower_objective)) = self.stress.as_ref().filter(|_| upper_solve.proven.is_some())
         {
-            let (by_triangle, _) = shares(self.problem, mesh, topology, &velocity, stress);
+            let by_triangle = shares(self.problem, mesh, topology, &velocity, stress);
             level.identity = Some([objective - lower_objective, by_triangle.iter().sum()]);
             let next = (FIRST * GROWTH.powi(number as i32 + 1)) as usize;
             self.size = Some(wanted_sizes(mesh, &by_triangle, next, self.begin.largest)?);
@@ -319,19 +313,26 @@ impl<'a> Run<'a> {
             elements > solved && self.estimate(elements, |l| l.lower) < self.remaining()
         };
         let Some(number) = (0..self.meshes.len()).rev().find(fits) else { return Ok(()) };
-        let (solve, field, ..) = self.solve_lower(number)?;
-        if let Some(value) = solve.proven.filter(|v| self.lower.as_ref().is_none_or(|b| *v > b.value)) {
-            self.lower = Some(Bound { value, elements: solve.elements, field });
-        }
+        let (solve, field, stress, objective) = self.solve_lower(number)?;
+        self.keep_lower(&solve, field, stress, objective);
+        let gap = self.gap();
         if let Some(level) = self.levels.last_mut().filter(|l| l.lower.is_none()) {
             level.lower = Some(solve);
-            let gap = match (&self.lower, &self.upper) {
-                (Some(l), Some(u)) => Some(relative_gap(l.value, u.value)),
-                _ => None,
-            };
             progress(level, gap);
         }
         Ok(())
+    }
+
+    /// Takes over a lower bound, with the stress field behind it, if it is the best.
+    fn keep_lower(&mut self, solve: &Solve, field: LowerField, stress: StressField, objective: f64) {
+        if let Some(value) = solve.proven.filter(|v| self.lower.as_ref().is_none_or(|b| *v > b.value)) {
+            self.lower = Some(Bound { value, elements: solve.elements, field });
+            self.stress = Some((stress, objective));
+        }
+    }
+
+    fn gap(&self) -> Option<f64> {
+        Some(relative_gap(self.lower.as_ref()?.value, self.upper.as_ref()?.value))
     }
 
     fn solve_upper(&self, number: usize) -> Result<(Solve, UpperField, VelocityField, f64), LimitError> {

@@ -36,16 +36,15 @@ fn linear<const N: usize>(v: &[Point; 3], values: &[[f64; N]; 3], p: Point) -> [
     std::array::from_fn(|i| l[0] * values[0][i] + l[1] * values[1][i] + l[2] * values[2][i])
 }
 
-/// Shares in the gap, one for each triangle of the velocity field's mesh, and one for each of the stress field's.
+/// Shares in the gap, one for each triangle of the velocity field's mesh.
 pub(crate) fn shares(
     problem: &Problem,
     mesh: &Mesh,
     topology: &Topology,
     velocity: &VelocityField,
     stress: &StressField,
-) -> (Vec<f64>, Vec<f64>) {
-    let mut upper_shares = vec![0.0; mesh.triangles.len()];
-    let mut lower_shares = vec![0.0; stress.corners.len()];
+) -> Vec<f64> {
+    let mut shares = vec![0.0; mesh.triangles.len()];
     let mut seen = vec![usize::MAX; stress.corners.len()];
     let mut found = 0;
     let (mut cut, mut spare) = (Vec::new(), Vec::new());
@@ -100,13 +99,11 @@ pub(crate) fn shares(
                         power += sum_s * sum_e + paired;
                     }
                     let share = -area / 12.0 * power;
-                    upper_shares[triangle] += share;
-                    lower_shares[s] += share;
+                    shares[triangle] += share;
                 }
                 for jump in jumps.iter().flatten() {
                     let share = jump.share(&v, &part, values);
-                    upper_shares[triangle] += share;
-                    lower_shares[s] += share;
+                    shares[triangle] += share;
                 }
             }
             if met {
@@ -119,7 +116,7 @@ pub(crate) fn shares(
             }
         }
     }
-    (upper_shares, lower_shares)
+    shares
 }
 
 /// A velocity jump at an edge: control points of the difference to the other side.

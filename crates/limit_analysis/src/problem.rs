@@ -62,6 +62,15 @@ impl Problem {
                 .collect(),
         };
         outline.check()?;
+        let lines = outline.lines.len() as f64;
+        let named =
+            statement.boundaries.iter().map(|b| ("the line of a boundary", b.line as f64, 0.0, lines));
+        let down = ("gravity along y", statement.gravity[1], f64::MIN, 0.0);
+        for (quantity, value, low, high) in named.chain([down]) {
+            if !(value >= low && value < high) {
+                return Err(LimitError::Range { quantity, value, low, high, unit: "" });
+            }
+        }
         let weight = statement.regions[0].material.unit_weight;
         let mut soils = Vec::new();
         for region in &statement.regions {

@@ -3,7 +3,7 @@
 
 use soilctl_certificate::{prove_lower, prove_upper};
 use soilctl_earth_pressure::{Case, ChenLiu, Coulomb, ForceModel};
-use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Options, bound};
+use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Options, Problem, bound};
 
 /// A few coarse levels, however slow the machine.
 fn coarse(max_elements: usize) -> Options {
@@ -90,6 +90,18 @@ fn bits_do_not_depend_on_threads() {
         assert_eq!(one.upper.value.to_bits(), more.upper.value.to_bits());
         assert_eq!(one.lower.field, more.lower.field);
         assert_eq!(one.upper.field, more.upper.field);
+    }
+}
+
+#[test]
+fn statements_that_name_no_line_or_have_no_gravity_are_refused() {
+    let statement = EmbeddedPlate::default().problem().unwrap().statement().clone();
+    let mut nowhere = statement.clone();
+    nowhere.boundaries[0].line = 99;
+    let mut weightless = statement;
+    weightless.gravity = [0.0, 0.0];
+    for bad in [nowhere, weightless] {
+        assert!(matches!(Problem::new(bad), Err(LimitError::Range { .. })));
     }
 }
 
