@@ -15,6 +15,8 @@ pub(crate) const LABEL_EM: f64 = 13.0;
 pub(crate) const TICK_EM: f64 = 12.0;
 /// Distance between the plot area and its tick labels.
 pub(crate) const TICK_GAP: f64 = 7.0;
+/// What remains of the plot area on the smallest page, whatever its labels and names.
+const SMALLEST: f64 = 16.0;
 
 /// The layout of one figure.
 #[derive(Debug)]
@@ -43,11 +45,12 @@ impl Frame {
         let beside =
             legend.as_ref().filter(|_| figure.legend == Legend::Right).map_or(0.0, |l| l.width + 14.0);
         let x_title = if figure.x.label.is_empty() { 0.0 } else { LABEL_EM + 9.0 };
+        let left = 64f64.min(page_width * 0.3);
         let plot = Rect {
-            left: 64.0,
+            left,
             top,
-            right: page_width - PAD - 6.0 - beside,
-            bottom: page_height - PAD - below - x_title - TICK_GAP - TICK_EM,
+            right: (page_width - PAD - 6.0 - beside).max(left + SMALLEST),
+            bottom: (page_height - PAD - below - x_title - TICK_GAP - TICK_EM).max(top + SMALLEST),
         };
         let mut frame = Self {
             plot,
@@ -76,13 +79,15 @@ impl Frame {
             let y_title = if figure.y.label.is_empty() { 0.0 } else { LABEL_EM + 9.0 };
             let widest =
                 self.y_ticks.major.iter().map(|t| width(&t.label, TICK_EM, false)).fold(8.0, f64::max);
-            // A plot area must remain on the narrowest page, whatever the labels.
-            self.plot.left = (PAD + y_title + widest + TICK_GAP).min(self.page_width * 0.45);
+            self.plot.left = (PAD + y_title + widest + TICK_GAP)
+                .min(self.page_width * 0.45)
+                .min(self.plot.right - SMALLEST);
             self.x_ticks = self.spaced_x_ticks(figure.x.scale);
             let overhang = self.x_ticks.major.last().map_or(0.0, |tick| {
                 self.x(tick.value) + width(&tick.label, TICK_EM, false) / 2.0 - self.plot.right - PAD
             });
-            self.plot.right = (self.plot.right - overhang.max(0.0)).min(right_edge);
+            self.plot.right =
+                (self.plot.right - overhang.max(0.0)).max(self.plot.left + SMALLEST).min(right_edge);
         }
     }
 
@@ -149,6 +154,20 @@ fn with_equal_aspect(extent: Extent, plot: &Rect) -> Extent {
 mod tests {
     use super::*;
     use crate::model::{Axis, Line};
+
+    #[test]
+    fn a_plot_area_remains_on_the_smallest_page() {
+        super::super::fonts::register().unwrap();
+        for name in ["w", "a name that is longer than its page is wide, and then some"] {
+            let mut figure = Figure::new(name, Axis::linear(name), Axis::linear(name))
+                .with_legend(Legend::Right)
+                .with_equal_aspect()
+                .unwrap();
+            figure.push(Line::new(name, [(0.0, -1e-60), (1e100, 1e15)])).unwrap();
+            let frame = Frame::new(&figure, 160.0, 160.0);
+            assert!(frame.plot.width() >= SMALLEST && frame.plot.height() >= SMALLEST, "{:?}", frame.plot);
+        }
+    }
 
     #[test]
     fn equal_aspect_has_equal_units() {
