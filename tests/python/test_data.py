@@ -42,7 +42,21 @@ def check_sidecar(sidecar, table):
 
 def test_every_table_has_a_sidecar():
     named = {path.stem for path in DATA.glob("*.csv")}
-    assert named == {*TABLES, "direct_shear"}
+    assert named == {*TABLES, "direct_shear", "plate_bounds"}
+
+
+def test_the_table_of_bounds_has_the_rows_and_the_sidecar_of_a_bracket_file():
+    sidecar = json.loads((DATA / "plate_bounds.csv.json").read_text(encoding="utf-8"))
+    assert sidecar["schema"] == "soilctl.bracket-file/1" and sidecar["normalisation"] == "slant"
+    rows = rows_of(DATA / "plate_bounds.csv")
+    assert len(rows) == sidecar["cells"] == 287
+    nodes = [tuple(float(row[key]) for key in ("alpha_deg", "phi_deg", "delta_deg")) for row in rows]
+    printed = rows_of(DATA / "appendix_c.csv")
+    assert nodes == [tuple(float(row[key]) for key in ("alpha_deg", "phi_deg", "delta_deg")) for row in printed]
+    for row in rows:
+        lower, upper = float(row["lower"]), float(row["upper"])
+        assert row["certified"] == "true" and 0 < lower < upper
+        assert float(row["gap"]) == pytest.approx(2 * (upper - lower) / (upper + lower), abs=1e-12)
 
 
 @pytest.mark.parametrize("name", TABLES)

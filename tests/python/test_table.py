@@ -74,3 +74,29 @@ def test_bad_axes_are_refused(soilctl, tmp_path, axis):
     arguments = ["--model", "chen", "--alpha", axis, "--phi", "30:40:5", "--delta", "0:20:10"]
     soilctl.refuses("table", "build", *arguments, "--out", tmp_path / "t.parquet", mentions=["--alpha"])
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_built_in_bounds_are_shown_checked_and_planned_by_the_schema(soilctl, validate, tmp_path):
+    shown = soilctl.json("table", "show", "plate-bounds")
+    checked = soilctl.json("table", "check", "plate-bounds", "--against", "appendix-c-num-ub")
+    plan = soilctl.json("table", "build", "--dry-run", "--out", tmp_path / "t.csv")
+    for answer in (shown, checked, plan):
+        validate(answer)
+    assert len(shown["cells"]) == plan["cases"] == 287 and checked["consistent"]
+    for cell in shown["cells"]:
+        node = ["--alpha", cell["alpha_deg"], "--phi", cell["phi_deg"], "--delta", cell["delta_deg"]]
+        if cell["alpha_deg"] == 85 and cell["phi_deg"] == 40:
+            answer = soilctl.json("predict", "--model", "table", *node)
+            assert answer["k_net_lower"] == pytest.approx(cell["lower"], rel=1e-12)
+            assert answer["k_net_upper"] == pytest.approx(cell["upper"], rel=1e-12)
+
+
+def test_a_table_of_bounds_follows_the_schema(soilctl, validate, tmp_path):
+    file = tmp_path / "t.csv"
+    grid = ["--alpha", "85:90:5", "--phi", "25:30:5", "--delta", "0:30:30"]
+    built = soilctl.json("table", "build", *grid, "--max-elements", 700, "--max-gap", 0.2, "--out", file)
+    merged = soilctl.json("table", "merge", file, file, "--out", tmp_path / "m.csv")
+    for answer in (built, merged):
+        validate(answer)
+        assert answer["table"]["filled"] == 6
+    assert (tmp_path / "m.csv").read_bytes() == file.read_bytes()

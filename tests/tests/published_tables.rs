@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use serde::Deserialize;
+use soilctl_earth_pressure::table::BracketModel;
 use soilctl_earth_pressure::thesis::{Column, appendix_c};
 use soilctl_earth_pressure::{Case, ForceModel, Input, model, sensitivity_percent};
 use soilctl_soil::Angle;
@@ -142,9 +143,11 @@ fn table_4_3_log_spiral() {
 #[test]
 fn the_bracket_heals_the_cells_that_were_never_solved() {
     let chen = model("chen").unwrap();
-    let (printed, bracket) = (model("thesis-lb").unwrap(), model("table").unwrap());
+    let printed = model("thesis-lb").unwrap();
+    let [lower, upper] = [Column::LowerBound, Column::UpperBound].map(|column| appendix_c(column).unwrap());
+    let bracket = BracketModel::new("thesis", "Appendix C", lower.clone(), upper);
     let mut above = Vec::new();
-    for ([alpha, phi, delta], _) in appendix_c(Column::LowerBound).unwrap().filled() {
+    for ([alpha, phi, delta], _) in lower.filled() {
         let case = Case::level_deg(alpha, phi, delta);
         let upper = chen.predict(&case).unwrap().k_net().0;
         if printed.predict(&case).unwrap().k_net().0 > upper {

@@ -4,6 +4,8 @@
 //! 1 in of slant length.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+use soilctl_earth_pressure::table::BracketModel;
+use soilctl_earth_pressure::thesis::{Column, appendix_c};
 use soilctl_earth_pressure::{ForceModel, model};
 use soilctl_estimator::{Estimate, Observation, Setup, estimate, section};
 use soilctl_soil::{Angle, Plate, units};
@@ -107,14 +109,33 @@ fn the_other_soils_come_near_table_7_2() {
     }
 }
 
+/// The thesis's own bounds as a bracket.
+fn thesis_bracket() -> BracketModel {
+    let [lower, upper] = [Column::LowerBound, Column::UpperBound].map(|column| appendix_c(column).unwrap());
+    BracketModel::new("thesis", "Appendix C", lower, upper)
+}
+
 /// The bracket holds the regions of both bounds.
 #[test]
 fn the_bracket_contains_both_bounds() {
     let (upper, lower) = (run("thesis-ub", "ticino_rained", true), run("thesis-lb", "ticino_rained", true));
-    let bracket = run("table", "ticino_rained", true);
+    let model = thesis_bracket();
+    let bracket = estimate(&setup(&model, "ticino_rained", true)).unwrap();
     for inner in [&upper, &lower] {
         let shared = bracket.region.common_area(&inner.region);
         assert!(shared > 0.9999 * inner.region.area());
+    }
+}
+
+/// The truth is inside both brackets, so they leave soils in common; the proven one leaves fewer.
+#[test]
+fn the_proven_bracket_says_more_than_that_of_the_thesis() {
+    let model = thesis_bracket();
+    for soil in ["ticino_rained", "nevada_fine", "glass_beads"] {
+        let printed = estimate(&setup(&model, soil, true)).unwrap().region;
+        let proven = run("table", soil, true).region;
+        assert!(proven.area() < 0.9 * printed.area(), "{soil}: {} {}", proven.area(), printed.area());
+        assert!(proven.common_area(&printed) > 0.5 * proven.area(), "{soil}");
     }
 }
 

@@ -4,18 +4,92 @@ use serde::{Deserialize, Serialize};
 
 use crate::mesh::Mesh;
 
-/// A flow of the soil, which proves an upper bound. On a triangle the velocity is a quadratic polynomial in
-/// Bernstein-Bezier form, `sum_i l_i^2 b_i + sum_{i<j} 2 l_i l_j b_ij` in the triangle's barycentric coordinates `l`.
+/// A flow of the soil, which proves an upper bound.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct UpperField {
     /// The mesh.
     pub mesh: Mesh,
-    /// For each triangle, indices of its control points: at corners 0, 1, 2, then on edges 0, 1, 2.
-    pub nodes: Vec<[usize; 6]>,
-    /// Velocities of the control points. Triangles move together where they have control points in common; where
-    /// those of a common edge differ, they slide over each other.
+    /// The flow on each triangle: quadratic in soil with friction, by a stream function in soil without.
+    pub flows: Vec<Flow>,
+    /// Velocities of the control points of quadratic flows.
     pub velocities: Vec<Velocity>,
+    /// Copies of vertices for the stream function.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stream: Vec<StreamCopy>,
+    /// What is added to the stream function along each wall.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub walls: Vec<f64>,
+}
+
+/// The flow on one triangle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Flow {
+    /// The velocity is a quadratic polynomial in Bernstein-Bezier form, `sum_i l_i^2 b_i + sum_{i<j} 2 l_i l_j b_ij` in
+    /// the triangle's barycentric coordinates `l`. The entries are indices of control points: at corners 0, 1, 2, then on
+    /// edges 0, 1, 2. Triangles move together where they have control points in common; where those of a common edge
+    /// differ, they slide over each other.
+    Quadratic([usize; 6]),
+    /// The velocity is `(s_y, -s_x)` of a stream function `s`, the same piecewise cubic as the stress function of a lower
+    /// bound.
+    Stream {
+        /// Indices of the copies at corners 0, 1, 2.
+        corners: [usize; 3],
+        /// For each edge, the slope across its middle, along the edge vector turned left. Where triangles share the copies
+        /// at both ends of an edge, that of the first of them counts for both.
+        slopes: [f64; 3],
+    },
+}
+
+/// A copy of a vertex: triangles that share it share the value and the slopes of the stream function there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StreamCopy {
+    /// Index of the vertex.
+    pub vertex: usize,
+    /// Value and slopes.
+    pub jet: StreamJet,
+}
+
+/// Value and slopes `(s, sx, sy)` of the stream function at a vertex copy.
+///
+/// A *wall* is a run of boundary sides of soil without friction along which the velocity across is given: zero along
+/// fixed, far and smooth sides, that of the structure along faces with adhesion but no friction. There the stream function
+/// is known up to a constant, the entry in [`UpperField::walls`]: it is zero at the start of the run's first side (walked
+/// with the soil on the left) and grows by what the given velocity carries out of the soil: from `a` to `b` by `V_x (b -
+/// a)_y - V_y (b - a)_x`. Runs are counted in the order of the least index of their sides in
+/// [`Statement::boundaries`](crate::Statement::boundaries); a closed one starts with that side.
+///
+/// All copies at the ends of an edge on a wall must be of the kind `Wall` or `Corner`, all others `Free`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum StreamJet {
+    /// Any.
+    Free {
+        /// Value.
+        s: f64,
+        /// Slope along x.
+        sx: f64,
+        /// Slope along y.
+        sy: f64,
+    },
+    /// On one side of a wall: slopes are those along the side plus `across n`, `n` being the line's `to - from` turned
+    /// left. On fixed and far sides `across` is zero, and so are the slopes across the middles of edges.
+    Wall {
+        /// Index of the wall.
+        wall: usize,
+        /// Index of the line.
+        line: usize,
+        /// Slope across over the length of `n`.
+        across: f64,
+    },
+    /// Where two sides of a wall meet that are not parallel: both slopes follow from them. Also where they are parallel and
+    /// move alike: the soil moves with them then.
+    Corner {
+        /// Index of the wall.
+        wall: usize,
+    },
 }
 
 /// Velocity of a control point.
@@ -51,15 +125,21 @@ pub struct LowerField {
     pub corners: Vec<[usize; 3]>,
     /// Copies of vertices. At a vertex on a slit each side may have its own.
     pub copies: Vec<VertexCopy>,
-    /// Affine functions that the stress function equals along runs of free boundary. The first is zero.
+    /// One affine function for each run of free or loaded boundary, in the order of the least index of its sides in
+    /// [`Statement::boundaries`](crate::Statement::boundaries). Along the run the stress function equals it plus what the
+    /// loads demand. The first is zero.
     pub chains: Vec<Chain>,
     /// For each line of the statement, the slope `grad f . n` at its start, `n` being `to - from` turned left. Only
-    /// used for lines of given shear on which no vertex copy belongs to a chain.
+    /// used for lines of given shear on which no vertex copy belongs to a chain, and of a run of such lines that follow
+    /// each other in one direction only for the first, by its index in the statement's boundaries.
     pub lines: Vec<f64>,
     /// For each triangle edge, the slope across its middle, along the edge vector turned left (into the triangle).
     pub slopes: Vec<[f64; 3]>,
     /// Horizontal normal stress, beyond the reference, in the soil below the level far lines.
     pub far_stress: f64,
+    /// The factor on live loads or on the body force, which is what is proven; not used for a structure.
+    #[serde(default)]
+    pub multiplier: f64,
 }
 
 /// A copy of a vertex: triangles that share it share the value and the slopes of the stress function there.
@@ -107,7 +187,7 @@ pub enum Gradient {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Jet {
-    /// Those of a chain, exactly.
+    /// Those of a chain at this place, loads included, exactly.
     Chain {
         /// Index of the chain.
         chain: usize,

@@ -21,12 +21,19 @@
 //!
 //! # What is bounded
 //!
-//! `F`, the force of the structure on the soil (per unit width) times the structure's velocity `V`: the largest that a
-//! stress field in equilibrium with weight and surcharge can have, of all that soil and faces can bear. A soil bears
-//! `c cos(phi) - sin(phi) (xx + yy)/2 >= sqrt(((xx - yy)/2)^2 + xy^2)`, a [face](Condition::Face) `|shear| <= adhesion -
-//! normal tan(delta)`, a frictionless one pressure only. Soil beyond [far](Condition::Far) lines is part of it: to the
-//! left and right of the mesh, below it, or all around. Where such soil adjoins a [fixed](Condition::Fixed) or
-//! [smooth](Condition::Smooth) wall or base at a corner of the mesh, that goes on for ever too.
+//! - [`Objective::Structure`]: `F`, the force of the structure on the soil (per unit width) times the structure's velocity
+//!   `V`: the largest that a stress field in equilibrium with weight and loads can have, of all that soil and faces can
+//!   bear.
+//! - [`Objective::Loads`]: the largest factor `m` on all live loads for which there is such a stress field.
+//! - [`Objective::Body`]: the same for a body force that is added to gravity.
+//!
+//! Strength is one of the effective stress, the stress plus the pore pressure `u` in both normal parts. With its mean
+//! `p = (xx + yy)/2 + u` and `r = sqrt(((xx - yy)/2)^2 + xy^2)`, a soil bears `c cos(phi) - sin(phi) p >= r` and, where its
+//! tension is limited to `t`, `t - p >= r`; a [face](Condition::Face) bears `|shear| <= adhesion - (normal + u)
+//! tan(delta)`, a frictionless one without adhesion `normal + u <= 0` only. Soil beyond [far](Condition::Far) lines is part
+//! of it: to the left and right of the mesh, below it, or all around. Its cohesion is that along the line. Where such soil
+//! adjoins a [fixed](Condition::Fixed) or [smooth](Condition::Smooth) wall or base at a corner of the mesh, that goes on for
+//! ever too.
 //!
 //! # Every interval holds the true number
 //!
@@ -45,57 +52,125 @@
 //!
 //! # Upper bound
 //!
-//! For a stress field as above and a flow `v` that is zero far away, virtual work gives `F` = power of the stresses on the
-//! strain rate and on the jumps of `v`, less that of the weight and of the surcharge, less that of the tractions on the
-//! slip `v - V` at the faces. Where strain rate and jumps are in the cone that is dual to what the soil or face bears
-//! (`exx + eyy >= sin(phi) sqrt((exx - eyy)^2 + 4 exy^2)`; opening at least slip times `tan`), the power is at most
-//! `c cot(phi)` times the dilation. The cones are convex: strain rates, linear on a triangle, obey at the corners and
-//! hence everywhere; jumps, quadratic along an edge, obey at Bernstein control points and hence everywhere. A jump between
-//! two soils may use either, since the traction is within the strength of both. What remains is linear in the control
-//! points and is summed.
+//! For a stress field as above and a flow `v` that is zero far away, virtual work says that `F` and the power of all other
+//! loads add up to the power of the stresses on the strain rate, on the jumps of `v`, and on `v - V` at the faces. With `D`
+//! not below the latter and `W` the power of weight, surcharge and given tractions, `F <= D - W`. If a factor is bounded,
+//! `V` is zero, `P > 0` the power of the loads that it multiplies and `W` that of the others: it is at most `(D - W)/P`.
+//! Integrals of polynomials are exact but for rounding.
+//!
+//! *Soil with friction* has a velocity quadratic on each triangle. Its strain rate must be in the cone that is dual to
+//! what the soil bears (`e = exx + eyy >= g sin(phi)`, `g = sqrt((exx - eyy)^2 + 4 exy^2)`); then the power of the
+//! effective stress is at most `c cot(phi) e`. Jumps and faces are thin layers: with opening `o` and slip `s`, `o >= |s|
+//! tan`, and the power is at most `c cot o`. The cones are convex: strain rates, linear on a triangle, obey at the corners
+//! and hence everywhere; jumps, quadratic along an edge, obey at Bernstein control points and hence everywhere.
+//!
+//! - *Jumps between two soils* may use either, since the traction is within the strength of both, each with its own pore
+//!   pressure.
+//! - *Cohesion* is linear, and more of it never dissipates less, so it may be taken as zero where rounding makes it less.
+//! - *Pore pressure* `u` adds `-u e` and `-u o`, at faces that of the soil there.
+//! - *A greatest tension* `t` cuts the cone off. The power is then at most `t e + Q max(g - e, 0)` too, with `Q = max(0, (c
+//!   cos(phi) - t sin(phi))/(1 - sin(phi)))`; in a layer `e = o` and `g = sqrt(o^2 + s^2)`. Both factors are convex and not
+//!   negative, so they are at most the linear functions through their values at corners, and at most the polynomials that
+//!   have their values at control points as coefficients. The lesser of the two bounds counts.
+//!
+//! *Soil without friction* has the velocity `(s_y, -s_x)` of a stream function, the piecewise cubic of the lower bound with
+//! the same gluing: no volume changes and nothing jumps, by construction. It dissipates `c g`; `g` is convex
+//! in the strain rate, so in each part it is at most the linear function through its values at the nodes.
+//!
+//! - *Walls.* Where the velocity across a side is given, `s` is linear along it and known but for a constant that is
+//!   common to the whole run of such sides ([`StreamJet`]): from `a` to `b` it grows by `V_x (b - a)_y - V_y (b - a)_x`. On
+//!   an edge, `s` is cubic, so it is that function if values and slopes at the ends are. Around a closed run the changes
+//!   must add up to zero: what moves across itself is closed. On fixed and far sides the slopes at both ends and the one
+//!   across the middle are zero, and so is the velocity.
+//! - *Adhesion* `a` dissipates `a |slip|` at such faces, at most the polynomial with these values as coefficients.
+//! - *Elsewhere* (frictionless faces, loads, soil with friction or at rest beyond) the velocity on an edge is quadratic:
+//!   its part across is the derivative of the cubic, its part along follows from both ends and the middle.
+//! - *Cracks.* Triangles that do not share their vertex copies may move apart as a layer of soil without friction, if its
+//!   tension is limited.
 //!
 //! # Lower bound
 //!
-//! The stress is the reference plus `xx = f_yy, yy = f_xx, xy = -f_xy` of a function `f` with continuous slopes, cubic on
-//! each third of a triangle. The reference is in equilibrium with the weight; with depth `d` below the datum, gravity
-//! `g`, unit weight `w`, surcharge `q` and `t = g_x/g_y` it is `yy = w g_y d - q, xy = w g_x d, xx = (1 + 2 t^2) w g_y d - q`.
-//! The rest needs no force: it is in equilibrium with itself in each part, and tractions on an edge are derivatives along
-//! the edge of the slopes, which both sides share. *So equilibrium holds by construction*: both sides of an edge take value
-//! and slopes at its ends from the same vertex copies and the slope across its middle from the same number; a cubic and
-//! its quadratic slope across are determined by these. Affine functions carry no stress; chains name some, so that values
-//! near them can be stored without loss.
+//! The stress is a reference plus `xx = f_yy, yy = f_xx, xy = -f_xy` of a function `f` with continuous slopes, cubic on
+//! each third of a triangle. The reference is in equilibrium with the weight. The rest needs no force: it is in equilibrium
+//! with itself in each part, and tractions on an edge are derivatives along the edge of the slopes, which both sides share.
+//! *So equilibrium holds by construction*: both sides of an edge take value and slopes at its ends from the same vertex
+//! copies and the slope across its middle from the same number; a cubic and its quadratic slope across are determined by
+//! these. What is proven is the force on the structure, or, for the other objectives, [`LowerField::multiplier`]: it only
+//! enters by the reference and the loads. Affine functions carry no stress; chains name some, so that values near them can
+//! be stored without loss.
 //!
-//! - *Free edges.* `f` equals the affine function of one chain there, with its slopes, so there is no traction beyond the
-//!   reference's, which is the surcharge since free sides lie at the datum.
+//! - *Reference.* All regions have the base, made with the unit weight `w` of the first: with depth `d` below the datum,
+//!   gravity `g`, surcharge `q` and `t = g_x/g_y` it is `yy = w g_y d - q, xy = w g_x d, xx = (1 + 2 t^2) w g_y d - q`. A
+//!   bounded body force `h` adds `m w h_y d` to both normal stresses and `m w h_x d` to the shear stress. If unit weights
+//!   differ, gravity and body force are vertical, and a region of unit weight `w + e` has a column part besides: `yy = C(x,
+//!   y)`, linear, with `C_y = -e (g_y + m h_y)`, which balances the rest of its weight. `C` is zero if `e` is and that of all
+//!   regions above is. If not, `C` is that of the region above on the line between the two; of several such lines, all
+//!   are at one height and what is above them has the same column part. Where no other region is above, `C` is zero on the
+//!   line that is the top of the region or, if that is not one line or one height, at the datum. So `C n_y`, the traction
+//!   of the column part, is the same on both sides of all interfaces: on vertical ones it is zero.
+//! - *Free and loaded edges.* Let `T` be the given traction, less that of the reference, times the length of a side walked
+//!   with the soil on the left; both are linear. Tractions of `f` add up to the change of `(f_y, -f_x)`. So along a run of
+//!   such sides `f` is an affine function, that of the run's chain, plus one that is zero with its slopes where the run
+//!   starts and whose slopes change by the integral of `T` turned left. It is a cubic on each side: value and slopes at both
+//!   ends of an edge and the slope across its middle carry it over exactly. It goes on from side to side in one way, and a
+//!   vertex copy is at one place of one run only, so all edges at a copy take the same value and slopes from it.
 //! - *Lines of given shear.* With `n = to - from` turned left, the slope across `g = grad f . n` has `g' = t . ref n` (no
 //!   shear stress) or `g' = 0` (far lines: that of the reference). This makes it a known quadratic polynomial but for a
 //!   constant, which comes from the first chain that the line touches or from [`LowerField::lines`]. The slope across an
-//!   edge equals `g` if it does at both ends and in the middle.
-//! - *Apexes.* Without surcharge and cohesion there is no strength at the free surface, so the stress must vanish at all
-//!   copies that belong to chains: all Bernstein coefficients up to two steps from them are zero (beyond the chain). The one
-//!   next to a neighbour `C` of an apex `T` is `f + grad f . (T - C)/3` = 0, which restricts the [`Jet`] of `C`. The
-//!   conditions for continuous slopes across and within triangles then hold as for the general element.
-//! - *Strength.* Stresses are linear on each part, so its three nodes decide; so do both ends of a face edge.
+//!   edge equals `g` if it does at both ends and in the middle. Lines that follow each other along the soil share the
+//!   constant if they are all level or all vertical: there `g` over the signed length of `n` is `f_y` or `-f_x`, and its
+//!   derivative is the shear stress of the base, whatever the region.
+//! - *Apexes.* On free sides without surcharge of soil without cohesion the stress must vanish; they lie at the datum, as
+//!   does the reference's zero, and no load acts before or next to them. At all their vertex copies all Bernstein
+//!   coefficients up to two steps away are zero (beyond the chain). The one next to a neighbour `C` of an apex `T` is `f +
+//!   grad f . (T - C)/3` = 0, which restricts the [`Jet`] of `C`. The conditions for continuous slopes across and within
+//!   triangles then hold as for the general element; those along lines of given shear do since `g'` is zero at an apex.
+//! - *Strength.* Stress, cohesion and pore pressure are linear on each part, and what is borne is a convex set of all
+//!   three together, so the part's three nodes decide; so do both ends of a face edge.
 //! - *Force.* Tractions of `f` on a piece of boundary, soil on the left, add up to the change of `(f_y, -f_x)`.
 //!
 //! # Beyond far lines
 //!
-//! Beside a vertical far line the stress is, at each height, (`xx` of the mesh at the line, reference `yy`, reference
-//! `xy`). Below a level one it is (reference `xx` + `far_stress`, `yy` of the mesh at the line + what the weight adds with
-//! depth, reference `xy`). In the quadrants beyond both it is (reference `xx` + `far_stress`, reference `yy` and `xy`).
-//! Each balances: the components that vary only along x or y in the way that matters are those of the reference, for
-//! `xx` in the strips beside does not depend on x and `yy` below the mesh changes with y as in the reference. On each
-//! line between two of these the components that act across it are the same: `xy` is the reference's everywhere (in the
-//! mesh because `g' = 0`); `xx` continues across vertical lines, `yy` across level ones. The surface at the datum carries
-//! the surcharge. Strength is proven at both ends of each edge and in the corners; downwards a stress state moves along
-//! the reference's gradient, which is proven to be within the cone of the strength without cohesion, so it stays within.
+//! Let `B` be the base of the reference. With vertical gravity, `B_xy` is zero.
+//!
+//! - *Beside a vertical far side* the layers along it go on level, up to a level surface at the height of the side's
+//!   upper end. At each height the stress is `xx` of the mesh at the line, `yy` that of what lies above there, from the
+//!   surcharge on the surface on, and `B_xy`.
+//! - *Below a level far side* it is `xx = X(y)`, `yy` of the mesh at the line plus what the weight adds with depth, and
+//!   `B_xy`. At the line, `X` is `B_xx` plus [`LowerField::far_stress`]; from there on it changes as the base of soil of the
+//!   unit weight there would, which is one for all soil beyond that side and for the lowest layers beside.
+//! - *In the quadrants beyond both* it is `xx = X(y)`, `yy` as beside at the lowest point plus what the weight adds, and
+//!   `B_xy`.
+//!
+//! Each balances: `xx` does not vary along x, nor does `xy`; `yy` varies along y as the weight demands, and `xy` is zero, or
+//! that of the base where gravity is not vertical, which is then allowed only for one unit weight and a surface at the
+//! datum. On each line between two of these the parts that act across it are the same: `xy` is `B_xy` everywhere (in the
+//! mesh because `g' = 0` and column parts do not shear); `xx` continues across vertical lines, where `X` depends on y only;
+//! `yy` continues across level ones, also between layers. It need not continue across vertical ones, so levels on the left
+//! and right may differ. On the surface `yy` is the surcharge and `xy` zero.
+//!
+//! Strength is proven at both ends of each edge, with the soil of that edge, and in the corners; between, all is linear.
+//! Pore pressure beside a vertical far side does not vary along x, and below it goes on with the depth as it does inside.
+//! Downwards an effective stress state moves along the gradient of the base plus that of the pore pressure, which is
+//! proven to be within the cone of the strength without cohesion and tension, so it stays within.
 //!
 //! # What is not covered yet
 //!
-//! Upper bounds for soil without friction; lower bounds with different unit weights or with free sides off the datum;
-//! adhesion without friction; far lines other than a frame of the mesh; more than two lines of given shear, or parallel
-//! ones, that meet.
+//! Lower bounds with
+//!
+//! - free or loaded boundary all around the soil or a hole;
+//! - free sides off the datum, or loads before or next to free sides, of soil without cohesion and surcharge;
+//! - a region under several tops where unit weights differ, and gravity that is not vertical there;
+//! - adhesion without friction on soil with friction, and interface friction on soil without;
+//! - more than two lines of given shear, or parallel ones that are not joined, that meet; sloping ones between soils of
+//!   different unit weight;
+//! - far lines other than a frame of the mesh, different unit weights beyond the one below, and pore pressure that varies
+//!   along x beside vertical ones.
+//!
+//! Upper bounds with friction at faces in soil without friction, with adhesion alone at faces in soil with friction, and
+//! with a closed wall of soil without friction of which only a part moves.
 
+mod element;
 mod error;
 #[cfg(test)]
 mod examples;
@@ -113,10 +188,12 @@ mod tiling;
 mod upper;
 
 pub use error::CertificateError;
-pub use fields::{Chain, Gradient, Jet, LowerField, UpperField, Velocity, VertexCopy};
+pub use fields::{
+    Chain, Flow, Gradient, Jet, LowerField, StreamCopy, StreamJet, UpperField, Velocity, VertexCopy,
+};
 pub use lower::prove_lower;
 pub use mesh::{Mesh, Place, Triangle, Vertex};
 pub use proof::{Bound, Proof, prove};
 pub use solution::{Claim, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
-pub use statement::{Boundary, Condition, Line, LineUse, Material, Region, Statement};
+pub use statement::{Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement};
 pub use upper::prove_upper;

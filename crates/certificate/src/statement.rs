@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-/// A limit-analysis problem: soil in plane strain and one rigid structure that is pushed.
+/// A limit-analysis problem: soil in plane strain, what holds and loads it, and the load that is to be bounded.
 ///
 /// x points to the right, y upwards; tension is positive. Lengths, unit weights and stresses are in any units that fit
 /// together (stress = unit weight times length), angles in degrees. What the numbers mean is said in the
@@ -14,16 +14,46 @@ pub struct Statement {
     pub lines: Vec<Line>,
     /// Soil. Regions do not overlap.
     pub regions: Vec<Region>,
-    /// Body force where the unit weight is one; the second component is below zero.
+    /// Body force where the unit weight is one; the second component is at most zero, and below zero if the first one
+    /// is not zero.
     pub gravity: [f64; 2],
-    /// The y at which the reference pressure is the surcharge; the level of the free surface beyond far lines.
+    /// The y at which the reference pressure is the surcharge.
     pub datum: f64,
-    /// Pressure on free sides, at least zero.
+    /// Pressure on free sides and on the surface beyond far lines, at least zero.
     pub surcharge: f64,
-    /// Velocity of the structure. Bounds are on its force times this.
-    pub velocity: [f64; 2],
+    /// What is bounded.
+    pub objective: Objective,
     /// What holds on boundary sides of lines, at most one entry for each side.
     pub boundaries: Vec<Boundary>,
+}
+
+/// What is bounded.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Objective {
+    /// The force of the structure on the soil, times its velocity.
+    Structure {
+        /// The structure's velocity.
+        velocity: [f64; 2],
+    },
+    /// The factor on all live [loads](Condition::Loaded). Structures do not move.
+    Loads,
+    /// The factor on a body force that is added to gravity. Structures do not move.
+    Body {
+        /// The body force where the unit weight is one.
+        gravity: [f64; 2],
+    },
+}
+
+impl Objective {
+    /// Velocity of the structure: zero unless its force is the objective.
+    #[must_use]
+    pub fn velocity(&self) -> [f64; 2] {
+        match self {
+            Self::Structure { velocity } => *velocity,
+            Self::Loads | Self::Body { .. } => [0.0; 2],
+        }
+    }
 }
 
 /// A straight line between two points.
@@ -64,10 +94,45 @@ pub struct Region {
 pub struct Material {
     /// Friction angle in degrees, from 0 up to (not including) 90.
     pub phi_deg: f64,
-    /// Cohesion (stress), at least zero.
-    pub cohesion: f64,
+    /// Cohesion (stress), at least zero all over the region.
+    pub cohesion: Linear,
     /// Unit weight (force per volume), at least zero.
     pub unit_weight: f64,
+    /// Pressure of the water in the pores. Strength depends on the effective stress, which is the stress plus this.
+    #[serde(default, skip_serializing_if = "Linear::is_zero")]
+    pub pore_pressure: Linear,
+    /// Greatest effective tension (stress), at least zero; none but what friction and cohesion allow if it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension: Option<f64>,
+}
+
+/// A quantity that is linear over a region: `at_origin + gradient . (x, y)`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Linear {
+    /// Value at the origin of coordinates, be it inside the region or not.
+    pub at_origin: f64,
+    /// Slopes along x and y.
+    #[serde(default, skip_serializing_if = "is_level")]
+    pub gradient: [f64; 2],
+}
+
+fn is_level(gradient: &[f64; 2]) -> bool {
+    *gradient == [0.0; 2]
+}
+
+impl Linear {
+    /// The same everywhere.
+    #[must_use]
+    pub const fn uniform(value: f64) -> Self {
+        Self { at_origin: value, gradient: [0.0; 2] }
+    }
+
+    /// Whether it is zero everywhere.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.at_origin == 0.0 && is_level(&self.gradient)
+    }
 }
 
 /// What holds on one side of a line. A side of a region without such an entry is an interface with other soil.
@@ -97,17 +162,29 @@ impl Boundary {
 pub enum Condition {
     /// Loaded by the surcharge, as a pressure.
     Free,
+    /// Loaded by given tractions, linear along the line.
+    Loaded {
+        /// Pressure at the start and the end of the line itself, whichever side this is.
+        pressure: [f64; 2],
+        /// Shear traction on the soil at the same two ends, along the side walked with the soil on the left.
+        shear: [f64; 2],
+        /// Whether the load is multiplied by the factor that [`Objective::Loads`] bounds. With any other objective it is
+        /// like all loads.
+        live: bool,
+    },
     /// No velocity; any traction.
     Fixed,
     /// No velocity across; no shear traction.
     Smooth,
-    /// The soil goes on for ever beyond the line, the same as inside along it, under a level free surface at the datum.
+    /// The soil goes on for ever beyond the line, the same as inside along it, under a level surface, as high as the
+    /// upper end of the far side, that carries the surcharge.
     Far,
     /// A face of the structure, without tension: shear traction up to `adhesion - normal stress * tan(delta)`.
     Face {
         /// Friction angle of the interface in degrees, from 0 up to (not including) 90.
         delta_deg: f64,
-        /// Adhesion (stress), at least zero. With `delta_deg` zero, only zero is covered.
+        /// Adhesion (stress), at least zero. With `delta_deg` zero: if it is zero, the face bears pressure only; if not,
+        /// any normal stress, but it is covered for soil without friction only.
         adhesion: f64,
     },
 }
@@ -118,7 +195,7 @@ impl Condition {
         match self {
             Self::Smooth | Self::Far => true,
             Self::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion == 0.0,
-            Self::Free | Self::Fixed => false,
+            Self::Free | Self::Loaded { .. } | Self::Fixed => false,
         }
     }
 }

@@ -61,7 +61,10 @@ fn every_model_answers_and_tables_have_no_split() {
     let ends = &answer["k_net_provenance"];
     assert_eq!(
         (&ends["lower"], &ends["upper"]),
-        (&"Appendix C, num_lb".into(), &"Appendix C, num_ub".into())
+        (
+            &"limit analysis of the plate, lower bound".into(),
+            &"limit analysis of the plate, upper bound".into()
+        )
     );
     let (low, high) = (number(&answer, "k_net_lower"), number(&answer, "k_net_upper"));
     assert!(low < high && ((low * high).sqrt() - number(&answer, "k_net")).abs() < 1e-12);

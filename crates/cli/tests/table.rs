@@ -47,7 +47,7 @@ fn a_table_that_does_not_grow_is_a_negative_answer() {
     let path = dir.path().join("t.csv");
     let file = path.to_str().unwrap();
     let grid = ["--alpha", "70:80:5", "--phi", "30:40:5", "--delta", "0:10:5"];
-    json(&[&["table", "build", "--out", file], &grid[..]].concat());
+    json(&[&["table", "build", "--model", "chen", "--out", file], &grid[..]].concat());
     let text = std::fs::read_to_string(&path).unwrap();
     let row = text.lines().find(|line| line.starts_with("75.0,35.0,5.0,")).unwrap();
     std::fs::write(&path, text.replace(row, "75.0,35.0,5.0,0.5,solved")).unwrap();

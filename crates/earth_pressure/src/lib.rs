@@ -8,7 +8,7 @@
 //! | `caquot` | Caquot & Kerisel, [`Caquot`] | table |
 //! | `chen` | Chen & Liu, [`ChenLiu`] | kinematic upper bound, one search |
 //! | `thesis-ub`, `thesis-lb` | numerical limit analysis of Hong (2001), [`table::TableModel`] | tables of bounds |
-//! | `table` | the bracket between a lower- and an upper-bound table, [`table::BracketModel`] | table |
+//! | `table` | certified lower and upper bounds of our own, [`plate_bounds()`] | tables of bounds, as a bracket |
 //!
 //! Coefficients are slant-normalised (see [`soilctl_soil`]); forces are passive minus active.
 //!
@@ -29,6 +29,7 @@ mod error;
 mod log_spiral;
 mod minimise;
 mod model;
+mod plate_bounds;
 mod sensitivity;
 pub mod table;
 pub mod thesis;
@@ -43,6 +44,7 @@ pub use model::{
     FailureSurface, ForceModel, MODEL_IDS, ModelSlice, NetFactors, ValidRange, check_loads, failure_force_n,
     model,
 };
+pub use plate_bounds::plate_bounds;
 pub use sensitivity::{Input, sensitivity_percent};
 
 #[cfg(test)]

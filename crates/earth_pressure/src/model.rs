@@ -1,7 +1,8 @@
 use soilctl_soil::{Angle, Interface, Plate, Provenance, Soil};
 
 use crate::{
-    Caquot, Case, ChenLiu, Coulomb, EarthPressureError, LoadFactors, Loads, LogSpiral, Prediction, thesis,
+    Caquot, Case, ChenLiu, Coulomb, EarthPressureError, LoadFactors, Loads, LogSpiral, Prediction,
+    plate_bounds, thesis,
 };
 
 /// A model of the force at which a plate fails the soil.
@@ -202,7 +203,7 @@ pub fn model(id: &str) -> Result<Box<dyn ForceModel>, EarthPressureError> {
         "chen" => Box::new(ChenLiu),
         "thesis-ub" => Box::new(thesis::upper_bound()?),
         "thesis-lb" => Box::new(thesis::lower_bound()?),
-        "table" => Box::new(thesis::bracket()?),
+        "table" => Box::new(plate_bounds::bracket()?),
         _ => {
             return Err(EarthPressureError::UnknownModel {
                 name: id.to_owned(),

@@ -5,7 +5,7 @@
 //! of them it exceeds a rigorous upper bound. Those cells are marked interpolated.
 
 use crate::EarthPressureError;
-use crate::table::{BracketModel, Cell, CellStatus, PredictionTable, Quantity, TableModel};
+use crate::table::{Cell, CellStatus, PredictionTable, Quantity, TableModel};
 
 const CSV: &str = include_str!("../../../data/appendix_c.csv");
 
@@ -93,15 +93,4 @@ pub fn lower_bound() -> Result<TableModel, EarthPressureError> {
     let reference =
         "Hong 2001, Appendix C: numerical lower bound; its cells at delta = 5 deg are interpolated";
     Ok(TableModel::new("thesis-lb", reference, appendix_c(Column::LowerBound)?))
-}
-
-/// Model `table`: the bracket between the two.
-///
-/// # Errors
-/// As [`appendix_c`].
-pub fn bracket() -> Result<BracketModel, EarthPressureError> {
-    let reference = "bracket of Hong 2001, Appendix C, numerical lower and upper bound, moved outwards by the \
-                     interpolation margin";
-    let (lower, upper) = (appendix_c(Column::LowerBound)?, appendix_c(Column::UpperBound)?);
-    Ok(BracketModel::new("table", reference, lower, upper))
 }

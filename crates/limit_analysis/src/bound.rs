@@ -12,9 +12,9 @@ use crate::error::LimitError;
 use crate::fields::{StressField, VelocityField};
 use crate::gap::shares;
 use crate::lower::Lower;
-use crate::mesh::{Mesh, Request, SizeField, generate};
+use crate::mesh::{Mesh, Request, generate};
 use crate::problem::Problem;
-use crate::solver::{self, Status};
+use crate::solver::{self, Accuracy, Status};
 use crate::start::Start;
 use crate::topology::Topology;
 use crate::upper::Upper;
@@ -122,28 +122,37 @@ impl Bounds {
 }
 
 fn relative_gap(lower: f64, upper: f64) -> f64 {
-    2.0 * (upper - lower) / (upper + lower)
+    2.0 * (upper - lower) / (upper + lower).abs()
 }
 
-/// Elements of the first mesh, roughly, and how much each next one is larger.
+/// Elements of the first mesh, roughly, and how much each next one is larger; one that grows less than this is not
+/// worth its time.
 const FIRST: f64 = 600.0;
-const GROWTH: f64 = 1.9;
+const GROWTH: f64 = 1.5;
+const LEAST_GROWTH: f64 = 1.15;
+
+/// Time of a solve grows with about this power of the elements.
+const COST: f64 = 1.3;
+
+/// Solver accuracies. The gap shows in the bound; what a stress field misses its cones by costs much of the bound, so
+/// lower bounds need more.
+const UPPER_ACCURACY: Accuracy = Accuracy { gap: 1e-5, feasibility: 1e-8 };
+const LOWER_ACCURACY: Accuracy = Accuracy { gap: 1e-6, feasibility: 1e-8 };
 
 /// What stays clear of all cones of an upper bound, in units of the structure's velocity; more if the proof fails.
-const TIGHTENING: [f64; 3] = [3e-7, 3e-6, 3e-5];
+const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
 
 /// What stays clear of all cones of a lower bound, in units of the local stress times the edge length over the plate's;
 /// more if the proof fails; and how much of it must be left for the proof.
-const LOWER_TIGHTENING: [f64; 2] = [3e-9, 3e-7];
+const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
 const LEFT: f64 = 0.5;
 
 /// The mesh whose lower bound is solved with a level's upper bound: lower bounds need far fewer elements.
 fn lower_mesh(level: usize) -> Option<usize> {
     match level {
         0 => Some(0),
-        1 | 3 => None,
-        2 => Some(1),
-        _ => Some(level - 2),
+        2 | 4 => Some(level - 1),
+        _ => level.is_multiple_of(2).then(|| level - 2),
     }
 }
 
@@ -157,6 +166,7 @@ pub fn bound(
     options: &Options,
     progress: &mut dyn FnMut(&Level, Option<f64>),
 ) -> Result<Bounds, LimitError> {
+    problem.covered()?;
     let mut run = Run::new(problem, options);
     let ended = loop {
         if let Some(ended) = run.level(progress)? {
@@ -188,7 +198,12 @@ struct Run<'a> {
     /// The stress field behind the best lower bound, and its objective.
     stress: Option<(StressField, f64)>,
     bowl: Bowl,
-    size: Option<SizeField>,
+    /// Which tightening the last upper bound needed; finer meshes need no less.
+    tightening: usize,
+    /// Elements asked for on the last mesh.
+    target: f64,
+    /// Shares in the gap of the triangles of the last mesh for which they are known.
+    shares: Option<(usize, Vec<f64>)>,
     guides: Vec<crate::mesh::Guide>,
 }
 
@@ -208,7 +223,9 @@ impl<'a> Run<'a> {
             lower: None,
             upper: None,
             stress: None,
-            size: None,
+            tightening: 0,
+            target: FIRST,
+            shares: None,
             guides,
         }
     }
@@ -220,28 +237,42 @@ impl<'a> Run<'a> {
     /// Time that a solve on `elements` will take, from the last one like it.
     fn estimate(&self, elements: usize, of: impl Fn(&Level) -> Option<Solve>) -> f64 {
         self.levels.iter().rev().find_map(of).map_or(0.0, |last| {
-            1.1 * (last.seconds + last.proof_seconds) * (elements as f64 / last.elements as f64).powf(1.3)
+            1.1 * (last.seconds + last.proof_seconds) * (elements as f64 / last.elements as f64).powf(COST)
         })
+    }
+
+    /// About how many elements the next mesh shall have, or why there is none.
+    fn next_target(&self) -> Result<f64, Ended> {
+        let Some(last) = self.levels.last() else { return Ok(FIRST) };
+        if self.options.stop.load(Ordering::Relaxed) {
+            return Err(Ended::Stopped);
+        }
+        let solved = last.upper.elements as f64;
+        let growth = GROWTH.min(self.options.max_elements as f64 / solved);
+        if growth < LEAST_GROWTH {
+            return Err(Ended::Elements);
+        }
+        let needed = self.estimate((growth * solved) as usize, |l| Some(l.upper));
+        let growth = growth * (self.remaining() / needed).clamp(0.0, 1.0).powf(1.0 / COST);
+        if growth < LEAST_GROWTH { Err(Ended::Time) } else { Ok(growth * self.target) }
     }
 
     /// One level. Returns why to stop, if so.
     fn level(&mut self, progress: &mut dyn FnMut(&Level, Option<f64>)) -> Result<Option<Ended>, LimitError> {
         let number = self.levels.len();
-        let target = (FIRST * GROWTH.powi(number as i32)) as usize;
-        if number > 0 {
-            if self.options.stop.load(Ordering::Relaxed) {
-                return Ok(Some(Ended::Stopped));
-            }
-            if target > self.options.max_elements {
-                return Ok(Some(Ended::Elements));
-            }
-            if self.estimate(target, |l| Some(l.upper)) > self.remaining() {
-                return Ok(Some(Ended::Time));
-            }
-        }
+        let target = match self.next_target() {
+            Ok(target) => target,
+            Err(ended) => return Ok(Some(ended)),
+        };
+        self.target = target;
         let fans = self.begin.fans(number);
         let first = |p: [f64; 2]| self.begin.size(p);
-        let later = self.size.as_ref().map(|field| |p: [f64; 2]| field.size(p));
+        let field = self
+            .shares
+            .as_ref()
+            .map(|(m, shares)| wanted_sizes(&self.meshes[*m].0, shares, target as usize, self.begin.largest))
+            .transpose()?;
+        let later = field.as_ref().map(|field| |p: [f64; 2]| field.size(p));
         let size: &dyn Fn([f64; 2]) -> f64 = match &later {
             Some(size) => size,
             None => &first,
@@ -275,7 +306,8 @@ impl<'a> Run<'a> {
         } else {
             (run.solve_upper(number), lower_mesh.map(|m| run.solve_lower(m)).transpose())
         };
-        let (upper_solve, upper_field, velocity, objective) = upper?;
+        let (tightening, upper_solve, upper_field, velocity, objective) = upper?;
+        self.tightening = tightening;
         let mut level = Level { upper: upper_solve, lower: None, identity: None };
         if let Some((solve, field, stress, objective)) = lower? {
             level.lower = Some(solve);
@@ -290,8 +322,7 @@ impl<'a> Run<'a> {
         {
             let by_triangle = shares(self.problem, mesh, topology, &velocity, stress);
             level.identity = Some([objective - lower_objective, by_triangle.iter().sum()]);
-            let next = (FIRST * GROWTH.powi(number as i32 + 1)) as usize;
-            self.size = Some(wanted_sizes(mesh, &by_triangle, next, self.begin.largest)?);
+            self.shares = Some((number, by_triangle));
             self.guides = crate::slip::guides(self.problem, mesh, topology, &velocity, &self.begin.tips);
         }
         progress(&level, gap);
@@ -335,13 +366,17 @@ impl<'a> Run<'a> {
         Some(relative_gap(self.lower.as_ref()?.value, self.upper.as_ref()?.value))
     }
 
-    fn solve_upper(&self, number: usize) -> Result<(Solve, UpperField, VelocityField, f64), LimitError> {
+    fn solve_upper(
+        &self,
+        number: usize,
+    ) -> Result<(usize, Solve, UpperField, VelocityField, f64), LimitError> {
         let (mesh, topology) = &self.meshes[number];
         let still = self.bowl.still(mesh);
         let mut spent = 0.0;
-        for (attempt, tightening) in TIGHTENING.iter().enumerate() {
+        for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let answer = solver::solve(&upper.program, self.remaining().max(0.0), &self.options.stop)?;
+            let answer =
+                solver::solve(&upper.program, UPPER_ACCURACY, self.remaining().max(0.0), &self.options.stop)?;
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proven = prove_upper(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
@@ -359,7 +394,7 @@ impl<'a> Run<'a> {
             if proven.is_some() || hopeless || attempt + 1 == TIGHTENING.len() {
                 let velocity = VelocityField::new(&upper, &answer.x);
                 let objective = upper.force.value(&answer.x);
-                return Ok((solve, field, velocity, objective));
+                return Ok((attempt, solve, field, velocity, objective));
             }
         }
         Err(LimitError::NothingProven { spent: format!("{spent:.1} s") })
@@ -370,7 +405,8 @@ impl<'a> Run<'a> {
         let mut spent = 0.0;
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
-            let answer = solver::solve(&lower.program, self.remaining().max(0.0), &self.options.stop)?;
+            let answer =
+                solver::solve(&lower.program, LOWER_ACCURACY, self.remaining().max(0.0), &self.options.stop)?;
             spent += answer.seconds;
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);
@@ -387,7 +423,7 @@ impl<'a> Run<'a> {
                     proven,
                 };
                 let objective = lower.force.value(&x);
-                let stress = StressField::new(self.problem, mesh, topology, &lower, &x);
+                let stress = StressField::new(mesh, topology, &lower, &x);
                 return Ok((solve, field, stress, objective));
             }
         }

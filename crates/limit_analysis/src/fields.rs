@@ -2,7 +2,6 @@
 
 use crate::lower::{Lower, node_stresses};
 use crate::mesh::Mesh;
-use crate::problem::Problem;
 use crate::topology::{Side, Topology};
 use crate::upper::Upper;
 
@@ -23,11 +22,11 @@ pub(crate) struct VelocityField {
 }
 
 impl StressField {
-    pub(crate) fn new(problem: &Problem, mesh: &Mesh, topology: &Topology, lower: &Lower, x: &[f64]) -> Self {
+    pub(crate) fn new(mesh: &Mesh, topology: &Topology, lower: &Lower, x: &[f64]) -> Self {
         let corners = mesh.triangles.iter().map(|t| t.corners.map(|c| mesh.vertices[c].position)).collect();
         let parts = (0..mesh.triangles.len())
             .map(|t| {
-                node_stresses(problem, mesh, &lower.function, t)
+                node_stresses(&lower.reference, mesh, &lower.function, t)
                     .map(|part| part.map(|s| s.map_or([0.0; 3], |s| s.map(|f| f.value(x)))))
             })
             .collect();

@@ -50,7 +50,8 @@ pub(crate) fn shares(
     let (mut cut, mut spare) = (Vec::new(), Vec::new());
     for (triangle, t) in mesh.triangles.iter().enumerate() {
         let v = t.corners.map(|c| mesh.vertices[c].position);
-        let shift = problem.soils[t.region].tension();
+        let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
+        let shift = problem.soils[t.region].tension(centre);
         let control = &velocity.control[triangle];
         let strain: [[f64; 3]; 3] = std::array::from_fn(|k| {
             let mut e = [0.0; 3];
@@ -63,7 +64,6 @@ pub(crate) fn shares(
             e
         });
         let jumps = jumps(problem, topology, velocity, triangle, shift);
-        let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
         found = near(&stress.corners, &stress.across, centre, found);
         let mut open = vec![found];
         seen[found] = triangle;
@@ -141,7 +141,7 @@ fn jumps(
         let (there, tension, factor) = match condition {
             Some(Condition::Face { delta_deg, adhesion }) => {
                 let tension = if delta_deg > 0.0 { adhesion / delta_deg.to_radians().tan() } else { 0.0 };
-                ([problem.statement().velocity; 3], tension, 1.0)
+                ([problem.velocity(); 3], tension, 1.0)
             }
             None if topology.guide[triangle][k] => {
                 let o = topology.across[triangle][k]?;

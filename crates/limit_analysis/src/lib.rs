@@ -26,6 +26,7 @@ pub mod mesh;
 mod plate;
 mod problem;
 mod program;
+mod runs;
 mod slip;
 mod solver;
 mod start;

@@ -1,6 +1,8 @@
 //! The embedded plate: a thin straight plate in a half-space, pushed along level ground.
 
-use soilctl_certificate::{Boundary, Condition, Line, LineUse, Material, Region, Statement};
+use soilctl_certificate::{
+    Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement,
+};
 
 use crate::error::LimitError;
 use crate::problem::Problem;
@@ -102,7 +104,13 @@ impl EmbeddedPlate {
         let face = Condition::Face { delta_deg: self.delta_deg, adhesion: self.adhesion };
         let conditions =
             [Condition::Far, Condition::Far, Condition::Far, Condition::Free, face, face, Condition::Free];
-        let material = Material { phi_deg: self.phi_deg, cohesion: self.cohesion, unit_weight: 1.0 };
+        let material = Material {
+            phi_deg: self.phi_deg,
+            cohesion: Linear::uniform(self.cohesion),
+            unit_weight: 1.0,
+            pore_pressure: Linear::default(),
+            tension: None,
+        };
         Problem::new(Statement {
             points,
             lines: ends.map(|(from, to)| Line { from, to }).to_vec(),
@@ -111,7 +119,7 @@ impl EmbeddedPlate {
             datum: 0.0,
             surcharge: self.surcharge,
             // Level in space, so inclined against a sloping surface.
-            velocity: [beta.cos(), -beta.sin()],
+            objective: Objective::Structure { velocity: [beta.cos(), -beta.sin()] },
             boundaries: uses
                 .iter()
                 .zip(conditions)

@@ -2,25 +2,51 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Condition, LineUse, Statement};
+use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Objective, Statement};
 
 use crate::error::LimitError;
 use crate::mesh::{self, Outline};
 
-/// Strength of one region's soil.
+/// One region's soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Soil {
     pub(crate) sin: f64,
     pub(crate) cos: f64,
+    /// Zero for soil without friction, whose flows keep their volume.
     pub(crate) tan: f64,
-    pub(crate) cohesion: f64,
+    pub(crate) cohesion: Linear,
+    pub(crate) pore_pressure: Linear,
+    /// Greatest effective tension.
+    pub(crate) cut_off: Option<f64>,
     pub(crate) unit_weight: f64,
 }
 
+/// Value of a linear quantity at a point.
+pub(crate) fn value(linear: &Linear, p: [f64; 2]) -> f64 {
+    linear.at_origin + linear.gradient[0] * p[0] + linear.gradient[1] * p[1]
+}
+
 impl Soil {
-    /// What lies between the apex of the yield cone and zero stress.
-    pub(crate) fn tension(&self) -> f64 {
-        self.cohesion / self.tan
+    fn new(m: &Material) -> Self {
+        let (sin, cos) = m.phi_deg.to_radians().sin_cos();
+        Self {
+            sin,
+            cos,
+            tan: sin / cos,
+            cohesion: m.cohesion,
+            pore_pressure: m.pore_pressure,
+            cut_off: m.tension,
+            unit_weight: m.unit_weight,
+        }
+    }
+
+    pub(crate) fn has_friction(&self) -> bool {
+        self.tan > 0.0
+    }
+
+    /// Total tension at the apex of the yield cone: what is between it and zero stress. For soil with friction.
+    pub(crate) fn tension(&self, p: [f64; 2]) -> f64 {
+        value(&self.cohesion, p) / self.tan - value(&self.pore_pressure, p)
     }
 }
 
@@ -34,6 +60,10 @@ pub struct Problem {
     pub(crate) outline: Outline,
     pub(crate) soils: Vec<Soil>,
     conditions: BTreeMap<LineUse, Condition>,
+    /// Height of the highest point.
+    top: f64,
+    /// The greatest load on the surface.
+    load: f64,
 }
 
 impl Problem {
@@ -41,8 +71,7 @@ impl Problem {
     ///
     /// # Errors
     ///
-    /// [`LimitError::Mesh`] for geometry that is not a set of regions; [`LimitError::NotCovered`] for friction angles
-    /// of zero, unit weights that differ, or are zero; [`LimitError::Range`] for numbers out of range.
+    /// [`LimitError::Mesh`] for geometry that is not a set of regions; [`LimitError::Range`] for numbers out of range.
     pub fn new(statement: Statement) -> Result<Self, LimitError> {
         let outline = Outline {
             points: statement.points.clone(),
@@ -65,13 +94,14 @@ impl Problem {
         let lines = outline.lines.len() as f64;
         let named =
             statement.boundaries.iter().map(|b| ("the line of a boundary", b.line as f64, 0.0, lines));
-        let down = ("gravity along y", statement.gravity[1], f64::MIN, 0.0);
+        // Gravity points down, or is left out.
+        let most = if statement.gravity == [0.0; 2] { f64::MIN_POSITIVE } else { 0.0 };
+        let down = ("gravity along y", statement.gravity[1], f64::MIN, most);
         for (quantity, value, low, high) in named.chain([down]) {
             if !(value >= low && value < high) {
                 return Err(LimitError::Range { quantity, value, low, high, unit: "" });
             }
         }
-        let weight = statement.regions[0].material.unit_weight;
         let mut soils = Vec::new();
         for region in &statement.regions {
             let m = region.material;
@@ -83,31 +113,45 @@ impl Problem {
                 }
             };
             range("the friction angle", m.phi_deg, 0.0, 90.0, "deg")?;
-            range("the cohesion", m.cohesion, 0.0, f64::INFINITY, "")?;
             range("the unit weight", m.unit_weight, 0.0, f64::INFINITY, "")?;
-            if m.phi_deg == 0.0 {
-                return Err(LimitError::NotCovered {
-                    what: "soil without friction (phi = 0)",
-                    advice: "give a friction angle above zero",
-                });
+            for used in region.loops.iter().flatten() {
+                let line = statement.lines[used.line];
+                let least = [line.from, line.to]
+                    .map(|p| value(&m.cohesion, statement.points[p]))
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min);
+                // At a surface it may be zero but for rounding.
+                range("the cohesion", least, -1e-12, f64::INFINITY, "")?;
             }
-            if m.unit_weight != weight {
-                return Err(LimitError::NotCovered {
-                    what: "soils of different unit weight",
-                    advice: "give all regions the same unit weight",
-                });
+            if let Some(tension) = m.tension {
+                range("the greatest tension", tension, 0.0, f64::INFINITY, "")?;
             }
-            let (sin, cos) = m.phi_deg.to_radians().sin_cos();
-            soils.push(Soil { sin, cos, tan: sin / cos, cohesion: m.cohesion, unit_weight: m.unit_weight });
+            soils.push(Soil::new(&m));
         }
         let conditions = statement.boundaries.iter().map(|b| (b.side(), b.condition)).collect();
-        Ok(Self { statement, outline, soils, conditions })
+        let top = statement.points.iter().map(|p| p[1]).fold(f64::NEG_INFINITY, f64::max);
+        let loads = statement.boundaries.iter().flat_map(|b| match b.condition {
+            Condition::Loaded { pressure, shear, .. } => [pressure[0], pressure[1], shear[0], shear[1]],
+            _ => [0.0; 4],
+        });
+        let load = loads.fold(0.0, |most: f64, l| most.max(l.abs())) + statement.surcharge;
+        Ok(Self { statement, outline, soils, conditions, top, load })
     }
 
     /// The statement.
     #[must_use]
     pub fn statement(&self) -> &Statement {
         &self.statement
+    }
+
+    /// The condition on a side of a line.
+    pub(crate) fn condition_on(&self, side: LineUse) -> Option<Condition> {
+        self.conditions.get(&side).copied()
+    }
+
+    /// The region with a side on its rim.
+    pub(crate) fn owner(&self, side: LineUse) -> Option<usize> {
+        self.statement.regions.iter().position(|r| r.loops.iter().any(|l| l.contains(&side)))
     }
 
     pub(crate) fn condition(&self, side: mesh::LineUse) -> Option<Condition> {
@@ -120,21 +164,56 @@ impl Problem {
         [self.outline.points[l.from], self.outline.points[l.to]]
     }
 
-    /// Reference stress `[xx, yy, xy]` at a point: in equilibrium with the weight, tension positive.
-    pub(crate) fn reference(&self, p: [f64; 2]) -> [f64; 3] {
-        let s = &self.statement;
-        let depth = s.datum - p[1];
+    /// Whether the programs can state the problem yet.
+    pub(crate) fn covered(&self) -> Result<(), LimitError> {
+        let weightless =
+            self.statement.gravity == [0.0; 2] || self.soils.iter().all(|s| s.unit_weight == 0.0);
+        if weightless && self.load == 0.0 && self.soils.iter().all(|s| s.cohesion.is_zero()) {
+            return Err(LimitError::NoCollapse {
+                reason: "soil without weight, cohesion and load resists nothing",
+                advice: "give it one of these",
+            });
+        }
         let weight = self.soils[0].unit_weight;
-        let t = s.gravity[0] / s.gravity[1];
-        let vertical = weight * s.gravity[1] * depth;
-        [(1.0 + 2.0 * t * t) * vertical - s.surcharge, vertical - s.surcharge, weight * s.gravity[0] * depth]
+        let plain = |s: &Soil| {
+            s.has_friction()
+                && s.cohesion == Linear::uniform(s.cohesion.at_origin)
+                && s.pore_pressure.is_zero()
+                && s.cut_off.is_none()
+                && s.unit_weight == weight
+        };
+        let off = |b: &Boundary| match b.condition {
+            Condition::Free => self.ends(b.line).iter().any(|p| p[1] != self.statement.datum),
+            Condition::Loaded { .. } => true,
+            _ => false,
+        };
+        let simple = self.soils.iter().all(plain) && !self.statement.boundaries.iter().any(off);
+        if simple && !self.has_factor() {
+            return Ok(());
+        }
+        Err(LimitError::NotCovered {
+            what: "soil without friction, different unit weights, strength that varies, water, loads, and ground that is \
+                   not level",
+            advice: "give all regions the same unit weight and a friction angle, and bound a structure's force",
+        })
     }
 
-    /// A typical stress at a point, seen over a length `h`: what rows and columns of the programs are scaled by.
-    pub(crate) fn stress_scale(&self, p: [f64; 2], h: f64) -> f64 {
-        let soil = &self.soils[0];
-        soil.unit_weight * ((self.statement.datum - p[1]).max(0.0) + 0.3 * h)
-            + self.statement.surcharge
-            + soil.cohesion
+    /// Velocity of the structure.
+    pub(crate) fn velocity(&self) -> [f64; 2] {
+        self.statement.objective.velocity()
+    }
+
+    /// Whether a factor on loads or a body force is bounded, and not a structure's force.
+    pub(crate) fn has_factor(&self) -> bool {
+        !matches!(self.statement.objective, Objective::Structure { .. })
+    }
+
+    /// A typical stress at a point of a region, seen over a length `h`: what rows and columns of the programs are
+    /// scaled by.
+    pub(crate) fn stress_scale(&self, region: usize, p: [f64; 2], h: f64) -> f64 {
+        let soil = &self.soils[region];
+        soil.unit_weight * ((self.top - p[1]).max(0.0) + 0.3 * h)
+            + self.load
+            + value(&soil.cohesion, p).max(0.0)
     }
 }

@@ -36,11 +36,25 @@ pub(crate) struct Answer {
     pub(crate) seconds: f64,
 }
 
+/// How exactly a program is solved, relative to numbers of the order of one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Accuracy {
+    /// Distance of the primal and the dual objective.
+    pub(crate) gap: f64,
+    /// Residuals.
+    pub(crate) feasibility: f64,
+}
+
 /// Factor on the objective: multipliers of some thousand elements then are of the order of one.
 const OBJECTIVE: f64 = 100.0;
 
 /// Solves a program on one thread.
-pub(crate) fn solve(program: &Program, seconds: f64, stop: &Arc<AtomicBool>) -> Result<Answer, LimitError> {
+pub(crate) fn solve(
+    program: &Program,
+    accuracy: Accuracy,
+    seconds: f64,
+    stop: &Arc<AtomicBool>,
+) -> Result<Answer, LimitError> {
     let (m, n) = (program.rows.len(), program.unknowns);
     let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
     let mut b = Vec::with_capacity(m);
@@ -66,7 +80,7 @@ pub(crate) fn solve(program: &Program, seconds: f64, stop: &Arc<AtomicBool>) -> 
     let a = CscMatrix::new(m, n, starts, rows, values);
     let p = CscMatrix::zeros((n, n));
     let refused = |message: String| LimitError::Solver { message };
-    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones(program), settings(seconds))
+    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones(program), settings(accuracy, seconds))
         .map_err(|e| refused(e.to_string()))?;
     let stop = Arc::clone(stop);
     solver.set_termination_callback(move |_: &_| stop.load(Ordering::Relaxed));
@@ -102,7 +116,7 @@ fn cones(program: &Program) -> Vec<SupportedConeT<f64>> {
     cones
 }
 
-fn settings(seconds: f64) -> DefaultSettings<f64> {
+fn settings(accuracy: Accuracy, seconds: f64) -> DefaultSettings<f64> {
     DefaultSettings {
         verbose: false,
         time_limit: seconds,
@@ -115,9 +129,11 @@ fn settings(seconds: f64) -> DefaultSettings<f64> {
         equilibrate_enable: false,
         iterative_refinement_reltol: 1e-10,
         iterative_refinement_abstol: 1e-10,
-        tol_gap_rel: 1e-6,
-        tol_gap_abs: 1e-6,
-        tol_feas: 1e-8,
+        // Rows and columns of small elements are small; the usual 1e-8 drowns them, and the steps stall.
+        static_regularization_constant: 1e-10,
+        tol_gap_rel: accuracy.gap,
+        tol_gap_abs: accuracy.gap,
+        tol_feas: accuracy.feasibility,
         ..DefaultSettings::default()
     }
 }

@@ -8,14 +8,14 @@ use crate::problem::Problem;
 
 /// Radius of the first fans in units of length, and how much each level's are smaller.
 const FAN: f64 = 0.05;
-const SHRINK: f64 = 0.7;
+const SHRINK: f64 = 0.8;
 
 /// Sector angle of the fans.
 const SECTOR_DEG: f64 = 15.0;
 
 /// Clearance of the moving soil's bowl below the slip lines in units of the depth; how it shrinks; and its least value.
 const MARGIN: f64 = 0.8;
-const MARGIN_SHRINK: f64 = 0.7;
+const MARGIN_SHRINK: f64 = 0.8;
 const LEAST_MARGIN: f64 = 0.1;
 
 /// How much flatter than it could possibly be the first slip line leaves the tip, in radians.
@@ -98,7 +98,7 @@ impl Start {
         let points: Vec<usize> = on_face.iter().copied().filter(|p| !touches(*p, true)).collect();
         let at = |p: &usize| statement.points[*p];
         let tips: Vec<[f64; 2]> = points.iter().map(at).collect();
-        let ahead = statement.velocity[0].signum();
+        let ahead = problem.velocity()[0].signum();
         let mut guides = Vec::new();
         for tip in points.iter().map(at) {
             let depth = statement.datum - tip[1];

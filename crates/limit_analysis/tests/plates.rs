@@ -94,15 +94,19 @@ fn bits_do_not_depend_on_threads() {
 }
 
 #[test]
-fn statements_that_name_no_line_or_have_no_gravity_are_refused() {
+fn statements_that_name_no_line_or_have_no_weight_are_refused() {
     let statement = EmbeddedPlate::default().problem().unwrap().statement().clone();
     let mut nowhere = statement.clone();
     nowhere.boundaries[0].line = 99;
-    let mut weightless = statement;
-    weightless.gravity = [0.0, 0.0];
-    for bad in [nowhere, weightless] {
+    let mut upwards = statement.clone();
+    upwards.gravity = [0.0, 1.0];
+    for bad in [nowhere, upwards] {
         assert!(matches!(Problem::new(bad), Err(LimitError::Range { .. })));
     }
+    let mut weightless = statement;
+    weightless.gravity = [0.0, 0.0];
+    let error = bound(&Problem::new(weightless).unwrap(), &coarse(1000), &mut |_, _| {}).unwrap_err();
+    assert!(matches!(error, LimitError::NoCollapse { .. }), "{error}");
 }
 
 #[test]

@@ -1,16 +1,34 @@
 //! Small problems with known answers, for tests.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+mod around;
+mod blocks;
+mod clay;
 mod fill;
+mod fitted;
 mod grid;
 mod plate;
 mod wall;
 
+pub(crate) use blocks::Blocks;
+pub(crate) use clay::{Block, pressed, pressed_field, stream_field};
 pub(crate) use fill::fill;
+pub(crate) use fitted::fitted;
 pub(crate) use plate::Plate;
 pub(crate) use wall::{pushed_field, rankine_field, wall, wedge_field};
 
-use crate::{Boundary, Condition, Line, LineUse};
+use crate::{Boundary, Condition, Line, LineUse, Linear, Material};
+
+/// Soil of unit weight one that has friction only.
+pub(crate) fn soil(phi_deg: f64) -> Material {
+    Material {
+        phi_deg,
+        cohesion: Linear::default(),
+        unit_weight: 1.0,
+        pore_pressure: Linear::default(),
+        tension: None,
+    }
+}
 
 fn lines(ends: &[(usize, usize)]) -> Vec<Line> {
     ends.iter().map(|&(from, to)| Line { from, to }).collect()
@@ -42,4 +60,9 @@ impl Random {
         self.0 ^= self.0 << 17;
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
+}
+
+/// Soil that is the same everywhere, without water.
+pub(crate) fn material(phi_deg: f64, cohesion: f64, unit_weight: f64) -> Material {
+    Material { cohesion: Linear::uniform(cohesion), unit_weight, ..soil(phi_deg) }
 }

@@ -1,6 +1,6 @@
 use super::grid::grid;
-use super::{Random, backward, forward, lines, on};
-use crate::{Condition, Material, Mesh, Place, Region, Statement};
+use super::{Random, backward, forward, lines, on, soil};
+use crate::{Condition, Mesh, Objective, Place, Region, Statement};
 
 /// A thin plate from the surface of a half-space downwards, two deep, `lean` to the right for each unit of depth.
 #[derive(Debug, Clone, Copy)]
@@ -38,12 +38,12 @@ impl Plate {
                     backward(PLATE),
                     forward(5),
                 ]],
-                material: Material { phi_deg: 35.0, cohesion: 0.0, unit_weight: 1.0 },
+                material: soil(35.0),
             }],
             gravity: self.gravity,
             datum: 0.0,
             surcharge: self.surcharge,
-            velocity: [1.0, 0.0],
+            objective: Objective::Structure { velocity: [1.0, 0.0] },
             boundaries: vec![
                 on(forward(0), far),
                 on(forward(1), far),

@@ -1,7 +1,7 @@
 use super::grid::grid;
-use super::{forward, lines, on};
+use super::{forward, lines, on, soil};
 use crate::{
-    Chain, Condition, Gradient, Jet, LowerField, Material, Mesh, Place, Region, Statement, Triangle,
+    Chain, Condition, Flow, Gradient, Jet, LowerField, Mesh, Objective, Place, Region, Statement, Triangle,
     UpperField, Velocity, Vertex, VertexCopy,
 };
 
@@ -15,12 +15,12 @@ pub(crate) fn wall() -> Statement {
         lines: lines(&[(0, 1), (1, 2), (2, 3), (3, 0)]),
         regions: vec![Region {
             loops: vec![vec![forward(0), forward(1), forward(2), forward(3)]],
-            material: Material { phi_deg: 30.0, cohesion: 0.0, unit_weight: 1.0 },
+            material: soil(30.0),
         }],
         gravity: [0.0, -1.0],
         datum: 0.0,
         surcharge: 0.0,
-        velocity: [1.0, 0.0],
+        objective: Objective::Structure { velocity: [1.0, 0.0] },
         boundaries: conditions.into_iter().enumerate().map(|(l, c)| on(forward(l), c)).collect(),
     }
 }
@@ -81,6 +81,7 @@ pub(crate) fn pushed_field(n: usize, push: f64, more: f64) -> LowerField {
         chains: vec![Chain { constant: 0.0, gradient: Gradient::Free { x: 0.0, y: 0.0 } }],
         lines: vec![0.0; 4],
         far_stress: 0.0,
+        multiplier: 0.0,
         mesh,
     }
 }
@@ -95,7 +96,9 @@ pub(crate) fn wedge_field(up: f64) -> UpperField {
     let mesh = Mesh { vertices, triangles: triangles.to_vec() };
     UpperField {
         mesh,
-        nodes: vec![[0, 1, 2, 3, 4, 5], [6; 6], [6; 6]],
+        flows: [[0, 1, 2, 3, 4, 5], [6; 6], [6; 6]].map(Flow::Quadratic).to_vec(),
         velocities: [vec![Velocity::Free { x: 1.0, y: up }; 6], vec![Velocity::Zero]].concat(),
+        stream: Vec::new(),
+        walls: Vec::new(),
     }
 }

@@ -1,6 +1,7 @@
 //! Intervals with ends rounded outwards: if the arguments of an operation lie in their intervals, the true result lies
 //! in the interval returned.
 
+mod root;
 mod rounding;
 #[cfg(test)]
 mod tests;

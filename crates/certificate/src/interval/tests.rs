@@ -49,7 +49,16 @@ proptest! {
         if b != exact(0.0) {
             prop_assert!(holds(x / y, &(&a / &b)));
         }
-        for r in [x + y, x - y, x * y, x.square(), x / y] {
+        let zero = exact(0.0);
+        let (magnitude, or_zero) = if a < zero { (-&a, zero.clone()) } else { (a.clone(), a.clone()) };
+        prop_assert!(holds(x.abs(), &magnitude) && holds(x.or_zero(), &or_zero));
+        if a >= zero {
+            let root = x.sqrt();
+            let square = |r: f64| exact(r) * exact(r);
+            prop_assert!(root.lo >= 0.0 && square(root.lo) <= a);
+            prop_assert!(root.hi == f64::INFINITY || a <= square(root.hi));
+        }
+        for r in [x + y, x - y, x * y, x.square(), x / y, x.abs(), x.or_zero(), x.sqrt()] {
             prop_assert!(r.lo <= r.hi && r.lo < f64::INFINITY && r.hi > f64::NEG_INFINITY);
         }
         prop_assert!(x.square().lo >= 0.0);
@@ -75,6 +84,17 @@ proptest! {
             prop_assert_eq!(quotient, x);
         }
     }
+}
+
+#[test]
+fn roots_of_small_squares_are_exact() {
+    for i in 0..1000 {
+        let x = Interval::point(f64::from(i));
+        assert_eq!(x.square().sqrt(), x);
+    }
+    assert!(Interval::ZERO.sqrt().is_zero());
+    let (a, b) = (Interval::new(-1.0, 2.0), Interval::new(0.0, 1.0));
+    assert_eq!(a.or_lesser(b), b.or_lesser(a));
 }
 
 #[test]

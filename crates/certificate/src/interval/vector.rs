@@ -21,6 +21,11 @@ impl Vector {
         self.x * other.x + self.y * other.y
     }
 
+    /// Whether it is zero and nothing else.
+    pub(crate) fn is_zero(self) -> bool {
+        self.x.is_zero() && self.y.is_zero()
+    }
+
     /// Square of the length.
     pub(crate) fn square(self) -> Interval {
         self.x.square() + self.y.square()

@@ -14,22 +14,22 @@ use crate::tiling::after;
 
 /// What determines the function on one triangle.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Local {
+pub(crate) struct Local {
     /// Positions of the corners.
-    pub(super) corners: [Vector; 3],
+    pub(crate) corners: [Vector; 3],
     /// Corners at which the function vanishes to second order. `f` and `slopes` are zero there.
-    pub(super) apex: [bool; 3],
+    pub(crate) apex: [bool; 3],
     /// Values at the corners.
-    pub(super) f: [Interval; 3],
+    pub(crate) f: [Interval; 3],
     /// Slopes at the corners.
-    pub(super) slopes: [Vector; 3],
+    pub(crate) slopes: [Vector; 3],
     /// Slopes across the middle of each edge, along the edge vector turned left. Not used next to an apex.
-    pub(super) across: [Interval; 3],
+    pub(crate) across: [Interval; 3],
 }
 
 /// Stresses at the nodes of the three parts of a triangle: part `k` lies at edge `k`, its nodes are corner `k + 1`,
 /// corner `k + 2` and the centroid.
-pub(super) type NodeStresses = [[Stress; 3]; 3];
+pub(crate) type NodeStresses = [[Stress; 3]; 3];
 
 /// Bernstein coefficients of the element. Each is named by what it is next to.
 struct Coefficients {
@@ -85,7 +85,7 @@ impl Local {
     }
 
     /// The stresses that belong to the function: `xx = f_yy`, `yy = f_xx`, `xy = -f_xy`. They are linear in each part.
-    pub(super) fn stresses(&self) -> NodeStresses {
+    pub(crate) fn stresses(&self) -> NodeStresses {
         let c = self.coefficients();
         let [p, q, r] = self.corners;
         // From the centroid to the corners, times 3.

@@ -5,8 +5,8 @@ use crate::problem::Stress;
 use crate::tiling::{Side, after};
 
 impl StressFunction<'_> {
-    /// Checks that the traction on a face edge is one that the face can bear; it is linear along the edge. Without
-    /// friction there is no shear traction by construction.
+    /// Checks that the traction on a face edge is one that the face can bear; it is linear along the edge, and so is the pore
+    /// pressure. Without friction and adhesion there is no shear traction by construction.
     pub(super) fn check_face(
         &self,
         side: Side,
@@ -15,18 +15,20 @@ impl StressFunction<'_> {
         adhesion: f64,
     ) -> Result<(), CertificateError> {
         let corners = self.tiling.corners(side.triangle);
-        let t = corners[after(side.corner, 2)] - corners[after(side.corner, 1)];
-        for (node, stress) in part.iter().take(2).enumerate() {
+        let [start, end] = [1, 2].map(|i| corners[after(side.corner, i)]);
+        let t = end - start;
+        for (node, (stress, p)) in part.iter().zip([start, end]).enumerate() {
+            let effective = stress.with_mean(self.limit(side.triangle, p).pore_pressure);
             // Times the square of the edge's length.
-            let (normal, shear) = (stress.between(t.turned(), t.turned()), stress.between(t, t.turned()));
+            let normal = effective.between(t.turned(), t.turned());
+            let shear = stress.between(t, t.turned());
             let spares = if delta_deg == 0.0 && adhesion == 0.0 {
                 [-normal; 2]
             } else {
                 let hold = Interval::point(adhesion) * t.square() - angle(delta_deg).tan() * normal;
                 [hold - shear, hold + shear]
             };
-            let apex = self.node_is_apex(side.triangle, side.corner, node);
-            if let Some(spare) = spares.into_iter().find(|s| !(apex || s.is_at_least_zero())) {
+            if let Some(spare) = spares.into_iter().find(|s| !s.is_at_least_zero()) {
                 return Err(CertificateError::NotProven {
                     quantity: "grip of the face to spare, times the square of the edge's length,",
                     place: format!("{side}, {}", ["its start", "its end"][node]),

@@ -1,81 +1,81 @@
 //! Stress in the soil beyond far lines; the [documentation of the crate](crate#beyond-far-lines) says why it balances.
 
 use super::StressFunction;
-use super::strength::check;
+use super::strength::Limit;
 use crate::CertificateError;
 use crate::interval::Interval;
 use crate::mesh::Place;
-use crate::problem::Stress;
+use crate::problem::{Strength, Stress};
 use crate::statement::Condition;
-use crate::tiling::{Beyond, Side, after};
+use crate::tiling::{Beyond, OnLine, Side, after};
 
 const QUANTITY: &str = "strength to spare of the soil beyond far lines";
 
 impl StressFunction<'_> {
     /// Checks that the soil beyond a far edge bears the stresses that it takes over from the last node stresses.
-    pub(super) fn check_far(&self, side: Side, part: &[Stress; 3]) -> Result<(), CertificateError> {
-        let strength = &self.problem.strengths[self.tiling.region(side.triangle)];
+    pub(super) fn check_far(
+        &self,
+        side: Side,
+        on: OnLine,
+        part: &[Stress; 3],
+    ) -> Result<(), CertificateError> {
         let corners = self.tiling.corners(side.triangle);
-        let level = self.is_level(side);
-        let far_stress = Interval::point(self.field.far_stress);
         for (node, stress) in part.iter().take(2).enumerate() {
             let corner = after(side.corner, 1 + node);
-            let reference = self.reference.at(corners[corner].y);
+            let p = corners[corner];
+            let limit = self.limit(side.triangle, p);
+            let base = self.references.base().at(p);
             let place = || format!("{side}, {}", ["its start", "its end"][node]);
-            let lower = Stress { xx: reference.xx + far_stress, ..reference };
-            // At an apex both sides are free of stress.
-            if !self.node_is_apex(side.triangle, side.corner, node) {
-                let beyond = if level {
-                    Stress { yy: stress.yy, ..lower }
-                } else {
-                    Stress { xx: stress.xx, ..reference }
-                };
-                check(strength, &beyond, QUANTITY, place)?;
-            }
-            if self.is_far_corner(self.tiling.mesh.triangles[side.triangle].corners[corner]) {
-                check(strength, &lower, QUANTITY, place)?;
-                self.check_change(strength, place)?;
+            let lower_xx = base.xx + Interval::point(self.field.far_stress);
+            let beyond = if self.is_level(on) {
+                Stress { xx: lower_xx, yy: stress.yy, xy: base.xy }
+            } else {
+                Stress { xx: stress.xx, yy: self.overburden.beside(on.side.line, p.y), xy: base.xy }
+            };
+            limit.check(&beyond, QUANTITY, place)?;
+            let vertex = self.tiling.mesh.triangles[side.triangle].corners[corner];
+            if let Some(hand) = self.far_corner(vertex) {
+                let yy = self.overburden.at_corner(hand, p.y);
+                limit.check(&Stress { xx: lower_xx, yy, xy: base.xy }, QUANTITY, place)?;
+                self.check_change(side, place)?;
             }
         }
         Ok(())
     }
 
     /// Whether a far edge is on the level far side, which is then the only one that it can be on.
-    fn is_level(&self, side: Side) -> bool {
-        match self.tiling.beyond(side) {
-            Beyond::Boundary(on, _) => self.problem.direction(on.side.line).y.is_zero(),
-            Beyond::Soil(_) => false,
-        }
+    fn is_level(&self, on: OnLine) -> bool {
+        self.problem.direction(on.side.line).y.is_zero()
     }
 
-    /// Whether a vertex is where a vertical and the level far side meet.
-    fn is_far_corner(&self, vertex: usize) -> bool {
-        let Place::Corner { point } = self.tiling.mesh.vertices[vertex].place else { return false };
+    /// Whether a vertex is where a vertical and the level far side meet: 0 on the left, 1 on the right.
+    fn far_corner(&self, vertex: usize) -> Option<usize> {
+        let Place::Corner { point } = self.tiling.mesh.vertices[vertex].place else { return None };
         let far = self.problem.far;
         let [x_min, x_max, y_min] = far.limits;
         let [x, y] = self.problem.statement.points[point];
-        far.below && y == y_min && ((far.left && x == x_min) || (far.right && x == x_max))
+        let hands = [far.left && x == x_min, far.right && x == x_max];
+        hands.into_iter().position(|is| is && far.below && y == y_min)
     }
 
     /// Checks for each soil at the level far side that it bears the change of the reference stress with depth, however
     /// much that adds up to.
     pub(super) fn check_recession(&self) -> Result<(), CertificateError> {
         for side in self.tiling.sides() {
-            if let Beyond::Boundary(_, Condition::Far) = self.tiling.beyond(side)
-                && self.is_level(side)
+            if let Beyond::Boundary(on, Condition::Far) = self.tiling.beyond(side)
+                && self.is_level(on)
             {
-                let strength = &self.problem.strengths[self.tiling.region(side.triangle)];
-                self.check_change(strength, || format!("{side}, far below"))?;
+                self.check_change(side, || format!("{side}, far below"))?;
             }
         }
         Ok(())
     }
 
-    fn check_change(
-        &self,
-        strength: &crate::problem::Strength,
-        place: impl Fn() -> String,
-    ) -> Result<(), CertificateError> {
-        check(&Self::cone(strength), &self.reference.gradient, QUANTITY, place)
+    fn check_change(&self, side: Side, place: impl Fn() -> String) -> Result<(), CertificateError> {
+        let strength: &Strength = &self.problem.strengths[self.tiling.region(side.triangle)];
+        let limit = Limit::of_changes(strength, -Interval::point(strength.pore_pressure.gradient[1]));
+        let (change, difference) = self.overburden.below;
+        let mean = change.yy - difference.half();
+        limit.check_parts(mean, difference.half(), change.xy, QUANTITY, place)
     }
 }

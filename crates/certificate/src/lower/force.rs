@@ -1,12 +1,14 @@
+use std::collections::BTreeMap;
+
 use super::StressFunction;
 use crate::interval::{Interval, Vector};
 use crate::statement::Condition;
 use crate::tiling::Beyond;
 
 impl StressFunction<'_> {
-    /// The structure's force on the soil times its velocity, which is what is bounded.
+    /// The structure's force on the soil times its velocity.
     pub(super) fn power(&self) -> Interval {
-        let velocity = Vector::point(self.problem.statement.velocity);
+        let velocity = Vector::point(self.problem.statement.objective.velocity());
         self.function_power(velocity) + self.reference_power(velocity)
     }
 
@@ -38,21 +40,25 @@ impl StressFunction<'_> {
         power
     }
 
-    /// The part of the reference, which is linear along a line. On both sides of a thin plate it cancels.
+    /// The part of the reference, which is linear along a line. On both sides of a thin plate it cancels, where they are in
+    /// one region.
     fn reference_power(&self, velocity: Vector) -> Interval {
         let statement = self.problem.statement;
-        let mut senses = vec![0_i32; statement.lines.len()];
+        let mut senses: BTreeMap<(usize, usize), i32> = BTreeMap::new();
         for boundary in &statement.boundaries {
-            if matches!(boundary.condition, Condition::Face { .. }) {
-                senses[boundary.line] += if boundary.forward { 1 } else { -1 };
-            }
+            let (Condition::Face { .. }, Some(region)) =
+                (boundary.condition, self.problem.owner(boundary.side()))
+            else {
+                continue;
+            };
+            *senses.entry((boundary.line, region)).or_default() += if boundary.forward { 1 } else { -1 };
         }
         let mut power = Interval::ZERO;
-        for (line, sense) in senses.into_iter().enumerate().filter(|(_, sense)| *sense != 0) {
+        for ((line, region), sense) in senses.into_iter().filter(|(_, sense)| *sense != 0) {
             let outward = -self.problem.direction(line).turned() * Interval::point(f64::from(sense));
             let ends = [statement.lines[line].from, statement.lines[line].to];
             for end in ends {
-                let stress = self.reference.at(Interval::point(statement.points[end][1]));
+                let stress = self.references.of(region).at(Vector::point(statement.points[end]));
                 power = power + stress.on(outward).dot(velocity).half();
             }
         }

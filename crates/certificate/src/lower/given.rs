@@ -5,122 +5,204 @@
 //! that of the reference if `g' = 0`. The reference is linear, so `g` is a quadratic polynomial that is known up to a
 //! constant. The slope of a cubic across an edge is quadratic too: it equals `g` all along an edge if it does at both
 //! ends and in the middle.
+//!
+//! Joined lines are level or vertical. There column parts add nothing to `t . ref n`, so the slope across, divided by the
+//! length of `n` with its sign, is one polynomial for all of them.
 
 use super::chains::Chains;
 use super::ends;
+use super::jets::LocalJet;
+use super::joined::{Joined, joined};
+use super::loads::Station;
+use super::references::References;
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
-use crate::interval::Interval;
-use crate::problem::{Problem, Reference};
-use crate::statement::Condition;
+use crate::interval::{Interval, Vector};
+use crate::problem::Problem;
 use crate::tiling::{Beyond, Side, Tiling, fraction};
 
-/// Where the slope across a line is known.
+/// Where the slope across joined lines is known.
 #[derive(Debug, Clone, Copy)]
-enum Origin {
-    /// It is that of a chain at this fraction of the line.
-    Chain { chain: usize, at: f64 },
-    /// It is given at the start of the line.
-    Start(f64),
+struct Origin {
+    /// A line and a fraction of it.
+    line: usize,
+    at: f64,
+    known: Known,
 }
 
-/// The slope across one line.
+#[derive(Debug, Clone, Copy)]
+enum Known {
+    /// The slopes are those of this vertex copy, which belongs to a chain: those of the chain and, beyond it, of its loads.
+    Copy { station: Option<Station>, chain: usize, beyond: Vector },
+    /// The slope across the line.
+    Slope(f64),
+}
+
+/// One line.
 #[derive(Debug, Clone, Copy)]
 struct GivenLine {
-    origin: Origin,
-    /// Its derivative at the start and the end of the line.
-    rate: [Interval; 2],
-    /// Whether the line is far.
-    far: bool,
+    joined: Joined,
+    /// A region beside it.
+    region: usize,
 }
 
 /// All lines of given shear.
-pub(super) struct GivenLines {
+pub(super) struct GivenLines<'a> {
+    problem: &'a Problem<'a>,
+    references: &'a References,
     lines: Vec<Option<GivenLine>>,
+    /// For each line that is the first of joined ones, where their slope is known.
+    origins: Vec<Origin>,
     /// For each vertex copy, such lines that have an edge with this copy at an end.
-    at: Vec<[Option<usize>; 2]>,
+    at: Vec<Vec<usize>>,
 }
 
-impl GivenLines {
+impl<'a> GivenLines<'a> {
     pub(super) fn new(
-        problem: &Problem,
+        problem: &'a Problem<'a>,
+        references: &'a References,
         tiling: &Tiling,
         field: &LowerField,
-        reference: &Reference,
+        stations: &[Option<Station>],
+        slopes_of_loads: impl Fn(Station) -> Vector,
     ) -> Result<Self, CertificateError> {
-        let mut lines: Vec<Option<GivenLine>> = vec![None; problem.statement.lines.len()];
-        let mut at = vec![[None; 2]; field.copies.len()];
+        let joined = joined(problem)?;
+        let start = |(line, slope): (usize, &f64)| Origin { line, at: 0.0, known: Known::Slope(*slope) };
+        let mut given = Self {
+            problem,
+            references,
+            lines: vec![None; joined.len()],
+            origins: field.lines.iter().enumerate().map(start).collect(),
+            at: vec![Vec::new(); field.copies.len()],
+        };
         for side in tiling.sides() {
             let Beyond::Boundary(on, condition) = tiling.beyond(side) else { continue };
-            if !condition.shear_is_given() {
-                continue;
-            }
             let line = on.side.line;
-            let far = condition == Condition::Far;
-            let given = lines[line].get_or_insert_with(|| GivenLine {
-                origin: Origin::Start(field.lines[line]),
-                rate: if far { [Interval::ZERO; 2] } else { rates(problem, reference, line) },
-                far,
-            });
-            if given.far != far {
-                let problem = "far on one side and a boundary on the other";
-                return Err(CertificateError::BadStatement { place: format!("line {line}"), problem });
-            }
-            for (copy, s) in ends(field, side).into_iter().zip([on.start, on.end]) {
-                if let (Origin::Start(_), Jet::Chain { chain }) = (given.origin, field.copies[copy].jet) {
-                    given.origin = Origin::Chain { chain, at: s };
+            let Some(joined) = joined[line].filter(|_| condition.shear_is_given()) else { continue };
+            given.note_line(line, joined, tiling.region(side.triangle))?;
+            for (copy, at) in ends(field, side).into_iter().zip([on.start, on.end]) {
+                let origin = &mut given.origins[joined.first];
+                if let (Known::Slope(_), Jet::Chain { chain }) = (origin.known, field.copies[copy].jet) {
+                    let station = stations[copy];
+                    let beyond = station.map_or(Vector::ZERO, &slopes_of_loads);
+                    *origin = Origin { line, at, known: Known::Copy { station, chain, beyond } };
                 }
-                note(&mut at[copy], line, side)?;
+                given.note_copy(copy, line, side)?;
             }
         }
-        Ok(Self { lines, at })
+        Ok(given)
+    }
+
+    fn note_line(&mut self, line: usize, joined: Joined, region: usize) -> Result<(), CertificateError> {
+        let other = self.lines[line].get_or_insert(GivenLine { joined, region }).region;
+        let t = self.problem.direction(line);
+        if joined.far || t.x.is_zero() || t.y.is_zero() || self.references.same(other, region) {
+            return Ok(());
+        }
+        let what = "a sloping line of given shear between soils of different unit weight";
+        Err(CertificateError::NotCovered { place: format!("line {line}"), what })
+    }
+
+    fn note_copy(&mut self, copy: usize, line: usize, side: Side) -> Result<(), CertificateError> {
+        if self.at[copy].contains(&line) {
+            return Ok(());
+        }
+        self.at[copy].push(line);
+        let mut firsts: Vec<Option<usize>> = self.at[copy].iter().map(|l| self.first(*l)).collect();
+        firsts.sort_unstable();
+        firsts.dedup();
+        if firsts.len() <= 2 {
+            return Ok(());
+        }
+        let what = "more than two lines of given shear that meet in one piece of soil";
+        Err(CertificateError::NotCovered { place: side.to_string(), what })
+    }
+
+    fn first(&self, line: usize) -> Option<usize> {
+        self.lines.get(line).copied().flatten().map(|given| given.joined.first)
     }
 
     /// Lines of given shear at a vertex copy.
-    pub(super) fn at(&self, copy: usize) -> [Option<usize>; 2] {
-        self.at[copy]
+    pub(super) fn at(&self, copy: usize) -> &[usize] {
+        &self.at[copy]
+    }
+
+    /// Two of them that are not joined.
+    pub(super) fn two_at(&self, copy: usize) -> Option<[usize; 2]> {
+        let a = *self.at[copy].first()?;
+        let b = self.at[copy].iter().find(|b| self.first(**b) != self.first(a))?;
+        Some([a, *b])
     }
 
     /// Whether a line is one of given shear.
     pub(super) fn is_on(&self, line: usize) -> bool {
-        self.lines.get(line).is_some_and(Option::is_some)
+        self.first(line).is_some()
+    }
+
+    /// `t . ref n` where the total shear stress is zero.
+    fn rate(&self, given: GivenLine, line: usize, s: Interval) -> Interval {
+        if given.joined.far {
+            return Interval::ZERO;
+        }
+        let t = self.problem.direction(line);
+        self.references.of(given.region).shear(self.problem.start(line) + t * s, t)
     }
 
     /// The slope across a line at the fraction `s`, beyond that of the chain `base`. Any number if the line is not one of
     /// given shear.
     pub(super) fn across(&self, chains: &Chains, line: usize, s: Interval, base: usize) -> Interval {
-        let Some(given) = self.lines[line] else { return Interval::point(f64::NAN) };
-        let (known, origin) = match given.origin {
-            Origin::Chain { chain, at } => (chains.across(chain, base, line), Interval::point(at)),
-            Origin::Start(slope) => (Interval::point(slope) + chains.across(0, base, line), Interval::ZERO),
+        let Some(given) = self.lines.get(line).copied().flatten() else { return Interval::point(f64::NAN) };
+        let origin = self.origins[given.joined.first];
+        let t = self.problem.direction(line);
+        // The origin, in fractions of this line, and the length of this line in those of the origin's.
+        let (at, length) = if origin.line == line {
+            (Interval::point(origin.at), Interval::ONE)
+        } else {
+            let u = self.problem.direction(origin.line);
+            let place = self.problem.start(origin.line) + u * Interval::point(origin.at);
+            ((place - self.problem.start(line)).dot(t) / t.square(), t.dot(u) / u.square())
         };
-        let rate = |s: Interval| given.rate[0] * (Interval::ONE - s) + given.rate[1] * s;
+        let known = match origin.known {
+            Known::Copy { chain, beyond, .. } => chains.across(chain, base, line) + beyond.dot(t.turned()),
+            Known::Slope(slope) => Interval::point(slope) * length + chains.across(0, base, line),
+        };
         // The mean of a linear function over an interval is that of its ends.
-        known + (s - origin) * (rate(origin) + rate(s)).half()
+        known + (s - at) * (self.rate(given, line, at) + self.rate(given, line, s)).half()
     }
 
     /// Checks that at the ends of all edges on such lines the slopes across are those of the lines, exactly.
     pub(super) fn check(
         &self,
-        problem: &Problem,
         field: &LowerField,
         chains: &Chains,
+        stations: &[Option<Station>],
+        apexes: &[bool],
+        jets: &[LocalJet],
     ) -> Result<(), CertificateError> {
         for (copy, lines) in self.at.iter().enumerate() {
-            for line in lines.iter().flatten() {
-                let place = field.mesh.vertices[field.copies[copy].vertex].place;
-                let same = |base| {
-                    let s = fraction(problem, place, *line).map_or(f64::NAN, |s| s);
-                    self.across(chains, *line, Interval::point(s), base).is_zero()
-                };
+            for line in lines {
+                let Some(given) = self.lines[*line] else { continue };
+                let vertex = field.mesh.vertices[field.copies[copy].vertex].place;
+                let s = Interval::point(fraction(self.problem, vertex, *line).map_or(f64::NAN, |s| s));
+                let zero = |base| self.across(chains, *line, s, base).is_zero();
+                let n = self.problem.direction(*line).turned();
                 let holds = match field.copies[copy].jet {
-                    Jet::Chain { chain: base } | Jet::Zero { base } => same(base),
+                    Jet::Chain { chain } => {
+                        let is_origin = match self.origins[given.joined.first].known {
+                            Known::Copy { station, chain: known, .. } => {
+                                known == chain && station.is_some() && station == stations[copy]
+                            }
+                            Known::Slope(_) => false,
+                        };
+                        is_origin || (zero(chain) && jets[copy].slopes.dot(n).is_zero())
+                    }
+                    Jet::Zero { base } => zero(base),
                     // Their slopes are vertical.
-                    Jet::ManyApexes { base, .. } => problem.direction(*line).x.is_zero() && same(base),
-                    Jet::OneLine { line: along, .. } => along == *line,
+                    Jet::ManyApexes { base, .. } => n.y.is_zero() && zero(base),
+                    Jet::OneLine { line: along, .. } => self.first(along) == Some(given.joined.first),
                     // Built from all lines here, of which there are as many as needed.
                     Jet::TwoLines { .. } => true,
-                    Jet::OneApex { .. } => lines[1].is_none(),
+                    Jet::OneApex { .. } => self.two_at(copy).is_none(),
                     Jet::Free { .. } => false,
                 };
                 if !holds {
@@ -128,29 +210,14 @@ impl GivenLines {
                     let problem = "the slope across is not proven to be the one of this line of given shear";
                     return Err(CertificateError::BadField { place, problem });
                 }
+                // The stress of the function vanishes at an apex, so that of the reference must not shear.
+                if apexes[copy] && !self.rate(given, *line, s).is_zero() {
+                    let (place, what) =
+                        (format!("line {line}"), "shear stress of the reference at a surface");
+                    return Err(CertificateError::NotCovered { place, what });
+                }
             }
         }
         Ok(())
     }
-}
-
-/// `t . ref n` at both ends of a line.
-fn rates(problem: &Problem, reference: &Reference, line: usize) -> [Interval; 2] {
-    let t = problem.direction(line);
-    let ends = problem.statement.lines[line];
-    [ends.from, ends.to].map(|p| {
-        let y = Interval::point(problem.statement.points[p][1]);
-        reference.shear(y, t)
-    })
-}
-
-fn note(at: &mut [Option<usize>; 2], line: usize, side: Side) -> Result<(), CertificateError> {
-    for slot in at.iter_mut() {
-        if slot.is_none_or(|l| l == line) {
-            *slot = Some(line);
-            return Ok(());
-        }
-    }
-    let what = "more than two lines of given shear that meet in one piece of soil";
-    Err(CertificateError::NotCovered { place: side.to_string(), what })
 }

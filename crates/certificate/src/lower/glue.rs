@@ -1,30 +1,30 @@
 //! Triangles that adjoin share what makes the stress function and its slopes the same on both sides.
 
-use super::{ends, is_apex};
+use super::ends;
+use super::loads::{Loads, Station, is_bare, is_loaded};
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
-use crate::interval::Interval;
 use crate::problem::Problem;
-use crate::statement::Condition;
+use crate::statement::Boundary;
 use crate::tiling::{Beyond, Tiling};
 
 fn bad(place: String, problem: &'static str) -> CertificateError {
     CertificateError::BadField { place, problem }
 }
 
-/// Checks how vertex copies are used.
+/// Checks how vertex copies are used. Returns where each is on free or loaded boundary, and whether it is an apex.
 pub(super) fn check(
     problem: &Problem,
     tiling: &Tiling,
     field: &LowerField,
-    apexes: bool,
-) -> Result<(), CertificateError> {
+    loads: &Loads,
+) -> Result<(Vec<Option<Station>>, Vec<bool>), CertificateError> {
     for (i, (copies, t)) in field.corners.iter().zip(&field.mesh.triangles).enumerate() {
         if copies.map(|c| field.copies[c].vertex) != t.corners {
             return Err(bad(format!("triangle {i}"), "its vertex copies are not copies of its corners"));
         }
-        check_apexes(field, *copies, apexes).map_err(|problem| bad(format!("triangle {i}"), problem))?;
     }
+    let mut apexes = vec![false; field.copies.len()];
     for side in tiling.sides() {
         let here = ends(field, side);
         match tiling.beyond(side) {
@@ -36,44 +36,73 @@ pub(super) fn check(
                     return Err(bad(side.to_string(), problem));
                 }
             }
-            Beyond::Boundary(_, Condition::Free) => {
-                let [a, b] = here.map(|copy| field.copies[copy].jet);
-                if a != b || !matches!(a, Jet::Chain { .. }) {
-                    return Err(bad(side.to_string(), "both ends of a free edge must belong to one chain"));
+            Beyond::Boundary(on, condition) if is_loaded(condition) => {
+                let of_run = |copy: usize| match field.copies[copy].jet {
+                    Jet::Chain { chain } => loads.run(on.side) == Some(chain),
+                    _ => false,
+                };
+                if !here.into_iter().all(of_run) {
+                    let problem = "both ends of a free or loaded edge must belong to the chain of its run";
+                    return Err(bad(side.to_string(), problem));
+                }
+                let boundary = Boundary { line: on.side.line, forward: on.side.forward, condition };
+                if is_bare(problem, &boundary) {
+                    here.into_iter().for_each(|copy| apexes[copy] = true);
                 }
             }
             Beyond::Boundary(..) => {}
         }
     }
-    for (i, copy) in field.copies.iter().enumerate() {
-        let depth = tiling.position(copy.vertex).y - Interval::point(problem.statement.datum);
-        if is_apex(field, apexes, i) && !depth.is_zero() {
-            return Err(bad(
-                format!("vertex copy {i}"),
-                "it belongs to a chain, but is not exactly at the datum",
-            ));
+    let stations = loads.stations(tiling, field)?;
+    for (i, (copy, station)) in field.copies.iter().zip(&stations).enumerate() {
+        if let Jet::Chain { chain } = copy.jet
+            && station.is_none_or(|s| s.run != chain)
+        {
+            return Err(bad(format!("vertex copy {i}"), "it belongs to a chain, but is not on its run"));
         }
     }
-    Ok(())
+    let at_rest = |copy: usize| is_at_rest(loads, stations[copy]);
+    for (i, copies) in field.corners.iter().enumerate() {
+        check_apexes(field, *copies, &apexes, at_rest, || format!("triangle {i}"))?;
+    }
+    Ok((stations, apexes))
+}
+
+/// Whether the function of the chain is affine to first order at a place.
+fn is_at_rest(loads: &Loads, station: Option<Station>) -> bool {
+    station.is_some_and(|station| {
+        let (f, slopes) = loads.jet(station);
+        f.is_zero() && slopes.x.is_zero() && slopes.y.is_zero()
+    })
 }
 
 /// Checks what a triangle with an apex needs: the coefficient next to each other corner on the edge to the apex must
 /// vanish, for all apexes.
-fn check_apexes(field: &LowerField, copies: [usize; 3], apexes: bool) -> Result<(), &'static str> {
-    for apex in copies.into_iter().filter(|c| is_apex(field, apexes, *c)) {
+fn check_apexes(
+    field: &LowerField,
+    copies: [usize; 3],
+    apexes: &[bool],
+    at_rest: impl Fn(usize) -> bool,
+    place: impl Fn() -> String,
+) -> Result<(), CertificateError> {
+    for apex in copies.into_iter().filter(|c| apexes[*c]) {
         let Jet::Chain { chain } = field.copies[apex].jet else { continue };
         for copy in copies {
             let suits = match field.copies[copy].jet {
-                Jet::Chain { chain: base } | Jet::Zero { base } | Jet::ManyApexes { base, .. } => {
+                Jet::Chain { chain: base } => {
+                    if !at_rest(copy) {
+                        let what = "a load on or next to a free side of soil without cohesion";
+                        return Err(CertificateError::NotCovered { place: place(), what });
+                    }
                     base == chain
                 }
+                Jet::Zero { base } | Jet::ManyApexes { base, .. } => base == chain,
                 Jet::OneApex { base, apex: only, .. } => base == chain && only == apex,
                 Jet::Free { .. } | Jet::OneLine { .. } | Jet::TwoLines { .. } => false,
             };
             if !suits {
-                return Err(
-                    "a corner beside one at the free surface, where stress must vanish, does not allow for that",
-                );
+                let problem = "a corner beside one at the free surface, where stress must vanish, does not allow for that";
+                return Err(bad(place(), problem));
             }
         }
     }

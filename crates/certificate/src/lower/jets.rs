@@ -1,5 +1,6 @@
 use super::chains::Chains;
 use super::given::GivenLines;
+use super::loads::{Loads, Station};
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
@@ -15,9 +16,16 @@ pub(super) struct LocalJet {
 }
 
 /// Checks that lists have the right lengths, indices point at something, and numbers are finite.
-pub(super) fn check_numbers(problem: &Problem, field: &LowerField) -> Result<(), CertificateError> {
+pub(super) fn check_numbers(
+    problem: &Problem,
+    field: &LowerField,
+    runs: usize,
+) -> Result<(), CertificateError> {
     let (triangles, line_count) = (field.mesh.triangles.len(), problem.statement.lines.len());
+    // There is a first chain even if nothing is free.
+    let chains = runs.max(1);
     let lengths = [
+        ("chains", field.chains.len(), chains, "run of free or loaded boundary, at least one"),
         ("corners", field.corners.len(), triangles, "triangle"),
         ("slopes", field.slopes.len(), triangles, "triangle"),
         ("lines", field.lines.len(), line_count, "line of the statement"),
@@ -38,6 +46,7 @@ pub(super) fn check_numbers(problem: &Problem, field: &LowerField) -> Result<(),
     for (i, slope) in field.lines.iter().enumerate() {
         finite("slope", || format!("line {i}"), *slope, "force")?;
     }
+    finite("multiplier", || "the field".into(), field.multiplier, "")?;
     finite("far stress", || "the field".into(), field.far_stress, "stress")?;
     for (i, copy) in field.copies.iter().enumerate() {
         let place = || format!("vertex copy {i}");
@@ -67,24 +76,15 @@ pub(super) fn check_numbers(problem: &Problem, field: &LowerField) -> Result<(),
     Ok(())
 }
 
-/// What values and slopes the numbers of the field mean.
-pub(super) fn local_jets(
-    problem: &Problem,
-    tiling: &Tiling,
-    field: &LowerField,
-    chains: &Chains,
-    given: &GivenLines,
-) -> Result<Vec<LocalJet>, CertificateError> {
-    let maker = Maker { problem, tiling, field, chains, given };
-    (0..field.copies.len()).map(|copy| maker.jet(copy)).collect()
-}
-
-struct Maker<'a> {
-    problem: &'a Problem<'a>,
-    tiling: &'a Tiling<'a>,
-    field: &'a LowerField,
-    chains: &'a Chains<'a>,
-    given: &'a GivenLines,
+/// Says what values and slopes the numbers of the field mean.
+pub(super) struct Maker<'a> {
+    pub(super) problem: &'a Problem<'a>,
+    pub(super) tiling: &'a Tiling<'a>,
+    pub(super) field: &'a LowerField,
+    pub(super) loads: &'a Loads,
+    pub(super) stations: &'a [Option<Station>],
+    pub(super) chains: &'a Chains<'a>,
+    pub(super) given: &'a GivenLines<'a>,
 }
 
 fn bad(copy: usize, problem: &'static str) -> CertificateError {
@@ -92,9 +92,19 @@ fn bad(copy: usize, problem: &'static str) -> CertificateError {
 }
 
 impl Maker<'_> {
+    /// All of them.
+    pub(super) fn jets(&self) -> Result<Vec<LocalJet>, CertificateError> {
+        (0..self.field.copies.len()).map(|copy| self.jet(copy)).collect()
+    }
+
     fn jet(&self, copy: usize) -> Result<LocalJet, CertificateError> {
         let (base, f, slopes) = match self.field.copies[copy].jet {
-            Jet::Chain { chain: base } | Jet::Zero { base } => (base, 0.0, Vector::ZERO),
+            Jet::Chain { chain: base } => {
+                let (f, slopes) =
+                    self.stations[copy].map_or((Interval::ZERO, Vector::ZERO), |at| self.loads.jet(at));
+                return Ok(LocalJet { base, f, slopes });
+            }
+            Jet::Zero { base } => (base, 0.0, Vector::ZERO),
             Jet::Free { base, f, fx, fy } => (base, f, Vector::point([fx, fy])),
             Jet::OneApex { base, apex, f, turn } => (base, f, self.one_apex(copy, base, apex, [f, turn])?),
             Jet::ManyApexes { base, f } => {
@@ -144,7 +154,10 @@ impl Maker<'_> {
         [f, turn]: [f64; 2],
     ) -> Result<Vector, CertificateError> {
         let along = Interval::point(3.0) * Interval::point(f);
-        if let [Some(line), _] = self.given.at(copy) {
+        let lines = self.given.at(copy);
+        if let Some(line) =
+            lines.iter().copied().find(|l| self.fraction(apex, *l).is_ok()).or(lines.first().copied())
+        {
             // Then `r = s t`, and the slope across is that of the line.
             let s = Interval::point(self.fraction(copy, line)?) - Interval::point(self.fraction(apex, line)?);
             if !s.is_not_zero() {
@@ -163,7 +176,7 @@ impl Maker<'_> {
 
     /// Slopes where two lines of given shear meet.
     fn two_lines(&self, copy: usize) -> Result<Vector, CertificateError> {
-        let [Some(a), Some(b)] = self.given.at(copy) else {
+        let Some([a, b]) = self.given.two_at(copy) else {
             return Err(bad(copy, "there are no two lines of given shear here"));
         };
         let [m, n] = [a, b].map(|line| self.problem.direction(line).turned());

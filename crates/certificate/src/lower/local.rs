@@ -1,7 +1,7 @@
 use super::StressFunction;
 use super::element::Local;
+use super::loads::is_loaded;
 use crate::interval::{Interval, Vector};
-use crate::statement::Condition;
 use crate::tiling::{Beyond, Side, after};
 
 impl StressFunction<'_> {
@@ -13,7 +13,7 @@ impl StressFunction<'_> {
     pub(super) fn local(&self, triangle: usize) -> Local {
         let copies = self.field.corners[triangle];
         let corners = self.tiling.corners(triangle);
-        let apex = copies.map(|copy| self.is_apex(copy));
+        let apex = copies.map(|copy| self.apexes[copy]);
         // Next to an apex, all have the base of the apex.
         let frame = copies.map(|copy| self.jets[copy].base).into_iter().max().unwrap_or(0);
         let mut f = [0, 1, 2].map(|k| {
@@ -53,9 +53,9 @@ impl StressFunction<'_> {
         match self.tiling.beyond(side) {
             Beyond::Soil(other) if other < side => absolute(-stored(other)),
             Beyond::Soil(_) => absolute(stored(side)),
-            Beyond::Boundary(_, Condition::Free) => {
+            Beyond::Boundary(on, condition) if is_loaded(condition) => {
                 let base = self.jets[self.ends(side)[0]].base;
-                self.chains.gradient(base, frame).dot(turned)
+                (self.chains.gradient(base, frame) + self.loads.middle_slopes(on)).dot(turned)
             }
             Beyond::Boundary(on, condition) if condition.shear_is_given() => {
                 // The edge is this part of its line.

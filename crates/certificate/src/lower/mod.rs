@@ -1,29 +1,40 @@
 //! The lower bound: the force that goes with stresses in equilibrium that the soil can bear everywhere.
 
 mod chains;
-mod element;
+mod covered;
+pub(crate) mod element;
 mod faces;
 mod far;
 mod force;
 mod given;
 mod glue;
 mod jets;
+mod joined;
+mod loads;
 mod local;
+mod overburden;
+mod references;
 mod strength;
 #[cfg(test)]
 mod tests;
+mod weight;
 
 use crate::CertificateError;
-use crate::fields::{Jet, LowerField};
-use crate::problem::{Problem, Reference};
-use crate::statement::{Condition, Statement};
+use crate::fields::LowerField;
+use crate::problem::Problem;
+use crate::statement::{Condition, Objective, Statement};
 use crate::tiling::{Beyond, Side, Tiling, after};
 
 use chains::Chains;
 use given::GivenLines;
-use jets::LocalJet;
+use jets::{LocalJet, Maker};
+use loads::Loads;
+use overburden::Overburden;
+use references::References;
+use weight::Pull;
 
-/// Proves a lower bound on the force that the soil can resist, times the structure's velocity.
+/// Proves a lower bound: on the force that the soil can resist times the structure's velocity, or on the factor of the
+/// [objective](Objective).
 ///
 /// # Errors
 ///
@@ -31,9 +42,9 @@ use jets::LocalJet;
 /// if the soil or a face is not proven to bear the stresses.
 pub fn prove_lower(statement: &Statement, field: &LowerField) -> Result<f64, CertificateError> {
     let problem = Problem::new(statement)?;
-    let reference = reference(statement)?;
+    let setting = Setting::new(&problem, field)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
-    let function = StressFunction::new(&problem, &tiling, field, reference)?;
+    let function = StressFunction::new(&problem, &setting, &tiling, field)?;
     function.check_recession()?;
     for triangle in 0..field.mesh.triangles.len() {
         let stresses = function.stresses(triangle);
@@ -44,87 +55,85 @@ pub fn prove_lower(statement: &Statement, field: &LowerField) -> Result<f64, Cer
                 Beyond::Boundary(_, Condition::Face { delta_deg, adhesion }) => {
                     function.check_face(side, part, delta_deg, adhesion)?;
                 }
-                Beyond::Boundary(_, Condition::Far) => function.check_far(side, part)?,
+                Beyond::Boundary(on, Condition::Far) => function.check_far(side, on, part)?,
                 _ => {}
             }
         }
     }
-    let power = function.power().lo();
-    if power > f64::NEG_INFINITY {
-        Ok(power)
+    let bound = match statement.objective {
+        Objective::Structure { .. } => function.power().lo(),
+        Objective::Loads | Objective::Body { .. } => field.multiplier,
+    };
+    if bound > f64::NEG_INFINITY {
+        Ok(bound)
     } else {
         Err(CertificateError::NotProven {
             quantity: "difference of the bound and the least number",
             place: "the whole field".into(),
-            low: power,
+            low: bound,
             unit: "force*velocity",
         })
     }
 }
 
-/// The reference stress, if there is one for all soil.
-fn reference(statement: &Statement) -> Result<Reference, CertificateError> {
-    let weight = statement.regions.first().map_or(0.0, |r| r.material.unit_weight);
-    if let Some(region) = statement.regions.iter().position(|r| r.material.unit_weight != weight) {
-        let what = "a lower bound for soils of different unit weight";
-        return Err(CertificateError::NotCovered { place: format!("region {region}"), what });
+/// What follows from the statement and the factor that is to be proven, whatever the mesh.
+struct Setting {
+    references: References,
+    loads: Loads,
+    overburden: Overburden,
+}
+
+impl Setting {
+    fn new(problem: &Problem, field: &LowerField) -> Result<Self, CertificateError> {
+        let pull = Pull::new(problem.statement, field);
+        let references = References::new(problem, &pull)?;
+        let loads = Loads::new(problem, &references, field)?;
+        covered::check(problem, &loads)?;
+        let overburden = Overburden::new(problem, &references, &pull)?;
+        Ok(Self { references, loads, overburden })
     }
-    for boundary in statement.boundaries.iter().filter(|b| b.condition == Condition::Free) {
-        let line = statement.lines[boundary.line];
-        if [line.from, line.to].iter().any(|p| statement.points[*p][1] != statement.datum) {
-            let what = "a lower bound with a free side that is not level at the datum";
-            return Err(CertificateError::NotCovered { place: format!("line {}", boundary.line), what });
-        }
-    }
-    Ok(Reference::new(statement, weight))
 }
 
 /// A stress function on a checked mesh.
 struct StressFunction<'a> {
     problem: &'a Problem<'a>,
+    references: &'a References,
+    loads: &'a Loads,
+    overburden: &'a Overburden,
     tiling: &'a Tiling<'a>,
     field: &'a LowerField,
-    reference: Reference,
     chains: Chains<'a>,
-    given: GivenLines,
+    given: GivenLines<'a>,
     /// Values and slopes of the vertex copies.
     jets: Vec<LocalJet>,
-    /// Whether the stress must vanish where the soil has no strength: at the copies that belong to chains.
-    apexes: bool,
+    /// For each vertex copy, whether the stress vanishes there, to the first order of its distance.
+    apexes: Vec<bool>,
 }
 
 impl<'a> StressFunction<'a> {
     fn new(
         problem: &'a Problem<'a>,
+        setting: &'a Setting,
         tiling: &'a Tiling<'a>,
         field: &'a LowerField,
-        reference: Reference,
     ) -> Result<Self, CertificateError> {
-        let statement = problem.statement;
-        let apexes =
-            statement.surcharge == 0.0 && statement.regions.iter().all(|r| r.material.cohesion == 0.0);
-        jets::check_numbers(problem, field)?;
+        let Setting { references, loads, overburden } = setting;
+        jets::check_numbers(problem, field, loads.count())?;
         let chains = Chains::new(problem, field)?;
-        glue::check(problem, tiling, field, apexes)?;
-        let given = GivenLines::new(problem, tiling, field, &reference)?;
-        let jets = jets::local_jets(problem, tiling, field, &chains, &given)?;
-        given.check(problem, field, &chains)?;
-        Ok(Self { problem, tiling, field, reference, chains, given, jets, apexes })
-    }
-
-    /// Whether the stress vanishes at a vertex copy, to the first order of its distance.
-    fn is_apex(&self, copy: usize) -> bool {
-        is_apex(self.field, self.apexes, copy)
+        let (stations, apexes) = glue::check(problem, tiling, field, loads)?;
+        let given =
+            GivenLines::new(problem, references, tiling, field, &stations, |station| loads.jet(station).1)?;
+        let maker =
+            Maker { problem, tiling, field, loads, stations: &stations, chains: &chains, given: &given };
+        let jets = maker.jets()?;
+        given.check(field, &chains, &stations, &apexes, &jets)?;
+        Ok(Self { problem, references, loads, overburden, tiling, field, chains, given, jets, apexes })
     }
 
     /// Vertex copies at the start and end of an edge.
     fn ends(&self, side: Side) -> [usize; 2] {
         ends(self.field, side)
     }
-}
-
-fn is_apex(field: &LowerField, apexes: bool, copy: usize) -> bool {
-    apexes && matches!(field.copies[copy].jet, Jet::Chain { .. })
 }
 
 fn ends(field: &LowerField, side: Side) -> [usize; 2] {

@@ -1,84 +1,126 @@
 use super::StressFunction;
 use super::element::NodeStresses;
 use crate::CertificateError;
-use crate::interval::Interval;
+use crate::interval::{Angle, Interval, Vector};
 use crate::problem::{Strength, Stress};
 use crate::tiling::after;
 
-/// The least that the strength may have to spare in a stress state; at least zero if the state is proven to be one the
-/// soil can bear: `c cos(phi) - sin(phi) (xx + yy)/2 >= sqrt(((xx - yy)/2)^2 + xy^2)`.
-pub(super) fn spare(strength: &Strength, stress: &Stress) -> f64 {
-    let Strength { friction, cohesion } = strength;
-    let radius_square = (stress.xx - stress.yy).half().square() + stress.xy.square();
-    let bound = *cohesion * friction.cos - friction.sin * (stress.xx + stress.yy).half();
-    if bound.is_at_least_zero() && (bound.square() - radius_square).is_at_least_zero() {
-        return 0.0;
-    }
-    // For the message only; never zero.
-    (bound.lo() - radius_square.hi().sqrt()).min(-f64::MIN_POSITIVE)
+/// The strength at one point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limit {
+    friction: Angle,
+    cohesion: Interval,
+    pub(super) pore_pressure: Interval,
+    tension: Option<Interval>,
 }
 
-/// Checks that a stress state is one the soil can bear.
-pub(super) fn check(
-    strength: &Strength,
-    stress: &Stress,
-    quantity: &'static str,
-    place: impl Fn() -> String,
-) -> Result<(), CertificateError> {
-    let low = spare(strength, stress);
-    if low >= 0.0 {
-        Ok(())
-    } else {
-        Err(CertificateError::NotProven { quantity, place: place(), low, unit: "stress" })
+impl Limit {
+    pub(super) fn at(strength: &Strength, p: Vector) -> Self {
+        let Strength { friction, cohesion, pore_pressure, tension } = strength;
+        let (cohesion, pore_pressure) = (cohesion.at(p), pore_pressure.at(p));
+        Self { friction: *friction, cohesion, pore_pressure, tension: *tension }
+    }
+
+    /// What a change of stress must be within so that any multiple of it can be added to a state within strength, where the
+    /// pore pressure changes as given.
+    pub(super) fn of_changes(strength: &Strength, pore_pressure: Interval) -> Self {
+        let tension = strength.tension.map(|_| Interval::ZERO);
+        Self { friction: strength.friction, cohesion: Interval::ZERO, pore_pressure, tension }
+    }
+
+    /// The least that there may be to spare; at least zero if the state is proven to be one the soil can bear. With the
+    /// effective stress, `r = sqrt(((xx - yy)/2)^2 + xy^2)` and `m = (xx + yy)/2`, that is one with
+    /// `c cos(phi) - sin(phi) m >= r` and, if tension is limited, `tension - m >= r`.
+    fn spare(&self, mean: Interval, half_difference: Interval, xy: Interval) -> f64 {
+        let Self { friction, cohesion, pore_pressure, tension } = *self;
+        let mean = mean + pore_pressure;
+        let radius_square = half_difference.square() + xy.square();
+        let bounds = [Some(cohesion * friction.cos - friction.sin * mean), tension.map(|t| t - mean)];
+        let spare = |bound: Interval| {
+            if bound.is_at_least_zero() && (bound.square() - radius_square).is_at_least_zero() {
+                return 0.0;
+            }
+            // For the message only; never zero.
+            (bound.lo() - radius_square.hi().sqrt()).min(-f64::MIN_POSITIVE)
+        };
+        bounds.into_iter().flatten().map(spare).fold(0.0, f64::min)
+    }
+
+    /// Checks that a stress state is one the soil can bear.
+    pub(super) fn check(
+        &self,
+        stress: &Stress,
+        quantity: &'static str,
+        place: impl Fn() -> String,
+    ) -> Result<(), CertificateError> {
+        let Stress { xx, yy, xy } = *stress;
+        self.check_parts((xx + yy).half(), (xx - yy).half(), xy, quantity, place)
+    }
+
+    /// The same for a stress given by half the sum and half the difference of its normal parts.
+    pub(super) fn check_parts(
+        &self,
+        mean: Interval,
+        half_difference: Interval,
+        xy: Interval,
+        quantity: &'static str,
+        place: impl Fn() -> String,
+    ) -> Result<(), CertificateError> {
+        let low = self.spare(mean, half_difference, xy);
+        if low >= 0.0 {
+            Ok(())
+        } else {
+            Err(CertificateError::NotProven { quantity, place: place(), low, unit: "stress" })
+        }
     }
 }
 
 impl StressFunction<'_> {
+    /// The strength in a triangle at a point.
+    pub(super) fn limit(&self, triangle: usize, p: Vector) -> Limit {
+        Limit::at(&self.problem.strengths[self.tiling.region(triangle)], p)
+    }
+
+    /// Positions of the nodes of a part of a triangle.
+    fn nodes(&self, triangle: usize, part: usize) -> [Vector; 3] {
+        let corners = self.tiling.corners(triangle);
+        let [p, q, r] = corners;
+        let sum = p + q + r;
+        let centroid = Vector { x: sum.x.third(), y: sum.y.third() };
+        [corners[after(part, 1)], corners[after(part, 2)], centroid]
+    }
+
     /// Total stresses at the nodes of a triangle.
     pub(super) fn stresses(&self, triangle: usize) -> NodeStresses {
-        let local = self.local(triangle);
-        let mut stresses = local.stresses();
-        let [p, q, r] = local.corners;
-        let centroid = (p.y + q.y + r.y).third();
+        let reference = self.references.of(self.tiling.region(triangle));
+        let mut stresses = self.local(triangle).stresses();
         for (k, part) in stresses.iter_mut().enumerate() {
-            let heights = [local.corners[after(k, 1)].y, local.corners[after(k, 2)].y, centroid];
-            for (stress, y) in part.iter_mut().zip(heights) {
-                let reference = self.reference.at(y);
-                stress.xx = stress.xx + reference.xx;
-                stress.yy = stress.yy + reference.yy;
-                stress.xy = stress.xy + reference.xy;
+            for (stress, p) in part.iter_mut().zip(self.nodes(triangle, k)) {
+                let more = reference.at(p);
+                stress.xx = stress.xx + more.xx;
+                stress.yy = stress.yy + more.yy;
+                stress.xy = stress.xy + more.xy;
             }
         }
         stresses
     }
 
-    /// Checks that the soil bears the stresses of a triangle. They are linear in each part, and stresses that a soil bears
-    /// are a convex set, so the nodes decide. At an apex there is no stress.
+    /// Checks that the soil bears the stresses of a triangle. They are linear in each part, as are cohesion and pore
+    /// pressure, and the states that a soil bears are a convex set of all these together, so the nodes decide.
     pub(super) fn check_strength(
         &self,
         triangle: usize,
         stresses: &NodeStresses,
     ) -> Result<(), CertificateError> {
-        let strength = &self.problem.strengths[self.tiling.region(triangle)];
         for (k, part) in stresses.iter().enumerate() {
-            for (node, stress) in part.iter().enumerate() {
+            for (node, (stress, p)) in part.iter().zip(self.nodes(triangle, k)).enumerate() {
                 let place = || {
                     let node = ["its first corner", "its last corner", "the centroid"][node];
                     format!("triangle {triangle}, part at edge {k}, {node}")
                 };
-                check(strength, stress, "strength to spare", place)?;
+                self.limit(triangle, p).check(stress, "strength to spare", place)?;
             }
         }
         Ok(())
-    }
-
-    /// Whether a corner of a part is an apex.
-    pub(super) fn node_is_apex(&self, triangle: usize, part: usize, node: usize) -> bool {
-        self.is_apex(self.field.corners[triangle][after(part, 1 + node)])
-    }
-
-    /// Zero tension for soil without cohesion, as a strength to compare changes of stress with.
-    pub(super) fn cone(strength: &Strength) -> Strength {
-        Strength { cohesion: Interval::ZERO, ..*strength }
     }
 }

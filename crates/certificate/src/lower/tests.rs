@@ -1,73 +1,13 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
+mod balance;
+mod exact;
+
 use proptest::prelude::*;
 
 use super::*;
 use crate::examples::{Plate, fill, pushed_field, rankine_field, wall};
-use crate::interval::{Interval, Vector};
-use crate::problem::Stress;
-use crate::{Gradient, LineUse, Place};
-
-fn middle(x: Interval) -> f64 {
-    0.5 * (x.lo() + x.hi())
-}
-
-/// Stresses at the start and end of an edge, on the part of the triangle that adjoins it, with the edge's vector.
-fn at_edge(function: &StressFunction, side: Side) -> (Vector, [Stress; 2]) {
-    let corners = function.tiling.corners(side.triangle);
-    let [a, b, _] = function.stresses(side.triangle)[side.corner];
-    (corners[after(side.corner, 2)] - corners[after(side.corner, 1)], [a, b])
-}
-
-/// Checks on a random stress function that tractions balance and conditions hold, which nothing in the proof computes.
-fn balances(plate: Plate, seed: u64) {
-    let statement = plate.statement();
-    let mesh = plate.mesh(0.1, seed);
-    let field = fill(&statement, &mesh, 3.0, seed);
-    let problem = Problem::new(&statement).unwrap();
-    let tiling = Tiling::new(&problem, &mesh).unwrap();
-    let function = StressFunction::new(&problem, &tiling, &field, reference(&statement).unwrap()).unwrap();
-    let near =
-        |a: f64, b: f64, what: &str, side: Side| assert!((a - b).abs() < 1e-9, "{what} {side}: {a} {b}");
-    let mut power = 0.0;
-    for side in tiling.sides() {
-        let (t, stresses) = at_edge(&function, side);
-        let n = t.turned();
-        let tractions = stresses.map(|s| s.on(n));
-        match tiling.beyond(side) {
-            Beyond::Soil(other) => {
-                let (_, [end, start]) = at_edge(&function, other);
-                for (here, there) in tractions.into_iter().zip([start, end].map(|s| s.on(n))) {
-                    near(middle(here.x), middle(there.x), "x across", side);
-                    near(middle(here.y), middle(there.y), "y across", side);
-                }
-            }
-            Beyond::Boundary(on, condition) => {
-                for (i, s) in stresses.iter().enumerate() {
-                    let y = tiling.corners(side.triangle)[after(side.corner, 1 + i)].y;
-                    let outside = match condition {
-                        Condition::Far => function.reference.at(y).between(t, n),
-                        _ => Interval::ZERO,
-                    };
-                    if condition.shear_is_given() {
-                        near(middle(s.between(t, n)), middle(outside), "shear", side);
-                    }
-                    if condition == Condition::Free {
-                        let traction = s.on(n);
-                        near(middle(traction.x), -statement.surcharge * middle(n.x), "free x", side);
-                        near(middle(traction.y), -statement.surcharge * middle(n.y), "free y", side);
-                    }
-                }
-                if let Condition::Face { .. } = condition {
-                    assert_eq!(on.side.line, 4);
-                    // On the soil, so with the outward normal.
-                    power -= 0.5 * (middle(tractions[0].x) + middle(tractions[1].x));
-                }
-            }
-        }
-    }
-    near(middle(function.power()), power, "power", Side { triangle: 0, corner: 0 });
-}
+use crate::{Gradient, Jet, LineUse, Linear, Place};
 
 fn plates() -> impl Strategy<Value = Plate> {
     let tilted = prop_oneof![Just([0.0, -1.0]), Just([0.1, -0.9])];
@@ -82,7 +22,8 @@ fn plates() -> impl Strategy<Value = Plate> {
 proptest! {
     #[test]
     fn any_stress_function_balances(plate in plates(), seed in 0_u64..1000) {
-        balances(plate, seed);
+        let (statement, mesh) = (plate.statement(), plate.mesh(0.1, seed));
+        balance::check(&statement, &fill(&statement, &mesh, 3.0, seed));
     }
 }
 
@@ -117,7 +58,7 @@ fn surcharge_and_cohesion_add_to_rankine() {
     let expected = 6.0 + 3.0 * q * 2.0 + 2.0 * c * 3.0_f64.sqrt() * 2.0;
     let mut statement = wall();
     statement.surcharge = q;
-    statement.regions[0].material.cohesion = c;
+    statement.regions[0].material.cohesion = Linear::uniform(c);
     let less = 1.0 - 1e-11;
     let bound = prove_lower(&statement, &pushed_field(8, 2.0 * less, more * less)).unwrap();
     assert!(bound <= expected && bound > expected - 1e-9, "{bound} {expected}");
@@ -129,7 +70,7 @@ fn surcharge_and_cohesion_add_to_rankine() {
         "the copies on the wall are for a smooth one"
     );
     let mut pulled = wall();
-    pulled.regions[0].material.cohesion = 1.0;
+    pulled.regions[0].material.cohesion = Linear::uniform(1.0);
     let error = prove_lower(&pulled, &pushed_field(8, -1.0, -0.1)).unwrap_err();
     assert!(error.to_string().contains("grip of the face"), "{error}");
 }
@@ -172,4 +113,22 @@ fn rules_of_construction_are_checked() {
     assert!(matches!(face, CertificateError::NotCovered { .. }), "{face}");
     let heavy = refused(|s, _| s.regions[0].loops[0].push(LineUse { line: 0, forward: false }));
     assert!(matches!(heavy, CertificateError::BadStatement { .. }), "{heavy}");
+}
+
+#[test]
+fn chains_belong_to_their_runs() {
+    let plate = Plate { lean: 0.3, delta_deg: 20.0, surcharge: 0.7, gravity: [0.0, -1.0] };
+    let statement = plate.statement();
+    let mut field = fill(&statement, &plate.mesh(0.1, 1), 0.0, 1);
+    assert!(prove_lower(&statement, &field).is_ok());
+    for copy in &mut field.copies {
+        if let Jet::Chain { chain } = &mut copy.jet {
+            *chain = 1 - *chain;
+        }
+    }
+    let error = prove_lower(&statement, &field).unwrap_err();
+    assert!(matches!(error, CertificateError::BadField { .. }), "{error}");
+    field.chains.pop();
+    let error = prove_lower(&statement, &field).unwrap_err();
+    assert!(matches!(error, CertificateError::Length { .. }), "{error}");
 }

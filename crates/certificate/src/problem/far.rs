@@ -1,13 +1,13 @@
 //! The soil beyond far lines.
 
 use crate::CertificateError;
-use crate::statement::{Boundary, Condition, Statement};
+use crate::statement::{Boundary, Condition, Objective, Statement};
 
 /// Which sides of the mesh are far. They frame it: all else lies within the rectangle that they are part of, and the
-/// soil beyond fills what is left of the strips and quadrants around it, up to the datum.
+/// soil beyond fills what is left of the strips and quadrants around it, up to where the far side on its hand starts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct FarFrame {
-    /// At the least x of all points, from the datum down to the least y.
+    /// At the least x of all points, from anywhere down to the least y.
     pub(crate) left: bool,
     /// At the greatest x, likewise.
     pub(crate) right: bool,
@@ -38,18 +38,21 @@ impl FarFrame {
         let least = |of: fn(&[f64; 2]) -> f64| statement.points.iter().map(of).fold(f64::INFINITY, f64::min);
         let limits = [least(x), -least(|p| -p[0]), least(y)];
         let [x_min, x_max, y_min] = limits;
-        // Each part of the frame: the coordinate that is constant along it, its value, where it starts and ends.
+        // Each part of the frame: the coordinate that is constant along it, its value, where it starts and ends, if that
+        // is not up to it.
         let parts = [
-            ("the left far side", 0, x_min, statement.datum, y_min),
-            ("the right far side", 0, x_max, y_min, statement.datum),
-            ("the far side below", 1, y_min, x_min, x_max),
+            ("the left far side", 0, x_min, [None, Some(y_min)]),
+            ("the right far side", 0, x_max, [Some(y_min), None]),
+            ("the far side below", 1, y_min, [Some(x_min), Some(x_max)]),
         ];
         let mut frame = Self { limits, ..Self::default() };
         let mut found = 0;
-        for (part, (name, axis, at, start, end)) in parts.into_iter().enumerate() {
+        for (part, (name, axis, at, ends)) in parts.into_iter().enumerate() {
+            // Only the left one is walked towards lesser values.
+            let rises = part > 0;
             let on = |s: &&Walked| {
                 let level = s.from[axis] == at && s.to[axis] == at;
-                level && (s.to[1 - axis] > s.from[1 - axis]) == (end > start)
+                level && (s.to[1 - axis] > s.from[1 - axis]) == rises
             };
             let far = |s: &&Walked| s.condition == Condition::Far;
             let mut run: Vec<[f64; 2]> =
@@ -59,13 +62,15 @@ impl FarFrame {
                 continue;
             }
             run.sort_by(|a, b| a[0].total_cmp(&b[0]));
-            if end < start {
+            if !rises {
                 run.reverse();
             }
             let joined = run.windows(2).all(|w| w[0][1] == w[1][0]);
-            if run[0][0] != start || run[run.len() - 1][1] != end || !joined {
-                let what = "must run without a gap: left and right from the datum to the lowest point, below from the \
-                            leftmost point to the rightmost";
+            let found_ends = [run[0][0], run[run.len() - 1][1]];
+            let whole = ends.into_iter().zip(found_ends).all(|(end, found)| end.is_none_or(|e| e == found));
+            if !(joined && whole) {
+                let what = "must run without a gap: left and right down to the lowest point, below from the leftmost \
+                            point to the rightmost";
                 return Err(CertificateError::NotCovered { place: name.into(), what });
             }
             *[&mut frame.left, &mut frame.right, &mut frame.below][part] = true;
@@ -82,6 +87,8 @@ impl FarFrame {
     /// beyond the corner: fixed, or smooth without shear stress in the reference.
     fn check_corners(&self, statement: &Statement, sides: &[Walked]) -> Result<(), CertificateError> {
         let [x_min, x_max, y_min] = self.limits;
+        let level_force = matches!(statement.objective, Objective::Body { gravity: [x, _] } if x != 0.0);
+        let no_shear = statement.gravity[0] == 0.0 && !level_force;
         let corners = [("lower left", x_min, self.left), ("lower right", x_max, self.right)];
         for (name, x, side_is_far) in corners {
             if side_is_far == self.below {
@@ -94,7 +101,7 @@ impl FarFrame {
                 let there = (s.from == corner || s.to == corner) && s.from[axis] == s.to[axis];
                 let holds = match s.condition {
                     Condition::Fixed => true,
-                    Condition::Smooth => statement.gravity[0] == 0.0,
+                    Condition::Smooth => no_shear,
                     _ => false,
                 };
                 there && holds

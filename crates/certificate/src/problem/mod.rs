@@ -4,21 +4,43 @@ mod far;
 mod numbers;
 mod outline;
 mod reference;
+mod runs;
 mod sides;
 
 use crate::CertificateError;
 use crate::interval::{Angle, Interval, Vector, angle};
-use crate::statement::{Condition, LineUse, Statement};
+use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 
 pub(crate) use far::FarFrame;
 pub(crate) use numbers::{exists, finite};
-pub(crate) use reference::{Reference, Stress};
+pub(crate) use reference::{Column, Reference, Stress};
+pub(crate) use runs::Run;
 
 /// Strength of one region.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Strength {
     pub(crate) friction: Angle,
-    pub(crate) cohesion: Interval,
+    pub(crate) cohesion: Linear,
+    pub(crate) pore_pressure: Linear,
+    pub(crate) tension: Option<Interval>,
+}
+
+impl Strength {
+    fn new(material: &Material) -> Self {
+        Self {
+            friction: angle(material.phi_deg),
+            cohesion: material.cohesion,
+            pore_pressure: material.pore_pressure,
+            tension: material.tension.map(Interval::point),
+        }
+    }
+}
+
+impl Linear {
+    /// Its value at a point. Exactly zero if it is zero everywhere.
+    pub(crate) fn at(&self, p: Vector) -> Interval {
+        Interval::point(self.at_origin) + Vector::point(self.gradient).dot(p)
+    }
 }
 
 /// A checked statement.
@@ -50,10 +72,7 @@ impl<'a> Problem<'a> {
         let conditions = sides::conditions(statement, &owners)?;
         outline::check(statement, &owners)?;
         let far = FarFrame::new(statement)?;
-        let strength =
-            |phi_deg, cohesion| Strength { friction: angle(phi_deg), cohesion: Interval::point(cohesion) };
-        let strengths =
-            statement.regions.iter().map(|r| strength(r.material.phi_deg, r.material.cohesion)).collect();
+        let strengths = statement.regions.iter().map(|r| Strength::new(&r.material)).collect();
         let mut joined: Vec<_> = statement
             .lines
             .iter()
@@ -83,6 +102,13 @@ impl<'a> Problem<'a> {
     /// First point of a line.
     pub(crate) fn start(&self, line: usize) -> Vector {
         Vector::point(self.statement.points[self.statement.lines[line].from])
+    }
+
+    /// First and last point of a side as it is walked.
+    pub(crate) fn walked(&self, side: LineUse) -> [[f64; 2]; 2] {
+        let line = self.statement.lines[side.line];
+        let ends = if side.forward { [line.from, line.to] } else { [line.to, line.from] };
+        ends.map(|p| self.statement.points[p])
     }
 
     /// From the first point of a line to its last.

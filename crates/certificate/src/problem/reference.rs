@@ -21,43 +21,94 @@ impl Stress {
     pub(crate) fn on(&self, a: Vector) -> Vector {
         Vector { x: self.xx * a.x + self.xy * a.y, y: self.xy * a.x + self.yy * a.y }
     }
+
+    /// The same with this tension added in all directions.
+    pub(crate) fn with_mean(&self, tension: Interval) -> Self {
+        Self { xx: self.xx + tension, yy: self.yy + tension, xy: self.xy }
+    }
 }
 
-/// The reference stress: level layers at rest, in equilibrium with the weight, at the datum a pressure equal to the
-/// surcharge. It is linear in the depth below the datum and does not depend on x.
+/// Vertical normal stress, linear over a region, that goes with a unit weight other than that of the base.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Column {
+    /// A point at which it is `value`, exactly.
+    pub(crate) anchor: Vector,
+    pub(crate) value: Interval,
+    pub(crate) gradient: Vector,
+}
+
+impl Column {
+    pub(crate) fn at(&self, p: Vector) -> Interval {
+        self.value + self.gradient.dot(p - self.anchor)
+    }
+}
+
+/// The reference stress of a region. Its base is that of level layers at rest, in equilibrium with the weight, at the datum
+/// a pressure equal to the surcharge: linear in the depth below the datum, whatever x.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reference {
     datum: Interval,
     surcharge: Interval,
-    /// Its change with depth.
+    /// Change of the base with depth.
     pub(crate) gradient: Stress,
+    /// `yy - xx` of that. Exactly zero with vertical gravity, which arithmetic would not show.
+    pub(crate) difference: Interval,
+    column: Option<Column>,
 }
 
 impl Reference {
-    /// The reference stress of soil with this unit weight.
+    /// The base for soil with this unit weight.
     pub(crate) fn new(statement: &Statement, unit_weight: f64) -> Self {
-        let [gx, gy] = statement.gravity.map(|g| Interval::point(unit_weight) * Interval::point(g));
+        let [x, y] = statement.gravity.map(Interval::point);
+        let [gx, gy] = [x, y].map(|g| Interval::point(unit_weight) * g);
         // The components of gravity, not of the weight, which may be zero.
-        let t = Interval::point(statement.gravity[0]) / Interval::point(statement.gravity[1]);
-        let xx = (Interval::ONE + Interval::point(2.0) * t.square()) * gy;
+        let t = if x.is_zero() { Interval::ZERO } else { x / y };
+        let more = Interval::point(2.0) * t.square() * gy;
         Self {
             datum: Interval::point(statement.datum),
             surcharge: Interval::point(statement.surcharge),
-            gradient: Stress { xx, yy: gy, xy: gx },
+            gradient: Stress { xx: gy + more, yy: gy, xy: gx },
+            difference: -more,
+            column: None,
         }
     }
 
-    /// `t . stress n` at height `y`, with `n` = `t` turned left. Exactly zero if both normal stresses are the same and
-    /// there is no shear stress.
-    pub(crate) fn shear(&self, y: Interval, t: Vector) -> Interval {
+    /// Adds what balances another body force, given as a force per volume.
+    pub(crate) fn with_force(self, force: Vector) -> Self {
         let Stress { xx, yy, xy } = self.gradient;
-        (t.x * t.y * (yy - xx) + (t.x.square() - t.y.square()) * xy) * (self.datum - y)
+        let gradient = Stress { xx: xx + force.y, yy: yy + force.y, xy: xy + force.x };
+        Self { gradient, ..self }
     }
 
-    /// The stress at height `y`.
-    pub(crate) fn at(&self, y: Interval) -> Stress {
-        let depth = self.datum - y;
+    /// The same with another column part.
+    pub(crate) fn with_column(self, column: Option<Column>) -> Self {
+        Self { column, ..self }
+    }
+
+    fn depth(&self, p: Vector) -> Interval {
+        self.datum - p.y
+    }
+
+    fn column_at(&self, p: Vector) -> Interval {
+        self.column.map_or(Interval::ZERO, |column| column.at(p))
+    }
+
+    /// `t . stress n` at a point, with `n` = `t` turned left. Exactly zero if both normal stresses are the same and
+    /// there is no shear stress.
+    pub(crate) fn shear(&self, p: Vector, t: Vector) -> Interval {
+        let difference = self.difference * self.depth(p) + self.column_at(p);
+        t.x * t.y * difference + (t.x.square() - t.y.square()) * self.gradient.xy * self.depth(p)
+    }
+
+    /// The stress at a point, beyond the surcharge.
+    pub(crate) fn excess(&self, p: Vector) -> Stress {
+        let depth = self.depth(p);
         let Stress { xx, yy, xy } = self.gradient;
-        Stress { xx: xx * depth - self.surcharge, yy: yy * depth - self.surcharge, xy: xy * depth }
+        Stress { xx: xx * depth, yy: yy * depth + self.column_at(p), xy: xy * depth }
+    }
+
+    /// The stress at a point.
+    pub(crate) fn at(&self, p: Vector) -> Stress {
+        self.excess(p).with_mean(-self.surcharge)
     }
 }

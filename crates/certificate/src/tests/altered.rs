@@ -45,14 +45,14 @@ fn altered(old: &Number, how: u8, by: f64, index: u64) -> Number {
     Number::from_f64(new).unwrap_or_else(|| Number::from_f64(f64::MAX).unwrap())
 }
 
-type Change = (prop::sample::Index, u8, f64, u64);
+pub(crate) type Change = (prop::sample::Index, u8, f64, u64);
 
-fn changes() -> impl Strategy<Value = Vec<Change>> {
+pub(crate) fn changes() -> impl Strategy<Value = Vec<Change>> {
     prop::collection::vec((any::<prop::sample::Index>(), 0..10_u8, -1.0..1.0_f64, 0..40_u64), 1..4)
 }
 
 /// The same thing with some numbers changed, unless it cannot be read any more.
-fn alter<T: Serialize + DeserializeOwned>(thing: &T, changes: &[Change]) -> Option<T> {
+pub(crate) fn alter<T: Serialize + DeserializeOwned>(thing: &T, changes: &[Change]) -> Option<T> {
     let mut value = serde_json::to_value(thing).unwrap();
     for (which, how, by, index) in changes {
         let mut found = Vec::new();

@@ -5,7 +5,7 @@ use std::fs;
 use tempfile::tempdir;
 
 use crate::examples::{rankine_field, wall, wedge_field};
-use crate::{CertificateError, Claim, SCHEMA, Scale, Solution, prove};
+use crate::{CertificateError, Claim, Objective, SCHEMA, Scale, Solution, prove};
 
 pub(super) fn solution() -> Solution {
     Solution {
@@ -23,7 +23,7 @@ fn a_file_restores_every_number() {
     let folder = tempdir().unwrap();
     let path = folder.path().join("a.json");
     let mut written = solution();
-    written.statement.velocity = [0.1 + 0.2, 5e-324];
+    written.statement.objective = Objective::Structure { velocity: [0.1 + 0.2, 5e-324] };
     written.write(&path).unwrap();
     assert_eq!(Solution::read(&path).unwrap(), written);
 }

@@ -1,4 +1,4 @@
-mod altered;
+pub(crate) mod altered;
 mod files;
 mod shapes;
 mod speed;

@@ -4,7 +4,7 @@
 use crate::examples::{Plate, fill, wall, wedge_field};
 use crate::problem::Problem;
 use crate::{
-    Boundary, CertificateError, Condition, Line, LineUse, Mesh, Place, Region, Statement, Triangle,
+    Boundary, CertificateError, Condition, Flow, Line, LineUse, Mesh, Place, Region, Statement, Triangle,
     UpperField, Velocity, Vertex, prove_lower, prove_upper,
 };
 
@@ -118,8 +118,10 @@ fn layered(interface: bool) -> (Statement, UpperField) {
     }
     let field = UpperField {
         mesh: Mesh { vertices, triangles },
-        nodes: vec![[0; 6]; 4],
+        flows: vec![Flow::Quadratic([0; 6]); 4],
         velocities: vec![Velocity::Free { x: 1.0, y: 1.0 }],
+        stream: Vec::new(),
+        walls: Vec::new(),
     };
     (s, field)
 }
@@ -136,8 +138,8 @@ fn interfaces_hold_together() {
 #[test]
 fn a_jump_between_soils_may_use_either() {
     let (mut statement, mut field) = layered(true);
-    field.nodes[0] = [1; 6];
-    field.nodes[1] = [1; 6];
+    field.flows[0] = Flow::Quadratic([1; 6]);
+    field.flows[1] = Flow::Quadratic([1; 6]);
     // The upper layer rises by one and slides by one: enough for 45 degrees, not for 50.
     field.velocities.push(Velocity::Free { x: 2.0, y: 2.0 });
     let bound = |phi: [f64; 2], statement: &mut Statement| {

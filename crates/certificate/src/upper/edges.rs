@@ -1,118 +1,154 @@
-use super::Flow;
-use crate::CertificateError;
-use crate::fields::Velocity;
-use crate::interval::{Angle, Interval, Vector, angle};
-use crate::problem::Strength;
-use crate::statement::Condition;
-use crate::tiling::{OnLine, Side, after};
+//! What happens at the edges of triangles: jumps, and boundaries.
 
-impl Flow<'_> {
-    /// The edge of a triangle as a vector.
-    fn along(&self, side: Side) -> Vector {
-        let corners = self.tiling.corners(side.triangle);
-        corners[after(side.corner, 2)] - corners[after(side.corner, 1)]
+use super::Motion;
+use super::means;
+use super::power::Power;
+use super::resistance::Resistance;
+use super::slide::Slide;
+use crate::CertificateError;
+use crate::fields::{Flow, Velocity};
+use crate::interval::{Interval, Vector, angle};
+use crate::problem::Strength;
+use crate::statement::{Condition, Linear, Objective};
+use crate::tiling::{Beyond, OnLine, Side, after};
+
+impl Motion<'_> {
+    /// What an edge adds to the power. Checks the flow rule.
+    pub(super) fn edge(&self, side: Side) -> Result<Power, CertificateError> {
+        match self.tiling.beyond(side) {
+            // Once for the two triangles.
+            Beyond::Soil(other) if other < side || self.is_glued(side, other) => Ok(Power::ZERO),
+            Beyond::Soil(other) => self.interface(side, other),
+            Beyond::Boundary(on, condition) => self.boundary(side, on, condition),
+        }
     }
 
-    /// What the jump of the velocity across an edge dissipates. A jump is a thin layer of the soil of either side: the
-    /// traction there is within the strength of both, so either proves a bound.
-    pub(super) fn jump(&self, side: Side, other: Side) -> Result<Interval, CertificateError> {
-        let here = self.on_edge(side);
-        let [end, middle, start] = self.on_edge(other);
-        let there = [start, middle, end];
-        if here == there {
-            return Ok(Interval::ZERO);
+    /// What a jump of the velocity across an edge dissipates. A jump is a thin layer of the soil of either side: the
+    /// traction there is within the strength of both, each with its own pore pressure, so either proves a bound.
+    fn interface(&self, side: Side, other: Side) -> Result<Power, CertificateError> {
+        let jump = self.jump(side, other);
+        if jump.opening.iter().chain(&jump.slip).all(|x| x.is_zero()) {
+            return Ok(Power::ZERO);
         }
-        let jumps = [0, 1, 2].map(|i| self.difference(here[i], there[i]));
-        let strengths = [side, other].map(|s| self.problem.strengths[self.tiling.region(s.triangle)]);
-        let place = || format!("{side}");
-        let [first, second] = strengths.map(|s| self.sliding(self.along(side), jumps, s, place));
+        let [first, second] = [side, other].map(|s| {
+            let strength = self.problem.strengths[self.tiling.region(s.triangle)];
+            self.layer(side, &strength, jump)
+        });
         match (first, second) {
-            (Ok(a), Ok(b)) => Ok(if b.hi() < a.hi() { b } else { a }),
-            (Ok(a), Err(_)) | (Err(_), Ok(a)) => Ok(a),
+            (Ok(a), Ok(b)) => Ok(Power::dissipated(a.or_lesser(b))),
+            (Ok(a), Err(_)) | (Err(_), Ok(a)) => Ok(Power::dissipated(a)),
             (Err(e), Err(_)) => Err(e),
         }
     }
 
-    /// What the surface of a triangle adds to the bound at a boundary.
-    pub(super) fn boundary(
-        &self,
-        side: Side,
-        on: OnLine,
-        condition: Condition,
-    ) -> Result<Interval, CertificateError> {
-        let nodes = self.on_edge(side);
-        let along = self.along(side);
+    /// What a triangle adds to the power at a boundary.
+    fn boundary(&self, side: Side, on: OnLine, condition: Condition) -> Result<Power, CertificateError> {
+        let statement = self.problem.statement;
         let bad = |problem| Err(CertificateError::BadField { place: side.to_string(), problem });
         match condition {
-            Condition::Free => {
-                let sum = nodes.iter().fold(Vector::ZERO, |sum, node| sum + self.values[*node]);
-                let outward = -along.turned();
-                Ok(Interval::point(self.problem.statement.surcharge) * outward.dot(sum).third())
+            Condition::Free => Ok(self.load(side, on, [statement.surcharge; 2], [0.0; 2], false)),
+            Condition::Loaded { pressure, shear, live } => {
+                let live = live && statement.objective == Objective::Loads;
+                Ok(self.load(side, on, pressure, shear, live))
             }
-            Condition::Fixed | Condition::Far => {
-                let at_rest = |node: &usize| self.values[*node].x.is_zero() && self.values[*node].y.is_zero();
-                if nodes.iter().all(at_rest) {
-                    Ok(Interval::ZERO)
-                } else {
-                    bad("the soil must be at rest here")
-                }
+            Condition::Fixed | Condition::Far if !self.is_at_rest(side) => {
+                bad("the soil must be at rest here")
             }
-            Condition::Smooth => {
-                let line = on.side.line;
-                let across = self.problem.direction(line).turned();
-                let slides = |node: &usize| match self.field.velocities[*node] {
+            Condition::Smooth if !self.slides(side, on) => {
+                bad("the soil must be at rest here or slide along this line")
+            }
+            Condition::Fixed | Condition::Far | Condition::Smooth => Ok(Power::ZERO),
+            Condition::Face { delta_deg, adhesion } => self.face(side, delta_deg, adhesion),
+        }
+    }
+
+    /// Power of tractions that are linear along a line, from their values at its ends. On the soil on the left a pressure
+    /// acts along the edge vector turned left.
+    fn load(&self, side: Side, on: OnLine, pressure: [f64; 2], shear: [f64; 2], live: bool) -> Power {
+        let slide = self.slide(side);
+        let at_ends = |[from, to]: [f64; 2]| {
+            let (from, to) = (Interval::point(from), Interval::point(to));
+            [on.start, on.end].map(|s| from + (to - from) * Interval::point(s))
+        };
+        let pushed = means::over_edge(at_ends(pressure), slide.opening);
+        let sheared = means::over_edge(at_ends(shear), slide.slip);
+        Power::of_load(pushed + sheared, live)
+    }
+
+    /// Whether the velocity is exactly zero along an edge.
+    fn is_at_rest(&self, side: Side) -> bool {
+        match self.field.flows[side.triangle] {
+            Flow::Quadratic(nodes) => {
+                Self::on_edge(nodes, side).iter().all(|node| self.velocities[*node].is_zero())
+            }
+            // The value does not change along such a wall.
+            Flow::Stream { corners, .. } => {
+                let ends = [1, 2].map(|i| corners[after(side.corner, i)]);
+                ends.iter().all(|copy| self.stream[*copy].slopes.is_zero()) && self.slope(side).is_zero()
+            }
+        }
+    }
+
+    /// Whether the soil has no velocity across a smooth line.
+    fn slides(&self, side: Side, on: OnLine) -> bool {
+        let line = on.side.line;
+        let across = self.problem.direction(line).turned();
+        match self.field.flows[side.triangle] {
+            Flow::Quadratic(nodes) => {
+                Self::on_edge(nodes, side).iter().all(|node| match self.field.velocities[*node] {
                     Velocity::Zero => true,
                     Velocity::Slide { line: along, .. } if along == line => true,
-                    _ => self.values[*node].dot(across).is_zero(),
-                };
-                if nodes.iter().all(slides) {
-                    Ok(Interval::ZERO)
-                } else {
-                    bad("the soil must be at rest here or slide along this line")
-                }
+                    _ => self.velocities[*node].dot(across).is_zero(),
+                })
             }
-            Condition::Face { delta_deg, adhesion } => {
-                let structure = Vector::point(self.problem.statement.velocity);
-                let relative = nodes.map(|node| self.values[node] - structure);
-                let face = Strength { friction: angle(delta_deg), cohesion: Interval::point(adhesion) };
-                self.sliding(along, relative, face, || format!("{side}"))
-            }
+            // It is a wall, along which the stream function has been made not to change.
+            Flow::Stream { .. } => true,
         }
     }
 
-    /// What sliding along an edge dissipates, from the relative velocity of the soil on the left at the three control
-    /// points. Checks that it opens as much as the friction demands: since Bernstein polynomials are not negative and add
-    /// up to one, it does so between the control points too.
-    fn sliding(
-        &self,
-        along: Vector,
-        relative: [Vector; 3],
-        strength: Strength,
-        place: impl Fn() -> String,
-    ) -> Result<Interval, CertificateError> {
-        let Strength { friction, cohesion } = strength;
-        let across = along.turned();
-        let mut opening = Interval::ZERO;
-        for (i, d) in relative.iter().enumerate() {
-            let (open, slip) = (d.dot(across), d.dot(along));
-            for spare in spares(open, slip, friction) {
-                if !spare.is_at_least_zero() {
-                    let quantity = "opening beyond what the friction demands";
-                    let place = format!("{}, control point {i} of 3", place());
-                    return Err(self.not_flowing(quantity, place, spare.lo()));
-                }
+    /// What slip and opening at a face of the structure dissipate.
+    fn face(&self, side: Side, delta_deg: f64, adhesion: f64) -> Result<Power, CertificateError> {
+        let structure = Vector::point(self.problem.statement.objective.velocity());
+        let along = self.along(side);
+        let mut relative = match self.field.flows[side.triangle] {
+            Flow::Quadratic(nodes) => {
+                let relative = |node: usize| self.velocities[node] - structure;
+                Slide::new(along, Self::on_edge(nodes, side).map(relative))
             }
-            opening = opening + open;
+            Flow::Stream { .. } => self.slide(side).less(Slide::new(along, [structure; 3])),
+        };
+        let bears_pressure_only = delta_deg == 0.0 && adhesion == 0.0;
+        if matches!(self.field.flows[side.triangle], Flow::Stream { .. }) && !bears_pressure_only {
+            // It is a wall, along which the stream function has been made to change as the structure moves.
+            relative.opening = [Interval::ZERO; 3];
         }
-        if cohesion.is_zero() {
-            return Ok(Interval::ZERO);
-        }
-        Ok(cohesion * friction.cot() * opening.third())
+        let soil = self.problem.strengths[self.tiling.region(side.triangle)];
+        let strength = Strength {
+            friction: angle(delta_deg),
+            cohesion: Linear::uniform(adhesion),
+            pore_pressure: soil.pore_pressure,
+            tension: bears_pressure_only.then_some(Interval::ZERO),
+        };
+        Ok(Power::dissipated(self.layer(side, &strength, relative)?))
     }
-}
 
-/// Opening less slip times friction, for slip in either sense.
-fn spares(open: Interval, slip: Interval, friction: Angle) -> [Interval; 2] {
-    let needed = slip * friction.tan();
-    [open - needed, open + needed]
+    /// What sliding along an edge dissipates. Checks that it opens as much as the friction demands: since Bernstein
+    /// polynomials are not negative and add up to one, it does so between the control points too. Without friction it may
+    /// open only if the tension is limited.
+    fn layer(&self, side: Side, strength: &Strength, slide: Slide) -> Result<Interval, CertificateError> {
+        let tan = strength.friction.tan();
+        let may_open = !strength.friction.sin.is_zero() || strength.tension.is_some();
+        for (i, (open, slip)) in slide.opening.into_iter().zip(slide.slip).enumerate() {
+            // For slip in either sense.
+            let spares = if may_open { [open - slip * tan, open + slip * tan] } else { [open, -open] };
+            if let Some(spare) = spares.into_iter().find(|spare| !spare.is_at_least_zero()) {
+                let quantity = "opening beyond what the friction demands";
+                let place = format!("{side}, control point {i} of 3");
+                let (low, unit) = (spare.lo(), "velocity*length");
+                return Err(CertificateError::NotProven { quantity, place, low, unit });
+            }
+        }
+        let resistance = Resistance::new(strength, self.ends(side));
+        Ok(resistance.of_layer(slide.opening, slide.slip))
+    }
 }

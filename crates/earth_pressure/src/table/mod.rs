@@ -3,6 +3,8 @@
 //! Any model or bound can fill a [`PredictionTable`]. Every cell says whether it was solved or itself comes from
 //! interpolation; every look-up says by how much interpolation may be wrong.
 
+mod bracket;
+mod bracket_file;
 mod cells;
 mod csv_file;
 mod cubic;
@@ -12,6 +14,10 @@ mod parquet_file;
 mod parquet_pages;
 mod sidecar;
 
+pub use bracket::{BracketRow, BracketRules, BracketTable};
+pub use bracket_file::{
+    BRACKET_SCHEMA, BracketSidecar, is_bracket_file, parse_bracket, read_bracket, write_bracket,
+};
 pub use csv_file::{read_csv, write_csv};
 pub use interpolate::{Lookup, TableSlice};
 pub use model::{BracketModel, TableModel};

@@ -27,16 +27,24 @@ pub struct Sidecar {
     pub program_version: String,
 }
 
+/// The one normalisation there is.
+pub(super) const SLANT: &str = "slant";
+
+/// Version of the program, which all crates share.
+pub(super) const fn program_version() -> &'static str {
+    env!("CARGO_PKG_VERSION")
+}
+
 impl Sidecar {
     pub(crate) fn of(table: &PredictionTable, source: &str) -> Self {
         Self {
             schema: SIDECAR_SCHEMA.into(),
             name: table.name().into(),
             quantity: table.quantity(),
-            normalisation: "slant".into(),
+            normalisation: SLANT.into(),
             source: source.into(),
             cells: table.filled().count(),
-            program_version: env!("CARGO_PKG_VERSION").into(),
+            program_version: program_version().into(),
         }
     }
 
@@ -58,22 +66,24 @@ impl Sidecar {
                 sidecar.schema
             )));
         }
-        if sidecar.normalisation != "slant" {
-            return Err(bad(format!("normalisation is {:?}; it must be \"slant\"", sidecar.normalisation)));
+        if sidecar.normalisation != SLANT {
+            return Err(bad(format!("normalisation is {:?}; it must be {SLANT:?}", sidecar.normalisation)));
         }
         Ok(sidecar)
     }
 
     pub(crate) fn check_count(&self, path: &Path, cells: usize) -> Result<(), EarthPressureError> {
-        if self.cells == cells {
+        Self::same_count(&path.display().to_string(), self.cells, cells)
+    }
+
+    /// Refuses a file that has not as many cells as its sidecar says.
+    pub(super) fn same_count(table: &str, said: usize, found: usize) -> Result<(), EarthPressureError> {
+        if said == found {
             return Ok(());
         }
         Err(EarthPressureError::BadTable {
-            table: path.display().to_string(),
-            problem: format!(
-                "it has {cells} cells, its sidecar says {}; the file was cut or edited",
-                self.cells
-            ),
+            table: table.to_owned(),
+            problem: format!("it has {found} cells, its sidecar says {said}; the file was cut or edited"),
         })
     }
 }

@@ -1,9 +1,11 @@
 //! The stress function of a problem on a mesh: its unknowns, with the boundary conditions built in.
 
-use soilctl_certificate::{Chain, Condition, Gradient, LowerField, VertexCopy};
+use soilctl_certificate::{Chain, Condition, Gradient, LineUse, LowerField, VertexCopy};
 
-use super::given::{Across, Touching, shear_is_given};
+use super::given::{Across, Touching, shear_is_given, slopes_across};
+use super::loads::{self, Loads, is_loaded};
 use super::macro_element::turned;
+use super::reference::Reference;
 use super::shape::{Shape, Turn, Unknown};
 use crate::form::Form;
 use crate::mesh::{Mesh, Place};
@@ -32,6 +34,8 @@ pub(crate) struct StressFunction {
     across: Vec<Option<Across>>,
     /// Stress along level far lines, beyond the reference.
     pub(crate) far_stress: Option<usize>,
+    /// The factor that is bounded.
+    multiplier: Option<usize>,
 }
 
 /// How a chain's gradient is stored.
@@ -42,43 +46,15 @@ enum Slopes {
     Along { line: usize, unit: f64 },
 }
 
-/// Free boundary as runs of edges: the chain of each copy on it.
-fn chains(count: usize, edges: &[(usize, usize)]) -> (Vec<Option<usize>>, usize) {
-    fn find(parent: &mut [usize], mut i: usize) -> usize {
-        while parent[i] != i {
-            parent[i] = parent[parent[i]];
-            i = parent[i];
-        }
-        i
-    }
-    let mut parent: Vec<usize> = (0..count).collect();
-    let mut free = vec![false; count];
-    for &(a, b) in edges {
-        (free[a], free[b]) = (true, true);
-        let (a, b) = (find(&mut parent, a), find(&mut parent, b));
-        parent[a.max(b)] = a.min(b);
-    }
-    let mut roots: Vec<usize> = Vec::new();
-    let chain_of = (0..count)
-        .map(|copy| {
-            free[copy].then(|| {
-                let root = find(&mut parent, copy);
-                roots.iter().position(|r| *r == root).unwrap_or_else(|| {
-                    roots.push(root);
-                    roots.len() - 1
-                })
-            })
-        })
-        .collect();
-    (chain_of, roots.len())
-}
-
 /// What is gathered about the copies before unknowns are handed out.
 struct Copies<'a> {
     problem: &'a Problem,
     mesh: &'a Mesh,
     vertex_of: &'a [usize],
-    chain_of: &'a [Option<usize>],
+    /// Region of a triangle at each copy.
+    region: &'a [usize],
+    /// For copies on free and loaded boundaries, the chain and what the loads demand.
+    chain_of: &'a [Option<(usize, [Form; 3])>],
     /// Lines of given shear through each copy, with the position on them.
     given: Vec<Vec<(usize, f64)>>,
     /// Apexes next to each copy.
@@ -99,17 +75,19 @@ impl Copies<'_> {
         chains: &[[Form; 3]],
         program: &mut Program,
     ) -> Shape {
-        if let Some(chain) = self.chain_of[copy] {
-            return Shape::Chain { chain };
+        if let Some((chain, demanded)) = &self.chain_of[copy] {
+            return Shape::Chain { chain: *chain, demanded: demanded.clone() };
         }
         let p = self.position(copy);
         let h = self.length[copy];
-        let stress = self.problem.stress_scale(p, h);
+        let stress = self.problem.stress_scale(self.region[copy], p, h);
         let mut unknown = |scale: f64| Unknown { index: program.unknown(), unit: scale * stress };
-        let lines: Vec<(&Across, usize, f64)> =
+        let mut lines: Vec<(&Across, usize, f64)> =
             self.given[copy].iter().filter_map(|(l, s)| across[*l].as_ref().map(|a| (a, *l, *s))).collect();
+        // Lines that go on straight say the same.
+        lines.dedup_by_key(|l| l.0.group);
         if let Some(&apex) = self.apexes[copy].first() {
-            let base = self.chain_of[apex].unwrap_or(0);
+            let base = self.chain_of[apex].as_ref().map_or(0, |c| c.0);
             if self.apexes[copy].len() > 1 {
                 let upright = lines.iter().all(|(a, ..)| a.n[1] == 0.0);
                 let depth = self.problem.statement().datum - p[1];
@@ -148,7 +126,13 @@ impl Copies<'_> {
 }
 
 impl StressFunction {
-    pub(crate) fn new(problem: &Problem, mesh: &Mesh, topology: &Topology, program: &mut Program) -> Self {
+    pub(crate) fn new(
+        problem: &Problem,
+        mesh: &Mesh,
+        topology: &Topology,
+        reference: &Reference,
+        program: &mut Program,
+    ) -> Self {
         let condition = |s: Side| topology.line[s.triangle][s.corner].and_then(|l| problem.condition(l));
         let (corners, vertex_of) = topology.split(mesh, |s| condition(s).is_some());
         let count = vertex_of.len();
@@ -158,14 +142,40 @@ impl StressFunction {
             |s: Side| (corners[s.triangle][(s.corner + 1) % 3], corners[s.triangle][(s.corner + 2) % 3]);
         let position = |copy: usize| mesh.vertices[vertex_of[copy]].position;
 
-        let free: Vec<(usize, usize)> =
-            sides().filter(|s| condition(*s) == Some(Condition::Free)).map(ends).collect();
-        let (chain_of, chain_count) = chains(count, &free);
-        let strengthless =
-            problem.statement().surcharge == 0.0 && problem.soils.iter().all(|s| s.cohesion == 0.0);
-        let apex: Vec<bool> = chain_of.iter().map(|c| c.is_some() && strengthless).collect();
+        let loads = Loads::new(problem, reference);
+        let mut region = vec![0; count];
+        for (triangle, t) in mesh.triangles.iter().enumerate() {
+            for copy in corners[triangle] {
+                region[copy] = t.region;
+            }
+        }
+        // Where on a line a copy is.
+        let fraction = |copy: usize, line: usize| match mesh.vertices[vertex_of[copy]].place {
+            Place::OnLine { s, .. } => s,
+            Place::Corner(point) if point == problem.outline.lines[line].to => 1.0,
+            _ => 0.0,
+        };
+        let mut chain_of: Vec<Option<(usize, [Form; 3])>> = vec![None; count];
+        let mut apex = vec![false; count];
+        for s in sides() {
+            let Some(c) = condition(s).filter(|c| is_loaded(*c)) else { continue };
+            let Some(use_) = topology.line[s.triangle][s.corner] else { continue };
+            let side = LineUse { line: use_.line, forward: use_.forward };
+            let strengthless = c == Condition::Free
+                && problem.statement().surcharge == 0.0
+                && problem.soils[mesh.triangles[s.triangle].region].cohesion.is_zero();
+            for copy in <[usize; 2]>::from(ends(s)) {
+                apex[copy] |= strengthless;
+                if chain_of[copy].is_none()
+                    && let Some(run) = loads.run(side)
+                {
+                    chain_of[copy] = Some((run, loads.at(side, fraction(copy, side.line))));
+                }
+            }
+        }
+        let chain_count = loads.runs.len().max(1);
 
-        let mut touching = vec![Touching::default(); mesh.lines.len()];
+        let mut touching: Vec<Vec<(usize, usize, f64)>> = vec![Vec::new(); mesh.lines.len()];
         let mut given: Vec<Vec<(usize, f64)>> = vec![Vec::new(); count];
         let mut apexes: Vec<Vec<usize>> = vec![Vec::new(); count];
         let mut length = vec![(0.0, 0.0); count];
@@ -180,25 +190,24 @@ impl StressFunction {
                 }
             }
             let Some(side) = topology.line[s.triangle][s.corner] else { continue };
-            let Some(c) = condition(s).filter(|c| shear_is_given(*c)) else { continue };
+            if !condition(s).is_some_and(shear_is_given) {
+                continue;
+            }
             let line = &mut touching[side.line];
-            (line.given, line.far) = (true, c == Condition::Far);
             for copy in [a, b] {
-                let at = match mesh.vertices[vertex_of[copy]].place {
-                    Place::OnLine { s, .. } => s,
-                    Place::Corner(point) if point == problem.outline.lines[side.line].to => 1.0,
-                    _ => 0.0,
-                };
+                let at = fraction(copy, side.line);
                 if !given[copy].iter().any(|(l, _)| *l == side.line) {
                     given[copy].push((side.line, at));
                 }
-                if let Some(chain) = chain_of[copy].filter(|c| !line.chains.iter().any(|(k, _)| k == c)) {
-                    line.chains.push((chain, at));
+                if let Some((chain, _)) = &chain_of[copy]
+                    && !line.iter().any(|(k, ..)| k == chain)
+                {
+                    line.push((*chain, copy, at));
                 }
             }
         }
         for line in &mut touching {
-            line.chains.sort_by_key(|c| c.0);
+            line.sort_by_key(|c| c.0);
         }
 
         // A smooth line that joins two chains carries no force along itself: the second chain's gradient is along it.
@@ -211,9 +220,7 @@ impl StressFunction {
                 continue;
             }
             let constant = Form::unknown(program.unknown(), 1.0);
-            let joined = touching
-                .iter()
-                .position(|t| t.chains.len() > 1 && t.chains[1..].iter().any(|c| c.0 == chain));
+            let joined = touching.iter().position(|t| t.len() > 1 && t[1..].iter().any(|c| c.0 == chain));
             if let Some(line) = joined {
                 let [p, q] = problem.ends(line);
                 let u = program.unknown();
@@ -233,15 +240,25 @@ impl StressFunction {
                 gradients.push(Slopes::Free);
             }
         }
-        let across: Vec<Option<Across>> = touching
+        let slopes_at = |chain: usize, copy: usize| -> [Form; 2] {
+            let demanded = chain_of[copy].as_ref().map(|c| &c.1);
+            std::array::from_fn(|i| {
+                let affine = chains[chain][1 + i].clone();
+                demanded.map_or(affine.clone(), |d| affine.plus(1.0, &d[1 + i]))
+            })
+        };
+        let touching: Touching = touching
             .iter()
-            .enumerate()
-            .map(|(line, t)| t.given.then(|| Across::new(problem, line, t, &chains, program)))
+            .map(|line| {
+                line.iter().map(|(chain, copy, at)| (*chain, slopes_at(*chain, *copy), *at)).collect()
+            })
             .collect();
+        let across = slopes_across(problem, reference, &touching, program);
         let copies = Copies {
             problem,
             mesh,
             vertex_of: &vertex_of,
+            region: &region,
             chain_of: &chain_of,
             given,
             apexes,
@@ -257,10 +274,17 @@ impl StressFunction {
             let (p, q) = (position(a), position(b));
             let l = (p[0] - q[0]).hypot(p[1] - q[1]);
             let middle = [(p[0] + q[0]) / 2.0, (p[1] + q[1]) / 2.0];
-            let mut own = || Form::unknown(program.unknown(), l * l * problem.stress_scale(middle, l));
+            let scale = problem.stress_scale(mesh.triangles[s.triangle].region, middle, l);
+            let mut own = || Form::unknown(program.unknown(), l * l * scale);
             slopes[s.triangle][s.corner] = match condition(s) {
                 _ if apex[a] || apex[b] => continue,
-                Some(Condition::Free) => (chain_of[a].unwrap_or(0), Form::default()),
+                Some(c) if is_loaded(c) => {
+                    let Some(u) = topology.line[s.triangle][s.corner] else { continue };
+                    let at = (fraction(a, u.line) + fraction(b, u.line)) / 2.0;
+                    let demanded = loads.at(LineUse { line: u.line, forward: u.forward }, at);
+                    let run = chain_of[a].as_ref().map_or(0, |c| c.0);
+                    (run, loads::across([q[0] - p[0], q[1] - p[1]], &demanded))
+                }
                 Some(c) if shear_is_given(c) => {
                     let Some(side) = topology.line[s.triangle][s.corner] else { continue };
                     let Some(line) = &across[side.line] else { continue };
@@ -284,7 +308,19 @@ impl StressFunction {
         let far = problem.statement().boundaries.iter().any(|b| b.condition == Condition::Far);
         let far_stress = far.then(|| program.unknown());
         let jets = shapes.iter().map(Shape::jet).collect();
-        Self { corners, vertex_of, shapes, jets, apex, slopes, chains, gradients, across, far_stress }
+        Self {
+            corners,
+            vertex_of,
+            shapes,
+            jets,
+            apex,
+            slopes,
+            chains,
+            gradients,
+            across,
+            far_stress,
+            multiplier: reference.multiplier,
+        }
     }
 
     /// The affine function of a chain at a point: value and slopes.
@@ -354,7 +390,7 @@ impl StressFunction {
                     let condition = topology.line[triangle][k].and_then(|l| problem.condition(l));
                     let (a, b) = ((k + 1) % 3, (k + 2) % 3);
                     let apex = self.apex[self.corners[triangle][a]] || self.apex[self.corners[triangle][b]];
-                    let known = condition.is_some_and(|c| c == Condition::Free || shear_is_given(c));
+                    let known = condition.is_some_and(|c| is_loaded(c) || shear_is_given(c));
                     if apex || known { 0.0 } else { self.slopes[triangle][k].1.value(x) }
                 })
             })
@@ -378,6 +414,7 @@ impl StressFunction {
                 .collect(),
             slopes,
             far_stress: self.far_stress.map_or(0.0, |u| x[u]),
+            multiplier: self.multiplier.map_or(0.0, |u| x[u]),
         }
     }
 }

@@ -1,20 +1,22 @@
 //! Lines along which the shear stress is given: there the slope of the stress function across the line is known up to
-//! a constant.
+//! a constant, which lines that go on straight have in common.
 
-use soilctl_certificate::Condition;
+use soilctl_certificate::{Condition, LineUse};
 
 use super::macro_element::turned;
+use super::reference::Reference;
 use super::shape::Unknown;
 use crate::form::Form;
 use crate::problem::Problem;
 use crate::program::Program;
+use crate::runs::runs;
 
 /// Whether the condition fixes the shear stress.
 pub(crate) fn shear_is_given(condition: Condition) -> bool {
     match condition {
         Condition::Smooth | Condition::Far => true,
         Condition::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion == 0.0,
-        Condition::Free | Condition::Fixed => false,
+        Condition::Free | Condition::Loaded { .. } | Condition::Fixed => false,
     }
 }
 
@@ -24,56 +26,140 @@ pub(crate) struct Across {
     /// The line's normal: its vector turned left.
     pub(crate) n: [f64; 2],
     /// What the slope must change by per unit of `s`, at both ends.
-    shear: [f64; 2],
+    shear: [Form; 2],
     /// Where the constant below holds.
     origin: f64,
     constant: Form,
-    /// The unknown behind the constant, if the line touches no chain.
+    /// The unknown behind the constant, if the lines touch no chain.
     pub(crate) free: Option<Unknown>,
+    /// Lines that share a constant have the same number.
+    pub(crate) group: usize,
 }
 
-/// How a line of given shear meets free boundaries.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Touching {
-    pub(crate) given: bool,
-    pub(crate) far: bool,
-    /// Chains and the position on the line, 0 or 1.
-    pub(crate) chains: Vec<(usize, f64)>,
-}
+/// Where lines of given shear meet free boundaries: for each line, chains with their slopes there and the position on
+/// the line, 0 or 1.
+pub(crate) type Touching = Vec<Vec<(usize, [Form; 2], f64)>>;
 
-impl Across {
-    pub(crate) fn new(
-        problem: &Problem,
-        line: usize,
-        touching: &Touching,
-        chains: &[[Form; 3]],
-        program: &mut Program,
-    ) -> Self {
-        let [p, q] = problem.ends(line);
-        let t = [q[0] - p[0], q[1] - p[1]];
-        let n = turned(t);
-        let shear = |at: [f64; 2]| {
-            let [xx, yy, xy] = problem.reference(at);
-            xx * t[0] * n[0] + yy * t[1] * n[1] + xy * (t[0] * n[1] + t[1] * n[0])
+/// Groups of sides of given shear, in the order of their walk, that go on straight: all vertical or all level, and all
+/// far or all not.
+fn groups(problem: &Problem) -> Vec<Vec<LineUse>> {
+    let kind = |side: LineUse| {
+        let [p, q] = problem.ends(side.line);
+        let axis = if p[0] == q[0] {
+            Some(0)
+        } else if p[1] == q[1] {
+            Some(1)
+        } else {
+            None
         };
-        // Far lines carry the shear of the reference, all others none.
-        let shear = if touching.far { [0.0; 2] } else { [shear(p), shear(q)] };
-        let (origin, constant, free) = match touching.chains.first() {
-            Some(&(chain, origin)) => {
-                let [_, gx, gy] = &chains[chain];
-                (origin, Form::default().plus(n[0], gx).plus(n[1], gy), None)
+        let far = problem.condition_on(side) == Some(Condition::Far);
+        axis.map(|a| (a, far))
+    };
+    let mut groups: Vec<Vec<LineUse>> = Vec::new();
+    let mut seen = vec![false; problem.outline.lines.len()];
+    for run in runs(problem, shear_is_given) {
+        let mut parts: Vec<Vec<LineUse>> = Vec::new();
+        for side in run.sides {
+            // Both sides of a thin plate have one slope across.
+            if std::mem::replace(&mut seen[side.line], true) {
+                continue;
+            }
+            match parts.last_mut() {
+                Some(part) if kind(side).is_some() && kind(part[part.len() - 1]) == kind(side) => {
+                    part.push(side);
+                }
+                _ => parts.push(vec![side]),
+            }
+        }
+        // A closed run may start in the middle of a straight piece.
+        if run.closed
+            && parts.len() > 1
+            && kind(parts[0][0]).is_some()
+            && kind(parts[0][0]) == parts.last().and_then(|p| kind(*p.last()?))
+            && let Some(mut last) = parts.pop()
+        {
+            last.append(&mut parts[0]);
+            parts[0] = last;
+        }
+        groups.append(&mut parts);
+    }
+    groups
+}
+
+/// The slopes across all lines of given shear, one entry a line of the statement.
+pub(crate) fn slopes_across(
+    problem: &Problem,
+    reference: &Reference,
+    touching: &Touching,
+    program: &mut Program,
+) -> Vec<Option<Across>> {
+    let mut all: Vec<Option<Across>> = vec![None; problem.outline.lines.len()];
+    let boundaries = &problem.statement().boundaries;
+    let index = |side: &LineUse| boundaries.iter().position(|b| b.side() == *side);
+    let mut groups = groups(problem);
+    // Unknowns are handed out in the order of the lines.
+    groups.sort_by_key(|g| g.iter().map(|s| s.line).min());
+    for (group, sides) in groups.iter().enumerate() {
+        let touched = sides.iter().position(|s| !touching[s.line].is_empty());
+        let least = (0..sides.len()).min_by_key(|i| index(&sides[*i])).unwrap_or(0);
+        let anchor = touched.unwrap_or(least);
+        let mut bare: Vec<Across> =
+            sides.iter().map(|s| Across::without_constant(problem, reference, *s, group)).collect();
+        let n = bare[anchor].n;
+        match touching[sides[anchor].line].first() {
+            Some((_, [gx, gy], at)) => {
+                bare[anchor].origin = *at;
+                bare[anchor].constant = Form::default().plus(n[0], gx).plus(n[1], gy);
             }
             None => {
                 let free = Unknown { index: program.unknown(), unit: n[0].hypot(n[1]) };
-                (0.0, free.form(), Some(free))
+                bare[anchor].constant = free.form();
+                bare[anchor].free = Some(free);
             }
+        }
+        // From the anchor on, forwards and backwards: at a joint both lines have the same slope across per length.
+        let carry = |bare: &mut Vec<Across>, from: usize, to: usize| {
+            let exit = if to > from { sides[from].forward } else { !sides[from].forward };
+            let entry = if to > from { !sides[to].forward } else { sides[to].forward };
+            let end = |forward: bool| if forward { 1.0 } else { 0.0 };
+            let (n, m) = (bare[from].n, bare[to].n);
+            let ratio = if n[0] == 0.0 { m[1] / n[1] } else { m[0] / n[0] };
+            bare[to].constant = Form::default().plus(ratio, &bare[from].at(end(exit)));
+            bare[to].origin = end(entry);
         };
-        Self { n, shear, origin, constant, free }
+        for to in anchor + 1..sides.len() {
+            carry(&mut bare, to - 1, to);
+        }
+        for to in (0..anchor).rev() {
+            carry(&mut bare, to + 1, to);
+        }
+        for (side, across) in sides.iter().zip(bare) {
+            all[side.line] = Some(across);
+        }
+    }
+    all
+}
+
+impl Across {
+    fn without_constant(problem: &Problem, reference: &Reference, side: LineUse, group: usize) -> Self {
+        let [p, q] = problem.ends(side.line);
+        let t = [q[0] - p[0], q[1] - p[1]];
+        let n = turned(t);
+        let region = problem.owner(side).unwrap_or(0);
+        let shear = |at: [f64; 2]| {
+            let [xx, yy, xy] = reference.at(region, at);
+            Form::default().plus(t[0] * n[0], &xx).plus(t[1] * n[1], &yy).plus(t[0] * n[1] + t[1] * n[0], &xy)
+        };
+        // Far lines carry the shear of the reference, all others none.
+        let far = problem.condition_on(side) == Some(Condition::Far);
+        let shear = if far { [Form::default(), Form::default()] } else { [shear(p), shear(q)] };
+        Self { n, shear, origin: 0.0, constant: Form::default(), free: None, group }
     }
 
     pub(crate) fn at(&self, s: f64) -> Form {
-        let [a, b] = self.shear;
-        let integral = |s: f64| a * s + (b - a) * s * s / 2.0;
-        Form::constant(integral(s) - integral(self.origin)).plus(1.0, &self.constant)
+        let [a, b] = &self.shear;
+        let weights = |s: f64| (s - s * s / 2.0, s * s / 2.0);
+        let (to, from) = (weights(s), weights(self.origin));
+        self.constant.clone().plus(to.0 - from.0, a).plus(to.1 - from.1, b)
     }
 }

@@ -4,19 +4,25 @@
 //! unknowns are, and only yield is left to the cones of the program.
 
 pub(crate) mod dofs;
+mod far;
 mod given;
-mod macro_element;
+mod loads;
+pub(crate) mod macro_element;
+mod reference;
 mod shape;
+#[cfg(test)]
+mod tests;
 
-use soilctl_certificate::Condition;
+use soilctl_certificate::{Condition, LineUse};
 
 use dofs::StressFunction;
 use given::shear_is_given;
 use macro_element::{Curvature, curvatures};
+use reference::Reference;
 
 use crate::form::Form;
-use crate::mesh::{Mesh, Place};
-use crate::problem::{Problem, Soil};
+use crate::mesh::Mesh;
+use crate::problem::{Problem, Soil, value};
 use crate::program::{Cone, Program};
 use crate::topology::Topology;
 
@@ -30,26 +36,39 @@ pub(crate) type Stress = [Form; 3];
 pub(crate) struct Lower {
     pub(crate) program: Program,
     pub(crate) function: StressFunction,
-    /// The force to be made large.
+    pub(crate) reference: Reference,
+    /// The force or factor to be made large.
     pub(crate) force: Form,
 }
 
-fn stress(c: &Curvature, local: &[Form; 12], reference: [f64; 3]) -> Stress {
-    let form = |row: &[f64; 12], sign: f64, constant: f64| {
-        let mut f = Form::constant(constant);
+fn stress(c: &Curvature, local: &[Form; 12], reference: &Stress) -> Stress {
+    let form = |row: &[f64; 12], sign: f64, start: &Form| {
+        let mut f = start.clone();
         for (coefficient, value) in row.iter().zip(local) {
             f.add(sign * coefficient, value);
         }
         f
     };
-    [form(&c[1], 1.0, reference[0]), form(&c[0], 1.0, reference[1]), form(&c[2], -1.0, reference[2])]
+    [form(&c[1], 1.0, &reference[0]), form(&c[0], 1.0, &reference[1]), form(&c[2], -1.0, &reference[2])]
 }
 
-/// The cone of Mohr and Coulomb, scaled.
-fn mohr_coulomb(soil: &Soil, [xx, yy, xy]: &Stress, scale: f64) -> [Form; 3] {
+/// The cone of Mohr and Coulomb for the effective stress at a point, scaled.
+fn mohr_coulomb(soil: &Soil, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
     let mean = -0.5 * soil.sin * scale;
+    let cohesion = value(&soil.cohesion, at).max(0.0);
+    let water = value(&soil.pore_pressure, at);
     [
-        Form::constant(scale * soil.cohesion * soil.cos).plus(mean, xx).plus(mean, yy),
+        Form::constant(scale * (cohesion * soil.cos - soil.sin * water)).plus(mean, xx).plus(mean, yy),
+        Form::default().plus(0.5 * scale, xx).plus(-0.5 * scale, yy),
+        Form::default().plus(scale, xy),
+    ]
+}
+
+/// The cone of the greatest effective tension at a point, scaled.
+fn cut_off(soil: &Soil, tension: f64, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
+    let water = value(&soil.pore_pressure, at);
+    [
+        Form::constant(scale * (tension - water)).plus(-0.5 * scale, xx).plus(-0.5 * scale, yy),
         Form::default().plus(0.5 * scale, xx).plus(-0.5 * scale, yy),
         Form::default().plus(scale, xy),
     ]
@@ -61,11 +80,12 @@ fn centre(v: &[Point; 3]) -> Point {
 
 /// Stress at the nodes of all three parts of a triangle, `None` where it vanishes.
 pub(crate) fn node_stresses(
-    problem: &Problem,
+    reference: &Reference,
     mesh: &Mesh,
     function: &StressFunction,
     triangle: usize,
 ) -> [[Option<Stress>; 3]; 3] {
+    let region = mesh.triangles[triangle].region;
     let v = mesh.triangles[triangle].corners.map(|c| mesh.vertices[c].position);
     let apex = function.corners[triangle].map(|c| function.apex[c]);
     let curvature = curvatures(&v, apex);
@@ -77,7 +97,7 @@ pub(crate) fn node_stresses(
                 return None;
             }
             let at = if node < 2 { v[corner] } else { centre(&v) };
-            Some(stress(&curvature[k][node], &local, problem.reference(at)))
+            Some(stress(&curvature[k][node], &local, &reference.at(region, at)))
         })
     })
 }
@@ -94,8 +114,11 @@ fn traction([xx, yy, xy]: &Stress, t: Point) -> (Form, Form) {
 impl Lower {
     pub(crate) fn new(problem: &Problem, mesh: &Mesh, topology: &Topology, tighten: f64) -> Self {
         let mut program = Program::default();
-        let function = StressFunction::new(problem, mesh, topology, &mut program);
-        let mut lower = Self { program, function, force: Form::default() };
+        let multiplier = problem.has_factor().then(|| program.unknown());
+        let reference = Reference::new(problem, multiplier);
+        let function = StressFunction::new(problem, mesh, topology, &reference, &mut program);
+        let force = multiplier.map_or(Form::default(), |m| Form::unknown(m, 1.0));
+        let mut lower = Self { program, function, reference, force };
         for triangle in 0..mesh.triangles.len() {
             lower.add_triangle(problem, mesh, topology, triangle);
         }
@@ -110,100 +133,90 @@ impl Lower {
         let t = &mesh.triangles[triangle];
         let v = t.corners.map(|c| mesh.vertices[c].position);
         let soil = &problem.soils[t.region];
-        let stresses = node_stresses(problem, mesh, &self.function, triangle);
+        let stresses = node_stresses(&self.reference, mesh, &self.function, triangle);
         let h = (0..3).map(|k| (v[k][0] - v[(k + 1) % 3][0]).hypot(v[k][1] - v[(k + 1) % 3][1])).sum::<f64>()
             / 3.0;
         // Multipliers are then about as large as strains times lengths, like the unknowns of the upper bound.
-        let scale = |p: Point| h / problem.stress_scale(p, h);
+        let scale = |p: Point| h / problem.stress_scale(t.region, p, h);
         for part in 0..3 {
             for node in 0..2 {
                 if let Some(s) = &stresses[part][node] {
-                    let cone = mohr_coulomb(soil, s, scale(v[(part + 1 + node) % 3]));
-                    self.program.second_order(cone);
+                    self.add_strength(soil, s, v[(part + 1 + node) % 3], &scale);
                 }
             }
         }
         // All three parts have the same stress at the centroid.
         if let Some(s) = &stresses[0][2] {
-            self.program.second_order(mohr_coulomb(soil, s, scale(centre(&v))));
+            self.add_strength(soil, s, centre(&v), &scale);
         }
         for (k, part) in stresses.iter().enumerate() {
-            let Some(condition) = topology.line[triangle][k].and_then(|l| problem.condition(l)) else {
-                continue;
-            };
+            let Some(line) = topology.line[triangle][k] else { continue };
+            let side = LineUse { line: line.line, forward: line.forward };
+            let Some(condition) = problem.condition_on(side) else { continue };
             let ends = [(k + 1) % 3, (k + 2) % 3];
             let along = [v[ends[1]][0] - v[ends[0]][0], v[ends[1]][1] - v[ends[0]][1]];
             let length = along[0].hypot(along[1]);
-            let t = [along[0] / length, along[1] / length];
-            if matches!(condition, Condition::Face { .. }) {
-                self.add_force(problem, triangle, ends, &v);
+            let unit = [along[0] / length, along[1] / length];
+            if !problem.has_factor() && matches!(condition, Condition::Face { .. }) {
+                self.add_force(problem, mesh, triangle, ends, &v);
             }
             for (node, corner) in ends.into_iter().enumerate() {
                 let Some(s) = &part[node] else { continue };
                 let at = v[corner];
                 match condition {
                     Condition::Face { delta_deg, adhesion } => {
-                        self.add_face(s, t, scale(at), delta_deg, adhesion)
+                        let water = value(&soil.pore_pressure, at);
+                        self.add_face(s, unit, scale(at), delta_deg, adhesion, water);
                     }
                     Condition::Far => {
-                        let level = t[0].abs() > t[1].abs();
-                        let far_corner =
-                            level && is_far_corner(problem, mesh, mesh.triangles[triangle].corners[corner]);
-                        self.add_far(problem, soil, s, at, scale(at), level, far_corner);
+                        let vertex = t.corners[corner];
+                        self.add_far(problem, mesh, side, vertex, s, scale(at));
                     }
-                    Condition::Free | Condition::Fixed | Condition::Smooth => {}
+                    Condition::Free | Condition::Loaded { .. } | Condition::Fixed | Condition::Smooth => {}
                 }
             }
         }
     }
 
-    fn add_face(&mut self, s: &Stress, t: Point, scale: f64, delta_deg: f64, adhesion: f64) {
-        let (normal, shear) = traction(s, t);
-        if shear_is_given(Condition::Face { delta_deg, adhesion }) {
-            return self.program.non_negative(Form::default().plus(-scale, &normal));
+    fn add_strength(&mut self, soil: &Soil, s: &Stress, at: Point, scale: &impl Fn(Point) -> f64) {
+        self.program.second_order(mohr_coulomb(soil, s, at, scale(at)));
+        if let Some(tension) = soil.cut_off {
+            self.program.second_order(cut_off(soil, tension, s, at, scale(at)));
         }
-        let hold = Form::constant(scale * adhesion).plus(-scale * delta_deg.to_radians().tan(), &normal);
+    }
+
+    fn add_face(&mut self, s: &Stress, t: Point, scale: f64, delta_deg: f64, adhesion: f64, water: f64) {
+        let (normal, shear) = traction(s, t);
+        let condition = Condition::Face { delta_deg, adhesion };
+        if shear_is_given(condition) {
+            return self.program.non_negative(Form::constant(-scale * water).plus(-scale, &normal));
+        }
+        let tan = delta_deg.to_radians().tan();
+        let hold = Form::constant(scale * (adhesion - tan * water)).plus(-scale * tan, &normal);
         self.program.non_negative(hold.clone().plus(scale, &shear));
         self.program.non_negative(hold.plus(-scale, &shear));
     }
 
-    /// Yield of the soil beyond a far line, where only the stress across the line is the mesh's.
-    #[expect(clippy::too_many_arguments, reason = "one call")]
-    fn add_far(
+    /// Adds what a face edge contributes to the structure's force on the soil, along the structure's velocity.
+    fn add_force(
         &mut self,
         problem: &Problem,
-        soil: &Soil,
-        s: &Stress,
-        at: Point,
-        scale: f64,
-        level: bool,
-        corner: bool,
+        mesh: &Mesh,
+        triangle: usize,
+        [a, b]: [usize; 2],
+        v: &[Point; 3],
     ) {
-        let [xx, yy, xy] = problem.reference(at).map(Form::constant);
-        if !level {
-            return self.program.second_order(mohr_coulomb(soil, &[s[0].clone(), yy, xy], scale));
-        }
-        let Some(far) = self.function.far_stress else { return };
-        let along = xx.plus(1.0, &Form::unknown(far, 1.0));
-        if corner {
-            let state = [along.clone(), yy, xy.clone()];
-            self.program.second_order(mohr_coulomb(soil, &state, scale));
-        }
-        self.program.second_order(mohr_coulomb(soil, &[along, s[1].clone(), xy], scale));
-    }
-
-    /// Adds what a face edge contributes to the structure's force on the soil, along the structure's velocity.
-    fn add_force(&mut self, problem: &Problem, triangle: usize, [a, b]: [usize; 2], v: &[Point; 3]) {
         let [ax, ay] = self.function.gradient(triangle, a);
         let [bx, by] = self.function.gradient(triangle, b);
-        let [u, w] = problem.statement().velocity;
+        let [u, w] = problem.velocity();
+        let region = mesh.triangles[triangle].region;
         for (factor, slope) in [(u, &by), (-u, &ay), (-w, &bx), (w, &ax)] {
             self.force.add(factor, slope);
         }
         // The reference stress on the face, by the trapezium rule, which is exact for linear stress.
         let n = [v[b][1] - v[a][1], v[a][0] - v[b][0]];
         for p in [v[a], v[b]] {
-            let [xx, yy, xy] = problem.reference(p);
+            let [xx, yy, xy] = self.reference.at(region, p).map(|f| f.constant);
             self.force.constant += 0.5 * (u * (xx * n[0] + xy * n[1]) + w * (xy * n[0] + yy * n[1]));
         }
     }
@@ -224,13 +237,4 @@ impl Lower {
         }
         x.iter().map(|v| v * (1.0 - share.min(1.0))).collect()
     }
-}
-
-fn is_far_corner(problem: &Problem, mesh: &Mesh, vertex: usize) -> bool {
-    let Place::Corner(point) = mesh.vertices[vertex].place else { return false };
-    let far = problem.statement().boundaries.iter().filter(|b| {
-        let line = problem.outline.lines[b.line];
-        b.condition == Condition::Far && (line.from == point || line.to == point)
-    });
-    far.count() == 2
 }

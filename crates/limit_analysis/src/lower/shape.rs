@@ -25,8 +25,8 @@ impl Unknown {
 /// What is known about a vertex copy; the same kinds as [`Jet`], with unknowns in place of numbers.
 #[derive(Debug, Clone)]
 pub(crate) enum Shape {
-    /// On a free boundary: the chain's affine function.
-    Chain { chain: usize },
+    /// On a free or loaded boundary: the chain's affine function and what the loads demand.
+    Chain { chain: usize, demanded: [Form; 3] },
     /// The affine function of the chain `base`.
     Zero { base: usize },
     /// No condition.
@@ -52,7 +52,7 @@ impl Shape {
     /// The chain whose affine function the values are relative to.
     pub(crate) fn base(&self) -> usize {
         match self {
-            Self::Chain { chain } => *chain,
+            Self::Chain { chain, .. } => *chain,
             Self::Zero { base } | Self::OneApex { base, .. } | Self::ManyApexes { base, .. } => *base,
             Self::Free { .. } | Self::OneLine { .. } | Self::TwoLines { .. } => 0,
         }
@@ -62,7 +62,8 @@ impl Shape {
     pub(crate) fn jet(&self) -> [Form; 3] {
         let zero = Form::default;
         match self {
-            Self::Chain { .. } | Self::Zero { .. } => [zero(), zero(), zero()],
+            Self::Chain { demanded, .. } => demanded.clone(),
+            Self::Zero { .. } => [zero(), zero(), zero()],
             Self::Free { f, fx, fy } => [f.form(), fx.form(), fy.form()],
             Self::OneApex { r, f, turn, .. } => {
                 let f = f.form();
@@ -99,7 +100,7 @@ impl Shape {
     /// The jet of a solution, as a certificate stores it.
     pub(crate) fn saved(&self, x: &[f64]) -> Jet {
         match self {
-            Self::Chain { chain } => Jet::Chain { chain: *chain },
+            Self::Chain { chain, .. } => Jet::Chain { chain: *chain },
             Self::Zero { base } => Jet::Zero { base: *base },
             Self::Free { f, fx, fy } => {
                 Jet::Free { base: 0, f: f.value(x), fx: fx.value(x), fy: fy.value(x) }

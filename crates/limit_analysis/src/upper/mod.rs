@@ -5,7 +5,7 @@
 
 mod motion;
 
-use soilctl_certificate::{Condition, UpperField, Velocity as Saved};
+use soilctl_certificate::{Condition, Flow, UpperField, Velocity as Saved};
 
 use motion::{Motion, motions};
 
@@ -104,7 +104,7 @@ impl Upper {
                 if volume.terms.is_empty() {
                     continue;
                 }
-                force.add(soil.tension() * area / 3.0 / h, &volume);
+                force.add(soil.tension(v[0]) * area / 3.0 / h, &volume);
                 let bounded = Form::constant(-tighten).plus(1.0 / soil.sin, &volume);
                 program.second_order([bounded, difference, shear]);
             }
@@ -124,7 +124,7 @@ impl Upper {
                 let here = [a, 3 + k, b].map(|node| velocity(node).clone());
                 let (there, tan, tension): ([Velocity; 3], f64, f64) = match condition(side) {
                     Some(Condition::Face { delta_deg, adhesion }) => {
-                        let rigid = || problem.statement().velocity.map(Form::constant);
+                        let rigid = || problem.velocity().map(Form::constant);
                         let tan = delta_deg.to_radians().tan();
                         let tension = if tan > 0.0 { adhesion / tan } else { 0.0 };
                         ([rigid(), rigid(), rigid()], tan, tension)
@@ -147,7 +147,7 @@ impl Upper {
                         let on = |node: usize| velocities[nodes[other.triangle][node]].clone();
                         let (oa, om, ob) =
                             (on((other.corner + 2) % 3), on(3 + other.corner), on((other.corner + 1) % 3));
-                        ([oa, om, ob], soil.tan, soil.tension())
+                        ([oa, om, ob], soil.tan, soil.tension(v[a]))
                     }
                     None => continue,
                 };
@@ -193,7 +193,13 @@ impl Upper {
                 Motion::Free { x: i, y: j } => Saved::Free { x: x[i], y: x[j] },
             })
             .collect();
-        UpperField { mesh: crate::saved_mesh(mesh), nodes: self.nodes.clone(), velocities }
+        UpperField {
+            mesh: crate::saved_mesh(mesh),
+            flows: self.nodes.iter().map(|nodes| Flow::Quadratic(*nodes)).collect(),
+            velocities,
+            stream: Vec::new(),
+            walls: Vec::new(),
+        }
     }
 }
 

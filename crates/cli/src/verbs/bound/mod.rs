@@ -14,7 +14,7 @@ use super::Outcome;
 use crate::args::{LoadArgs, finite};
 use crate::error::CliError;
 use crate::output::Output;
-use plate::Scaled;
+pub(crate) use plate::Scaled;
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -71,7 +71,7 @@ pub(crate) struct Args {
     save: Option<PathBuf>,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
     match finite(text)? {
         value if value > 0.0 => Ok(value),
         value => Err(format!("{value} is not above 0")),

@@ -12,7 +12,7 @@ const ANY: f64 = 1.0;
 
 /// A plate of unit slant length in soil of unit weight one, and what the units stand for.
 #[derive(Debug)]
-pub(super) struct Scaled {
+pub(crate) struct Scaled {
     pub(super) plate: EmbeddedPlate,
     /// Slant length in m and unit weight in N/m3, if they are known.
     pub(super) units: Option<(f64, f64)>,
@@ -23,6 +23,12 @@ pub(super) struct Scaled {
 }
 
 impl Scaled {
+    /// A plate of which only the coefficients are asked for.
+    pub(crate) fn unit(plate: EmbeddedPlate) -> Self {
+        let coefficient = 2.0 / (plate.alpha_deg + plate.delta_deg).to_radians().sin();
+        Self { plate, units: None, width_m: None, coefficient }
+    }
+
     pub(super) fn new(args: &Args) -> Result<Self, CliError> {
         let loads = &args.loads;
         // The types refuse what is out of range.
@@ -48,24 +54,20 @@ impl Scaled {
                  --density KG/M3 too"
             ))),
         };
-        Ok(Self {
-            plate: EmbeddedPlate {
-                alpha_deg: args.alpha,
-                beta_deg: loads.beta,
-                phi_deg: args.phi,
-                delta_deg: args.delta,
-                cohesion: in_units("cohesion", loads.cohesion)?,
-                adhesion: in_units("adhesion", loads.adhesion)?,
-                surcharge: in_units("surcharge", loads.surcharge)?,
-            },
-            units,
-            width_m: args.width,
-            coefficient: 2.0 / (args.alpha + args.delta).to_radians().sin(),
-        })
+        let plate = EmbeddedPlate {
+            alpha_deg: args.alpha,
+            beta_deg: loads.beta,
+            phi_deg: args.phi,
+            delta_deg: args.delta,
+            cohesion: in_units("cohesion", loads.cohesion)?,
+            adhesion: in_units("adhesion", loads.adhesion)?,
+            surcharge: in_units("surcharge", loads.surcharge)?,
+        };
+        Ok(Self { units, width_m: args.width, ..Self::unit(plate) })
     }
 
     /// Lower and upper coefficient; rounding is outwards.
-    pub(super) fn coefficients(&self, bounds: &Bounds) -> [f64; 2] {
+    pub(crate) fn coefficients(&self, bounds: &Bounds) -> [f64; 2] {
         // The factor and the product are each good to a rounding or two.
         let slack = 4.0 * f64::EPSILON;
         let (l, u) = (self.coefficient * bounds.lower.value, self.coefficient * bounds.upper.value);
@@ -78,7 +80,7 @@ impl Scaled {
         Some(0.5 * weight * length * length * self.width_m?)
     }
 
-    pub(super) fn solution(&self, problem: &Problem, bounds: &Bounds) -> Solution {
+    pub(crate) fn solution(&self, problem: &Problem, bounds: &Bounds) -> Solution {
         let p = &self.plate;
         Solution {
             schema: SCHEMA.to_owned(),

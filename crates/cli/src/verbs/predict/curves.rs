@@ -16,7 +16,7 @@ const MODELS: [(&str, &str, Dash); 4] = [
     ("caquot", "Caquot & Kerisel", Dash::Dot),
     ("chen", "Chen & Liu", Dash::DashDot),
 ];
-const BRACKET: (&str, &str) = ("table", "numerical bounds (Hong 2001)");
+const BRACKET: (&str, &str) = ("table", "proven bounds");
 
 /// The angle that runs along the x axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

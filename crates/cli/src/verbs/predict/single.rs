@@ -36,7 +36,8 @@ pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliErro
     let case = case(args, alpha_deg)?;
     check_loads(model, &case, &loads)?;
     let found = model.predict(&case)?;
-    let bracket = if model.id() == "table" { Some(found.bracket(model.provenance())?) } else { None };
+    let ends = model.provenance();
+    let bracket = if ends.lower == ends.upper { None } else { Some(found.bracket(ends)?) };
     let complete = args.depth.is_some() && args.width.is_some() && density.is_some();
     Ok(Prediction {
         model: model.id().into(),

@@ -2,9 +2,12 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_earth_pressure::table::{CellStatus, PredictionTable, Quantity};
+use soilctl_earth_pressure::table::{BracketTable, CellStatus, PredictionTable, Quantity};
 
+use super::bounds::{BuiltBounds, Plan};
+use super::brackets::{self, BracketCell, Gaps, SOURCE};
 use super::check::check_text;
+use super::check_brackets::BracketFindings;
 use super::show::show_text;
 use crate::output::Answer;
 use crate::verbs::Outcome;
@@ -20,6 +23,16 @@ pub(crate) enum TableAnswer {
         /// Filled cells, by alpha, then phi, then delta.
         cells: Vec<TableCell>,
     },
+    /// A table of brackets itself.
+    #[serde(rename = "show")]
+    ShowBrackets {
+        /// The table.
+        table: Head,
+        /// Its gaps; null for an empty table.
+        gaps: Option<Gaps>,
+        /// Filled cells, by alpha, then phi, then delta.
+        cells: Vec<BracketCell>,
+    },
     /// A table was filled and written.
     Build {
         /// The table.
@@ -29,16 +42,32 @@ pub(crate) enum TableAnswer {
         /// What the model said about the first node it has no answer for.
         first_refusal: Option<String>,
     },
+    /// A table of bounds was built, or a part of it.
+    #[serde(rename = "build")]
+    BuildBounds(BuiltBounds),
+    /// What building a table of bounds would take.
+    Plan(Plan),
+    /// Tables of bounds were united.
+    Merge {
+        /// The table.
+        table: Head,
+        /// Its gaps; null for an empty table.
+        gaps: Option<Gaps>,
+        /// File that was written; its description is beside it, with `.json` added to the name.
+        file: String,
+    },
     /// A table was checked.
     Check {
         /// The table.
         table: Head,
-        /// Whether no violation was found.
+        /// Whether nothing was found against it.
         consistent: bool,
-        /// Neighbouring cells between which the coefficient does not grow.
+        /// Neighbouring cells between which the coefficient does not grow, wherever it lies in a bracket.
         violations: Vec<Violation>,
         /// Nodes with delta up to phi that are not filled: alpha, phi and delta in degrees.
         empty_nodes: Vec<[f64; 3]>,
+        /// What else was checked of brackets; null for a table with one number a node.
+        brackets: Option<BracketFindings>,
     },
 }
 
@@ -47,7 +76,7 @@ pub(crate) enum TableAnswer {
 pub(crate) struct Head {
     /// Name.
     pub(super) name: String,
-    /// `estimate`, `lower-bound` or `upper-bound`.
+    /// `estimate`, `lower-bound`, `upper-bound` or `bracket`.
     pub(super) quantity: String,
     /// Where the numbers come from.
     pub(super) source: String,
@@ -84,6 +113,28 @@ impl Head {
             filled: table.filled().count(),
             interpolated,
             nodes: table.len(),
+        }
+    }
+
+    pub(super) fn of_brackets(table: &BracketTable) -> Self {
+        let rows = table.rows();
+        let axis = |d: usize| {
+            let mut nodes: Vec<f64> = rows.iter().map(|row| row.node()[d]).collect();
+            nodes.sort_by(f64::total_cmp);
+            nodes.dedup();
+            nodes
+        };
+        let [alpha_deg, phi_deg, delta_deg] = [axis(0), axis(1), axis(2)];
+        Self {
+            name: table.name().into(),
+            quantity: "bracket".into(),
+            source: SOURCE.into(),
+            nodes: alpha_deg.len() * phi_deg.len() * delta_deg.len(),
+            alpha_deg,
+            phi_deg,
+            delta_deg,
+            filled: rows.len(),
+            interpolated: rows.iter().filter(|row| row.status == CellStatus::Interpolated).count(),
         }
     }
 
@@ -127,9 +178,9 @@ pub(crate) struct Violation {
     pub(super) from: [f64; 3],
     /// Second node.
     pub(super) to: [f64; 3],
-    /// Coefficient at the first node.
+    /// Coefficient at the first node; of a bracket, its lower bound.
     pub(super) k_from: f64,
-    /// Coefficient at the second node.
+    /// Coefficient at the second node; of a bracket, its upper bound.
     pub(super) k_to: f64,
 }
 
@@ -137,6 +188,7 @@ impl TableAnswer {
     pub(super) fn outcome(&self) -> Outcome {
         match self {
             Self::Check { consistent: false, .. } => Outcome::Negative,
+            Self::BuildBounds(built) if !built.finished => Outcome::Partial,
             _ => Outcome::Done,
         }
     }
@@ -152,9 +204,22 @@ impl Answer for TableAnswer {
                 let refusal = first_refusal.as_ref().map(|text| format!("first empty node: {text}\n"));
                 table.text() + &format!("written to {file}\n") + &refusal.unwrap_or_default()
             }
-            Self::Check { table, violations, empty_nodes, .. } => {
-                table.text() + &check_text(violations, empty_nodes)
+            Self::Check { table, violations, empty_nodes, brackets, .. } => {
+                let findings = brackets.as_ref().map_or_else(String::new, BracketFindings::text);
+                table.text() + &findings + &check_text(violations, empty_nodes)
+            }
+            Self::ShowBrackets { table, gaps, cells } => {
+                table.text() + &gaps_text(gaps) + &brackets::show_text(cells)
+            }
+            Self::BuildBounds(built) => built.text(),
+            Self::Plan(plan) => plan.text(),
+            Self::Merge { table, gaps, file } => {
+                table.text() + &gaps_text(gaps) + &format!("written to {file}\n")
             }
         }
     }
+}
+
+fn gaps_text(gaps: &Option<Gaps>) -> String {
+    gaps.as_ref().map_or_else(String::new, Gaps::text)
 }

@@ -6,44 +6,81 @@ use soilctl_earth_pressure::table::{Cell, CellStatus, PredictionTable, Quantity}
 use soilctl_earth_pressure::{Case, ForceModel, model};
 
 use super::answer::{Head, TableAnswer};
+use super::bounds;
 use super::file::{Kind, write_table};
-use super::grid::Nodes;
+use super::grid::{Grid, Nodes};
 use crate::error::CliError;
 use crate::output::Output;
 
 /// Most nodes of a table.
 const MAX_CELLS: usize = 2_000_000;
 
+/// The model that is solved rather than evaluated.
+const BOUNDS: &str = "bounds";
+
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Nodes at which the model has no answer (delta above phi among them) stay empty.")]
+#[command(after_help = "Nodes at which the model has no answer (delta above phi among them) stay empty.\n\n\
+    Bounds take hours: each case goes to FILE.partial.jsonl as soon as it is solved, and the same command goes on from \
+    there, also after Ctrl-C (exit code 3) or a power cut. On a finished file, a larger grid fills only what is missing. \
+    Same options, same bytes: for any number of threads, interruptions or shards.")]
 pub(super) struct Args {
-    /// Model: coulomb, log-spiral, log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table
-    #[arg(long, value_name = "NAME", default_value = "chen")]
+    /// Model: bounds (lower and upper bound by limit analysis, both proven), or coulomb, log-spiral, log-spiral-thesis,
+    /// caquot, chen, thesis-ub, thesis-lb, table
+    #[arg(long, value_name = "NAME", default_value = BOUNDS)]
     model: String,
 
-    /// Nodes of the tool angle (deg)
-    #[arg(long, value_name = "FROM:TO:STEP", default_value = "70:100:5")]
-    alpha: Nodes,
+    /// Grid: appendix-c, the 287 sets of the thesis, or wide
+    #[arg(long, value_enum, default_value_t = Grid::AppendixC)]
+    grid: Grid,
 
-    /// Nodes of the friction angle of the soil (deg)
-    #[arg(long, value_name = "FROM:TO:STEP", default_value = "25:50:5")]
-    phi: Nodes,
+    /// Nodes of the tool angle (deg) [default: 70:100:5, wide 30:110:10]
+    #[arg(long, value_name = "FROM:TO:STEP")]
+    alpha: Option<Nodes>,
 
-    /// Nodes of the interface friction angle (deg)
-    #[arg(long, value_name = "FROM:TO:STEP", default_value = "0:30:5")]
-    delta: Nodes,
+    /// Nodes of the friction angle of the soil (deg) [default: 25:50:5, wide 20:55:5]
+    #[arg(long, value_name = "FROM:TO:STEP")]
+    phi: Option<Nodes>,
 
-    /// File to write (.csv or .parquet); its description goes beside it, with .json added to the name
+    /// Nodes of the interface friction angle (deg) [default: 0:30:5, wide 0:55:5]
+    #[arg(long, value_name = "FROM:TO:STEP")]
+    delta: Option<Nodes>,
+
+    /// File to write (.csv, or .parquet if it is not bounds); its description goes beside it, with .json added
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
+
+    #[command(flatten)]
+    bounds: bounds::BoundsArgs,
+}
+
+impl Args {
+    fn axes(&self) -> [Vec<f64>; 3] {
+        let given = [&self.alpha, &self.phi, &self.delta];
+        let mut axes = self.grid.axes();
+        for (axis, nodes) in axes.iter_mut().zip(given) {
+            if let Some(nodes) = nodes {
+                axis.clone_from(&nodes.0);
+            }
+        }
+        axes
+    }
 }
 
 pub(super) fn build(args: &Args, output: &Output) -> Result<TableAnswer, CliError> {
-    let axes = [args.alpha.0.clone(), args.phi.0.clone(), args.delta.0.clone()];
+    let axes = args.axes();
     let size: usize = axes.iter().map(Vec::len).product();
     if size > MAX_CELLS {
         return Err(CliError::Usage(format!(
             "the table would have {size} nodes; at most {MAX_CELLS} are allowed, so take larger steps"
+        )));
+    }
+    if args.model == BOUNDS {
+        return bounds::build(&args.bounds, axes, &args.out, output);
+    }
+    if let Some(option) = args.bounds.given() {
+        return Err(CliError::Usage(format!(
+            "{option} is for --model {BOUNDS}, and --model is {}; leave one of the two out",
+            args.model
         )));
     }
     // Before the work, not after it.

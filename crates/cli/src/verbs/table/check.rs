@@ -3,21 +3,33 @@
 use soilctl_earth_pressure::table::PredictionTable;
 
 use super::answer::{Head, TableAnswer, Violation};
-use super::file::find_table;
+use super::brackets::in_words;
+use super::check_brackets;
+use super::file::{AnyTable, find_table};
 use crate::error::CliError;
 use crate::text::number;
 
 /// Findings of one kind listed in words.
-const LISTED: usize = 20;
+pub(super) const LISTED: usize = 20;
 
-pub(super) fn check(source: &str) -> Result<TableAnswer, CliError> {
-    let (table, source) = find_table(source)?;
-    let violations = violations(&table);
+pub(super) fn check(source: &str, against: &[String]) -> Result<TableAnswer, CliError> {
+    let (table, source) = match find_table(source)? {
+        AnyTable::Brackets(table) => return check_brackets::check(&table, against),
+        AnyTable::Points(table, source) => (table, source),
+    };
+    if let Some(name) = against.first() {
+        return Err(CliError::Usage(format!(
+            "--against {name} needs a table of brackets to hold it against, and {} has one number a node",
+            table.name()
+        )));
+    }
+    let violations = violations(&table, &table);
     Ok(TableAnswer::Check {
         table: Head::of(&table, &source),
         consistent: violations.is_empty(),
         violations,
         empty_nodes: empty_nodes(&table),
+        brackets: None,
     })
 }
 
@@ -30,21 +42,21 @@ fn node(table: &PredictionTable, at: [usize; 3]) -> [f64; 3] {
     [0, 1, 2].map(|d| table.axes()[d][at[d]])
 }
 
-/// Neighbours between which the coefficient fails to grow; more friction or a plate leaning further back resists
-/// more in every model.
-fn violations(table: &PredictionTable) -> Vec<Violation> {
+/// Neighbours between which the coefficient fails to grow, wherever it lies between its ends; more friction or a plate
+/// leaning further back resists more in every model.
+pub(super) fn violations(lower: &PredictionTable, upper: &PredictionTable) -> Vec<Violation> {
     let mut found = Vec::new();
-    for at in places(table) {
-        let Some(here) = table.cell(at[0], at[1], at[2]) else { continue };
+    for at in places(lower) {
+        let Some(here) = lower.cell(at[0], at[1], at[2]) else { continue };
         for (d, along) in ["alpha", "phi", "delta"].into_iter().enumerate() {
             let mut next = at;
             next[d] += 1;
-            if next[d] == table.axes()[d].len() {
+            if next[d] == lower.axes()[d].len() {
                 continue;
             }
-            let Some(there) = table.cell(next[0], next[1], next[2]) else { continue };
+            let Some(there) = upper.cell(next[0], next[1], next[2]) else { continue };
             if there.k_net <= here.k_net {
-                let (from, to) = (node(table, at), node(table, next));
+                let (from, to) = (node(lower, at), node(lower, next));
                 found.push(Violation { along, from, to, k_from: here.k_net, k_to: there.k_net });
             }
         }
@@ -53,7 +65,7 @@ fn violations(table: &PredictionTable) -> Vec<Violation> {
 }
 
 /// Unfilled nodes at which a model could answer.
-fn empty_nodes(table: &PredictionTable) -> Vec<[f64; 3]> {
+pub(super) fn empty_nodes(table: &PredictionTable) -> Vec<[f64; 3]> {
     places(table)
         .filter(|at| table.cell(at[0], at[1], at[2]).is_none())
         .map(|at| node(table, at))
@@ -62,16 +74,13 @@ fn empty_nodes(table: &PredictionTable) -> Vec<[f64; 3]> {
 }
 
 pub(super) fn check_text(violations: &[Violation], empty_nodes: &[[f64; 3]]) -> String {
-    let words = |[alpha, phi, delta]: [f64; 3]| {
-        format!("alpha {}, phi {}, delta {}", number(alpha), number(phi), number(delta))
-    };
     let mut text = format!("empty nodes with delta up to phi: {}\n", empty_nodes.len());
     for at in empty_nodes.iter().take(LISTED) {
-        text += &format!("  {}\n", words(*at));
+        text += &format!("  {}\n", in_words(*at));
     }
     text += &format!("places where k_net does not grow: {}\n", violations.len());
     for v in violations.iter().take(LISTED) {
-        let (from, to) = (words(v.from), words(v.to));
+        let (from, to) = (in_words(v.from), in_words(v.to));
         text += &format!(
             "  along {}: {} at {from}, then {} at {to}\n",
             v.along,

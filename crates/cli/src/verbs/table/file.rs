@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use soilctl_earth_pressure::table::{
-    PredictionTable, Sidecar, read_csv, read_parquet, write_csv, write_parquet,
+    BracketModel, BracketTable, PredictionTable, Sidecar, TableModel, is_bracket_file, read_bracket,
+    read_csv, read_parquet, write_bracket, write_csv, write_parquet,
 };
 use soilctl_earth_pressure::thesis::{Column, appendix_c};
+use soilctl_earth_pressure::{ForceModel, plate_bounds};
 
 use crate::error::CliError;
 
@@ -18,21 +20,73 @@ const BUILT_IN: [(&str, Column); 6] = [
     ("appendix-c-num-lb", Column::LowerBound),
 ];
 
+/// The built-in table of brackets.
+const BRACKETS: &str = "plate-bounds";
+
+/// A table of either kind.
+pub(super) enum AnyTable {
+    Points(PredictionTable, String),
+    Brackets(BracketTable),
+}
+
 /// A built-in table or one from a file, and where its numbers come from.
-pub(super) fn find_table(source: &str) -> Result<(PredictionTable, String), CliError> {
-    if let Some((_, column)) = BUILT_IN.iter().find(|(name, _)| *name == source) {
-        return Ok((appendix_c(*column)?, "Hong 2001, Appendix C".into()));
+pub(super) fn find_table(source: &str) -> Result<AnyTable, CliError> {
+    if source == BRACKETS {
+        return Ok(AnyTable::Brackets(plate_bounds()?));
     }
-    let (table, sidecar) = read_table(source.as_ref())?;
-    Ok((table, sidecar.source))
+    if let Some((_, column)) = BUILT_IN.iter().find(|(name, _)| *name == source) {
+        return Ok(AnyTable::Points(appendix_c(*column)?, "Hong 2001, Appendix C".into()));
+    }
+    let path: &Path = source.as_ref();
+    Kind::of(path)?;
+    if is_bracket_file(path)? {
+        return Ok(AnyTable::Brackets(read_brackets(path)?.0));
+    }
+    let (table, sidecar) = read_table(path)?;
+    Ok(AnyTable::Points(table, sidecar.source))
+}
+
+/// A force model from a table file of either kind, and where its numbers come from.
+pub(crate) fn read_model(path: &Path) -> Result<(Box<dyn ForceModel>, String), CliError> {
+    const ID: &str = "table-file";
+    const REFERENCE: &str = "a prediction table read from a file";
+    Kind::of(path)?;
+    if is_bracket_file(path)? {
+        let (table, sidecar) = read_bracket(path)?;
+        let (lower, upper) = table.split()?;
+        let model = BracketModel::new(ID, REFERENCE, lower, upper);
+        return Ok((Box::new(model), format!("{} ({})", sidecar.source, sidecar.name)));
+    }
+    let (table, sidecar) = read_table(path)?;
+    let reference = format!("{} ({})", sidecar.source, sidecar.name);
+    Ok((Box::new(TableModel::new(ID, REFERENCE, table)), reference))
 }
 
 /// Reads a table file by its ending.
-pub(crate) fn read_table(path: &Path) -> Result<(PredictionTable, Sidecar), CliError> {
+fn read_table(path: &Path) -> Result<(PredictionTable, Sidecar), CliError> {
     Ok(match Kind::of(path)? {
         Kind::Csv => read_csv(path)?,
         Kind::Parquet => read_parquet(path)?,
     })
+}
+
+/// Reads a bracket file: the table, and the version of the program that built it.
+pub(super) fn read_brackets(path: &Path) -> Result<(BracketTable, String), CliError> {
+    Kind::of_brackets(path)?;
+    if !is_bracket_file(path)? {
+        return Err(CliError::Usage(format!(
+            "{} is a table, but not one of bounds; choose a file that `table build --model bounds` wrote",
+            path.display()
+        )));
+    }
+    let (table, sidecar) = read_bracket(path)?;
+    Ok((table, sidecar.program_version))
+}
+
+/// Writes a bracket file and its sidecar.
+pub(super) fn write_brackets(table: &BracketTable, source: &str, path: &Path) -> Result<(), CliError> {
+    Kind::of_brackets(path)?;
+    Ok(write_bracket(table, source, path)?)
 }
 
 /// Writes a table file and its sidecar.
@@ -52,12 +106,23 @@ pub(super) enum Kind {
 }
 
 impl Kind {
+    /// Refuses what a table of brackets cannot be written to.
+    pub(super) fn of_brackets(path: &Path) -> Result<(), CliError> {
+        match Self::of(path)? {
+            Self::Csv => Ok(()),
+            Self::Parquet => Err(CliError::Usage(format!(
+                "{} ends in .parquet, but a table of bounds is a CSV file; choose a name that ends in .csv",
+                path.display()
+            ))),
+        }
+    }
+
     pub(super) fn of(path: &Path) -> Result<Self, CliError> {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("csv") => Ok(Self::Csv),
             Some("parquet") => Ok(Self::Parquet),
             _ => {
-                let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).collect();
+                let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).chain([BRACKETS]).collect();
                 Err(CliError::Usage(format!(
                     "{} is neither a table file, which ends in .csv or .parquet, nor a built-in table, which are {}",
                     path.display(),

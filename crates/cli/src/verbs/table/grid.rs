@@ -1,6 +1,28 @@
-//! Axes given as `FROM:TO:STEP`.
+//! The nodes of a table.
 
 use std::str::FromStr;
+
+use clap::ValueEnum;
+
+/// Grids by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Grid {
+    /// The 287 sets of the thesis, Appendix C
+    AppendixC,
+    /// Flatter and steeper tools, and any interface friction
+    Wide,
+}
+
+impl Grid {
+    /// Nodes of alpha, phi and delta in degrees.
+    pub(super) fn axes(self) -> [Vec<f64>; 3] {
+        let axis = |from: u32, to: u32, step: usize| (from..=to).step_by(step).map(f64::from).collect();
+        match self {
+            Self::AppendixC => [axis(70, 100, 5), axis(25, 50, 5), axis(0, 30, 5)],
+            Self::Wide => [axis(30, 110, 10), axis(20, 55, 5), axis(0, 55, 5)],
+        }
+    }
+}
 
 /// Most nodes along one axis.
 const MAX_NODES: f64 = 10_000.0;

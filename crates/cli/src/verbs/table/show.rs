@@ -3,12 +3,16 @@
 use soilctl_earth_pressure::table::CellStatus;
 
 use super::answer::{Head, TableAnswer, TableCell};
-use super::file::find_table;
+use super::brackets;
+use super::file::{AnyTable, find_table};
 use crate::error::CliError;
 use crate::text::{columns, number};
 
 pub(super) fn show(source: &str) -> Result<TableAnswer, CliError> {
-    let (table, source) = find_table(source)?;
+    let (table, source) = match find_table(source)? {
+        AnyTable::Brackets(table) => return Ok(brackets::show(&table)),
+        AnyTable::Points(table, source) => (table, source),
+    };
     let cells = table
         .filled()
         .map(|([alpha_deg, phi_deg, delta_deg], cell)| TableCell {

@@ -1,0 +1,92 @@
+use super::*;
+
+/// A column, three high, on a fixed base, with free sides. Only a vertical stress carries its weight or its load.
+pub(super) struct Pillar {
+    pub(super) material: Material,
+    pub(super) datum: f64,
+    pub(super) load: Option<f64>,
+}
+
+impl Pillar {
+    pub(super) fn problem(&self, factor: f64) -> (Statement, LowerField) {
+        let Self { material, datum, load } = *self;
+        let top = |load| Condition::Loaded { pressure: [load; 2], shear: [0.0; 2], live: true };
+        let blocks = Blocks {
+            xs: &[-1.0, 0.5, 1.0],
+            ys: &[0.0, 1.0, 3.0],
+            cell: &|_, _| Some(0),
+            materials: &[material],
+            condition: &|_, out| match (out, load) {
+                ([0, -1], _) => Condition::Fixed,
+                ([0, 1], Some(load)) => top(load),
+                _ => Condition::Free,
+            },
+            objective: if load.is_some() { Objective::Loads } else { BODY },
+            gravity: [0.0; 2],
+            datum,
+            surcharge: 0.0,
+            slope: 0.0,
+        };
+        let statement = blocks.statement();
+        let weight = if load.is_some() { 0.0 } else { factor * material.unit_weight };
+        let load = factor * load.unwrap_or(0.0);
+        // The vertical stress is -weight (3 - y) - load, the reference -weight (datum - y).
+        let f = |[x, y]: [f64; 2]| {
+            let (across, depth) = (weight * (datum - 3.0) - load, datum - y);
+            let value = across * x * x / 2.0 + weight * depth.powi(3) / 6.0;
+            [value, across * x, -weight * depth * depth / 2.0]
+        };
+        let field = fitted(&statement, &blocks.mesh(&statement), factor, &f);
+        (statement, field)
+    }
+}
+
+#[test]
+fn a_pillar_bears_its_weight() {
+    for (phi, cohesion, datum) in [(0.0, 1.0, 3.0), (0.0, 0.7, 4.1), (30.0, 1.0, 3.0), (25.0, 1.3, -2.0)] {
+        let pillar = Pillar { material: material(phi, cohesion, 2.0), datum, load: None };
+        let limit = 2.0 * cohesion * (45.0 + 0.5 * phi).to_radians().tan() / (2.0 * 3.0);
+        is_the_limit(limit, &|factor| pillar.problem(factor));
+        let (statement, field) = pillar.problem(0.9 * limit);
+        altered_is_refused(&statement, &field);
+    }
+    // Cohesion that grows with depth from nothing but what the depth of 0.5 at the top has.
+    let mut material = material(0.0, 0.0, 1.0);
+    material.cohesion = Linear { at_origin: 3.5, gradient: [0.0, -1.0] };
+    is_the_limit(7.0 / 3.0, &|factor| Pillar { material, datum: 3.0, load: None }.problem(factor));
+}
+
+#[test]
+fn a_pillar_bears_a_load() {
+    let pillar = Pillar { material: material(0.0, 1.5, 0.0), datum: 3.0, load: Some(2.0) };
+    is_the_limit(1.5, &|factor| pillar.problem(factor));
+    let (statement, field) = pillar.problem(1.2);
+    altered_is_refused(&statement, &field);
+    let (mut other, field) = pillar.problem(1.2);
+    other.objective = BODY;
+    // Then it is the load itself, not 1.2 times it, that acts.
+    assert!(prove_lower(&other, &field).is_err());
+}
+
+#[test]
+fn tension_may_be_limited() {
+    let pulled = |tension| {
+        let material = Material { tension, ..material(20.0, 1.0, 0.0) };
+        Pillar { material, datum: 3.0, load: Some(-1.0) }
+    };
+    let limit = 2.0 * 35.0_f64.to_radians().tan();
+    is_the_limit(limit, &|factor| pulled(None).problem(factor));
+    is_the_limit(0.4, &|factor| pulled(Some(0.4)).problem(factor));
+    is_the_limit(limit, &|factor| pulled(Some(2.0)).problem(factor));
+    let (statement, field) = pulled(Some(0.0)).problem(0.0);
+    assert_eq!(prove_lower(&statement, &field).unwrap(), 0.0);
+    let (statement, field) = pulled(Some(0.0)).problem(1e-9);
+    assert!(prove_lower(&statement, &field).is_err());
+    // Pressure in the pores pulls as well.
+    let wet = |factor| {
+        let mut pillar = pulled(Some(0.4));
+        pillar.material.pore_pressure = Linear::uniform(0.3);
+        pillar.problem(factor)
+    };
+    is_the_limit(0.1, &wet);
+}

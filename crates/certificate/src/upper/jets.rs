@@ -1,0 +1,115 @@
+//! What the numbers of the stream function's vertex copies mean.
+
+use super::walls::{WallSide, Walls, way};
+use crate::CertificateError;
+use crate::fields::{StreamJet, UpperField};
+use crate::interval::{Interval, Vector};
+use crate::problem::Problem;
+
+/// Value and slopes of the stream function.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StreamValue {
+    pub(super) value: Interval,
+    pub(super) slopes: Vector,
+}
+
+impl StreamValue {
+    /// `(s_y, -s_x)`.
+    pub(super) fn velocity(&self) -> Vector {
+        -self.slopes.turned()
+    }
+}
+
+/// Values and slopes at all vertex copies. Numbers and indices have been checked.
+pub(super) fn values(
+    problem: &Problem,
+    field: &UpperField,
+    walls: &Walls,
+) -> Result<Vec<StreamValue>, CertificateError> {
+    (0..field.stream.len())
+        .map(|copy| {
+            let value = match (field.stream[copy].jet, walls.at(copy)) {
+                (StreamJet::Free { s, sx, sy }, [None, None]) => {
+                    Ok(StreamValue { value: s.into(), slopes: Vector::point([sx, sy]) })
+                }
+                (jet, [Some(side), other]) => on_wall(problem, field, copy, jet, side, other),
+                (StreamJet::Wall { .. } | StreamJet::Corner { .. }, _) => {
+                    Err("no edge on its wall ends there")
+                }
+                (StreamJet::Free { .. }, [None, Some(_)]) => Err("it is on a wall"),
+            };
+            value.map_err(|problem| CertificateError::BadField {
+                place: format!("vertex copy {copy}"),
+                problem,
+            })
+        })
+        .collect()
+}
+
+fn on_wall(
+    problem: &Problem,
+    field: &UpperField,
+    copy: usize,
+    jet: StreamJet,
+    side: WallSide,
+    other: Option<WallSide>,
+) -> Result<StreamValue, &'static str> {
+    let (wall, slopes) = match (jet, other) {
+        (StreamJet::Free { .. }, _) => return Err("it is on a wall, which says what its value is"),
+        (StreamJet::Corner { wall }, Some(other)) => (wall, corner(problem, &side, &other)?),
+        (StreamJet::Corner { .. }, None) => return Err("there is only one side of a wall here"),
+        (StreamJet::Wall { wall, line, across }, _) => {
+            let on = [Some(side), other].into_iter().flatten().find(|s| s.side.line == line);
+            let Some(on) = on else { return Err("it is not on the side of a wall that it names") };
+            let slopes = along(problem, &on, across);
+            for s in [Some(side), other].into_iter().flatten() {
+                if !agrees(problem, &on, slopes, &s) {
+                    return Err("two sides of a wall meet here, so its slopes follow from them");
+                }
+            }
+            (wall, slopes)
+        }
+    };
+    if wall != side.wall {
+        return Err("it is on another wall than the one that it names");
+    }
+    let place = field.mesh.vertices[field.stream[copy].vertex].place;
+    // Where two sides meet, both give the same value.
+    let s = way(problem, place, &side).ok_or("it is not on the line of its wall")?;
+    Ok(StreamValue { value: Interval::point(field.walls[wall]) + side.value(problem, s), slopes })
+}
+
+/// Slopes on a side: along it, as its velocity says, and `across` times the line's vector turned left.
+fn along(problem: &Problem, side: &WallSide, across: f64) -> Vector {
+    let d = problem.direction(side.side.line);
+    let over = d.turned() * Interval::point(across);
+    let flow = side.flow(problem);
+    if flow.is_zero() { over } else { d * (flow / d.square()) + over }
+}
+
+/// Whether slopes that are right for one side are also proven to be for another.
+fn agrees(problem: &Problem, on: &WallSide, slopes: Vector, other: &WallSide) -> bool {
+    let [a, b] = [on, other].map(|s| problem.direction(s.side.line));
+    let parallel = on.side.line == other.side.line || a.cross(b).is_zero();
+    let same = on.velocity == other.velocity || [on, other].iter().all(|s| s.flow(problem).is_zero());
+    (parallel && same) || (slopes.is_zero() && other.flow(problem).is_zero())
+}
+
+/// Slopes where two sides meet.
+fn corner(problem: &Problem, first: &WallSide, second: &WallSide) -> Result<Vector, &'static str> {
+    let [a, b] = [first, second].map(|s| s.flow(problem));
+    if a.is_zero() && b.is_zero() {
+        return Ok(Vector::ZERO);
+    }
+    // The soil moves as the wall does, or as both sides demand.
+    if first.velocity == second.velocity {
+        return Ok(first.velocity.turned());
+    }
+    let [p, q] = [first, second].map(|s| problem.direction(s.side.line));
+    let area = p.cross(q);
+    if area.is_not_zero() {
+        Ok((p.turned() * b - q.turned() * a) * (Interval::ONE / area))
+    } else {
+        Err("two sides of a wall meet here that are not proven to have different directions")
+    }
+}

@@ -1,0 +1,111 @@
+//! What soil dissipates, by its strength.
+//!
+//! With `p` the mean effective stress and `R` the radius of Mohr's circle, the soil bears
+//! `R <= c cos(phi) - p sin(phi)` and, with a greatest tension `t`, `p + R <= t`. Strain with the dilation `e` and the
+//! shear rate `g` dissipates at most the greatest `p e + R g`. That is finite if `e >= g sin(phi)`; then it is at most
+//!
+//! - `c cot(phi) e`, the value at the apex of the cone (or `c g` without friction, where `e` is zero), and
+//! - `t e + Q max(g - e, 0)` if there is a `t`, where `Q = max(0, (c cos(phi) - t sin(phi))/(1 - sin(phi)))` is the radius at
+//!   which both limits meet: the greatest `p e + R g` is found there or at `(p, R) = (t, 0)`, and where `t >= c cot(phi)`
+//!   the first limit alone gives no more than this.
+//!
+//! The first is linear in the cohesion and in the dilation. In the second, `Q` and `max(g - e, 0)` are convex and not
+//! negative, so they are at most the linear (on an edge quadratic) functions with the same values at the corners (with
+//! their values at the control points as coefficients), and their product is at most the product of these. The water in
+//! the pores adds `-u e`.
+
+use super::means;
+use crate::interval::{Angle, Interval, Vector};
+use crate::problem::Strength;
+
+/// Strength at the `N` corners of something over which it is linear.
+pub(super) struct Resistance<const N: usize> {
+    friction: Angle,
+    cohesion: [Interval; N],
+    pore_pressure: [Interval; N],
+    tension: Option<Interval>,
+}
+
+impl<const N: usize> Resistance<N> {
+    /// Strength between these points.
+    pub(super) fn new(strength: &Strength, points: [Vector; N]) -> Self {
+        Self {
+            friction: strength.friction,
+            // More cohesion never dissipates less.
+            cohesion: points.map(|p| strength.cohesion.at(p).or_zero()),
+            pore_pressure: points.map(|p| strength.pore_pressure.at(p)),
+            tension: strength.tension,
+        }
+    }
+
+    fn is_frictionless(&self) -> bool {
+        self.friction.sin.is_zero()
+    }
+
+    /// The tension up to which the pressure on an opening layer is limited beyond what friction and cohesion do. Without
+    /// friction, layers open only if there is one, so it does not matter which one is taken if they do not.
+    fn cut_off(&self) -> Option<Interval> {
+        self.tension.or_else(|| self.is_frictionless().then_some(Interval::ZERO))
+    }
+
+    /// `Q` at the corners.
+    fn radius(&self, tension: Interval) -> [Interval; N] {
+        let Angle { sin, cos } = self.friction;
+        self.cohesion.map(|c| ((c * cos - tension * sin) / (Interval::ONE - sin)).or_zero())
+    }
+
+    /// `c cot(phi)` at the corners.
+    fn apex(&self) -> [Interval; N] {
+        self.cohesion.map(|c| if c.is_zero() { c } else { c * self.friction.cot() })
+    }
+
+    /// The lesser of the two bounds, of those that there are, less what the water does.
+    fn least(
+        &self,
+        apex: impl Fn([Interval; N]) -> Interval,
+        cut: impl Fn(Interval, [Interval; N]) -> Interval,
+        water: Interval,
+    ) -> Interval {
+        let cut = self.cut_off().map(|tension| cut(tension, self.radius(tension)));
+        let apex = (!self.is_frictionless()).then(|| apex(self.apex()));
+        let least = match (apex, cut) {
+            (Some(a), Some(b)) => a.or_lesser(b),
+            (Some(a), None) | (None, Some(a)) => a,
+            (None, None) => Interval::ZERO,
+        };
+        least - water
+    }
+}
+
+impl Resistance<3> {
+    /// What a triangle dissipates, from dilation and shear rate at the corners, times the area. The flow rule holds.
+    pub(super) fn of_triangle(&self, dilation: [Interval; 3], shearing: [Interval; 3]) -> Interval {
+        let mean = means::over_triangle;
+        let one = [Interval::ONE; 3];
+        let beyond = [0, 1, 2].map(|i| (shearing[i] - dilation[i]).or_zero());
+        self.least(
+            |apex| mean(apex, dilation),
+            |tension, radius| tension * mean(one, dilation) + mean(radius, beyond),
+            mean(self.pore_pressure, dilation),
+        )
+    }
+}
+
+impl Resistance<2> {
+    /// What a layer dissipates, from opening and slip at the control points, times the length. The flow rule holds, and
+    /// without friction nor a limit to tension the opening is zero. The dilation of a layer is its opening, its shear rate
+    /// the length of the vector of opening and slip.
+    pub(super) fn of_layer(&self, opening: [Interval; 3], slip: [Interval; 3]) -> Interval {
+        let mean = means::over_edge;
+        let one = [Interval::ONE; 2];
+        let beyond = [0, 1, 2].map(|i| {
+            let (o, s) = (opening[i], slip[i]);
+            if o.is_zero() { s.abs() } else { ((o.square() + s.square()).sqrt() - o).or_zero() }
+        });
+        self.least(
+            |apex| mean(apex, opening),
+            |tension, radius| tension * mean(one, opening) + mean(radius, beyond),
+            mean(self.pore_pressure, opening),
+        )
+    }
+}

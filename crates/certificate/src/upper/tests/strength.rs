@@ -1,0 +1,124 @@
+//! What soil dissipates, against all stress states that it bears.
+
+use super::super::resistance::Resistance;
+use super::reference::integral;
+use crate::Linear;
+use crate::examples::Random;
+use crate::interval::{Interval, Vector, angle};
+use crate::problem::Strength;
+
+/// The greatest `p e + R g` of all stress states that a soil bears, by trying them.
+fn tried(phi: f64, c: f64, t: f64, e: f64, g: f64) -> f64 {
+    let (sin, cos) = phi.to_radians().sin_cos();
+    let mut best = f64::NEG_INFINITY;
+    for i in 0..=200_000 {
+        let p = 5.0 - 20.0 * f64::from(i) / 200_000.0;
+        let radius = (c * cos - p * sin).min(t - p);
+        if radius >= 0.0 {
+            best = best.max(p * e + radius * g);
+        }
+    }
+    best
+}
+
+#[test]
+fn strength_with_a_limit_to_tension_is_its_support_function() {
+    let point = Interval::point;
+    let mut random = Random::new(7);
+    let mut near = 0;
+    for _ in 0..60 {
+        let mut next = |top: f64| top * 0.5 * (1.0 + random.next());
+        let (phi, c, t, g) = (next(50.0), next(1.0), next(2.0), next(2.0));
+        let e = g * phi.to_radians().sin() + next(1.5);
+        let strength = Strength {
+            friction: angle(phi),
+            cohesion: Linear::uniform(c),
+            pore_pressure: Linear::default(),
+            tension: Some(point(t)),
+        };
+        let at = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Vector::point);
+        let bound = Resistance::new(&strength, at).of_triangle([point(e); 3], [point(g); 3]);
+        let slip = (g * g - e * e).max(0.0).sqrt();
+        if e <= g {
+            let layer = Resistance::new(&strength, [at[0], at[1]]);
+            let layer = layer.of_layer([point(e); 3], [point(slip); 3]);
+            assert!((layer.hi() - bound.hi()).abs() < 1e-6, "{layer:?} {bound:?}");
+        }
+        let best = tried(phi, c, t, e, g);
+        assert!(
+            bound.hi() >= best - 1e-9 && bound.hi() <= best + 1e-3,
+            "{phi} {c} {t} {e} {g}: {bound:?} {best}"
+        );
+        near += usize::from(t < c / phi.to_radians().tan());
+    }
+    assert!((20..60).contains(&near));
+}
+
+/// The greatest power by formula, for sums.
+fn power(phi: f64, c: f64, t: Option<f64>, e: f64, g: f64) -> f64 {
+    let (sin, cos) = phi.to_radians().sin_cos();
+    let apex = c * cos / sin * e;
+    let radius = |t: f64| ((c * cos - t * sin) / (1.0 - sin)).max(0.0);
+    t.map_or(apex, |t| apex.min(t * e + radius(t) * (g - e).max(0.0)))
+}
+
+#[test]
+fn what_is_bounded_is_above_sums_and_not_by_much() {
+    let point = Interval::point;
+    let (phi, n) = (25.0_f64, 60);
+    let (sin, tan) = (phi.to_radians().sin(), phi.to_radians().tan());
+    let p = [[0.1, 0.0], [1.2, 0.3], [0.4, 0.9]];
+    let area = (1.1 * 0.9 - 0.3 * 0.3) / 2.0;
+    let mut random = Random::new(3);
+    for case in 0..40 {
+        let mut next = || random.next();
+        let tension = [None, Some(0.0), Some(0.3), Some(0.7)][case % 4];
+        let strength = Strength {
+            friction: angle(phi),
+            cohesion: Linear { at_origin: 0.6, gradient: [0.3 * next(), 0.4 * next()] },
+            pore_pressure: Linear { at_origin: next(), gradient: [next(), next()] },
+            tension: tension.map(point),
+        };
+        let at = |l: &Linear, q: [f64; 2]| l.at_origin + l.gradient[0] * q[0] + l.gradient[1] * q[1];
+        // Components of the shear rate at the corners, and dilation with some to spare.
+        let rates = p.map(|_| [next(), next()]);
+        let dilation = rates.map(|r| r[0].hypot(r[1]) * sin + 0.3 * next().abs());
+        let shearing = rates.map(|r| point(r[0].hypot(r[1])));
+        let bound =
+            Resistance::new(&strength, p.map(Vector::point)).of_triangle(dilation.map(point), shearing);
+        let weights = |q: [f64; 2]| {
+            let cross = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]) / (2.0 * area);
+            let to = |i: usize| [p[i][0] - q[0], p[i][1] - q[1]];
+            [cross(to(1), to(2)), cross(to(2), to(0)), cross(to(0), to(1))]
+        };
+        let sum = integral(p, n, |_, q, _| {
+            let w = weights(q);
+            let mean = |x: [f64; 3]| w[0] * x[0] + w[1] * x[1] + w[2] * x[2];
+            let e = mean(dilation);
+            let g = mean(rates.map(|r| r[0])).hypot(mean(rates.map(|r| r[1])));
+            power(phi, at(&strength.cohesion, q), tension, e, g) - at(&strength.pore_pressure, q) * e
+        }) / area;
+        assert!(bound.hi() > sum - 1e-4 && bound.hi() < sum + 0.8, "{case}: {bound:?} {sum}");
+        let slip = [next(), next(), next()];
+        let opening = slip.map(|s| s.abs() * tan + 0.3 * next().abs());
+        let layer = Resistance::new(&strength, [p[0], p[1]].map(Vector::point));
+        let bound = layer.of_layer(opening.map(point), slip.map(point));
+        let count = 3000;
+        let sum: f64 = (0..count)
+            .map(|i| {
+                let s = (f64::from(i) + 0.5) / f64::from(count);
+                let r = 1.0 - s;
+                let of = |b: [f64; 3]| b[0] * r * r + 2.0 * b[1] * r * s + b[2] * s * s;
+                let q = [0, 1].map(|i| p[0][i] * r + p[1][i] * s);
+                let (o, g) = (of(opening), of(opening).hypot(of(slip)));
+                power(phi, at(&strength.cohesion, q), tension, o, g) - at(&strength.pore_pressure, q) * o
+            })
+            .sum::<f64>()
+            / f64::from(count);
+        assert!(bound.hi() > sum - 1e-6 && bound.hi() < sum + 0.8, "{case}: {bound:?} {sum}");
+        if tension.is_none() {
+            // Exactly, since all is linear in what is not.
+            assert!((bound.hi() - sum).abs() < 1e-6, "{case}: {bound:?} {sum}");
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! `table build --model bounds`: certified brackets on a grid, in steps that can be broken off and taken up again.
+
+mod answer;
+mod cases;
+mod cost;
+mod journal;
+mod solve;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use soilctl_earth_pressure::table::{BracketRow, BracketRules, BracketTable};
+
+pub(super) use answer::{BuiltBounds, Plan};
+use cases::{Node, Shard, key};
+use cost::Cost;
+use journal::{Entry, Found, Header, Journal};
+use solve::{Solver, solution_path};
+
+use super::answer::TableAnswer;
+use super::brackets::{NAME, SOURCE};
+use super::file::{Kind, read_brackets, write_brackets};
+use crate::error::CliError;
+use crate::output::Output;
+use crate::verbs::bound::positive;
+
+/// Options of the model `bounds`.
+#[derive(Debug, clap::Args)]
+pub(super) struct BoundsArgs {
+    /// Bounds: gap (U - L) / ((U + L) / 2) at which a case is done [default: 0.01]
+    #[arg(long, value_name = "FRACTION", value_parser = positive)]
+    max_gap: Option<f64>,
+
+    /// Bounds: most elements that a case is given [default: 12000]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(600..=1_000_000))]
+    max_elements: Option<u32>,
+
+    /// Bounds: cases solved at a time; the table is the same for any number [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    threads: Option<u32>,
+
+    /// Bounds: only each N-th case, starting with the I-th; `table merge` unites the files of all shards
+    #[arg(long, value_name = "I/N")]
+    shard: Option<Shard>,
+
+    /// Bounds: folder for the fields that prove each case, for `soilctl certify`
+    #[arg(long, value_name = "DIR")]
+    save: Option<PathBuf>,
+
+    /// Bounds: only says how many cases there are and how long they will take
+    #[arg(long)]
+    dry_run: bool,
+}
+
+impl BoundsArgs {
+    /// The first of these options that was given: they are for the model `bounds` only.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        [
+            (self.max_gap.is_some(), "--max-gap"),
+            (self.max_elements.is_some(), "--max-elements"),
+            (self.threads.is_some(), "--threads"),
+            (self.shard.is_some(), "--shard"),
+            (self.save.is_some(), "--save"),
+            (self.dry_run, "--dry-run"),
+        ]
+        .into_iter()
+        .find_map(|(given, name)| given.then_some(name))
+    }
+
+    fn rules(&self) -> BracketRules {
+        let max_elements = self.max_elements.unwrap_or(12_000) as usize;
+        BracketRules { max_gap: self.max_gap.unwrap_or(0.01), max_elements }
+    }
+
+    fn threads(&self) -> usize {
+        let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        self.threads.map_or_else(cores, |threads| threads as usize)
+    }
+}
+
+pub(super) fn build(
+    args: &BoundsArgs,
+    axes: [Vec<f64>; 3],
+    out: &Path,
+    output: &Output,
+) -> Result<TableAnswer, CliError> {
+    Kind::of_brackets(out)?;
+    let header = Header::new(args.rules(), axes, args.shard.map(|shard| shard.to_string()));
+    let cases = cases::cases(&header.axes, args.shard);
+    let known = known(out, &header)?;
+    let todo = todo(&cases, &known, args.save.as_deref());
+    let cost = Cost::new(header.rules, &known);
+    if args.dry_run {
+        let plan = Plan::new(cases.len(), &todo, &cost, args.threads());
+        return Ok(TableAnswer::Plan(plan));
+    }
+    let (entries, finished) = run(args, &header, known, &todo, &cost, out, output)?;
+    let mut empty = Vec::new();
+    let mut rows: Vec<BracketRow> = Vec::new();
+    for entry in entries {
+        match entry.found {
+            Found::Solved(row) => rows.push(row),
+            Found::Empty { node, reason } => empty.push((node, reason)),
+        }
+    }
+    empty.sort_by_key(|(node, _)| key(*node));
+    let table = BracketTable::new(NAME, header.rules, rows)?;
+    if finished {
+        if !table.rows().is_empty() {
+            write_brackets(&table, SOURCE, out)?;
+        }
+        journal::remove(out)?;
+        if table.rows().is_empty() {
+            let reason = empty.first().map_or("delta is above phi everywhere", |(_, reason)| reason);
+            return Err(CliError::Usage(format!("no node of the table could be filled: {reason}")));
+        }
+    }
+    Ok(TableAnswer::BuildBounds(BuiltBounds::new(&table, empty, cases.len(), finished, out)))
+}
+
+/// What is known from the journal, or else from the table itself if it is there already.
+fn known(out: &Path, header: &Header) -> Result<Vec<Entry>, CliError> {
+    if let Some(entries) = journal::read(out, header)? {
+        return Ok(entries);
+    }
+    if !out.exists() {
+        return Ok(Vec::new());
+    }
+    let (table, version) = read_brackets(out)?;
+    let BracketRules { max_gap, max_elements } = table.rules();
+    if table.rules() != header.rules || version != header.program_version {
+        return Err(CliError::Usage(format!(
+            "{} is there already, built by soilctl {version} with --max-gap {max_gap} --max-elements {max_elements}; to \
+             extend it use the same, to build anew delete it or choose another --out",
+            out.display()
+        )));
+    }
+    Ok(table.rows().iter().map(|row| Entry { found: Found::Solved(*row), seconds: None }).collect())
+}
+
+/// Cases that are not known, or known without the solution that is to be saved.
+fn todo(cases: &[Node], known: &[Entry], save: Option<&Path>) -> Vec<Node> {
+    let is_whole = |entry: &&Entry| match (&entry.found, save) {
+        (Found::Solved(row), Some(folder)) => solution_path(folder, row.node()).exists(),
+        _ => true,
+    };
+    let whole: BTreeSet<_> = known.iter().filter(is_whole).map(|entry| key(entry.node())).collect();
+    cases.iter().filter(|node| !whole.contains(&key(**node))).copied().collect()
+}
+
+/// Solves what is left to do. All entries, and whether all is done.
+fn run(
+    args: &BoundsArgs,
+    header: &Header,
+    mut entries: Vec<Entry>,
+    todo: &[Node],
+    cost: &Cost,
+    out: &Path,
+    output: &Output,
+) -> Result<(Vec<Entry>, bool), CliError> {
+    if let Some(folder) = &args.save {
+        std::fs::create_dir_all(folder)
+            .map_err(|problem| CliError::File { path: folder.display().to_string(), problem })?;
+    }
+    let mut journal = Journal::open(out, header, &entries)?;
+    let stop = Arc::new(AtomicBool::new(false));
+    let stopped = Arc::clone(&stop);
+    // A second handler cannot be set; then Ctrl-C just ends the program, and the journal keeps what is done.
+    let _ = ctrlc::set_handler(move || stopped.store(true, Ordering::Relaxed));
+    let mut watch = cost.watch(todo, args.threads());
+    let progress = output.spinner("first cases");
+    let solver = Solver { rules: header.rules, save: args.save.as_deref(), stop: Arc::clone(&stop) };
+    let before = entries.len();
+    solver.solve(todo, args.threads(), |entry| {
+        journal.add(&entry)?;
+        watch.done(&entry);
+        progress.set_message(watch.words());
+        entries.push(entry);
+        Ok(())
+    })?;
+    progress.finish_and_clear();
+    let finished = entries.len() - before == todo.len();
+    Ok((entries, finished))
+}

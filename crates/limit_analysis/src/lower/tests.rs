@@ -1,0 +1,225 @@
+//! Lower bounds of problems with known answers, on one mesh each.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use soilctl_certificate::{
+    Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement, prove_lower,
+};
+
+use super::*;
+use crate::mesh::{Fan, Request, generate};
+use crate::solver::{Accuracy, solve};
+
+/// Weightless soil unless its unit weight is set.
+fn soil(phi_deg: f64, cohesion: f64) -> Material {
+    Material {
+        phi_deg,
+        cohesion: Linear::uniform(cohesion),
+        unit_weight: 0.0,
+        pore_pressure: Linear::default(),
+        tension: None,
+    }
+}
+
+/// Regions as corner lists with their soils; each outline edge has the condition that `condition` gives its middle.
+fn statement(
+    regions: &[(&[usize], Material)],
+    points: &[[f64; 2]],
+    objective: Objective,
+    condition: impl Fn([f64; 2]) -> Condition,
+) -> Statement {
+    let mut lines: Vec<Line> = Vec::new();
+    let mut outlines = Vec::new();
+    for (corners, material) in regions {
+        let uses = (0..corners.len())
+            .map(|i| {
+                let (from, to) = (corners[i], corners[(i + 1) % corners.len()]);
+                if let Some(line) = lines.iter().position(|l| (l.from, l.to) == (to, from)) {
+                    return LineUse { line, forward: false };
+                }
+                lines.push(Line { from, to });
+                LineUse { line: lines.len() - 1, forward: true }
+            })
+            .collect::<Vec<_>>();
+        outlines.push(Region { loops: vec![uses], material: *material });
+    }
+    let used = |line: usize| outlines.iter().flat_map(|r| &r.loops[0]).filter(|u| u.line == line).count();
+    let boundaries = (0..lines.len())
+        .filter(|l| used(*l) == 1)
+        .map(|line| {
+            let [p, q] = [lines[line].from, lines[line].to].map(|i| points[i]);
+            let middle = [(p[0] + q[0]) / 2.0, (p[1] + q[1]) / 2.0];
+            Boundary { line, forward: true, condition: condition(middle) }
+        })
+        .collect();
+    Statement {
+        points: points.to_vec(),
+        lines,
+        regions: outlines,
+        gravity: [0.0; 2],
+        datum: 0.0,
+        surcharge: 0.0,
+        objective,
+        boundaries,
+    }
+}
+
+fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f64) -> f64 {
+    let problem = Problem::new(statement).unwrap();
+    let fans: Vec<Fan> = fan.into_iter().map(|point| Fan { point, radius: 0.1, angle: 0.26 }).collect();
+    let request =
+        Request { outline: &problem.outline, guides: &[], fans: &fans, size: &size, max_triangles: 20_000 };
+    let mesh = generate(&request).unwrap();
+    let topology = Topology::new(&mesh);
+    let accuracy = Accuracy { gap: 1e-7, feasibility: 1e-8 };
+    let attempt = |tightening: f64| {
+        let lower = Lower::new(&problem, &mesh, &topology, tightening);
+        let answer = solve(&lower.program, accuracy, 60.0, &Arc::new(AtomicBool::new(false))).unwrap();
+        let x = lower.drawn_inside(&answer.x, -0.5 * tightening);
+        let field = lower.function.saved(&mesh, &topology, &problem, &x);
+        prove_lower(problem.statement(), &field).ok()
+    };
+    [1e-8, 1e-7, 1e-6, 1e-5].into_iter().find_map(attempt).unwrap()
+}
+
+const STRIP: [[f64; 2]; 5] = [[0.0, 0.0], [0.0, -3.0], [5.0, -3.0], [5.0, 0.0], [1.0, 0.0]];
+
+fn pressed(pressure: f64, live: bool) -> Condition {
+    Condition::Loaded { pressure: [pressure; 2], shear: [0.0; 2], live }
+}
+
+/// Half of a strip load of half-width one, with a pressure beside it.
+fn strip(material: Material, beside: f64) -> Statement {
+    statement(&[(&[0, 1, 2, 3, 4], material)], &STRIP, Objective::Loads, |[x, y]| {
+        if x == 0.0 {
+            Condition::Smooth
+        } else if y == 0.0 {
+            if x < 1.0 { pressed(1.0, true) } else { pressed(beside, false) }
+        } else {
+            Condition::Fixed
+        }
+    })
+}
+
+fn around_edge(p: [f64; 2]) -> f64 {
+    (0.05 + 0.2 * (p[0] - 1.0).hypot(p[1])).min(0.6)
+}
+
+#[test]
+fn a_strip_on_clay_carries_prandtls_load() {
+    let load = proven(strip(soil(0.0, 1.0), 0.0), Some(4), around_edge);
+    let exact = 2.0 + std::f64::consts::PI;
+    assert!(load <= exact && load > 0.98 * exact, "{load}");
+}
+
+#[test]
+fn a_surcharge_beside_a_strip_on_weightless_sand_carries_nq() {
+    let (exact, load) = (18.401, proven(strip(soil(30.0, 0.0), 1.0), Some(4), around_edge));
+    assert!(load <= exact + 1e-3 && load > 0.92 * exact, "{load}");
+}
+
+#[test]
+fn a_vertical_cut_in_clay_has_its_critical_height() {
+    let points = [[-3.0, 1.0], [-3.0, -1.5], [2.0, -1.5], [2.0, 0.0], [0.0, 0.0], [0.0, 1.0]];
+    let material = Material { unit_weight: 1.0, ..soil(0.0, 1.0) };
+    let free = |[x, y]: [f64; 2]| {
+        if (x > 0.0 && y == 0.0) || x == 0.0 || y == 1.0 { Condition::Free } else { Condition::Fixed }
+    };
+    let objective = Objective::Body { gravity: [0.0, -1.0] };
+    let cut = statement(&[(&[0, 1, 2, 3, 4, 5], material)], &points, objective, free);
+    let factor = proven(cut, Some(4), |p| (0.06 + 0.15 * p[0].hypot(p[1])).min(0.5));
+    // Pastor, Thai & Francescato (2000), Martin (2011): between 3.7760 and 3.7777.
+    assert!(factor <= 3.7777 && factor > 3.66, "{factor}");
+}
+
+/// A wall that is pushed into two level layers, the lower one heavier: the exact force is the sum of Rankine's pressures.
+#[test]
+fn a_smooth_wall_before_layers_has_rankines_pressure() {
+    let points = [
+        [0.0, 0.0],
+        [0.0, -0.4],
+        [0.0, -1.0],
+        [0.0, -3.0],
+        [6.0, -3.0],
+        [6.0, -1.0],
+        [6.0, -0.4],
+        [6.0, 0.0],
+    ];
+    let light = Material { unit_weight: 1.0, ..soil(30.0, 0.1) };
+    let heavy = Material { unit_weight: 1.7, ..soil(30.0, 0.1) };
+    let layers: [(&[usize], Material); 3] =
+        [(&[0, 1, 6, 7], light), (&[1, 2, 5, 6], heavy), (&[2, 3, 4, 5], heavy)];
+    let objective = Objective::Structure { velocity: [1.0, 0.0] };
+    for far in [false, true] {
+        let mut wall = statement(&layers, &points, objective, |[x, y]| {
+            if x == 0.0 && y > -1.0 {
+                Condition::Face { delta_deg: 0.0, adhesion: 0.0 }
+            } else if y == 0.0 {
+                Condition::Free
+            } else if x == 0.0 {
+                Condition::Smooth
+            } else if far {
+                Condition::Far
+            } else {
+                Condition::Fixed
+            }
+        });
+        wall.gravity = [0.0, -1.0];
+        let kp = 3.0_f64;
+        let cohesion = 2.0 * 0.1 * kp.sqrt();
+        let exact = kp * (0.4 * 0.4 / 2.0 + 0.6 * 0.4 + 1.7 * 0.6 * 0.6 / 2.0) + cohesion;
+        let force = proven(wall, None, |p| (0.1 + 0.2 * p[0].hypot(p[1] + 0.5)).min(0.8));
+        assert!(force <= exact && force > 0.97 * exact, "far {far}: {force} of {exact}");
+    }
+}
+
+/// Water up to the surface takes its own weight off the soil.
+#[test]
+fn ground_water_leaves_the_buoyant_weight() {
+    let points = [[0.0, 0.0], [0.0, -1.0], [0.0, -3.0], [6.0, -3.0], [6.0, 0.0]];
+    let wall = |unit_weight: f64, water: f64| {
+        let pore_pressure = Linear { at_origin: 0.0, gradient: [0.0, -water] };
+        let material = Material { unit_weight, pore_pressure, ..soil(30.0, 0.2) };
+        let objective = Objective::Structure { velocity: [1.0, 0.0] };
+        let mut wall = statement(&[(&[0, 1, 2, 3, 4], material)], &points, objective, |[x, y]| {
+            if x == 0.0 && y > -1.0 {
+                Condition::Face { delta_deg: 10.0, adhesion: 0.0 }
+            } else if y == 0.0 {
+                Condition::Free
+            } else {
+                Condition::Fixed
+            }
+        });
+        wall.gravity = [0.0, -1.0];
+        proven(wall, None, |p| (0.1 + 0.2 * p[0].hypot(p[1] + 0.5)).min(0.8))
+    };
+    // The water itself pushes back with half its weight times the height squared.
+    let (wet, buoyant) = (wall(2.0, 1.0) - 0.5, wall(1.0, 0.0));
+    assert!((wet / buoyant - 1.0).abs() < 1e-3, "{wet} {buoyant}");
+}
+
+/// A slope in soil with friction and cohesion, on ground of its own level on each side.
+#[test]
+fn a_slope_stands_below_its_critical_height() {
+    let points = [[-4.0, 1.0], [-4.0, -2.0], [5.0, -2.0], [5.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let material = Material { unit_weight: 1.0, ..soil(20.0, 1.0) };
+    let objective = Objective::Body { gravity: [0.0, -1.0] };
+    let slope = |far: bool| {
+        statement(&[(&[0, 1, 2, 3, 4, 5], material)], &points, objective, |[x, y]| {
+            if y == 1.0 || y == 0.0 || (x > 0.0 && x < 1.0 && y > 0.0) {
+                Condition::Free
+            } else if far {
+                Condition::Far
+            } else {
+                Condition::Fixed
+            }
+        })
+    };
+    let size = |p: [f64; 2]| (0.08 + 0.15 * (p[0] - 0.8).hypot(p[1])).min(0.6);
+    // Michalowski (1995), Chen (1975): 16.16 for 45 and 20 degrees, an upper bound.
+    for far in [false, true] {
+        let factor = proven(slope(far), None, size);
+        assert!(factor <= 16.2 && factor > 15.0, "far {far}: {factor}");
+    }
+}
