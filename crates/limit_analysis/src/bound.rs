@@ -14,7 +14,8 @@ use crate::gap::shares;
 use crate::lower::Lower;
 use crate::mesh::{Mesh, Request, generate};
 use crate::problem::Problem;
-use crate::solver::{self, Accuracy, Status};
+use crate::program::Program;
+use crate::solver::{self, Accuracy, Answer, Status};
 use crate::start::Start;
 use crate::topology::Topology;
 use crate::upper::Upper;
@@ -30,6 +31,9 @@ pub struct Options {
     pub max_elements: usize,
     /// 1: one solve at a time; more: both bounds of a level at once. The results are the same.
     pub threads: usize,
+    /// Replaces each cone by a pyramid of so many sides inside it (at least 3), which makes the programs linear: for
+    /// comparison. Bounds are proven as always, but further apart.
+    pub segments: Option<usize>,
     /// Set to end the run early with the best bounds so far.
     pub stop: Arc<AtomicBool>,
 }
@@ -41,6 +45,7 @@ impl Default for Options {
             max_seconds: 60.0,
             max_elements: 20_000,
             threads: 1,
+            segments: None,
             stop: Arc::new(AtomicBool::new(false)),
         }
     }
@@ -366,6 +371,13 @@ impl<'a> Run<'a> {
         Some(relative_gap(self.lower.as_ref()?.value, self.upper.as_ref()?.value))
     }
 
+    /// Solves a program, as cones or linearised, in the time that is left.
+    fn solve(&self, program: &Program, accuracy: Accuracy) -> Result<Answer, LimitError> {
+        let linear = self.options.segments.map(|p| program.linearised(p.max(3)));
+        let program = linear.as_ref().unwrap_or(program);
+        solver::solve(program, accuracy, self.remaining().max(0.0), &self.options.stop)
+    }
+
     fn solve_upper(
         &self,
         number: usize,
@@ -375,8 +387,7 @@ impl<'a> Run<'a> {
         let mut spent = 0.0;
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let answer =
-                solver::solve(&upper.program, UPPER_ACCURACY, self.remaining().max(0.0), &self.options.stop)?;
+            let answer = self.solve(&upper.program, UPPER_ACCURACY)?;
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proven = prove_upper(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
@@ -405,8 +416,7 @@ impl<'a> Run<'a> {
         let mut spent = 0.0;
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
-            let answer =
-                solver::solve(&lower.program, LOWER_ACCURACY, self.remaining().max(0.0), &self.options.stop)?;
+            let answer = self.solve(&lower.program, LOWER_ACCURACY)?;
             spent += answer.seconds;
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);

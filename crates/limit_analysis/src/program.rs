@@ -57,6 +57,30 @@ impl Program {
         }
     }
 
+    /// The same with each second-order cone cut down to a pyramid of `segments` sides inside it: a linear program.
+    pub(crate) fn linearised(&self, segments: usize) -> Self {
+        let mut linear =
+            Self { unknowns: self.unknowns, objective: self.objective.clone(), ..Self::default() };
+        let mut row = 0;
+        for cone in &self.cones {
+            let rows = &self.rows[row..row + cone.rows()];
+            row += cone.rows();
+            if *cone != Cone::SecondOrder3 {
+                linear.rows.extend_from_slice(rows);
+                linear.cones.push(*cone);
+                continue;
+            }
+            let half = std::f64::consts::PI / segments as f64;
+            for k in 0..segments {
+                let (sin, cos) = (2.0 * half * k as f64).sin_cos();
+                let side =
+                    Form::default().plus(half.cos(), &rows[0]).plus(-cos, &rows[1]).plus(-sin, &rows[2]);
+                linear.non_negative(side);
+            }
+        }
+        linear
+    }
+
     /// How far inside a cone, whose first row is given, a point is: negative outside.
     pub(crate) fn slack(&self, row: usize, cone: Cone, x: &[f64]) -> f64 {
         let at = |k: usize| self.rows[row + k].value(x);

@@ -129,3 +129,12 @@ fn numbers_out_of_range_are_refused() {
     let glued = EmbeddedPlate { adhesion: 0.1, ..good };
     assert!(matches!(glued.problem(), Err(LimitError::NotCovered { .. })));
 }
+
+#[test]
+fn linear_programs_prove_wider_bounds() {
+    let plate = EmbeddedPlate { phi_deg: 30.0, delta_deg: 15.0, ..EmbeddedPlate::default() };
+    let cones = solve(&plate, &coarse(700));
+    let pyramids = solve(&plate, &Options { segments: Some(12), ..coarse(700) });
+    assert!(pyramids.lower.value < cones.lower.value && pyramids.lower.value > 0.9 * cones.lower.value);
+    assert!(pyramids.upper.value > cones.upper.value && pyramids.upper.value < 1.1 * cones.upper.value);
+}

@@ -3,6 +3,7 @@
 //! Stresses are second derivatives of a stress function with continuous slopes, so that equilibrium holds whatever the
 //! unknowns are, and only yield is left to the cones of the program.
 
+mod copies;
 pub(crate) mod dofs;
 mod far;
 mod given;
