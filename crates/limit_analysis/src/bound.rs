@@ -1,5 +1,6 @@
 //! Both bounds of a problem on a sequence of meshes, each made from what the last one showed.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -34,6 +35,8 @@ pub struct Options {
     /// Replaces each cone by a pyramid of so many sides inside it (at least 3), which makes the programs linear: for
     /// comparison. Bounds are proven as always, but further apart.
     pub segments: Option<usize>,
+    /// An existing folder for programs that end in numerical trouble, one file each, to reproduce it from.
+    pub dump: Option<PathBuf>,
     /// Set to end the run early with the best bounds so far.
     pub stop: Arc<AtomicBool>,
 }
@@ -46,6 +49,7 @@ impl Default for Options {
             max_elements: 20_000,
             threads: 1,
             segments: None,
+            dump: None,
             stop: Arc::new(AtomicBool::new(false)),
         }
     }
@@ -372,10 +376,12 @@ impl<'a> Run<'a> {
     }
 
     /// Solves a program, as cones or linearised, in the time that is left.
-    fn solve(&self, program: &Program, accuracy: Accuracy) -> Result<Answer, LimitError> {
+    fn solve(&self, program: &Program, accuracy: Accuracy, name: &str) -> Result<Answer, LimitError> {
+        let file = format!("{name}-{}-unknowns.json", program.unknowns);
+        let dump = self.options.dump.as_ref().map(|folder| folder.join(file));
         let linear = self.options.segments.map(|p| program.linearised(p.max(3)));
         let program = linear.as_ref().unwrap_or(program);
-        solver::solve(program, accuracy, self.remaining().max(0.0), &self.options.stop)
+        solver::solve(program, accuracy, self.remaining().max(0.0), &self.options.stop, dump.as_deref())
     }
 
     fn solve_upper(
@@ -387,7 +393,7 @@ impl<'a> Run<'a> {
         let mut spent = 0.0;
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let answer = self.solve(&upper.program, UPPER_ACCURACY)?;
+            let answer = self.solve(&upper.program, UPPER_ACCURACY, "upper")?;
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proven = prove_upper(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
@@ -416,7 +422,7 @@ impl<'a> Run<'a> {
         let mut spent = 0.0;
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
-            let answer = self.solve(&lower.program, LOWER_ACCURACY)?;
+            let answer = self.solve(&lower.program, LOWER_ACCURACY, "lower")?;
             spent += answer.seconds;
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);

@@ -1,3 +1,5 @@
+use std::path::PathBuf;
+
 use soilctl_certificate::CertificateError;
 use thiserror::Error;
 
@@ -48,6 +50,14 @@ pub enum LimitError {
     NothingProven {
         /// What was done so far.
         spent: String,
+    },
+    /// A program that failed could not be written.
+    #[error("{}: {message}; give another folder for failed programs, or none", path.display())]
+    Dump {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        message: String,
     },
     /// The solver refused the program.
     #[error("the cone solver refused the program: {message}; please report the problem file")]

@@ -1,10 +1,14 @@
 //! The one place that names Clarabel.
 
+use std::fs::File;
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, SolverJSONReadWrite, SolverStatus, SupportedConeT,
+};
 
 use crate::error::LimitError;
 use crate::program::{Cone, Program};
@@ -48,12 +52,14 @@ pub(crate) struct Accuracy {
 /// Factor on the objective: multipliers of some thousand elements then are of the order of one.
 const OBJECTIVE: f64 = 100.0;
 
-/// Solves a program on one thread.
+/// Solves a program on one thread. One that ends in numerical trouble is written to `dump`, as a file from which
+/// Clarabel itself can solve it again.
 pub(crate) fn solve(
     program: &Program,
     accuracy: Accuracy,
     seconds: f64,
     stop: &Arc<AtomicBool>,
+    dump: Option<&Path>,
 ) -> Result<Answer, LimitError> {
     let (m, n) = (program.rows.len(), program.unknowns);
     let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
@@ -94,6 +100,13 @@ pub(crate) fn solve(
         SolverStatus::MaxTime | SolverStatus::CallbackTerminated => Status::Stopped,
         _ => Status::Failed,
     };
+    if status == Status::Failed
+        && let Some(path) = dump
+    {
+        let failed = |e: std::io::Error| LimitError::Dump { path: path.to_owned(), message: e.to_string() };
+        let mut file = File::create(path).map_err(failed)?;
+        solver.save_to_file(&mut file).map_err(failed)?;
+    }
     Ok(Answer {
         x: solution.x.clone(),
         status,
@@ -135,5 +148,31 @@ fn settings(accuracy: Accuracy, seconds: f64) -> DefaultSettings<f64> {
         tol_gap_abs: accuracy.gap,
         tol_feas: accuracy.feasibility,
         ..DefaultSettings::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::form::Form;
+
+    #[test]
+    fn a_program_that_fails_can_be_solved_again_from_its_file() {
+        // Numbers far beyond what doubles can balance: x >= 1e300, x <= 1e-300 y, y free.
+        let mut program = Program::default();
+        let (x, y) = (program.unknown(), program.unknown());
+        program.non_negative(Form::unknown(x, 1.0).plus(-1e300, &Form::constant(1.0)));
+        program.non_negative(Form::unknown(y, 1e-300).plus(-1.0, &Form::unknown(x, 1.0)));
+        program.objective.push((x, 1e300));
+        let path = std::env::temp_dir().join(format!("soilctl-dump-{}.json", std::process::id()));
+        let accuracy = Accuracy { gap: 1e-8, feasibility: 1e-8 };
+        let stop = Arc::new(AtomicBool::new(false));
+        let answer = solve(&program, accuracy, 10.0, &stop, Some(&path)).unwrap();
+        assert_eq!(answer.status, Status::Failed);
+        let mut file = File::open(&path).unwrap();
+        let mut again: DefaultSolver<f64> = DefaultSolver::load_from_file(&mut file, None).unwrap();
+        again.solve();
+        assert!(!matches!(again.solution.status, SolverStatus::Solved));
+        std::fs::remove_file(&path).unwrap();
     }
 }
