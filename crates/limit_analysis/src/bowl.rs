@@ -2,9 +2,15 @@
 //!
 //! A proof needs flows that dilate a little more than friction demands, everywhere. Soil can only do that where it has a
 //! way out, so what is free to move must be a bowl: with walls no steeper than `90 deg - phi`, all of it could be lifted
-//! out along any path between the walls. Below the bowl nothing moves; along it velocities may jump.
+//! out along any path between the walls. Below the bowl nothing moves; along it velocities may jump. Around a structure in
+//! the soil the bowl follows the slip lines; otherwise its walls start where steep sides that hold the soil end above.
+//!
+//! Soil without friction keeps its volume with any flow, so nothing of it is held.
+
+use soilctl_certificate::Condition;
 
 use crate::mesh::{Guide, Mesh};
+use crate::problem::Problem;
 
 /// Walls are flatter than the limit by this angle in radians.
 const SPARE: f64 = 0.1;
@@ -12,20 +18,51 @@ const SPARE: f64 = 0.1;
 /// Distance of the points that describe the bowl.
 const STEP: f64 = 0.1;
 
+fn slope(phi: f64) -> f64 {
+    (std::f64::consts::FRAC_PI_2 - phi - SPARE).max(0.1).tan()
+}
+
 /// The least set of points above V-shaped walls under each slip line point.
 #[derive(Debug, Clone)]
 pub(crate) struct Bowl {
     /// Lowest points of the Vs.
     bottoms: Vec<[f64; 2]>,
+    /// Upper ends of sides that hold the soil, and the sense along x that leads away from them.
+    rims: Vec<([f64; 2], f64)>,
     slope: f64,
     datum: f64,
+    /// Height at which the soil ends below.
+    bottom: f64,
 }
 
 impl Bowl {
     /// A bowl that clears the given lines by `margin`, for soil with friction angle `phi` in radians.
     pub(crate) fn around(guides: &[Guide], margin: f64, phi: f64, datum: f64) -> Self {
         let bottoms = guides.iter().flat_map(|g| &g.points).map(|p| [p[0], p[1] - margin]).collect();
-        Self { bottoms, slope: (std::f64::consts::FRAC_PI_2 - phi - SPARE).max(0.1).tan(), datum }
+        Self { bottoms, rims: Vec::new(), slope: slope(phi), datum, bottom: datum }
+    }
+
+    /// A bowl between steep sides that hold the soil; with friction angle `phi` in radians.
+    pub(crate) fn between_sides(problem: &Problem, phi: f64) -> Self {
+        let mut rims: Vec<([f64; 2], f64)> = Vec::new();
+        let mut feet = Vec::new();
+        for b in &problem.statement().boundaries {
+            if phi == 0.0 || !matches!(b.condition, Condition::Fixed | Condition::Far) {
+                continue;
+            }
+            let [p, q] = problem.ends(b.line);
+            let (low, high) = if p[1] < q[1] { (p, q) } else { (q, p) };
+            if (high[1] - low[1]) > slope(phi) * (high[0] - low[0]).abs() {
+                // The soil is on the left of the side as it is walked.
+                let up = (q[1] > p[1]) == b.forward;
+                rims.push((high, if up { -1.0 } else { 1.0 }));
+                feet.push(low);
+            }
+        }
+        rims.retain(|(high, _)| !feet.contains(high));
+        let heights = problem.statement().points.iter().map(|p| p[1]);
+        let bottom = heights.fold(f64::INFINITY, f64::min);
+        Self { bottoms: Vec::new(), rims, slope: slope(phi), datum: problem.statement().datum, bottom }
     }
 
     /// Height of the wall at `x`; above the datum where the bowl has ended.
@@ -33,8 +70,17 @@ impl Bowl {
         self.bottoms.iter().map(|b| b[1] + self.slope * (x - b[0]).abs()).fold(f64::INFINITY, f64::min)
     }
 
-    /// The wall as a guide, from surface to surface.
-    pub(crate) fn guide(&self) -> Option<Guide> {
+    /// The walls as guides.
+    pub(crate) fn guide(&self) -> Vec<Guide> {
+        let rim = |(top, inwards): &([f64; 2], f64)| {
+            let reach = inwards * (top[1] - self.bottom) / self.slope;
+            Guide { points: vec![*top, [top[0] + reach, self.bottom]] }
+        };
+        self.below_slip_lines().into_iter().chain(self.rims.iter().map(rim)).collect()
+    }
+
+    /// The wall below slip lines, from surface to surface.
+    fn below_slip_lines(&self) -> Option<Guide> {
         let ends = self.bottoms.iter().map(|b| (self.datum - b[1]) / self.slope);
         let low = self.bottoms.iter().zip(ends.clone()).map(|(b, w)| b[0] - w).fold(f64::INFINITY, f64::min);
         let high = self.bottoms.iter().zip(ends).map(|(b, w)| b[0] + w).fold(f64::NEG_INFINITY, f64::max);
@@ -56,7 +102,12 @@ impl Bowl {
             .map(|t| {
                 let v = t.corners.map(|c| mesh.vertices[c].position);
                 let mean = |i: usize| (v[0][i] + v[1][i] + v[2][i]) / 3.0;
-                !self.bottoms.is_empty() && mean(1) < self.wall(mean(0))
+                let is_outside = |(top, inwards): &([f64; 2], f64)| {
+                    let away = inwards * (mean(0) - top[0]);
+                    away > 0.0 && mean(1) < top[1] - self.slope * away
+                };
+                let is_below = !self.bottoms.is_empty() && mean(1) < self.wall(mean(0));
+                is_below || self.rims.iter().any(is_outside)
             })
             .collect()
     }

@@ -1,9 +1,10 @@
 //! Solved fields as plain numbers, and how to find one's way in them.
 
+use crate::lower::macro_element::{Curvature, curvatures};
 use crate::lower::{Lower, node_stresses};
 use crate::mesh::Mesh;
 use crate::topology::{Side, Topology};
-use crate::upper::Upper;
+use crate::upper::{Element, Limit, Upper, Velocity, gradients, shear_rates};
 
 pub(crate) type Point = [f64; 2];
 
@@ -15,10 +16,25 @@ pub(crate) struct StressField {
     pub(crate) parts: Vec<[[[f64; 3]; 3]; 3]>,
 }
 
-/// A velocity field: control points of each triangle.
+/// A velocity field.
 #[derive(Debug, Clone)]
 pub(crate) struct VelocityField {
+    /// Control points of each triangle. Where there is a stream function they are right along the edges only.
     pub(crate) control: Vec<[Point; 6]>,
+    /// Parts of each triangle on which the strain rate is linear: the triangle itself, or thirds of it.
+    pub(crate) pieces: Vec<Vec<Piece>>,
+    /// Which limit of each triangle's strength counts.
+    pub(crate) limits: Vec<Limit>,
+    /// Power of the loads whose factor is bounded; one if a force is.
+    pub(crate) live: f64,
+}
+
+/// Strain rates `[exx, eyy, 2 exy]` at corners, and the shear rate that a second kind of strength works on: that beyond
+/// the dilation where tension is cut off, all of it where there is no friction.
+#[derive(Debug, Clone)]
+pub(crate) struct Piece {
+    pub(crate) corners: [Point; 3],
+    pub(crate) rates: [[f64; 4]; 3],
 }
 
 impl StressField {
@@ -39,7 +55,7 @@ impl StressField {
     }
 }
 
-/// A triangle near a point: a walk towards it that stops at holes and rims.
+/// The triangle at a point: a walk towards it, and a search of all if a hole or a notch is in the way.
 pub(crate) fn near(corners: &[[Point; 3]], across: &[[Option<Side>; 3]], p: Point, start: usize) -> usize {
     let mut here = start;
     for _ in 0..corners.len() {
@@ -53,18 +69,59 @@ pub(crate) fn near(corners: &[[Point; 3]], across: &[[Option<Side>; 3]], p: Poin
             None => break,
         }
     }
-    here
+    let holds = |v: &[Point; 3]| (0..3).all(|k| doubled_area(v[(k + 1) % 3], v[(k + 2) % 3], p) >= 0.0);
+    if holds(&corners[here]) { here } else { corners.iter().position(holds).unwrap_or(here) }
 }
 
 impl VelocityField {
     pub(crate) fn new(upper: &Upper, x: &[f64]) -> Self {
-        let control = upper
-            .nodes
+        let value = |v: &Velocity| [v[0].value(x), v[1].value(x)];
+        let control: Vec<[Point; 6]> = upper
+            .elements
             .iter()
-            .map(|nodes| nodes.map(|n| [upper.velocities[n][0].value(x), upper.velocities[n][1].value(x)]))
+            .zip(&upper.control)
+            .map(|(element, control)| match (element, control) {
+                (_, Some(control)) => control.each_ref().map(value),
+                (Element::Quadratic(nodes), None) => nodes.map(|n| value(&upper.velocities[n])),
+                (Element::Stream(_) | Element::Rest, None) => [[0.0; 2]; 6],
+            })
             .collect();
-        Self { control }
+        let pieces = (0..control.len()).map(|t| match upper.stream_values(t, x) {
+            Some(local) => thirds(&upper.corners[t], &local),
+            None => vec![whole(&upper.corners[t], &control[t])],
+        });
+        Self { pieces: pieces.collect(), control, limits: upper.limits.clone(), live: upper.live }
     }
+}
+
+/// The strain rate of a quadratic velocity.
+fn whole(v: &[Point; 3], control: &[Point; 6]) -> Piece {
+    let rates = std::array::from_fn(|k| {
+        let mut e = [0.0; 4];
+        for (node, [gx, gy]) in gradients(v, k).iter().enumerate() {
+            let [vx, vy] = control[node];
+            e[0] += gx * vx;
+            e[1] += gy * vy;
+            e[2] += gy * vx + gx * vy;
+        }
+        e[3] = ((e[0] - e[1]).hypot(e[2]) - e[0] - e[1]).max(0.0);
+        e
+    });
+    Piece { corners: *v, rates }
+}
+
+/// Those of a stream function.
+fn thirds(v: &[Point; 3], local: &[f64; 12]) -> Vec<Piece> {
+    let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
+    let piece = |(k, part): (usize, &[Curvature; 3])| Piece {
+        corners: [v[(k + 1) % 3], v[(k + 2) % 3], centre],
+        rates: part.map(|curvature| {
+            let [difference, shear] =
+                shear_rates(&curvature).map(|row| row.iter().zip(local).map(|(r, l)| r * l).sum::<f64>());
+            [0.5 * difference, -0.5 * difference, shear, difference.hypot(shear)]
+        }),
+    };
+    curvatures(v, [false; 3]).iter().enumerate().map(piece).collect()
 }
 
 pub(crate) fn doubled_area(a: Point, b: Point, c: Point) -> f64 {

@@ -4,14 +4,18 @@
 //! of the dissipation that the stresses do not match, over the soil and over velocity jumps, and no part of it is
 //! negative. The two fields may live on different meshes: the integral is taken over the pieces that the two meshes
 //! cut each other into, on which stress and strain rate are both linear.
+//!
+//! The dissipation is that of the program: in soil without friction, and where tension is cut off, from shear rates that
+//! are linear between nodes. Cohesion and pore pressure are linear. For a factor on loads the integral is that over the
+//! loads' power.
 
 use soilctl_certificate::Condition;
 
 use crate::fields::{Point, StressField, VelocityField, doubled_area, near};
 use crate::mesh::Mesh;
-use crate::problem::Problem;
-use crate::topology::Topology;
-use crate::upper::gradients;
+use crate::problem::{Problem, Soil, value};
+use crate::topology::{Side, Topology};
+use crate::upper::{Edge, Ground, Limit};
 
 /// The part of a convex polygon on the left of the line from `a` to `b`.
 fn clip(polygon: &[Point], a: Point, b: Point, out: &mut Vec<Point>) {
@@ -44,6 +48,7 @@ pub(crate) fn shares(
     velocity: &VelocityField,
     stress: &StressField,
 ) -> Vec<f64> {
+    let ground = &Ground { problem, mesh, topology };
     let mut shares = vec![0.0; mesh.triangles.len()];
     let mut seen = vec![usize::MAX; stress.corners.len()];
     let mut found = 0;
@@ -51,19 +56,9 @@ pub(crate) fn shares(
     for (triangle, t) in mesh.triangles.iter().enumerate() {
         let v = t.corners.map(|c| mesh.vertices[c].position);
         let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
-        let shift = problem.soils[t.region].tension(centre);
-        let control = &velocity.control[triangle];
-        let strain: [[f64; 3]; 3] = std::array::from_fn(|k| {
-            let mut e = [0.0; 3];
-            for (node, [gx, gy]) in gradients(&v, k).iter().enumerate() {
-                let [vx, vy] = control[node];
-                e[0] += gx * vx;
-                e[1] += gy * vy;
-                e[2] += gy * vx + gx * vy;
-            }
-            e
-        });
-        let jumps = jumps(problem, topology, velocity, triangle, shift);
+        let soil = &problem.soils[t.region];
+        let limit = velocity.limits[triangle];
+        let jumps = jumps(ground, velocity, triangle);
         found = near(&stress.corners, &stress.across, centre, found);
         let mut open = vec![found];
         seen[found] = triangle;
@@ -72,35 +67,31 @@ pub(crate) fn shares(
             for k in 0..3 {
                 let corners = &stress.corners[s];
                 let part = [corners[(k + 1) % 3], corners[(k + 2) % 3], stress.centre(s)];
-                cut.clear();
-                cut.extend_from_slice(&v);
-                for i in 0..3 {
-                    clip(&cut, part[i], part[(i + 1) % 3], &mut spare);
-                    std::mem::swap(&mut cut, &mut spare);
+                let values = &stress.parts[s][k];
+                let mut met_part = false;
+                for piece in &velocity.pieces[triangle] {
+                    cut.clear();
+                    cut.extend_from_slice(&piece.corners);
+                    for i in 0..3 {
+                        clip(&cut, part[i], part[(i + 1) % 3], &mut spare);
+                        std::mem::swap(&mut cut, &mut spare);
+                    }
+                    if cut.len() < 3 {
+                        continue;
+                    }
+                    met_part = true;
+                    let at = |p: Point| {
+                        let [xx, yy, xy] = linear(&part, values, p);
+                        let [shift, extra] = strength(soil, limit, p);
+                        let stress = [xx - shift, yy - shift, xy, -extra];
+                        (stress, linear(&piece.corners, &piece.rates, p))
+                    };
+                    add_unmatched(&cut, at, &mut shares[triangle]);
                 }
-                if cut.len() < 3 {
+                if !met_part {
                     continue;
                 }
                 met = true;
-                let values = &stress.parts[s][k];
-                let at = |p: Point| {
-                    let [xx, yy, xy] = linear(&part, values, p);
-                    ([xx - shift, yy - shift, xy], linear(&v, &strain, p))
-                };
-                for i in 1..cut.len() - 1 {
-                    let corners = [cut[0], cut[i], cut[i + 1]];
-                    let area = 0.5 * doubled_area(corners[0], corners[1], corners[2]);
-                    let nodes = corners.map(at);
-                    let mut power = 0.0;
-                    for c in 0..3 {
-                        let sum_s: f64 = nodes.iter().map(|n| n.0[c]).sum();
-                        let sum_e: f64 = nodes.iter().map(|n| n.1[c]).sum();
-                        let paired: f64 = nodes.iter().map(|n| n.0[c] * n.1[c]).sum();
-                        power += sum_s * sum_e + paired;
-                    }
-                    let share = -area / 12.0 * power;
-                    shares[triangle] += share;
-                }
                 for jump in jumps.iter().flatten() {
                     let share = jump.share(&v, &part, values);
                     shares[triangle] += share;
@@ -115,44 +106,78 @@ pub(crate) fn shares(
                 }
             }
         }
+        shares[triangle] /= velocity.live;
     }
     shares
+}
+
+/// What soil dissipates for each unit of dilation, and of the shear rate in [`Piece`](crate::fields::Piece).
+fn strength(soil: &Soil, limit: Limit, p: Point) -> [f64; 2] {
+    if soil.has_friction() {
+        [limit.tension(soil, p), limit.radius(soil, p)]
+    } else {
+        [0.0, value(&soil.cohesion, p).max(0.0)]
+    }
+}
+
+/// Takes from `share` the integral of the product of two things that are linear on a convex polygon.
+fn add_unmatched(polygon: &[Point], at: impl Fn(Point) -> ([f64; 4], [f64; 4]), share: &mut f64) {
+    for i in 1..polygon.len() - 1 {
+        let corners = [polygon[0], polygon[i], polygon[i + 1]];
+        let area = 0.5 * doubled_area(corners[0], corners[1], corners[2]);
+        let nodes = corners.map(&at);
+        let mut power = 0.0;
+        for c in 0..4 {
+            let sum_s: f64 = nodes.iter().map(|n| n.0[c]).sum();
+            let sum_e: f64 = nodes.iter().map(|n| n.1[c]).sum();
+            let paired: f64 = nodes.iter().map(|n| n.0[c] * n.1[c]).sum();
+            power += sum_s * sum_e + paired;
+        }
+        *share -= area / 12.0 * power;
+    }
 }
 
 /// A velocity jump at an edge: control points of the difference to the other side.
 struct Jump {
     edge: usize,
     control: [Point; 3],
-    tension: f64,
+    /// What opening costs at both ends.
+    tension: [f64; 2],
+    /// What slip beyond the opening costs at both ends, and how much of it there is at the control points.
+    radius: [f64; 2],
+    beyond: [f64; 3],
     factor: f64,
 }
 
-fn jumps(
-    problem: &Problem,
-    topology: &Topology,
-    velocity: &VelocityField,
-    triangle: usize,
-    tension: f64,
-) -> [Option<Jump>; 3] {
+fn jumps(ground: &Ground, velocity: &VelocityField, triangle: usize) -> [Option<Jump>; 3] {
     std::array::from_fn(|k| {
-        let condition = topology.line[triangle][k].and_then(|l| problem.condition(l));
+        let side = Side { triangle, corner: k };
         let (a, b) = ((k + 1) % 3, (k + 2) % 3);
         let here = [a, 3 + k, b].map(|n| velocity.control[triangle][n]);
-        let (there, tension, factor) = match condition {
-            Some(Condition::Face { delta_deg, adhesion }) => {
+        let ends = ground.ends(side);
+        let water = ends.map(|p| value(&ground.soil(triangle).pore_pressure, p));
+        let (there, tension, radius, factor) = match ground.edge(side) {
+            Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
                 let tension = if delta_deg > 0.0 { adhesion / delta_deg.to_radians().tan() } else { 0.0 };
-                ([problem.velocity(); 3], tension, 1.0)
+                let radius = if delta_deg > 0.0 { 0.0 } else { adhesion };
+                ([ground.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0)
             }
-            None if topology.guide[triangle][k] => {
-                let o = topology.across[triangle][k]?;
+            Edge::Jump { other: o, region } => {
                 let on = |n: usize| velocity.control[o.triangle][n];
+                let soil = &ground.problem.soils[region];
+                let limit = Limit::around(soil, &ends);
+                let there = [on((o.corner + 2) % 3), on(3 + o.corner), on((o.corner + 1) % 3)];
                 // Both sides see the jump; each takes half.
-                ([on((o.corner + 2) % 3), on(3 + o.corner), on((o.corner + 1) % 3)], tension, 0.5)
+                (there, ends.map(|p| limit.tension(soil, p)), ends.map(|p| limit.radius(soil, p)), 0.5)
             }
             _ => return None,
         };
         let control = std::array::from_fn(|i| [here[i][0] - there[i][0], here[i][1] - there[i][1]]);
-        Some(Jump { edge: k, control, tension, factor })
+        let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+        let n = [(ends[0][1] - ends[1][1]) / length, (ends[1][0] - ends[0][0]) / length];
+        let beyond =
+            control.map(|d: Point| (d[0].hypot(d[1]) - (d[0] * n[0] + d[1] * n[1]).max(0.0)).max(0.0));
+        Some(Jump { edge: k, control, tension, radius, beyond, factor })
     })
 }
 
@@ -198,7 +223,11 @@ impl Jump {
             });
             let open = -(d[0] * n[0] + d[1] * n[1]);
             let slide = d[0] * t[0] + d[1] * t[1];
-            sum += weight / 6.0 * ((self.tension - normal) * open + shear * slide);
+            let between = |[from, to]: [f64; 2]| from + s * (to - from);
+            let z = &self.beyond;
+            let beyond = (1.0 - s) * (1.0 - s) * z[0] + 2.0 * s * (1.0 - s) * z[1] + s * s * z[2];
+            let unmatched = (between(self.tension) - normal) * open + shear * slide;
+            sum += weight / 6.0 * (unmatched + between(self.radius) * beyond);
         }
         self.factor * sum * (to - from) * length
     }

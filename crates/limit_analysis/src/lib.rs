@@ -27,6 +27,7 @@ mod plate;
 mod problem;
 mod program;
 mod runs;
+mod singular;
 mod slip;
 mod solver;
 mod start;

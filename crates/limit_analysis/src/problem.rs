@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Objective, Statement};
+use soilctl_certificate::{Condition, LineUse, Linear, Material, Objective, Statement};
 
 use crate::error::LimitError;
 use crate::mesh::{self, Outline};
@@ -174,28 +174,23 @@ impl Problem {
                 advice: "give it one of these",
             });
         }
-        let weight = self.soils[0].unit_weight;
-        let plain = |s: &Soil| {
-            s.has_friction()
-                && s.cohesion == Linear::uniform(s.cohesion.at_origin)
-                && s.pore_pressure.is_zero()
-                && s.cut_off.is_none()
-                && s.unit_weight == weight
-        };
-        let off = |b: &Boundary| match b.condition {
-            Condition::Free => self.ends(b.line).iter().any(|p| p[1] != self.statement.datum),
-            Condition::Loaded { .. } => true,
-            _ => false,
-        };
-        let simple = self.soils.iter().all(plain) && !self.statement.boundaries.iter().any(off);
-        if simple && !self.has_factor() {
-            return Ok(());
+        for b in &self.statement.boundaries {
+            let Condition::Face { delta_deg, adhesion } = b.condition else { continue };
+            let friction = self.owner(b.side()).is_none_or(|r| self.soils[r].has_friction());
+            if !friction && delta_deg > 0.0 {
+                return Err(LimitError::NotCovered {
+                    what: "interface friction on soil without friction",
+                    advice: "give such a face an adhesion and no friction angle",
+                });
+            }
+            if friction && delta_deg == 0.0 && adhesion > 0.0 {
+                return Err(LimitError::NotCovered {
+                    what: "adhesion on a face without friction, in soil with friction",
+                    advice: "give the face a friction angle above zero",
+                });
+            }
         }
-        Err(LimitError::NotCovered {
-            what: "soil without friction, different unit weights, strength that varies, water, loads, and ground that is \
-                   not level",
-            advice: "give all regions the same unit weight and a friction angle, and bound a structure's force",
-        })
+        Ok(())
     }
 
     /// Velocity of the structure.

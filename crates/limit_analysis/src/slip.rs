@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::fields::VelocityField;
 use crate::mesh::{Guide, Mesh};
 use crate::problem::Problem;
+use crate::singular::typical_length;
 use crate::topology::{Side, Topology};
 
 /// A slip line is where the speed is this fraction of the greatest nearby.
@@ -13,7 +14,7 @@ const FRACTION: f64 = 0.3;
 /// Slower soil does not count as moving.
 const FLOOR: f64 = 0.3;
 
-/// A slip line that passes a tip at this distance is led to it.
+/// A slip line that passes a tip at this distance is led to it. All lengths are in units of the typical one.
 const REACH: f64 = 0.06;
 
 /// Distance of the points of a guide.
@@ -77,7 +78,9 @@ fn contours(
     }
     let speed: Vec<f64> = speed.iter().zip(&fastest).map(|(s, f)| s / f.max(FLOOR) - FRACTION).collect();
     let mut links: BTreeMap<Crossing, Vec<Crossing>> = BTreeMap::new();
-    for all in &nodes {
+    // Soil without friction does not slip along lines: its velocity is continuous.
+    let slips = |triangle: &usize| problem.soils[mesh.triangles[*triangle].region].has_friction();
+    for all in (0..nodes.len()).filter(slips).map(|t| &nodes[t]) {
         for part in [[0, 5, 4], [1, 3, 5], [2, 4, 3], [3, 4, 5]] {
             let crossings: Vec<Crossing> = (0..3)
                 .map(|k| (all[part[k]], all[part[(k + 1) % 3]]))
@@ -133,14 +136,15 @@ pub(crate) fn guides(
     velocity: &VelocityField,
     tips: &[[f64; 2]],
 ) -> Vec<Guide> {
+    let unit = typical_length(problem);
     let mut pieces = contours(problem, mesh, topology, velocity);
     for tip in tips {
-        pieces = pieces.into_iter().flat_map(|piece| join(piece, *tip, REACH)).collect();
+        pieces = pieces.into_iter().flat_map(|piece| join(piece, *tip, unit * REACH)).collect();
     }
     pieces
         .into_iter()
-        .filter(|piece| length(piece) > SHORTEST)
-        .map(|piece| Guide { points: smooth(&piece, SPACING) })
+        .filter(|piece| length(piece) > unit * SHORTEST)
+        .map(|piece| Guide { points: smooth(&piece, unit * SPACING) })
         .collect()
 }
 

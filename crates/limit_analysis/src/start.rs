@@ -1,10 +1,11 @@
 //! The first mesh: fans where stresses are singular, and a guess of where the soil slips.
 
-use soilctl_certificate::Condition;
+use soilctl_certificate::{Boundary, Condition};
 
 use crate::bowl::Bowl;
 use crate::mesh::{Fan, Guide};
 use crate::problem::Problem;
+use crate::singular::{singular_points, typical_length};
 
 /// Radius of the first fans in units of length, and how much each level's are smaller.
 const FAN: f64 = 0.05;
@@ -64,13 +65,20 @@ fn slip_line(
     points
 }
 
-/// Where a structure ends inside the soil.
+/// Where a structure ends inside the soil, and where else stresses are singular.
 #[derive(Debug, Clone)]
 pub(crate) struct Start {
+    /// Points of the outline with fans.
     points: Vec<usize>,
+    /// Where slip lines may be led to.
     pub(crate) tips: Vec<[f64; 2]>,
     pub(crate) guides: Vec<Guide>,
     corners: Vec<[f64; 2]>,
+    /// The bowl where there are no slip lines around tips.
+    sides: Bowl,
+    has_tips: bool,
+    /// A typical length.
+    unit: f64,
     /// Greatest depth of a tip.
     depth: f64,
     /// Greatest friction angle in radians.
@@ -83,21 +91,17 @@ pub(crate) struct Start {
 impl Start {
     pub(crate) fn new(problem: &Problem) -> Self {
         let statement = problem.statement();
-        let touches = |point: usize, free: bool| {
-            statement.boundaries.iter().any(|b| {
+        let touching = |point: usize| {
+            statement.boundaries.iter().filter(move |b| {
                 let line = problem.outline.lines[b.line];
-                let kind = if free {
-                    b.condition == Condition::Free
-                } else {
-                    matches!(b.condition, Condition::Face { .. })
-                };
-                kind && (line.from == point || line.to == point)
+                line.from == point || line.to == point
             })
         };
-        let on_face: Vec<usize> = (0..statement.points.len()).filter(|p| touches(*p, false)).collect();
-        let points: Vec<usize> = on_face.iter().copied().filter(|p| !touches(*p, true)).collect();
+        let is_face = |b: &Boundary| matches!(b.condition, Condition::Face { .. });
+        let on_face: Vec<usize> = (0..statement.points.len()).filter(|p| touching(*p).any(is_face)).collect();
+        let mut points: Vec<usize> = on_face.iter().copied().filter(|p| touching(*p).all(is_face)).collect();
         let at = |p: &usize| statement.points[*p];
-        let tips: Vec<[f64; 2]> = points.iter().map(at).collect();
+        let mut tips: Vec<[f64; 2]> = points.iter().map(at).collect();
         let ahead = problem.velocity()[0].signum();
         let mut guides = Vec::new();
         for tip in points.iter().map(at) {
@@ -110,27 +114,47 @@ impl Start {
             guides.push(Guide { points: slip });
             guides.push(Guide { points: vec![tip, [tip[0] - ahead * depth * flat.tan(), statement.datum]] });
         }
-        let low = statement.points.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
+        let phi = problem.soils.iter().map(|s| s.tan.atan()).fold(0.0, f64::max);
+        let sides = Bowl::between_sides(problem, phi);
+        let has_tips = !tips.is_empty() && phi > 0.0;
+        if !has_tips {
+            guides.clear();
+        }
+        let mut corners = on_face;
+        let singular = singular_points(problem);
+        corners.extend(singular.iter().filter(|p| !touching(**p).any(is_face)));
+        points.extend(singular.iter().filter(|p| !tips.contains(&at(p))));
+        if tips.is_empty() {
+            tips = points.iter().map(at).collect();
+        }
+        let heights = || statement.points.iter().map(|p| p[1]);
+        let low = heights().fold(f64::INFINITY, f64::min);
+        let high = heights().fold(statement.datum, f64::max);
         Self {
+            sides,
+            has_tips,
+            unit: typical_length(problem),
             depth: tips.iter().map(|t| statement.datum - t[1]).fold(0.0, f64::max),
             points,
             tips,
             guides,
-            phi: problem.soils.iter().map(|s| s.tan.atan()).fold(0.0, f64::max),
+            phi,
             datum: statement.datum,
-            corners: on_face.iter().map(at).collect(),
-            largest: 0.4 * (statement.datum - low),
+            corners: corners.iter().map(at).collect(),
+            largest: 0.4 * (high - low),
         }
     }
 
     pub(crate) fn fans(&self, level: usize) -> Vec<Fan> {
-        let radius = FAN * SHRINK.powi(level as i32);
+        let radius = self.unit * FAN * SHRINK.powi(level as i32);
         self.points.iter().map(|&point| Fan { point, radius, angle: SECTOR_DEG.to_radians() }).collect()
     }
 
     /// The soil that may move on a level's mesh, around its slip lines.
     pub(crate) fn bowl(&self, level: usize, guides: &[Guide]) -> Bowl {
-        let guides = if self.points.is_empty() { &[] } else { guides };
+        if !self.has_tips || guides.is_empty() {
+            return self.sides.clone();
+        }
         let margin = self.depth * (MARGIN * MARGIN_SHRINK.powi(level as i32)).max(LEAST_MARGIN);
         Bowl::around(guides, margin, self.phi, self.datum)
     }
@@ -139,6 +163,6 @@ impl Start {
     pub(crate) fn size(&self, p: [f64; 2]) -> f64 {
         let near =
             self.corners.iter().map(|c| (p[0] - c[0]).hypot(p[1] - c[1])).fold(f64::INFINITY, f64::min);
-        (0.1 + 0.3 * near).min(self.largest)
+        (0.1 * self.unit + 0.3 * near).min(self.largest)
     }
 }

@@ -3,11 +3,15 @@
 use soilctl_certificate::Condition;
 
 use super::Velocity;
+use super::ground::Ground;
+use super::nodes::Element;
 use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::program::Program;
-use crate::topology::Topology;
+
+/// A triangle and its control points.
+type Quadratic = (usize, [usize; 6]);
 
 /// Notches this little (in radians) above twice the friction angle are held too: flow would be extremely fast there.
 const NOTCH_MARGIN: f64 = 0.1;
@@ -43,17 +47,21 @@ impl Motion {
 
 /// Which control points may move, and how.
 pub(super) fn motions(
-    problem: &Problem,
-    mesh: &Mesh,
-    topology: &Topology,
-    nodes: &[[usize; 6]],
+    ground: &Ground,
+    elements: &[Element],
     count: usize,
     still: &[bool],
     program: &mut Program,
 ) -> Vec<Motion> {
+    let Ground { problem, topology, .. } = *ground;
+    let quadratic = |(triangle, element): (usize, &Element)| match element {
+        Element::Quadratic(nodes) => Some((triangle, *nodes)),
+        Element::Stream(_) | Element::Rest => None,
+    };
+    let nodes: Vec<Quadratic> = elements.iter().enumerate().filter_map(quadratic).collect();
     let mut fixed = vec![false; count];
     let mut smooth: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for (triangle, all) in nodes.iter().enumerate() {
+    for &(triangle, all) in &nodes {
         if still.get(triangle).copied().unwrap_or(false) {
             all.iter().for_each(|n| fixed[*n] = true);
         }
@@ -70,20 +78,20 @@ pub(super) fn motions(
             }
         }
     }
-    hold_pockets(nodes, &mut fixed);
+    hold_pockets(&nodes, &mut fixed);
     // A triangle whose corners are all held cannot dilate: with one free control point its strain rates at two corners
     // would have to point two ways at once.
-    for all in nodes {
+    for (_, all) in &nodes {
         if all[..3].iter().all(|n| fixed[*n]) {
             all.iter().for_each(|n| fixed[*n] = true);
         }
     }
-    hold_notches(problem, mesh, nodes, &mut fixed);
+    hold_notches(ground, &nodes, &mut fixed);
     (0..count)
         .map(|node| match smooth[node].as_slice() {
             _ if fixed[node] => Motion::Still,
             [] => Motion::Free { x: program.unknown(), y: program.unknown() },
-            [line] => {
+            [line, more @ ..] if more.iter().all(|other| in_line(problem, *line, *other)) => {
                 let [p, q] = problem.ends(*line);
                 Motion::Slide {
                     line: *line,
@@ -96,11 +104,17 @@ pub(super) fn motions(
         .collect()
 }
 
+/// Whether two lines that meet are both level or both upright: what slides along one slides along the other.
+fn in_line(problem: &Problem, a: usize, b: usize) -> bool {
+    let ([p, q], [r, s]) = (problem.ends(a), problem.ends(b));
+    (0..2).any(|axis| p[axis] == q[axis] && r[axis] == s[axis])
+}
+
 /// Holds corners inside the soil with at most two free neighbours: soil that dilates needs a way out.
-fn hold_pockets(nodes: &[[usize; 6]], fixed: &mut [bool]) {
+fn hold_pockets(nodes: &[Quadratic], fixed: &mut [bool]) {
     let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); fixed.len()];
     let mut seen = vec![0_usize; fixed.len()];
-    for all in nodes {
+    for (_, all) in nodes {
         for k in 0..3 {
             seen[all[3 + k]] += 1;
             for other in [(k + 1) % 3, (k + 2) % 3] {
@@ -112,7 +126,7 @@ fn hold_pockets(nodes: &[[usize; 6]], fixed: &mut [bool]) {
     }
     // Corners on a rim: a free surface, a face or a jump.
     let mut rim = vec![false; fixed.len()];
-    for all in nodes {
+    for (_, all) in nodes {
         for k in (0..3).filter(|k| seen[all[3 + k]] == 1) {
             rim[all[(k + 1) % 3]] = true;
             rim[all[(k + 2) % 3]] = true;
@@ -131,14 +145,14 @@ fn hold_pockets(nodes: &[[usize; 6]], fixed: &mut [bool]) {
 
 /// Holds the control points around a held corner that lie in a notch between held edges too narrow for friction: no
 /// flow that dilates leaves a notch of less than twice the friction angle.
-fn hold_notches(problem: &Problem, mesh: &Mesh, nodes: &[[usize; 6]], fixed: &mut [bool]) {
+fn hold_notches(ground: &Ground, nodes: &[Quadratic], fixed: &mut [bool]) {
     let mut around: Vec<Vec<(usize, usize)>> = vec![Vec::new(); fixed.len()];
-    for (triangle, all) in nodes.iter().enumerate() {
+    for (i, (_, all)) in nodes.iter().enumerate() {
         for k in (0..3).filter(|k| fixed[all[*k]]) {
-            around[all[k]].push((triangle, k));
+            around[all[k]].push((i, k));
         }
     }
-    let spokes = |(t, k): (usize, usize)| [nodes[t][3 + (k + 1) % 3], nodes[t][3 + (k + 2) % 3]];
+    let spokes = |(i, k): (usize, usize)| [nodes[i].1[3 + (k + 1) % 3], nodes[i].1[3 + (k + 2) % 3]];
     for fan in around {
         let mut done = vec![false; fan.len()];
         for first in 0..fan.len() {
@@ -161,8 +175,9 @@ fn hold_notches(problem: &Problem, mesh: &Mesh, nodes: &[[usize; 6]], fixed: &mu
             let free: Vec<usize> = part.iter().flat_map(|i| spokes(fan[*i])).filter(|s| !fixed[*s]).collect();
             // A spoke seen once lies on a free surface or a jump: the notch is open there.
             let closed = free.iter().all(|s| free.iter().filter(|o| *o == s).count() == 2);
-            let angle: f64 = part.iter().map(|i| corner_angle(mesh, fan[*i])).sum();
-            let soil = &problem.soils[mesh.triangles[fan[first].0].region];
+            let triangle = |(i, k): (usize, usize)| (nodes[i].0, k);
+            let angle: f64 = part.iter().map(|i| corner_angle(ground.mesh, triangle(fan[*i]))).sum();
+            let soil = ground.soil(nodes[fan[first].0].0);
             if closed && angle < 2.0 * soil.tan.atan() + NOTCH_MARGIN {
                 free.into_iter().for_each(|s| fixed[s] = true);
             }

@@ -104,6 +104,7 @@ impl Solver<'_> {
             max_elements: self.rules.max_elements,
             threads: 1,
             stop: Arc::clone(&self.stop),
+            ..Options::default()
         };
         bound(problem, &options, &mut |_, _| {})
     }

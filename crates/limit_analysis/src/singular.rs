@@ -1,0 +1,81 @@
+//! Where stresses are singular, and how large a problem is.
+
+use soilctl_certificate::{Condition, Objective};
+
+use crate::problem::Problem;
+
+/// Height of what is not held: from the lowest to the highest point with a free or loaded side; if it is level, the depth
+/// of the soil.
+pub(crate) fn open_height(problem: &Problem) -> f64 {
+    let of = |points: &[[f64; 2]]| {
+        let heights = || points.iter().map(|p| p[1]);
+        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
+    };
+    let statement = problem.statement();
+    let is_open = |c: Condition| matches!(c, Condition::Free | Condition::Loaded { .. });
+    let open: Vec<[f64; 2]> = statement
+        .boundaries
+        .iter()
+        .filter(|b| is_open(b.condition))
+        .flat_map(|b| problem.ends(b.line))
+        .collect();
+    let height = of(&open);
+    if height > 0.0 { height } else { of(&statement.points) }
+}
+
+/// Length of the live loads, height of a slope; one for structures.
+pub(crate) fn typical_length(problem: &Problem) -> f64 {
+    let statement = problem.statement();
+    match statement.objective {
+        Objective::Structure { .. } => 1.0,
+        Objective::Body { .. } => open_height(problem),
+        Objective::Loads => {
+            let is_live = |c: Condition| matches!(c, Condition::Loaded { live: true, .. });
+            let live = statement.boundaries.iter().filter(|b| is_live(b.condition));
+            let ends = live.map(|b| problem.ends(b.line));
+            let length: f64 = ends.map(|[p, q]| (p[0] - q[0]).hypot(p[1] - q[1])).sum();
+            if length > 0.0 { length } else { 1.0 }
+        }
+    }
+}
+
+/// Points at which two sides that are free, loaded or faces meet in a notch of the soil's rim, or in line with different
+/// loads.
+pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
+    let statement = problem.statement();
+    let is_open =
+        |c: Condition| matches!(c, Condition::Free | Condition::Loaded { .. } | Condition::Face { .. });
+    // As they are walked with the soil on the left: start, end, and condition there.
+    let sides: Vec<(usize, usize, Condition, bool)> = statement
+        .boundaries
+        .iter()
+        .filter(|b| is_open(b.condition))
+        .map(|b| {
+            let line = problem.outline.lines[b.line];
+            let (from, to) = if b.forward { (line.from, line.to) } else { (line.to, line.from) };
+            (from, to, b.condition, b.forward)
+        })
+        .collect();
+    let at_end = |(_, _, condition, forward): &(usize, usize, Condition, bool), end: bool| match *condition {
+        Condition::Loaded { pressure, shear, .. } => {
+            let i = usize::from(*forward == end);
+            Some([pressure[i], shear[i]])
+        }
+        Condition::Free => Some([statement.surcharge, 0.0]),
+        _ => None,
+    };
+    let is_live = |c: Condition| matches!(c, Condition::Loaded { live: true, .. });
+    let is_singular = |point: &usize| {
+        let [into, out] = [true, false].map(|ends| {
+            let mut there = sides.iter().filter(|s| if ends { s.1 == *point } else { s.0 == *point });
+            (there.next(), there.next())
+        });
+        let ((Some(a), None), (Some(b), None)) = (into, out) else { return false };
+        let [p, q, r] = [a.0, *point, b.1].map(|i| statement.points[i]);
+        let turn = (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
+        let straight = 1e-6 * (q[0] - p[0]).hypot(q[1] - p[1]) * (r[0] - q[0]).hypot(r[1] - q[1]);
+        let differ = at_end(a, true) != at_end(b, false) || is_live(a.2) != is_live(b.2);
+        turn < -straight || (turn <= straight && differ)
+    };
+    (0..statement.points.len()).filter(is_singular).collect()
+}

@@ -1,0 +1,178 @@
+//! What happens at the edges of triangles: jumps, faces and loads.
+
+use soilctl_certificate::{Condition, Objective};
+
+use super::Builder;
+use super::ground::Edge;
+use super::nodes::Element;
+use super::slide::Slide;
+use super::strength::{Limit, over_edge};
+use crate::form::Form;
+use crate::mesh::Place;
+use crate::problem::value;
+use crate::topology::Side;
+
+type Ends = [f64; 2];
+
+/// What a layer between two bodies bears, at both ends of an edge.
+struct Layer {
+    /// Opening over slip that it demands.
+    tan: f64,
+    /// Cost of opening.
+    tension: Ends,
+    /// Cost of what slip and opening together are more than the opening.
+    radius: Option<Ends>,
+}
+
+impl Builder<'_> {
+    pub(super) fn add_edge(&mut self, side: Side) {
+        match self.ground.edge(side) {
+            Edge::Glued => {}
+            Edge::Jump { other, .. } if other.triangle < side.triangle => {}
+            Edge::Jump { other, region } => self.add_jump(side, other, region),
+            Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
+                self.add_face(side, delta_deg, adhesion)
+            }
+            Edge::Boundary(Condition::Free) => {
+                self.add_load(side, [self.ground.problem.statement().surcharge; 2], [0.0; 2], false)
+            }
+            Edge::Boundary(Condition::Loaded { pressure, shear, live }) => {
+                let live = live && self.ground.problem.statement().objective == Objective::Loads;
+                let [pressure, shear] = [pressure, shear].map(|at_ends| self.between(side, at_ends));
+                self.add_load(side, pressure, shear, live);
+            }
+            Edge::Boundary(Condition::Fixed | Condition::Smooth | Condition::Far) => {}
+        }
+    }
+
+    fn vector(&self, side: Side) -> ([f64; 2], f64) {
+        let [p, q] = self.ground.ends(side);
+        let d = [q[0] - p[0], q[1] - p[1]];
+        (d, d[0].hypot(d[1]))
+    }
+
+    /// Velocity of a triangle along its edge.
+    fn slide(&self, side: Side) -> Slide {
+        let (d, length) = self.vector(side);
+        match self.elements[side.triangle] {
+            Element::Quadratic(nodes) => Slide::new(d.map(|x| x / length), &self.on_edge(nodes, side.corner)),
+            Element::Stream(copies) => self.stream_slide(side, copies),
+            Element::Rest => Slide::default(),
+        }
+    }
+
+    pub(super) fn stream_slide(&self, side: Side, copies: [usize; 3]) -> Slide {
+        let ends = [1, 2].map(|i| &self.stream.jets[copies[(side.corner + i) % 3]]);
+        Slide::of_stream(self.vector(side).0, ends, &self.stream.slopes[side.triangle][side.corner])
+    }
+
+    fn add_jump(&mut self, side: Side, other: Side, region: usize) {
+        let (d, length) = self.vector(side);
+        let jump = match [side, other].map(|s| self.elements[s.triangle]) {
+            [Element::Quadratic(here), Element::Quadratic(there)] => {
+                let mut jump = self.on_edge(here, side.corner);
+                let [end, middle, start] = self.on_edge(there, other.corner);
+                for (v, minus) in jump.iter_mut().zip([start, middle, end]) {
+                    v.iter_mut().zip(&minus).for_each(|(v, m)| v.add(-1.0, m));
+                }
+                Slide::new(d.map(|x| x / length), &jump)
+            }
+            _ => self.slide(side).less(&self.slide(other).reversed()),
+        };
+        let soil = &self.ground.problem.soils[region];
+        let ends = self.ground.ends(side);
+        let limit = Limit::around(soil, &ends);
+        let radius = matches!(limit, Limit::Tension(_)).then(|| ends.map(|p| limit.radius(soil, p)));
+        let layer = Layer { tan: soil.tan, tension: ends.map(|p| limit.tension(soil, p)), radius };
+        self.add_layer(&layer, &jump, length);
+    }
+
+    fn add_face(&mut self, side: Side, delta_deg: f64, adhesion: f64) {
+        let (d, length) = self.vector(side);
+        let t = d.map(|x| x / length);
+        let rigid = || self.ground.problem.velocity().map(Form::constant);
+        let rigid = [rigid(), rigid(), rigid()];
+        let tan = delta_deg.to_radians().tan();
+        let tension = if tan > 0.0 { adhesion / tan } else { 0.0 };
+        let relative = match self.elements[side.triangle] {
+            Element::Quadratic(nodes) => {
+                let mut relative = self.on_edge(nodes, side.corner);
+                for (v, minus) in relative.iter_mut().zip(&rigid) {
+                    v.iter_mut().zip(minus).for_each(|(v, m)| v.add(-1.0, m));
+                }
+                Slide::new(t, &relative)
+            }
+            Element::Stream(_) | Element::Rest => self.slide(side).less(&Slide::new(t, &rigid)),
+        };
+        if self.ground.is_clay(side.triangle) && tan == 0.0 && adhesion > 0.0 {
+            return self.add_adhesion(&relative, adhesion * length / 3.0);
+        }
+        let water = self.ground.ends(side).map(|p| value(&self.ground.soil(side.triangle).pore_pressure, p));
+        let layer = Layer { tan, tension: water.map(|u| tension - u), radius: None };
+        self.add_layer(&layer, &relative, length);
+    }
+
+    /// Slip along a wall.
+    fn add_adhesion(&mut self, relative: &Slide, cost: f64) {
+        for slip in &relative.slip {
+            if slip.terms.is_empty() {
+                self.power.dissipate(cost, &Form::constant(slip.constant.abs()));
+                continue;
+            }
+            let most = Form::unknown(self.program.unknown(), 1.0);
+            self.power.dissipate(cost, &most);
+            self.program.non_negative(most.clone().plus(1.0, slip));
+            self.program.non_negative(most.plus(-1.0, slip));
+        }
+    }
+
+    /// Where the coefficients of a quadratic keep a sign, it does.
+    fn add_layer(&mut self, layer: &Layer, slide: &Slide, length: f64) {
+        for (cost, n) in over_edge(layer.tension).iter().zip(&slide.opening) {
+            self.power.dissipate(cost * length / 3.0, n);
+        }
+        let radius = layer.radius.map(over_edge);
+        for (i, (n, s)) in slide.opening.iter().zip(&slide.slip).enumerate() {
+            if n.terms.is_empty() && s.terms.is_empty() && n.constant == 0.0 {
+                continue;
+            }
+            if let Some(radius) = radius {
+                let beyond = Form::unknown(self.program.unknown(), 1.0);
+                self.power.dissipate(radius[i] * length / 3.0, &beyond);
+                self.program.non_negative(beyond.clone());
+                self.program.second_order([beyond.plus(1.0, n), n.clone(), s.clone()]);
+            }
+            let open = Form::constant(-self.tighten).plus(1.0, n);
+            if layer.tan == 0.0 {
+                self.program.non_negative(open);
+            } else {
+                self.program.non_negative(open.clone().plus(layer.tan, s));
+                self.program.non_negative(open.plus(-layer.tan, s));
+            }
+        }
+    }
+
+    /// Values at the ends of an edge of what is linear along its line, from the values at the line's ends.
+    fn between(&self, side: Side, [from, to]: Ends) -> Ends {
+        let Some(used) = self.ground.topology.line[side.triangle][side.corner] else { return [from, to] };
+        let corners = self.ground.mesh.triangles[side.triangle].corners;
+        [1, 2].map(|i| match self.ground.mesh.vertices[corners[(side.corner + i) % 3]].place {
+            Place::OnLine { s, .. } => from + s * (to - from),
+            Place::Corner(point) if self.ground.problem.outline.lines[used.line].from == point => from,
+            Place::Corner(_) | Place::Inside => to,
+        })
+    }
+
+    /// Pressure acts on the soil along the normal that points into it.
+    fn add_load(&mut self, side: Side, pressure: Ends, shear: Ends, live: bool) {
+        if pressure == [0.0; 2] && shear == [0.0; 2] {
+            return;
+        }
+        let (slide, length) = (self.slide(side), self.vector(side).1);
+        for (load, velocity) in [(pressure, &slide.opening), (shear, &slide.slip)] {
+            for (weight, v) in over_edge(load).iter().zip(velocity) {
+                self.power.load(weight * length / 3.0, v, live);
+            }
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Control points of quadratic flows and vertex copies of stream functions: which triangles share them.
+
+use soilctl_certificate::Condition;
+
+use super::ground::{Edge, Ground};
+use super::motion::corner_angle;
+use crate::topology::Side;
+
+/// What the flow on a triangle is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Element {
+    /// Control points: corners, then those of the edges opposite to them.
+    Quadratic([usize; 6]),
+    /// Vertex copies.
+    Stream([usize; 3]),
+    /// Soil without friction that has no way out.
+    Rest,
+}
+
+/// The elements of a mesh, with the number of control points and the vertex of each copy.
+pub(super) struct Elements {
+    pub(super) of: Vec<Element>,
+    pub(super) control_points: usize,
+    pub(super) copies: Vec<usize>,
+}
+
+impl Elements {
+    pub(super) fn new(ground: &Ground, still: &[bool]) -> Self {
+        let rest = enclosed(ground, still);
+        let is_cut = |s: Side| !matches!(ground.edge(s), Edge::Glued);
+        let (mut corners, vertex_of) = ground.topology.split(ground.mesh, is_cut);
+        // Soil with friction and soil without do not share any.
+        let mut is_clay = vec![false; vertex_of.len()];
+        let mut rests = vec![false; vertex_of.len()];
+        for (triangle, copies) in corners.iter().enumerate() {
+            for copy in copies {
+                is_clay[*copy] = ground.is_clay(triangle);
+                rests[*copy] = rest[triangle];
+            }
+        }
+        let (mut control_points, mut copies) = (0, Vec::new());
+        let mut index = Vec::with_capacity(vertex_of.len());
+        for (copy, vertex) in vertex_of.into_iter().enumerate() {
+            if rests[copy] {
+                index.push(usize::MAX);
+            } else if is_clay[copy] {
+                index.push(copies.len());
+                copies.push(vertex);
+            } else {
+                index.push(control_points);
+                control_points += 1;
+            }
+        }
+        for all in &mut corners {
+            *all = all.map(|c| index[c]);
+        }
+        weld_sharp_bends(ground, &mut corners, control_points);
+        let mut elements: Vec<Element> = corners
+            .iter()
+            .enumerate()
+            .map(|(triangle, &c)| {
+                if rest[triangle] {
+                    Element::Rest
+                } else if ground.is_clay(triangle) {
+                    Element::Stream(c)
+                } else {
+                    Element::Quadratic([c[0], c[1], c[2], usize::MAX, usize::MAX, usize::MAX])
+                }
+            })
+            .collect();
+        for triangle in 0..elements.len() {
+            for corner in 0..3 {
+                let side = Side { triangle, corner };
+                let Element::Quadratic(nodes) = &mut elements[triangle] else { continue };
+                if nodes[3 + corner] != usize::MAX {
+                    continue;
+                }
+                nodes[3 + corner] = control_points;
+                if let Some(other) = ground.topology.across[triangle][corner].filter(|_| !is_cut(side))
+                    && let Element::Quadratic(nodes) = &mut elements[other.triangle]
+                {
+                    nodes[3 + other.corner] = control_points;
+                }
+                control_points += 1;
+            }
+        }
+        Self { of: elements, control_points, copies }
+    }
+}
+
+/// Triangles of soil without friction around which all is held: it could not make way for what must open there.
+fn enclosed(ground: &Ground, still: &[bool]) -> Vec<bool> {
+    let count = ground.mesh.triangles.len();
+    let is_still = |triangle: usize| still.get(triangle).copied().unwrap_or(false);
+    let (mut done, mut rest) = (vec![false; count], vec![false; count]);
+    for first in (0..count).filter(|t| ground.is_clay(*t)) {
+        if done[first] {
+            continue;
+        }
+        done[first] = true;
+        let (mut part, mut open, mut is_held, mut touches_sand) = (Vec::new(), vec![first], true, false);
+        while let Some(triangle) = open.pop() {
+            part.push(triangle);
+            for corner in 0..3 {
+                match ground.edge(Side { triangle, corner }) {
+                    Edge::Boundary(c) => {
+                        is_held &= matches!(c, Condition::Fixed | Condition::Far | Condition::Smooth);
+                    }
+                    Edge::Jump { other, .. } => {
+                        touches_sand = true;
+                        is_held &= is_still(other.triangle);
+                    }
+                    Edge::Glued => {
+                        for next in ground.topology.across[triangle][corner].iter().map(|o| o.triangle) {
+                            if !done[next] {
+                                done[next] = true;
+                                open.push(next);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        if is_held && touches_sand {
+            part.into_iter().for_each(|t| rest[t] = true);
+        }
+    }
+    rest
+}
+
+/// Joins both sides of a guide at its sharp bends: a wedge of soil between two jumps can leave its notch only if the
+/// notch is wider than twice the friction angle.
+fn weld_sharp_bends(ground: &Ground, corners: &mut [[usize; 3]], count: usize) {
+    let mut angle = vec![0.0; count];
+    let mut notch = vec![0.0; count];
+    let mut jumps = vec![Vec::new(); count];
+    let mut other_rim = vec![false; count];
+    for (triangle, copies) in corners.iter().enumerate().filter(|c| !ground.is_clay(c.0)) {
+        for (k, &copy) in copies.iter().enumerate() {
+            angle[copy] += corner_angle(ground.mesh, (triangle, k));
+            notch[copy] = 2.0 * ground.soil(triangle).tan.atan() + 0.1;
+            for edge in [(k + 1) % 3, (k + 2) % 3] {
+                match ground.edge(Side { triangle, corner: edge }) {
+                    Edge::Jump { other, .. } if !ground.is_clay(other.triangle) => {
+                        // Corner k lies at the other end of the neighbour's sense of the edge.
+                        let at = if edge == (k + 2) % 3 { other.corner + 2 } else { other.corner + 1 } % 3;
+                        jumps[copy].push(corners[other.triangle][at]);
+                    }
+                    Edge::Jump { .. } | Edge::Boundary(_) => other_rim[copy] = true,
+                    Edge::Glued => {}
+                }
+            }
+        }
+    }
+    let mut join: Vec<usize> = (0..count).collect();
+    for copy in 0..count {
+        if !other_rim[copy] && jumps[copy].len() == 2 && angle[copy] < notch[copy] {
+            let with = jumps[copy][0];
+            let (from, to) = (join[copy].max(join[with]), join[copy].min(join[with]));
+            join.iter_mut().for_each(|j| {
+                if *j == from {
+                    *j = to;
+                }
+            });
+        }
+    }
+    for (triangle, copies) in corners.iter_mut().enumerate() {
+        if !ground.is_clay(triangle) {
+            *copies = copies.map(|c| join[c]);
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! The stream function of soil without friction: `v = (s_y, -s_x)`, on the same element as the stress function of the
+//! lower bound. No volume changes and nothing jumps, whatever the unknowns are.
+
+use soilctl_certificate::{LineUse, StreamCopy, StreamJet};
+
+use super::ground::{Edge, Ground};
+use super::nodes::Element;
+use super::walls::{WallSide, wall_sides};
+use crate::form::Form;
+use crate::mesh::Place;
+use crate::program::Program;
+use crate::topology::Side;
+
+/// What is known about a vertex copy; the same kinds as [`StreamJet`].
+#[derive(Debug, Clone)]
+enum Shape {
+    Free,
+    Wall { wall: usize, line: usize, across: Form },
+    Corner { wall: usize },
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct StreamFunction {
+    /// Vertex of each copy.
+    vertices: Vec<usize>,
+    shapes: Vec<Shape>,
+    /// Value and slopes at each copy.
+    pub(super) jets: Vec<[Form; 3]>,
+    /// For each triangle, slopes across the middles of its edges, along the edge vectors turned left.
+    pub(super) slopes: Vec<[Form; 3]>,
+    /// Constants of the walls.
+    walls: Vec<Form>,
+}
+
+impl StreamFunction {
+    pub(super) fn new(
+        ground: &Ground,
+        elements: &[Element],
+        vertices: Vec<usize>,
+        program: &mut Program,
+    ) -> Self {
+        if vertices.is_empty() {
+            return Self::default();
+        }
+        let (sides, walls) = wall_sides(ground.problem);
+        let on = sides_at(ground, elements, &sides, vertices.len());
+        let (gauge_walls, gauge_copies) = gauges(elements, &on, walls);
+        let size = sizes(ground, elements, vertices.len());
+        let mut wall_size = vec![0.0_f64; walls];
+        for (copy, sides) in on.iter().enumerate() {
+            sides.iter().for_each(|s| wall_size[s.wall] = wall_size[s.wall].max(size[copy]));
+        }
+        let mut unknown = |unit: f64| Form::unknown(program.unknown(), unit);
+        let mut constants = Vec::new();
+        for wall in 0..walls {
+            // A wall without edges of this kind of flow has no size.
+            let given = gauge_walls[wall] || wall_size[wall] == 0.0;
+            constants.push(if given { Form::default() } else { unknown(wall_size[wall]) });
+        }
+        let mut stream = Self { vertices, walls: constants, ..Self::default() };
+        for (copy, sides) in on.iter().enumerate() {
+            let (shape, jet) = match sides.as_slice() {
+                [] => {
+                    let s = if gauge_copies[copy] { Form::default() } else { unknown(size[copy]) };
+                    (Shape::Free, [s, unknown(1.0), unknown(1.0)])
+                }
+                [side, rest @ ..] => {
+                    let place = ground.mesh.vertices[stream.vertices[copy]].place;
+                    let value = stream.walls[side.wall]
+                        .clone()
+                        .plus(1.0, &Form::constant(side.value(way(ground, place, side.line))));
+                    let (shape, [sx, sy]) = on_wall(side, rest.first(), &mut unknown);
+                    (shape, [value, sx, sy])
+                }
+            };
+            stream.shapes.push(shape);
+            stream.jets.push(jet);
+        }
+        stream.slopes = vec![[Form::default(), Form::default(), Form::default()]; elements.len()];
+        for (triangle, element) in elements.iter().enumerate() {
+            for corner in (0..3).filter(|_| matches!(element, Element::Stream(_))) {
+                let side = Side { triangle, corner };
+                let other = ground.topology.across[triangle][corner];
+                let [p, q] = ground.ends(side);
+                let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+                stream.slopes[triangle][corner] = match (ground.edge(side), other) {
+                    (Edge::Boundary(c), _) if is_holding(c) => continue,
+                    (Edge::Glued, Some(o)) if o.triangle < triangle => {
+                        Form::default().plus(-1.0, &stream.slopes[o.triangle][o.corner])
+                    }
+                    _ => unknown(length),
+                };
+            }
+        }
+        stream
+    }
+
+    /// Value and slopes at the corners of a triangle, then the slopes across the middles of its edges.
+    pub(super) fn local(&self, triangle: usize, copies: [usize; 3]) -> [Form; 12] {
+        std::array::from_fn(|i| match i {
+            0..9 => self.jets[copies[i / 3]][i % 3].clone(),
+            _ => self.slopes[triangle][i - 9].clone(),
+        })
+    }
+
+    pub(super) fn saved_slopes(&self, triangle: usize, x: &[f64]) -> [f64; 3] {
+        self.slopes[triangle].each_ref().map(|slope| slope.value(x))
+    }
+
+    pub(super) fn saved(&self, x: &[f64]) -> (Vec<StreamCopy>, Vec<f64>) {
+        let copies = self.vertices.iter().zip(&self.shapes).zip(&self.jets).map(|((vertex, shape), jet)| {
+            let jet = match shape {
+                Shape::Free => {
+                    let [s, sx, sy] = jet.each_ref().map(|f| f.value(x));
+                    StreamJet::Free { s, sx, sy }
+                }
+                Shape::Wall { wall, line, across } => {
+                    StreamJet::Wall { wall: *wall, line: *line, across: across.value(x) }
+                }
+                Shape::Corner { wall } => StreamJet::Corner { wall: *wall },
+            };
+            StreamCopy { vertex: *vertex, jet }
+        });
+        (copies.collect(), self.walls.iter().map(|w| w.value(x)).collect())
+    }
+}
+
+fn is_holding(condition: soilctl_certificate::Condition) -> bool {
+    use soilctl_certificate::Condition::{Far, Fixed};
+    matches!(condition, Fixed | Far)
+}
+
+/// Fraction of a line at which a vertex on it is.
+fn way(ground: &Ground, place: Place, line: usize) -> f64 {
+    match place {
+        Place::OnLine { s, .. } => s,
+        Place::Corner(point) if ground.problem.outline.lines[line].from == point => 0.0,
+        Place::Corner(_) | Place::Inside => 1.0,
+    }
+}
+
+/// Slopes at a copy that is on one side of a wall, or where two meet.
+fn on_wall(
+    side: &WallSide,
+    other: Option<&WallSide>,
+    unknown: &mut impl FnMut(f64) -> Form,
+) -> (Shape, [Form; 2]) {
+    let [dx, dy] = side.direction;
+    let square = dx * dx + dy * dy;
+    let holds = side.holds || other.is_some_and(|o| o.holds);
+    if other.is_none_or(|other| go_on(side, other) && !holds) {
+        let across = if holds { Form::default() } else { unknown(1.0 / square.sqrt()) };
+        let along = side.flow() / square;
+        let slopes = [(dx, -dy), (dy, dx)].map(|(d, n)| Form::constant(along * d).plus(n, &across));
+        return (Shape::Wall { wall: side.wall, line: side.line, across }, slopes);
+    }
+    let slopes = other.map_or([0.0; 2], |other| corner(side, other));
+    (Shape::Corner { wall: side.wall }, slopes.map(Form::constant))
+}
+
+/// Whether two sides are one as far as the soil can tell. What is in line but for rounding is not.
+fn go_on(a: &WallSide, b: &WallSide) -> bool {
+    let level = |s: &WallSide| s.direction[1] == 0.0;
+    let upright = |s: &WallSide| s.direction[0] == 0.0;
+    let parallel = a.line == b.line || (level(a) && level(b)) || (upright(a) && upright(b));
+    parallel && (a.velocity == b.velocity || (a.flow() == 0.0 && b.flow() == 0.0))
+}
+
+fn corner(a: &WallSide, b: &WallSide) -> [f64; 2] {
+    let (f, g) = (a.flow(), b.flow());
+    if f == 0.0 && g == 0.0 {
+        return [0.0; 2];
+    }
+    if a.velocity == b.velocity {
+        return [-a.velocity[1], a.velocity[0]];
+    }
+    let ([px, py], [qx, qy]) = (a.direction, b.direction);
+    let area = px * qy - py * qx;
+    [(-py * g + qy * f) / area, (px * g - qx * f) / area]
+}
+
+/// For each copy, the sides of walls on which it is the end of an edge.
+fn sides_at(
+    ground: &Ground,
+    elements: &[Element],
+    sides: &std::collections::BTreeMap<LineUse, WallSide>,
+    copies: usize,
+) -> Vec<Vec<WallSide>> {
+    let mut on: Vec<Vec<WallSide>> = vec![Vec::new(); copies];
+    let mut used = vec![Vec::new(); copies];
+    for (triangle, element) in elements.iter().enumerate() {
+        let Element::Stream(corners) = element else { continue };
+        for k in 0..3 {
+            let Some(line) = ground.topology.line[triangle][k] else { continue };
+            let side = LineUse { line: line.line, forward: line.forward };
+            let Some(wall) = sides.get(&side) else { continue };
+            for copy in [corners[(k + 1) % 3], corners[(k + 2) % 3]] {
+                if !used[copy].contains(&side) {
+                    used[copy].push(side);
+                    on[copy].push(*wall);
+                }
+            }
+        }
+    }
+    on
+}
+
+/// A typical edge length at each copy.
+fn sizes(ground: &Ground, elements: &[Element], copies: usize) -> Vec<f64> {
+    let mut sums = vec![(0.0, 0.0); copies];
+    for (triangle, element) in elements.iter().enumerate() {
+        let Element::Stream(corners) = element else { continue };
+        for corner in 0..3 {
+            let [p, q] = ground.ends(Side { triangle, corner });
+            for copy in [corners[(corner + 1) % 3], corners[(corner + 2) % 3]] {
+                sums[copy].0 += (p[0] - q[0]).hypot(p[1] - q[1]);
+                sums[copy].1 += 1.0;
+            }
+        }
+    }
+    sums.into_iter().map(|(sum, count)| sum / f64::max(count, 1.0)).collect()
+}
+
+/// The value of one wall, or else of one copy, in each part of the soil that hangs together: the function is only known
+/// up to a constant.
+fn gauges(elements: &[Element], on: &[Vec<WallSide>], walls: usize) -> (Vec<bool>, Vec<bool>) {
+    // Walls come first, so the root of a part is its first wall if it has one.
+    let mut root: Vec<usize> = (0..walls + on.len()).collect();
+    fn find(root: &mut [usize], mut i: usize) -> usize {
+        while root[i] != i {
+            root[i] = root[root[i]];
+            i = root[i];
+        }
+        i
+    }
+    let mut join = |a: usize, b: usize| {
+        let (a, b) = (find(&mut root, a), find(&mut root, b));
+        root[a.max(b)] = a.min(b);
+    };
+    for element in elements {
+        let Element::Stream([a, b, c]) = element else { continue };
+        join(walls + a, walls + b);
+        join(walls + a, walls + c);
+    }
+    for (copy, sides) in on.iter().enumerate() {
+        sides.iter().for_each(|s| join(walls + copy, s.wall));
+    }
+    let is_root: Vec<bool> = (0..root.len()).map(|i| root[i] == i).collect();
+    (is_root[..walls].to_vec(), is_root[walls..].to_vec())
+}

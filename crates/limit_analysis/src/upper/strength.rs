@@ -1,0 +1,59 @@
+//! What soil with friction dissipates.
+//!
+//! Strain with the dilation `e` and the shear rate `g` dissipates at most `c cot(phi) e`. A greatest tension `t` below that
+//! of the cone's apex makes it at most `t e + Q max(g - e, 0)`, with `Q` the radius of Mohr's circle where both limits meet.
+//! The water in the pores adds `-u e`.
+
+use crate::problem::{Soil, value};
+
+type Point = [f64; 2];
+
+/// Which of the two limits counts. Not both: the bound is the lesser one for a whole triangle or edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Limit {
+    Apex,
+    Tension(f64),
+}
+
+impl Limit {
+    /// The lower limit around some points.
+    pub(crate) fn around(soil: &Soil, points: &[Point]) -> Self {
+        let cohesion: f64 = points.iter().map(|p| value(&soil.cohesion, *p)).sum();
+        match soil.cut_off {
+            Some(t) if t * points.len() as f64 <= cohesion / soil.tan => Self::Tension(t),
+            _ => Self::Apex,
+        }
+    }
+
+    /// Factor on the dilation.
+    pub(crate) fn tension(self, soil: &Soil, p: Point) -> f64 {
+        match self {
+            Self::Apex => soil.tension(p),
+            Self::Tension(t) => t - value(&soil.pore_pressure, p),
+        }
+    }
+
+    /// Factor on what the shear rate is above the dilation.
+    pub(crate) fn radius(self, soil: &Soil, p: Point) -> f64 {
+        match self {
+            Self::Apex => 0.0,
+            Self::Tension(t) => {
+                ((value(&soil.cohesion, p) * soil.cos - t * soil.sin) / (1.0 - soil.sin)).max(0.0)
+            }
+        }
+    }
+}
+
+/// Factors on three values at the corners of a triangle that give three times the mean of the linear function between
+/// them times another one.
+pub(super) fn over_triangle(a: [f64; 3]) -> [f64; 3] {
+    let more = a.map(|x| x - a[0]);
+    more.map(|x| a[0] + 0.25 * (more[0] + more[1] + more[2] + x))
+}
+
+/// The same for the Bernstein coefficients of a quadratic polynomial along an edge, and a linear function given at the
+/// ends.
+pub(super) fn over_edge([from, to]: [f64; 2]) -> [f64; 3] {
+    let more = to - from;
+    [from + 0.25 * more, from + 0.5 * more, from + 0.75 * more]
+}
