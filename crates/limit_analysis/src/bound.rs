@@ -275,7 +275,9 @@ impl<'a> Run<'a> {
         };
         self.target = target;
         let fans = self.begin.fans(number);
-        let first = |p: [f64; 2]| self.begin.size(p);
+        // Until shares are known, all of it gets finer.
+        let finer = (FIRST / target).sqrt();
+        let first = |p: [f64; 2]| finer * self.begin.size(p);
         let field = self
             .shares
             .as_ref()

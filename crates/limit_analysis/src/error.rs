@@ -3,6 +3,7 @@ use std::path::PathBuf;
 use soilctl_certificate::CertificateError;
 use thiserror::Error;
 
+use crate::describe::DescriptionError;
 use crate::mesh::MeshError;
 
 /// What can go wrong on the way to a bound.
@@ -15,6 +16,9 @@ pub enum LimitError {
     /// A proof was refused.
     #[error(transparent)]
     Certificate(#[from] CertificateError),
+    /// A problem description makes no sense.
+    #[error(transparent)]
+    Description(#[from] DescriptionError),
     /// A number is outside its range.
     #[error("{quantity} is {value} {unit}, allowed is from {low} up to, but not including, {high} {unit}")]
     Range {

@@ -17,6 +17,7 @@
 mod adapt;
 mod bound;
 mod bowl;
+pub mod describe;
 mod error;
 mod fields;
 mod form;
@@ -31,14 +32,17 @@ mod singular;
 mod slip;
 mod solver;
 mod start;
+mod strength;
 mod topology;
 mod upper;
 
 pub use bound::{Bound, Bounds, Ended, Level, Options, Solve, bound};
+pub use describe::{Described, Description, DescriptionError};
 pub use error::LimitError;
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};
 pub use problem::Problem;
 pub use solver::Status;
+pub use strength::{SafetyBounds, SafetyProof, Trial, factor_of_safety};
 
 /// A mesh as certificates store it.
 fn saved_mesh(mesh: &mesh::Mesh) -> soilctl_certificate::Mesh {

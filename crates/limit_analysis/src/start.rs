@@ -99,7 +99,9 @@ impl Start {
         };
         let is_face = |b: &Boundary| matches!(b.condition, Condition::Face { .. });
         let on_face: Vec<usize> = (0..statement.points.len()).filter(|p| touching(*p).any(is_face)).collect();
-        let mut points: Vec<usize> = on_face.iter().copied().filter(|p| touching(*p).all(is_face)).collect();
+        // Where faces end in the soil, or at soil that is held: there it must tear.
+        let tears = |b: &Boundary| is_face(b) || matches!(b.condition, Condition::Fixed | Condition::Far);
+        let mut points: Vec<usize> = on_face.iter().copied().filter(|p| touching(*p).all(tears)).collect();
         let at = |p: &usize| statement.points[*p];
         let mut tips: Vec<[f64; 2]> = points.iter().map(at).collect();
         let ahead = problem.velocity()[0].signum();

@@ -5,10 +5,12 @@ mod bound;
 mod certify;
 mod completions;
 mod estimate;
+mod limits;
 mod predict;
 mod report;
 mod schemas;
 mod shear;
+mod solve;
 mod table;
 
 use std::path::Path;
@@ -26,6 +28,8 @@ pub(crate) enum Verb {
     Predict(predict::Args),
     /// Proven lower and upper bounds on a plate's force, by limit analysis
     Bound(bound::Args),
+    /// Proven bounds for any plane-strain collapse problem described in a file
+    Solve(solve::Args),
     /// Proves the bounds of a saved solution anew
     Certify(certify::Args),
     /// Every soil that could have produced the measured forces
@@ -59,6 +63,7 @@ impl Verb {
         match self {
             Self::Predict(args) => predict::run(&args, output),
             Self::Bound(args) => bound::run(&args, output),
+            Self::Solve(args) => solve::run(&args, output),
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
             Self::Report(args) => report::run(&args, output),

@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Value, json};
+use soilctl_limit_analysis::Description;
+use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{Outcome, bound, certify, estimate, predict, report, shear, table};
+use super::{Outcome, bound, certify, estimate, predict, report, shear, solve, table};
 use crate::error::CliError;
 use crate::output::{Answer, Document};
 
@@ -19,11 +21,14 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<predict::Prediction>(&args.dir)?;
     write::<bound::BoundAnswer>(&args.dir)?;
+    write::<solve::SolveAnswer>(&args.dir)?;
+    write::<solve::CheckAnswer>(&args.dir)?;
     write::<certify::CertifyAnswer>(&args.dir)?;
     write::<estimate::EstimateAnswer>(&args.dir)?;
     write::<report::ReportAnswer>(&args.dir)?;
     write::<shear::ShearAnswer>(&args.dir)?;
     write::<table::TableAnswer>(&args.dir)?;
+    write_problem(&args.dir)?;
     Ok(Outcome::Done)
 }
 
@@ -36,8 +41,22 @@ fn write<A: Answer + JsonSchema + 'static>(dir: &Path) -> Result<(), CliError> {
     if let Some(id) = schema.pointer_mut("/properties/schema") {
         *id = json!({"description": "Id of this schema.", "const": A::SCHEMA});
     }
-    let path = dir.join(A::SCHEMA.replace('/', ".") + ".json");
-    let text = serde_json::to_string_pretty(&schema)? + "\n";
+    save(dir, A::SCHEMA, &schema)
+}
+
+/// The schema of problem files.
+fn write_problem(dir: &Path) -> Result<(), CliError> {
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    let mut schema = serde_json::to_value(generator.into_root_schema_for::<Description>())?;
+    if let Some(keys) = schema.as_object_mut() {
+        keys.insert("title".into(), Value::from(PROBLEM_SCHEMA));
+    }
+    save(dir, PROBLEM_SCHEMA, &schema)
+}
+
+fn save(dir: &Path, id: &str, schema: &Value) -> Result<(), CliError> {
+    let path = dir.join(id.replace('/', ".") + ".json");
+    let text = serde_json::to_string_pretty(schema)? + "\n";
     std::fs::write(&path, text)
         .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
 }

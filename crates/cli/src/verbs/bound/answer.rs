@@ -2,12 +2,13 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_limit_analysis::{Bounds, Ended, Solve, Status};
+use soilctl_limit_analysis::Bounds;
 
 use super::Args;
 use super::plate::Scaled;
 use crate::output::Answer;
-use crate::text::{columns, number, number_or_dash};
+use crate::text::number;
+use crate::verbs::limits::{LevelAnswer, ended, level_table};
 
 /// Proven bounds on the net force coefficient of an embedded plate.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -38,34 +39,6 @@ pub(crate) struct BoundAnswer {
     inputs: Inputs,
 }
 
-/// One level of meshes.
-#[derive(Debug, Serialize, JsonSchema)]
-struct LevelAnswer {
-    /// The upper bound on this level's mesh.
-    upper: SolveAnswer,
-    /// The lower bound on this level's mesh or one before; null if none was solved.
-    lower: Option<SolveAnswer>,
-    /// Gap of the forces less the sum of its shares over all elements, relative to the gap; null without both bounds.
-    identity_error: Option<f64>,
-}
-
-/// One solve.
-#[derive(Debug, Serialize, JsonSchema)]
-struct SolveAnswer {
-    /// Triangles.
-    elements: usize,
-    /// How the solver ended; proves nothing.
-    status: &'static str,
-    /// Steps of the solver.
-    iterations: u32,
-    /// Time in the solver in s.
-    seconds: f64,
-    /// Time for repair and proof in s.
-    proof_seconds: f64,
-    /// Proven coefficient per slant length; null if nothing was proven.
-    proven: Option<f64>,
-}
-
 /// The inputs.
 #[derive(Debug, Serialize, JsonSchema)]
 struct Inputs {
@@ -93,38 +66,11 @@ struct Inputs {
     width_m: Option<f64>,
 }
 
-fn status(status: Status) -> &'static str {
-    match status {
-        Status::Solved => "solved",
-        Status::Almost => "almost_solved",
-        Status::Infeasible => "infeasible",
-        Status::Unbounded => "unbounded",
-        Status::Stopped => "stopped",
-        Status::Failed => "failed",
-    }
-}
-
 impl BoundAnswer {
     pub(super) fn new(args: &Args, scaled: &Scaled, bounds: &Bounds) -> Self {
         let [lower, upper] = scaled.coefficients(bounds);
         let coefficient = upper / bounds.upper.value;
-        let solve = |s: &Solve| SolveAnswer {
-            elements: s.elements,
-            status: status(s.status),
-            iterations: s.iterations,
-            seconds: s.seconds,
-            proof_seconds: s.proof_seconds,
-            proven: s.proven.map(|p| p * coefficient),
-        };
-        let levels = bounds
-            .levels
-            .iter()
-            .map(|level| LevelAnswer {
-                upper: solve(&level.upper),
-                lower: level.lower.as_ref().map(solve),
-                identity_error: level.identity.map(|[gap, sum]| (gap - sum).abs() / gap.abs()),
-            })
-            .collect();
+        let levels = bounds.levels.iter().map(|level| LevelAnswer::new(level, coefficient)).collect();
         let newtons = scaled.newtons();
         Self {
             lower,
@@ -136,12 +82,7 @@ impl BoundAnswer {
             seconds: bounds.seconds,
             force_lower_n: newtons.map(|n| n * lower),
             force_upper_n: newtons.map(|n| n * upper),
-            ended: match bounds.ended {
-                Ended::Gap => "gap",
-                Ended::Time => "time",
-                Ended::Elements => "elements",
-                Ended::Stopped => "stopped",
-            },
+            ended: ended(bounds.ended),
             levels,
             inputs: Inputs {
                 alpha_deg: args.alpha,
@@ -174,20 +115,6 @@ impl Answer for BoundAnswer {
             text += &format!("force  {} to {} N\n", number(lower), number(upper));
         }
         text += &format!("both bounds are proven; {:.1} s, ended by {}\n\n", self.seconds, self.ended);
-        let header = ["elements", "upper", "s", "elements", "lower", "s"];
-        let mut rows = vec![header.map(str::to_owned).to_vec()];
-        for level in &self.levels {
-            let mut row = level.upper.cells();
-            row.extend(level.lower.as_ref().map_or_else(|| vec!["-".to_owned(); 3], SolveAnswer::cells));
-            rows.push(row);
-        }
-        text + &columns(&rows)
-    }
-}
-
-impl SolveAnswer {
-    fn cells(&self) -> Vec<String> {
-        let seconds = self.seconds + self.proof_seconds;
-        vec![self.elements.to_string(), number_or_dash(self.proven), format!("{seconds:.2}")]
+        text + &level_table(&self.levels)
     }
 }

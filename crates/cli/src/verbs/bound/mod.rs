@@ -4,13 +4,12 @@ mod answer;
 mod plate;
 
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
 pub(crate) use answer::BoundAnswer;
-use soilctl_limit_analysis::{Level, Options, bound};
+use soilctl_limit_analysis::bound;
 
 use super::Outcome;
+use super::limits::{Budget, words};
 use crate::args::{LoadArgs, finite};
 use crate::error::CliError;
 use crate::output::Output;
@@ -50,47 +49,18 @@ pub(crate) struct Args {
     #[command(flatten)]
     loads: LoadArgs,
 
-    /// Gap (U - L) / ((U + L) / 2) at which to stop
-    #[arg(long, value_name = "FRACTION", default_value_t = 0.01, value_parser = positive)]
-    max_gap: f64,
-
-    /// Time that may be spent (s)
-    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = positive)]
-    max_seconds: f64,
-
-    /// Most elements of a mesh
-    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1000..=1_000_000))]
-    max_elements: u32,
-
-    /// Threads; the bounds are the same for any number
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1024))]
-    threads: u32,
+    #[command(flatten)]
+    budget: Budget,
 
     /// Saves the fields that prove the bounds, for `soilctl certify`
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
 }
 
-pub(crate) fn positive(text: &str) -> Result<f64, String> {
-    match finite(text)? {
-        value if value > 0.0 => Ok(value),
-        value => Err(format!("{value} is not above 0")),
-    }
-}
-
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let scaled = Scaled::new(args)?;
     let problem = scaled.plate.problem()?;
-    let options = Options {
-        max_gap: args.max_gap,
-        max_seconds: args.max_seconds,
-        max_elements: args.max_elements as usize,
-        threads: args.threads as usize,
-        ..Options::default()
-    };
-    let stop = Arc::clone(&options.stop);
-    // A second handler cannot be set; then Ctrl-C just ends the program.
-    let _ = ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed));
+    let options = args.budget.options();
     let progress = output.spinner("first mesh");
     let bounds = bound(&problem, &options, &mut |level, gap| progress.set_message(words(level, gap)))?;
     progress.finish_and_clear();
@@ -99,13 +69,5 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     }
     let answer = BoundAnswer::new(args, &scaled, &bounds);
     output.answer(&answer)?;
-    Ok(if bounds.gap() <= args.max_gap { Outcome::Done } else { Outcome::Partial })
-}
-
-fn words(level: &Level, gap: Option<f64>) -> String {
-    let elements = level.upper.elements;
-    gap.map_or_else(
-        || format!("{elements} elements, no bounds yet"),
-        |gap| format!("{elements} elements, gap {:.2} %", 100.0 * gap),
-    )
+    Ok(if bounds.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
 }

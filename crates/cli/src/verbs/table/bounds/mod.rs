@@ -24,7 +24,7 @@ use super::brackets::{NAME, SOURCE};
 use super::file::{Kind, read_brackets, write_brackets};
 use crate::error::CliError;
 use crate::output::Output;
-use crate::verbs::bound::positive;
+use crate::verbs::limits::positive;
 
 /// Options of the model `bounds`.
 #[derive(Debug, clap::Args)]

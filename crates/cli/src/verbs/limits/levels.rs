@@ -1,0 +1,94 @@
+//! Levels of meshes in answers.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_limit_analysis::{Ended, Level, Solve, Status};
+
+use crate::text::{columns, number_or_dash};
+
+/// One level of meshes.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct LevelAnswer {
+    /// The upper bound on this level's mesh.
+    upper: SolveAnswer,
+    /// The lower bound on this level's mesh or one before; null if none was solved.
+    lower: Option<SolveAnswer>,
+    /// Gap of the forces less the sum of its shares over all elements, relative to the gap; null without both bounds.
+    identity_error: Option<f64>,
+}
+
+/// One solve.
+#[derive(Debug, Serialize, JsonSchema)]
+struct SolveAnswer {
+    /// Triangles.
+    elements: usize,
+    /// How the solver ended; proves nothing.
+    status: &'static str,
+    /// Steps of the solver.
+    iterations: u32,
+    /// Time in the solver in s.
+    seconds: f64,
+    /// Time for repair and proof in s.
+    proof_seconds: f64,
+    /// What was proven, in the units of the answer; null if nothing was.
+    proven: Option<f64>,
+}
+
+impl LevelAnswer {
+    /// A level whose bounds are multiplied by `unit`.
+    pub(crate) fn new(level: &Level, unit: f64) -> Self {
+        let solve = |s: &Solve| SolveAnswer {
+            elements: s.elements,
+            status: status(s.status),
+            iterations: s.iterations,
+            seconds: s.seconds,
+            proof_seconds: s.proof_seconds,
+            proven: s.proven.map(|p| p * unit),
+        };
+        Self {
+            upper: solve(&level.upper),
+            lower: level.lower.as_ref().map(solve),
+            identity_error: level.identity.map(|[gap, sum]| (gap - sum).abs() / gap.abs()),
+        }
+    }
+}
+
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Solved => "solved",
+        Status::Almost => "almost_solved",
+        Status::Infeasible => "infeasible",
+        Status::Unbounded => "unbounded",
+        Status::Stopped => "stopped",
+        Status::Failed => "failed",
+    }
+}
+
+/// Why a run ended, in one word.
+pub(crate) fn ended(ended: Ended) -> &'static str {
+    match ended {
+        Ended::Gap => "gap",
+        Ended::Time => "time",
+        Ended::Elements => "elements",
+        Ended::Stopped => "stopped",
+    }
+}
+
+/// All levels as a table.
+pub(crate) fn level_table(levels: &[LevelAnswer]) -> String {
+    let header = ["elements", "upper", "s", "elements", "lower", "s"];
+    let mut rows = vec![header.map(str::to_owned).to_vec()];
+    for level in levels {
+        let mut row = level.upper.cells();
+        row.extend(level.lower.as_ref().map_or_else(|| vec!["-".to_owned(); 3], SolveAnswer::cells));
+        rows.push(row);
+    }
+    columns(&rows)
+}
+
+impl SolveAnswer {
+    fn cells(&self) -> Vec<String> {
+        let seconds = self.seconds + self.proof_seconds;
+        vec![self.elements.to_string(), number_or_dash(self.proven), format!("{seconds:.2}")]
+    }
+}

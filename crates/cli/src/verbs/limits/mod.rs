@@ -1,0 +1,64 @@
+//! What the verbs that bound collapse loads share: the budget, progress, and how levels are told.
+
+mod levels;
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+pub(crate) use levels::{LevelAnswer, ended, level_table};
+use soilctl_limit_analysis::{Level, Options};
+
+use crate::args::finite;
+
+/// When to stop, and what may be spent.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Budget {
+    /// Gap (U - L) / ((U + L) / 2) at which to stop
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.01, value_parser = positive)]
+    pub(crate) max_gap: f64,
+
+    /// Time that may be spent (s)
+    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = positive)]
+    max_seconds: f64,
+
+    /// Most elements of a mesh
+    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1000..=1_000_000))]
+    max_elements: u32,
+
+    /// Threads; the bounds are the same for any number
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    threads: u32,
+}
+
+impl Budget {
+    /// The same for the solver; Ctrl-C ends the run with the best bounds so far.
+    pub(crate) fn options(&self) -> Options {
+        let options = Options {
+            max_gap: self.max_gap,
+            max_seconds: self.max_seconds,
+            max_elements: self.max_elements as usize,
+            threads: self.threads as usize,
+            ..Options::default()
+        };
+        let stop = Arc::clone(&options.stop);
+        // A second handler cannot be set; then Ctrl-C just ends the program.
+        let _ = ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed));
+        options
+    }
+}
+
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    match finite(text)? {
+        value if value > 0.0 => Ok(value),
+        value => Err(format!("{value} is not above 0")),
+    }
+}
+
+/// A level in a few words.
+pub(crate) fn words(level: &Level, gap: Option<f64>) -> String {
+    let elements = level.upper.elements;
+    gap.map_or_else(
+        || format!("{elements} elements, no bounds yet"),
+        |gap| format!("{elements} elements, gap {:.2} %", 100.0 * gap.abs()),
+    )
+}

@@ -1,0 +1,154 @@
+//! What `solve` answers.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_limit_analysis::describe::Quantity;
+use soilctl_limit_analysis::{Bounds, Described, SafetyBounds};
+
+use crate::output::Answer;
+use crate::text::{columns, number};
+use crate::verbs::limits::{LevelAnswer, ended, level_table};
+
+/// Proven bounds on what a problem file asks for.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct SolveAnswer {
+    /// Title of the problem; null if it has none.
+    title: Option<String>,
+    /// What is bounded: force_kn_per_m, load_factor, weight_factor, acceleration_over_g or factor_of_safety.
+    quantity: &'static str,
+    /// Lower bound. A force is negative where the soil pushes the structure on.
+    lower: f64,
+    /// Upper bound.
+    upper: f64,
+    /// `|(U - L) / ((U + L) / 2)|`; null if the bounds are on both sides of zero.
+    gap: Option<f64>,
+    /// Whether both bounds are proven with interval arithmetic.
+    certified: bool,
+    /// Triangles of the mesh of the lower bound; each has three parts.
+    lower_elements: usize,
+    /// Triangles of the mesh of the upper bound.
+    upper_elements: usize,
+    /// Time spent in s.
+    seconds: f64,
+    /// Why the run ended: gap, time, elements or stopped.
+    ended: &'static str,
+    /// All levels, coarse to fine; empty for a factor of safety.
+    levels: Vec<LevelAnswer>,
+    /// For a factor of safety, all factors that were tried; else empty.
+    trials: Vec<TrialAnswer>,
+}
+
+/// A factor that strength was divided by, and bounds on the factor on the weight that the soil then bears.
+#[derive(Debug, Serialize, JsonSchema)]
+struct TrialAnswer {
+    /// The factor.
+    factor: f64,
+    /// Lower bound on the factor on the weight; null if any is borne.
+    weight_lower: Option<f64>,
+    /// Upper bound on it; null likewise.
+    weight_upper: Option<f64>,
+}
+
+/// The name of a quantity in JSON, and what it is in words.
+pub(super) fn names(quantity: Quantity) -> [&'static str; 2] {
+    match quantity {
+        Quantity::ForceKnPerM => {
+            ["force_kn_per_m", "force of the structure on the soil, along its motion (kN/m)"]
+        }
+        Quantity::LoadFactor => ["load_factor", "factor on the live loads"],
+        Quantity::WeightFactor => ["weight_factor", "factor on the unit weights"],
+        Quantity::Acceleration => ["acceleration_over_g", "horizontal acceleration over gravity"],
+    }
+}
+
+pub(super) const SAFETY: [&str; 2] =
+    ["factor_of_safety", "factor of safety, by which strength can be divided"];
+
+/// The gap as a positive number, which it must be to be compared: where bounds are negative so is the plain one.
+fn gap(lower: f64, upper: f64) -> Option<f64> {
+    (lower * upper > 0.0).then(|| (2.0 * (upper - lower) / (upper + lower)).abs())
+}
+
+impl SolveAnswer {
+    pub(super) fn new(described: &Described, bounds: &Bounds) -> Self {
+        let [lower, upper] = described.in_units([bounds.lower.value, bounds.upper.value]);
+        let unit = match described.quantity {
+            Quantity::ForceKnPerM => described.length_m * described.stress_kpa,
+            _ => 1.0,
+        };
+        Self {
+            title: described.title.clone(),
+            quantity: names(described.quantity)[0],
+            lower,
+            upper,
+            gap: gap(lower, upper),
+            certified: true,
+            lower_elements: bounds.lower.elements,
+            upper_elements: bounds.upper.elements,
+            seconds: bounds.seconds,
+            ended: ended(bounds.ended),
+            levels: bounds.levels.iter().map(|level| LevelAnswer::new(level, unit)).collect(),
+            trials: Vec::new(),
+        }
+    }
+
+    pub(super) fn of_safety(title: Option<&String>, safety: &SafetyBounds) -> Self {
+        let finite = |x: f64| x.is_finite().then_some(x);
+        let trials = safety.trials.iter().map(|t| TrialAnswer {
+            factor: t.factor,
+            weight_lower: finite(t.lower),
+            weight_upper: finite(t.upper),
+        });
+        Self {
+            title: title.cloned(),
+            quantity: SAFETY[0],
+            lower: safety.lower.factor,
+            upper: safety.upper.factor,
+            gap: Some(safety.gap()),
+            certified: true,
+            lower_elements: safety.lower.bound.elements,
+            upper_elements: safety.upper.bound.elements,
+            seconds: safety.seconds,
+            ended: ended(safety.ended),
+            levels: Vec::new(),
+            trials: trials.collect(),
+        }
+    }
+
+    /// The gap; infinite if there is none.
+    pub(super) fn gap(&self) -> f64 {
+        self.gap.unwrap_or(f64::INFINITY)
+    }
+
+    fn words(&self) -> &'static str {
+        use Quantity::{Acceleration, ForceKnPerM, LoadFactor, WeightFactor};
+        let all = [ForceKnPerM, LoadFactor, WeightFactor, Acceleration].map(names);
+        all.into_iter().chain([SAFETY]).find(|n| n[0] == self.quantity).map_or("", |n| n[1])
+    }
+}
+
+impl Answer for SolveAnswer {
+    const SCHEMA: &'static str = "soilctl.solve/1";
+
+    fn text(&self) -> String {
+        let mut text = self.title.as_ref().map_or_else(String::new, |t| format!("{t}\n"));
+        text += &format!("{}:\nlower  {}\nupper  {}\n", self.words(), number(self.lower), number(self.upper));
+        if let Some(gap) = self.gap {
+            text += &format!("gap    {} %\n", number(100.0 * gap));
+        }
+        if self.quantity == names(Quantity::ForceKnPerM)[0] && self.upper < 0.0 {
+            let [least, most] = [number(-self.upper), number(-self.lower)];
+            text += &format!("the soil pushes the structure on, with {least} to {most} kN/m\n");
+        }
+        text += &format!("both bounds are proven; {:.1} s, ended by {}\n\n", self.seconds, self.ended);
+        if self.trials.is_empty() {
+            return text + &level_table(&self.levels);
+        }
+        let mut rows = vec![["strength over", "weight borne", ""].map(str::to_owned).to_vec()];
+        let any = |x: Option<f64>| x.map_or_else(|| "any".to_owned(), number);
+        for t in &self.trials {
+            rows.push(vec![number(t.factor), any(t.weight_lower), any(t.weight_upper)]);
+        }
+        text + &columns(&rows)
+    }
+}

@@ -1,0 +1,63 @@
+//! `soilctl solve FILE`: proven bounds for a problem that is described in a file.
+
+mod answer;
+mod check;
+mod safety;
+mod save;
+
+use std::path::PathBuf;
+
+pub(crate) use answer::SolveAnswer;
+pub(crate) use check::CheckAnswer;
+use soilctl_limit_analysis::describe::Aim;
+use soilctl_limit_analysis::{Description, bound};
+
+use super::Outcome;
+use super::limits::{Budget, words};
+use crate::error::CliError;
+use crate::output::Output;
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Both bounds are proven with interval arithmetic; the true value for rigid-plastic soil with \
+    associated flow lies between them. What the file says is in docs/problem-file.md, examples are in data/problems. \
+    Exit code 3: the budget ended before the gap was reached. Ctrl-C ends the run with the best bounds so far."
+)]
+pub(crate) struct Args {
+    /// Problem file, .toml or .json
+    file: PathBuf,
+
+    /// Only reads the file and says what it was understood to mean
+    #[arg(long)]
+    check: bool,
+
+    #[command(flatten)]
+    budget: Budget,
+
+    /// Saves the fields that prove the bounds, for `soilctl certify`; for a factor of safety several files
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+}
+
+pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    let description = Description::read(&args.file).map_err(soilctl_limit_analysis::LimitError::from)?;
+    let described = description.described()?;
+    if args.check {
+        output.answer(&CheckAnswer::new(&description, &described))?;
+        return Ok(Outcome::Done);
+    }
+    let options = args.budget.options();
+    if description.objective == (Aim::StrengthReduction {}) {
+        return safety::run(args, &description, &options, output);
+    }
+    let problem = described.problem()?;
+    let progress = output.spinner("first mesh");
+    let bounds = bound(&problem, &options, &mut |level, gap| progress.set_message(words(level, gap)))?;
+    progress.finish_and_clear();
+    if let Some(path) = &args.save {
+        save::both(path, &described, &bounds)?;
+    }
+    let answer = SolveAnswer::new(&described, &bounds);
+    output.answer(&answer)?;
+    Ok(if answer.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
+}

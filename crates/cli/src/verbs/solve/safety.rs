@@ -1,0 +1,34 @@
+//! `solve` for a factor of safety.
+
+use soilctl_limit_analysis::{Description, Options, factor_of_safety};
+
+use super::answer::SolveAnswer;
+use super::{Args, save};
+use crate::error::CliError;
+use crate::output::Output;
+use crate::text::number;
+use crate::verbs::Outcome;
+use crate::verbs::limits::words;
+
+pub(super) fn run(
+    args: &Args,
+    description: &Description,
+    options: &Options,
+    output: &mut Output,
+) -> Result<Outcome, CliError> {
+    let progress = output.spinner("first mesh");
+    let safety = factor_of_safety(description, options, &mut |factor, level, proven| {
+        let known =
+            proven.map_or_else(String::new, |gap| format!(", factor of safety to {:.2} %", 100.0 * gap));
+        progress.set_message(format!("strength over {}: {}{known}", number(factor), words(level, None)));
+    })?;
+    progress.finish_and_clear();
+    if let Some(path) = &args.save {
+        for file in save::safety(path, &safety)? {
+            output.note(&format!("saved {}", file.display()));
+        }
+    }
+    let answer = SolveAnswer::of_safety(description.title.as_ref(), &safety);
+    output.answer(&answer)?;
+    Ok(if answer.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
+}

@@ -1,0 +1,13 @@
+//! From wanted motion to joint torques.
+
+mod accommodation;
+mod lead;
+mod pid;
+mod safe_force;
+mod stiffness;
+
+pub use accommodation::{accommodation_speed, beyond_dead_zone};
+pub use lead::{LeadAngle, LeadBounds};
+pub(crate) use pid::{joint_pid, velocity_pi};
+pub use safe_force::SafeForceSet;
+pub(crate) use stiffness::stiffness;

@@ -1,0 +1,60 @@
+use crate::estimate::Estimate;
+use crate::trajectory::Setpoint;
+use crate::{Params, TICK_S};
+
+/// Eq. 3.1 in joint space: proportional and damping on the motor encoders, which see no backlash and so allow a stiff loop;
+/// proportional and integral on the external ones, which tell where the arm is.
+///
+/// `integral` holds torques in N m. It waits while the joint's torque is at its limit in the same direction.
+pub(crate) fn joint_pid(
+    params: &Params,
+    wanted: &Setpoint,
+    est: &Estimate,
+    saturated: &[i8; 5],
+    integral: &mut [f64; 5],
+) -> [f64; 5] {
+    let gains = &params.config().gains;
+    std::array::from_fn(|i| {
+        let motor_error = wanted.joints.0[i] - est.motor.0[i];
+        let external_error = wanted.joints.0[i] - est.external.0[i];
+        let rate_error = wanted.rates.0[i] - est.rates.0[i];
+        integrate(
+            &mut integral[i],
+            gains.external_i_nm_per_rad_s[i] * external_error,
+            saturated[i],
+            gains.integral_limit_nm[i],
+        );
+        gains.motor_p_nm_per_rad[i] * motor_error
+            + gains.motor_d_nms_per_rad[i] * rate_error
+            + gains.external_p_nm_per_rad[i] * external_error
+            + integral[i]
+    })
+}
+
+/// Velocity control: proportional-integral on the speed by the motor encoders.
+pub(crate) fn velocity_pi(
+    params: &Params,
+    wanted: &Setpoint,
+    est: &Estimate,
+    saturated: &[i8; 5],
+    integral: &mut [f64; 5],
+) -> [f64; 5] {
+    let gains = &params.config().gains;
+    std::array::from_fn(|i| {
+        let rate_error = wanted.rates.0[i] - est.rates.0[i];
+        integrate(
+            &mut integral[i],
+            gains.velocity_i_nm_per_rad[i] * rate_error,
+            saturated[i],
+            gains.integral_limit_nm[i],
+        );
+        gains.velocity_p_nms_per_rad[i] * rate_error + integral[i]
+    })
+}
+
+/// `rate` in N m/s.
+fn integrate(integral: &mut f64, rate: f64, saturated: i8, limit: f64) {
+    if rate * f64::from(saturated) <= 0.0 {
+        *integral = (*integral + rate * TICK_S).max(-limit).min(limit);
+    }
+}

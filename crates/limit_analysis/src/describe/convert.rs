@@ -1,0 +1,264 @@
+//! From a description to a statement.
+
+use std::collections::BTreeMap;
+
+use soilctl_certificate::{Boundary, Condition, Line, LineUse, Objective, Region, Statement};
+
+use super::arrangement::{between, length};
+use super::columns::{ratio_cuts, weight_cuts};
+use super::described::{Described, Quantity};
+use super::error::DescriptionError;
+use super::faces::{Face, Walk};
+use super::fill::{Units, material};
+use super::ground::{Ground, Map};
+use super::holds::{Holder, Holds};
+use super::input::{Aim, Description};
+use super::segments::{Drawing, Point};
+use super::size::{datum, units};
+use crate::error::LimitError;
+
+/// Most lines of a statement that the checker takes.
+const MAX_LINES: usize = 256;
+
+/// Cutting a region may bend the top of the one below, once for each layer.
+const MAX_ROUNDS: usize = 64;
+
+/// The geometry of a description, with what holds where.
+pub(super) struct Plan {
+    pub(super) drawing: Drawing,
+    pub(super) map: Map,
+    pub(super) faces: Vec<Face>,
+    pub(super) holds: BTreeMap<Walk, Holds>,
+}
+
+impl Description {
+    /// The problem in the units of the solver.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitError::Description`] for what is wrong with the description, [`LimitError::NotCovered`] for what no proof
+    /// covers.
+    pub fn described(&self) -> Result<Described, LimitError> {
+        self.check()?;
+        let plan = self.plan()?;
+        self.check_covered(&plan)?;
+        let at_far = self.far_pressure(&plan)?;
+        let units = units(self, &plan, at_far)?;
+        let statement = self.statement(&plan, &units, at_far)?;
+        let quantity = match self.objective {
+            Aim::Structure { .. } => Quantity::ForceKnPerM,
+            Aim::Load {} => Quantity::LoadFactor,
+            Aim::UnitWeight {} | Aim::StrengthReduction {} => Quantity::WeightFactor,
+            Aim::Seismic { .. } => Quantity::Acceleration,
+        };
+        let Units { length_m, stress_kpa, .. } = units;
+        Ok(Described { statement, length_m, stress_kpa, quantity, title: self.title.clone() })
+    }
+
+    fn plan(&self) -> Result<Plan, DescriptionError> {
+        let drawing = Drawing::new(self);
+        let mut segments = drawing.segments(self)?;
+        let mut map = Map::new(self, &drawing, &segments)?;
+        let ratio = ratio_cuts(self, &drawing, &map);
+        if !ratio.is_empty() {
+            segments.extend(ratio);
+            map = Map::new(self, &drawing, &segments)?;
+        }
+        for _ in 0..MAX_ROUNDS {
+            let mut faces = map.faces();
+            let holder = Holder { description: self, drawing: &drawing, segments: &segments, map: &map };
+            let holds: BTreeMap<Walk, Holds> = holder.all()?.into_iter().collect();
+            self.top_first(&map, &mut faces);
+            let Some(first) = faces.first() else {
+                return Err(DescriptionError::entry("the problem", "its regions enclose no soil"));
+            };
+            let base = self.soils[self.soil_of(first.region)].unit_weight_kn_m3;
+            let cuts = weight_cuts(self, &map, &faces, &holds, base);
+            if cuts.is_empty() {
+                return Ok(Plan { drawing, map, faces, holds });
+            }
+            segments.extend(cuts);
+            map = Map::new(self, &drawing, &segments)?;
+        }
+        let problem = "unit weights differ in a way that cannot be cut into regions with straight tops";
+        Err(DescriptionError::entry("the problem", problem))
+    }
+
+    /// The soil on top gives the unit weight of the reference: then there is no more to add to it.
+    fn top_first(&self, map: &Map, faces: &mut [Face]) {
+        let top = |face: &Face| {
+            face.loops.iter().flatten().map(|w| map.walked_points(*w)[0][1]).fold(f64::NEG_INFINITY, f64::max)
+        };
+        // Stable: equal tops stay in order.
+        faces.sort_by(|a, b| top(b).total_cmp(&top(a)));
+    }
+
+    fn check_covered(&self, plan: &Plan) -> Result<(), LimitError> {
+        let weight = |f: &Face| self.soils[self.soil_of(f.region)].unit_weight_kn_m3;
+        let differ = plan.faces.iter().any(|f| weight(f) != weight(&plan.faces[0]));
+        let level =
+            self.seismic.is_some_and(|s| s.kh != 0.0) || matches!(self.objective, Aim::Seismic { .. });
+        if differ && level {
+            return Err(LimitError::NotCovered {
+                what: "different unit weights together with a horizontal acceleration",
+                advice: "give all soils the same unit weight",
+            });
+        }
+        if plan.map.arrangement.edges.len() > MAX_LINES {
+            let count = plan.map.arrangement.edges.len();
+            return Err(
+                DescriptionError::TooMuch { what: "lines after cutting", count, limit: MAX_LINES }.into()
+            );
+        }
+        Ok(())
+    }
+
+    /// Pressure of open water above a point.
+    fn water_pressure(&self, plan: &Plan, p: Point) -> f64 {
+        let depth = plan.drawing.table(p[0]).map_or(0.0, |y| (y - p[1]).max(0.0));
+        self.water.as_ref().map_or(0.0, |w| w.unit_weight_kn_m3 * depth)
+    }
+
+    /// Pressure on the ground beyond far sides in kPa.
+    fn far_pressure(&self, plan: &Plan) -> Result<f64, DescriptionError> {
+        let far =
+            plan.holds.iter().filter(|(_, h)| **h == Holds::Far).map(|(w, _)| plan.map.walked_points(*w));
+        let mut tops: BTreeMap<bool, Point> = BTreeMap::new();
+        for p in far.filter(|[a, b]| a[0] == b[0]).flatten() {
+            let top = tops.entry(p[0] == plan.drawing.low[0]).or_insert(p);
+            if p[1] > top[1] {
+                *top = p;
+            }
+        }
+        let mut pressures = tops.values().map(|p| self.surcharge_kpa + self.water_pressure(plan, *p));
+        let first = pressures.next().unwrap_or(self.surcharge_kpa);
+        match pressures.find(|p| (p - first).abs() > 1e-12 * first.abs()) {
+            Some(other) => {
+                let problem = format!(
+                    "water stands at different heights above the ground beyond the two far sides ({first:.4} and \
+                     {other:.4} kPa with the surcharge); make one of them smooth or fixed"
+                );
+                Err(DescriptionError::entry("water", problem))
+            }
+            None => Ok(first),
+        }
+    }
+
+    fn statement(&self, plan: &Plan, units: &Units, at_far: f64) -> Result<Statement, DescriptionError> {
+        let map = &plan.map;
+        let mut numbers: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut points = Vec::new();
+        let mut number = |p: usize| {
+            *numbers.entry(p).or_insert_with(|| {
+                points.push(units.place(map.arrangement.points[p]));
+                points.len() - 1
+            })
+        };
+        let lines =
+            map.arrangement.edges.iter().map(|e| Line { from: number(e.ends[0]), to: number(e.ends[1]) });
+        let lines = lines.collect();
+        let used = |walk: &Walk| LineUse { line: walk.edge, forward: walk.forward };
+        let region = |face: &Face| {
+            let loops = face.loops.iter().map(|ring| ring.iter().map(used).collect()).collect();
+            Ok(Region { loops, material: material(self, &plan.drawing, map, face, units)? })
+        };
+        let boundary = |(walk, holds): (&Walk, &Holds)| Boundary {
+            line: walk.edge,
+            forward: walk.forward,
+            condition: self.condition(plan, units, at_far, *walk, *holds),
+        };
+        let (gravity, objective) = self.forces();
+        Ok(Statement {
+            points,
+            lines,
+            regions: plan.faces.iter().map(region).collect::<Result<_, DescriptionError>>()?,
+            gravity,
+            // The origin is at the datum.
+            datum: 0.0,
+            surcharge: units.stress(at_far),
+            objective,
+            boundaries: plan.holds.iter().map(boundary).collect(),
+        })
+    }
+
+    fn condition(&self, plan: &Plan, units: &Units, at_far: f64, walk: Walk, holds: Holds) -> Condition {
+        match holds {
+            Holds::Fixed => Condition::Fixed,
+            Holds::Smooth => Condition::Smooth,
+            Holds::Far => Condition::Far,
+            Holds::Face(face) => {
+                Condition::Face { delta_deg: face.delta_deg, adhesion: units.stress(face.adhesion_kpa) }
+            }
+            Holds::Load { pressure, shear, live } => {
+                let [pressure, shear] = [pressure, shear].map(|ends| ends.map(|kpa| units.stress(kpa)));
+                Condition::Loaded { pressure, shear, live }
+            }
+            Holds::Free => {
+                let ends = plan.map.arrangement.ends(walk.edge);
+                let pressure = ends.map(|p| self.surcharge_kpa + self.water_pressure(plan, p));
+                if pressure.iter().all(|p| (p - at_far).abs() <= 1e-12 * at_far.abs()) {
+                    return Condition::Free;
+                }
+                let pressure = pressure.map(|kpa| units.stress(kpa));
+                Condition::Loaded { pressure, shear: [0.0; 2], live: false }
+            }
+        }
+    }
+
+    /// Gravity and the objective.
+    fn forces(&self) -> ([f64; 2], Objective) {
+        let seismic = self.seismic.unwrap_or_default();
+        let gravity = [seismic.kh, -(1.0 - seismic.kv)];
+        match self.objective {
+            Aim::Structure { direction, .. } => {
+                // First to the order of one, against overflow.
+                let most = direction[0].abs().max(direction[1].abs());
+                let direction = direction.map(|x| x / most);
+                let long = length(direction);
+                (gravity, Objective::Structure { velocity: direction.map(|x| x / long) })
+            }
+            Aim::Load {} => (gravity, Objective::Loads),
+            Aim::UnitWeight {} | Aim::StrengthReduction {} => ([0.0; 2], Objective::Body { gravity }),
+            Aim::Seismic { leftwards } => {
+                (gravity, Objective::Body { gravity: [if leftwards { -1.0 } else { 1.0 }, 0.0] })
+            }
+        }
+    }
+}
+
+impl Plan {
+    /// Both ends of all sides on which something holds.
+    pub(super) fn where_holds(&self, wanted: impl Fn(&Walk, &Holds) -> bool) -> Vec<[Point; 2]> {
+        let found = self.holds.iter().filter(|(w, h)| wanted(w, h));
+        found.map(|(w, _)| self.map.walked_points(*w)).collect()
+    }
+
+    /// Heights of level lines on which something holds, with the length at each: the longest first, then the highest.
+    pub(super) fn levels(&self, wanted: impl Fn(&Walk, &Holds) -> bool) -> Vec<(f64, f64)> {
+        let mut levels: Vec<(f64, f64)> = Vec::new();
+        for [a, b] in self.where_holds(wanted) {
+            if a[1] != b[1] {
+                continue;
+            }
+            let long = length(between(a, b));
+            match levels.iter_mut().find(|l| l.0 == a[1]) {
+                Some(level) => level.1 += long,
+                None => levels.push((a[1], long)),
+            }
+        }
+        levels.sort_by(|a, b| b.1.total_cmp(&a.1).then(b.0.total_cmp(&a.0)));
+        levels
+    }
+
+    /// Whether the soil of a side has neither cohesion nor a gradient of it.
+    pub(super) fn is_bare(&self, description: &Description, walk: &Walk) -> bool {
+        let Ground::Soil { region, .. } = self.map.left_of(*walk) else { return false };
+        let soil = &description.soils[description.soil_of(region)];
+        soil.cohesion_kpa == 0.0 && soil.cohesion_gradient_kpa_per_m == 0.0
+    }
+
+    /// The datum of the statement.
+    pub(super) fn datum(&self, description: &Description) -> f64 {
+        datum(description, self)
+    }
+}

@@ -1,0 +1,152 @@
+//! A problem as its author writes it: the content of a problem file.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::parts::{BoundaryEntry, Kind, PlateEntry, StructureEntry};
+
+/// A plane-strain collapse problem in metres, kPa, kN/m3 and degrees: what a problem file says.
+///
+/// x points to the right, y upwards. See `docs/problem-file.md`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Description {
+    /// `soilctl.problem/1`, or left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    /// What it is, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Pressure on all free boundaries and on the ground beyond far ones.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub surcharge_kpa: f64,
+    /// What holds on outline that no boundary entry names.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub default_boundary: Option<Kind>,
+    /// What is bounded.
+    pub objective: Aim,
+    /// Earthquake as a steady acceleration.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seismic: Option<Seismic>,
+    /// Ground water.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub water: Option<Water>,
+    /// Soils.
+    #[serde(default, rename = "soil")]
+    pub soils: Vec<SoilEntry>,
+    /// Where they are.
+    #[serde(default, rename = "region")]
+    pub regions: Vec<RegionEntry>,
+    /// What holds on the outline.
+    #[serde(default, rename = "boundary", skip_serializing_if = "Vec::is_empty")]
+    pub boundaries: Vec<BoundaryEntry>,
+    /// Thin rigid plates.
+    #[serde(default, rename = "plate", skip_serializing_if = "Vec::is_empty")]
+    pub plates: Vec<PlateEntry>,
+    /// Rigid bodies.
+    #[serde(default, rename = "structure", skip_serializing_if = "Vec::is_empty")]
+    pub structures: Vec<StructureEntry>,
+}
+
+/// A Mohr-Coulomb soil.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SoilEntry {
+    /// Its name, by which regions refer to it.
+    pub name: String,
+    /// Friction angle, 0 up to (not including) 90.
+    pub phi_deg: f64,
+    /// Cohesion, at the reference level if it varies.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub cohesion_kpa: f64,
+    /// What it grows by with each metre of depth.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub cohesion_gradient_kpa_per_m: f64,
+    /// The y at which the cohesion is `cohesion_kpa`; needed with a gradient.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cohesion_level_m: Option<f64>,
+    /// Unit weight, with the water in the pores.
+    pub unit_weight_kn_m3: f64,
+    /// Greatest effective tension; left out: what friction and cohesion allow.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension_kpa: Option<f64>,
+    /// Pore pressure over the weight of the soil vertically above, 0 to 1.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub pore_pressure_ratio: f64,
+}
+
+/// An area of one soil.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RegionEntry {
+    /// Its name, for messages.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Name of its soil.
+    pub soil: String,
+    /// Corners, either way round; the last is joined to the first. Regions may share edges, not area.
+    pub polygon: Vec<[f64; 2]>,
+}
+
+/// Ground water: hydrostatic below its table, none above; open water where the table is above the ground.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Water {
+    /// Points of the water table from left to right; level beyond its ends.
+    pub table: Vec<[f64; 2]>,
+    /// Unit weight of water.
+    #[serde(default = "fresh_water")]
+    pub unit_weight_kn_m3: f64,
+}
+
+fn fresh_water() -> f64 {
+    9.81
+}
+
+/// Earthquake as a steady acceleration, in units of gravity.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Seismic {
+    /// Force on the soil towards positive x over its weight.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub kh: f64,
+    /// Force upwards likewise, below 1.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub kv: f64,
+}
+
+/// What is bounded.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Aim {
+    /// The force of a structure or plate on the soil along its motion, in kN per metre of width.
+    Structure {
+        /// Name of the structures and plates that move, as one.
+        name: String,
+        /// Direction of motion; any length.
+        direction: [f64; 2],
+    },
+    /// The factor on all live loads.
+    Load {},
+    /// The factor on all unit weights.
+    UnitWeight {},
+    /// The horizontal acceleration over gravity that is added to the given one.
+    Seismic {
+        /// Whether it pushes the soil towards negative x.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        leftwards: bool,
+    },
+    /// The factor by which cohesion and the tangents of all friction angles can be divided: the factor of safety.
+    StrengthReduction {},
+}
+
+impl Default for Aim {
+    fn default() -> Self {
+        Self::Load {}
+    }
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+pub(super) fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}

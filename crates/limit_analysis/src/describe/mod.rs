@@ -1,0 +1,37 @@
+//! Problems as people write them: regions of soil, boundaries, structures, water, an objective, in a file or as structs.
+//!
+//! A [`Description`] is in metres, kPa and degrees and may be drawn as is convenient: polygons either way round, edges
+//! that are cut differently on both sides, a water table anywhere. [`Description::described`] turns it into the
+//! [`Statement`](soilctl_certificate::Statement) that is solved and proven:
+//!
+//! 1. `segments.rs` makes coordinates equal that differ by rounding only, `arrangement.rs` cuts all lines where they meet.
+//! 2. `ground.rs` finds what is on either side of each piece and drops what bounds nothing; `faces.rs` walks around what is
+//!    left. So T-junctions, plates and bodies cut out of the soil need no case of their own.
+//! 3. `columns.rs` adds the vertical cuts that proofs need; `holds.rs` finds the condition on each boundary side.
+//! 4. `size.rs` chooses units, `fill.rs` and `convert.rs` write the statement.
+
+mod arrangement;
+mod check;
+mod columns;
+mod convert;
+mod described;
+mod error;
+mod faces;
+mod file;
+mod fill;
+mod ground;
+mod holds;
+mod input;
+mod parts;
+mod ready;
+mod reduce;
+mod segments;
+mod size;
+
+pub use described::{Described, Quantity};
+pub use error::DescriptionError;
+pub use file::PROBLEM_SCHEMA;
+pub use input::{Aim, Description, RegionEntry, Seismic, SoilEntry, Water};
+pub use parts::{
+    BoundaryEntry, Hold, Interface, Kind, PlateEntry, Profile, Side, SoilInterface, StructureEntry,
+};

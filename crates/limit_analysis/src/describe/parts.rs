@@ -1,0 +1,191 @@
+//! Boundaries, plates and structures of a description.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::input::is_zero;
+
+/// What holds on a boundary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// The soil does not move.
+    Fixed,
+    /// The soil slides freely along, not across.
+    Smooth,
+    /// A plane of symmetry: the same as smooth.
+    Symmetric,
+    /// Nothing but the surcharge, and water above the ground, acts.
+    Free,
+    /// The soil goes on for ever: on the left and right under level ground, and below.
+    Far,
+    /// Given pressure and shear stress.
+    Load,
+}
+
+/// A side of the whole problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// Vertical outline at the least x.
+    Left,
+    /// Vertical outline at the greatest x.
+    Right,
+    /// Level outline at the least y.
+    Bottom,
+    /// Outline with the soil below it.
+    Top,
+}
+
+/// What holds on a part of the outline.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoundaryEntry {
+    /// What holds.
+    pub kind: Kind,
+    /// Where: whole sides. A line of another entry takes precedence.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sides: Vec<Side>,
+    /// Where: along these points, all on the outline.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub line: Vec<[f64; 2]>,
+    /// Pressure of a load, in place of the surcharge: everywhere, or at the start and the end of `line`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressure_kpa: Option<Profile>,
+    /// Shear stress on the soil in the direction of `line`, likewise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_kpa: Option<Profile>,
+    /// Whether the objective `load` multiplies it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub live: bool,
+}
+
+impl BoundaryEntry {
+    /// A condition on whole sides.
+    #[must_use]
+    pub fn on_sides(kind: Kind, sides: &[Side]) -> Self {
+        Self { sides: sides.to_vec(), ..Self::on_line(kind, &[]) }
+    }
+
+    /// A condition along points of the outline.
+    #[must_use]
+    pub fn on_line(kind: Kind, line: &[[f64; 2]]) -> Self {
+        Self {
+            kind,
+            sides: Vec::new(),
+            line: line.to_vec(),
+            pressure_kpa: None,
+            shear_kpa: None,
+            live: false,
+        }
+    }
+}
+
+/// A stress along a line.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Profile {
+    /// The same everywhere.
+    Uniform(f64),
+    /// Linear from the start to the end.
+    Linear([f64; 2]),
+}
+
+impl Profile {
+    pub(super) fn ends(self) -> [f64; 2] {
+        match self {
+            Self::Uniform(value) => [value; 2],
+            Self::Linear(ends) => ends,
+        }
+    }
+}
+
+/// What a face bears: shear stress up to `adhesion + pressure * tan(delta)`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Interface {
+    /// Friction angle.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub delta_deg: f64,
+    /// Adhesion.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub adhesion_kpa: f64,
+}
+
+/// What a face bears against one soil.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SoilInterface {
+    /// Name of the soil.
+    pub soil: String,
+    /// Friction angle.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub delta_deg: f64,
+    /// Adhesion.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub adhesion_kpa: f64,
+}
+
+/// How a structure that does not move with the objective is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Hold {
+    /// Soil sticks to it, and it does not move.
+    Fixed,
+    /// Soil slides along it freely but cannot leave it, and it does not move.
+    Smooth,
+}
+
+/// A thin rigid plate with a face on each side that has soil. What sticks out of the soil is left out.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlateEntry {
+    /// Its name; parts of one structure share it.
+    pub name: String,
+    /// Its points; a curved plate has many.
+    pub line: Vec<[f64; 2]>,
+    /// Friction angle of both faces.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub delta_deg: f64,
+    /// Adhesion of both faces.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub adhesion_kpa: f64,
+    /// The face on the left of `line`, if it differs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left: Option<Interface>,
+    /// The face on the right of `line`, if it differs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub right: Option<Interface>,
+    /// Against some soils, on both faces, if it differs there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub in_soil: Vec<SoilInterface>,
+    /// How it is held, if it does not move.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held: Option<Hold>,
+}
+
+/// A rigid body: a polygon, cut out of the soil where it covers it; or the line along which it meets the soil.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StructureEntry {
+    /// Its name; parts of one structure share it.
+    pub name: String,
+    /// Its corners, either way round.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub polygon: Vec<[f64; 2]>,
+    /// Instead: points along the outline of the soil.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub edge: Vec<[f64; 2]>,
+    /// Friction angle of its faces.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub delta_deg: f64,
+    /// Adhesion of its faces.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub adhesion_kpa: f64,
+    /// Against some soils, if it differs there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub in_soil: Vec<SoilInterface>,
+    /// How it is held, if it does not move.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held: Option<Hold>,
+}

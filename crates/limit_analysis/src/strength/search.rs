@@ -1,0 +1,173 @@
+//! The search for the factor of safety: which factor to try next, and how sharply.
+//!
+//! At each factor `F` that divides the strength, the multiplier of the weight that the soil can bear has bounds `[l, u]`, both
+//! falling with `F`. Where `l` is at least one the soil stands, where `u` is below one it does not. Roots of both are
+//! approached by secants in logarithms; for soil without friction the first step is exact.
+
+/// Bounds on the weight multiplier at one factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// What strength was divided by.
+    pub factor: f64,
+    /// Lower bound on the multiplier.
+    pub lower: f64,
+    /// Upper bound; infinite if any weight can be borne.
+    pub upper: f64,
+}
+
+/// No step is larger than this factor: one bad multiplier shall not lead far astray.
+const STEP: f64 = 4.0;
+
+/// Steps are a little longer than they need be, in units of the gap asked for, so that they end on the right side.
+const SPARE: f64 = 0.05;
+
+/// Gap of the multiplier at the first factors, and how much sharper each stage is.
+const FIRST_GAP: f64 = 0.2;
+const SHARPER: f64 = 0.4;
+
+/// What is known so far.
+#[derive(Debug, Clone)]
+pub(super) struct Search {
+    pub(super) trials: Vec<Trial>,
+    /// Greatest factor at which the soil stands, least at which it does not.
+    pub(super) stands: Option<f64>,
+    pub(super) fails: Option<f64>,
+    /// Relative gap between the two that is asked for.
+    max_gap: f64,
+    /// Relative gap of the multiplier for the next trial.
+    pub(super) trial_gap: f64,
+}
+
+impl Search {
+    pub(super) fn new(max_gap: f64) -> Self {
+        let trial_gap = FIRST_GAP.max(0.5 * max_gap);
+        Self { trials: Vec::new(), stands: None, fails: None, max_gap, trial_gap }
+    }
+
+    /// Takes note of a trial; `stands` is whether the lower bound counts as proof.
+    pub(super) fn add(&mut self, trial: Trial, stands: bool) {
+        if stands && trial.lower >= 1.0 {
+            self.stands = Some(self.stands.map_or(trial.factor, |f| f.max(trial.factor)));
+        }
+        if trial.upper < 1.0 {
+            self.fails = Some(self.fails.map_or(trial.factor, |f| f.min(trial.factor)));
+        }
+        self.trials.push(trial);
+    }
+
+    /// Relative distance of what is proven.
+    pub(super) fn gap(&self) -> Option<f64> {
+        let (low, high) = (self.stands?, self.fails?);
+        Some(2.0 * (high - low) / (high + low))
+    }
+
+    pub(super) fn is_done(&self) -> bool {
+        self.gap().is_some_and(|gap| gap <= self.max_gap)
+    }
+
+    /// The factor to try next. Sharpens the trials when they have shown all they can at their gap.
+    pub(super) fn next(&mut self) -> f64 {
+        let Some(last) = self.trials.last().copied() else { return 1.0 };
+        let slope = self.slope();
+        let spare = SPARE * self.max_gap;
+        // Towards the root of a bound: from the trial where it is next to one.
+        let root = |of: fn(&Trial) -> f64, beyond: f64| {
+            let known = self.trials.iter().filter(|t| of(t).is_finite() && of(t) > 0.0);
+            let nearest = known.min_by(|a, b| of(a).ln().abs().total_cmp(&of(b).ln().abs()));
+            nearest.map(|t| t.factor * of(t).powf(1.0 / slope).clamp(1.0 / STEP, STEP) * beyond)
+        };
+        let stands = root(|t| t.lower, 1.0 - spare).unwrap_or(last.factor / STEP);
+        let fails = root(|t| t.upper, 1.0 + spare).unwrap_or(last.factor * STEP);
+        // Where any weight is borne, the soil is too strong, though that proves nothing.
+        let strong =
+            self.trials.iter().filter(|t| t.upper.is_infinite()).map(|t| t.factor).fold(0.0, f64::max);
+        let low = self.stands.unwrap_or(0.0).max(strong);
+        let high = self.fails.unwrap_or(f64::INFINITY);
+        // What each of the two would gain.
+        let gains = [
+            if self.stands.is_none() { f64::INFINITY } else { stands.min(high) / low - 1.0 },
+            if self.fails.is_none() { f64::INFINITY } else { 1.0 - fails.max(low) / high },
+        ];
+        if gains[0].max(gains[1]) < 0.1 * self.max_gap {
+            self.trial_gap *= SHARPER;
+            // The middle, sharply, tells where both roots are.
+            return (low * high).sqrt();
+        }
+        let next = if gains[0] >= gains[1] { stands } else { fails };
+        let inside = next > low && next < high;
+        match (inside, low > 0.0, high.is_finite()) {
+            (true, _, _) => next,
+            (false, true, true) => (low * high).sqrt(),
+            (false, true, false) => low * 2.0,
+            (false, false, _) => high / 2.0,
+        }
+    }
+
+    /// How fast the multiplier falls: the power of the factor, from the two trials nearest to the root.
+    fn slope(&self) -> f64 {
+        let middle = |t: &Trial| (t.lower * t.upper).sqrt();
+        let mut known: Vec<&Trial> =
+            self.trials.iter().filter(|t| middle(t).is_finite() && middle(t) > 0.0).collect();
+        known.sort_by(|a, b| middle(a).ln().abs().total_cmp(&middle(b).ln().abs()));
+        let slope = |a: &Trial, b: &Trial| -(middle(b) / middle(a)).ln() / (b.factor / a.factor).ln();
+        let far_apart = |a: &Trial, b: &Trial| (b.factor / a.factor).ln().abs() > 1e-3;
+        let pair =
+            known.first().and_then(|a| known[1..].iter().find(|b| far_apart(a, b)).map(|b| slope(a, b)));
+        pair.filter(|s| s.is_finite()).map_or(1.0, |s| s.clamp(0.5, 20.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Runs a search on a multiplier that is known, with bounds as wide as asked for.
+    fn run(max_gap: f64, multiplier: impl Fn(f64) -> f64) -> (Search, usize) {
+        let mut search = Search::new(max_gap);
+        for trials in 0..60 {
+            if search.is_done() {
+                return (search, trials);
+            }
+            let factor = search.next();
+            let (m, half) = (multiplier(factor), 0.5 * search.trial_gap);
+            search.add(Trial { factor, lower: m * (1.0 - half), upper: m * (1.0 + half) }, true);
+        }
+        panic!("no end: {search:?}");
+    }
+
+    #[test]
+    fn the_root_is_enclosed_in_few_trials() {
+        for power in [1.0, 2.0, 6.0] {
+            for root in [0.05, 0.7, 1.0, 1.3, 40.0] {
+                for max_gap in [0.1, 0.01] {
+                    let (search, trials) = run(max_gap, |f: f64| (root / f).powf(power));
+                    assert!(search.stands.unwrap() <= root && root <= search.fails.unwrap());
+                    assert!(trials <= 16, "{power} {root} {max_gap}: {trials}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn soil_that_bears_any_weight_is_weakened_until_it_does_not() {
+        // Cohesion and friction: flatter than the friction angle, any weight is borne.
+        let multiplier = |f: f64| if f < 1.5 { f64::INFINITY } else { 0.5 / (f - 1.5) };
+        let (search, trials) = run(0.02, multiplier);
+        assert!(search.stands.unwrap() <= 2.0 && 2.0 <= search.fails.unwrap());
+        assert!(trials <= 25, "{trials}");
+    }
+
+    #[test]
+    fn a_multiplier_without_end_leads_to_weaker_soil_though_it_proves_nothing() {
+        let mut search = Search::new(0.1);
+        search.add(Trial { factor: 1.0, lower: f64::INFINITY, upper: f64::INFINITY }, false);
+        assert!(search.next() > 1.0);
+    }
+
+    #[test]
+    fn a_lower_bound_that_does_not_count_proves_nothing() {
+        let mut search = Search::new(0.1);
+        search.add(Trial { factor: 1.0, lower: 2.0, upper: 2.1 }, false);
+        assert_eq!(search.stands, None);
+    }
+}

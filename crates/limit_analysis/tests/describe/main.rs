@@ -1,0 +1,11 @@
+//! Problem descriptions: what becomes of them, judged by the checker's own rules, and what is refused.
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+mod common;
+mod ends;
+mod files;
+mod geometry;
+mod random;
+mod refusals;
+mod water;
+mod weights;
