@@ -61,7 +61,6 @@ fn a_smooth_wall_that_gives_way_carries_rankines_active_force() {
 }
 
 #[test]
-#[ignore = "waits for bound() to end here within its elements: it runs on without a limit of time"]
 fn a_rough_footing_carries_more_than_what_its_parts_add_up_to() {
     let mut d = Description::strip_footing(soil("sand", 30.0, 1.0), 2.0, 30.0, 1.0);
     d.surcharge_kpa = 10.0;
@@ -72,14 +71,13 @@ fn a_rough_footing_carries_more_than_what_its_parts_add_up_to() {
 }
 
 #[test]
-#[ignore = "waits for soil without friction in bound()"]
 fn prandtl_on_clay() {
     let (factor, _) = solve(&Description::strip_load(soil("clay", 0.0, 10.0), 2.0), 4000);
     encloses(factor, 10.0 * (2.0 + std::f64::consts::PI), 0.05);
 }
 
 #[test]
-#[ignore = "waits for live loads in bound()"]
+#[ignore = "the bounds are still 8 % apart at this size"]
 fn prandtl_on_weightless_sand_with_surcharge() {
     let mut d = Description::strip_load(soil("sand", 30.0, 0.0), 2.0);
     d.soils[0].unit_weight_kn_m3 = 0.0;
@@ -89,7 +87,6 @@ fn prandtl_on_weightless_sand_with_surcharge() {
 }
 
 #[test]
-#[ignore = "waits for body forces and ground that is not level in bound()"]
 fn a_vertical_cut_in_clay() {
     let mut d = Description::slope(soil("clay", 0.0, 18.0), 1.0, 90.0);
     d.objective = Aim::UnitWeight {};
@@ -98,7 +95,7 @@ fn a_vertical_cut_in_clay() {
 }
 
 #[test]
-#[ignore = "waits for body forces and ground that is not level in bound()"]
+#[ignore = "the bounds are still 5 % apart at this size"]
 fn factors_of_safety_of_vertical_cuts_in_clay() {
     let options = Options { max_gap: 0.05, max_elements: 4000, max_seconds: 1e9, ..Options::default() };
     let d = Description::slope(soil("clay", 0.0, 18.0), 1.0, 90.0);
@@ -108,7 +105,6 @@ fn factors_of_safety_of_vertical_cuts_in_clay() {
 }
 
 #[test]
-#[ignore = "waits for body forces and ground that is not level in bound()"]
 fn a_cut_with_friction_is_as_safe_as_its_stability_number_says() {
     // Strength as reduced by 1.5 is that of a cut that just stands, between the best known bounds on its height: of
     // N = gamma H tan(45 - phi/2)/c, that is.
@@ -122,7 +118,7 @@ fn a_cut_with_friction_is_as_safe_as_its_stability_number_says() {
 }
 
 #[test]
-#[ignore = "waits for body forces in bound()"]
+#[ignore = "no pair of bounds is proven yet"]
 fn a_block_slides_on_its_base_at_the_acceleration_of_its_friction() {
     // Level ground far wide on a smooth base cannot slide; what yields is the soil: kh = tan(phi) for dry sand.
     let mut d = Description::level_ground(soil("sand", 30.0, 0.0), 8.0, 2.0);
@@ -132,7 +128,7 @@ fn a_block_slides_on_its_base_at_the_acceleration_of_its_friction() {
 }
 
 #[test]
-#[ignore = "waits for loads in bound()"]
+#[ignore = "takes more than a minute"]
 fn a_dead_load_beside_a_live_one_adds_its_bearing_capacity() {
     let mut d = Description::strip_load(soil("clay", 0.0, 10.0), 2.0);
     for [a, b] in [[-16.0, -1.0], [1.0, 16.0]] {
