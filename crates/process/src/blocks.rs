@@ -1,0 +1,82 @@
+//! Samples averaged over short times, and their course over displacement at even arc length.
+
+use crate::robust;
+use crate::trace::Trace;
+
+/// At most so many blocks; a stroke of 10 s at 500 Hz has blocks of 10 samples.
+const MOST_BLOCKS: usize = 500;
+
+/// Means over blocks of equally many samples.
+#[derive(Debug, Clone)]
+pub(crate) struct Blocks {
+    pub(crate) t_s: Vec<f64>,
+    pub(crate) u_m: Vec<f64>,
+    pub(crate) f_n: Vec<f64>,
+    /// Samples a block.
+    pub(crate) samples: usize,
+    /// Standard deviation of a block's force.
+    pub(crate) noise_n: f64,
+}
+
+impl Blocks {
+    pub(crate) fn of(trace: &Trace) -> Self {
+        let samples = trace.t_s().len().div_ceil(MOST_BLOCKS).max(1);
+        let means = |values: &[f64]| -> Vec<f64> {
+            values.chunks_exact(samples).map(|chunk| chunk.iter().sum::<f64>() / samples as f64).collect()
+        };
+        let f_n = means(trace.force_n());
+        let noise_n = robust::noise(&f_n);
+        Self { t_s: means(trace.t_s()), u_m: means(trace.displacement_m()), f_n, samples, noise_n }
+    }
+
+    /// Blocks of the first `count`.
+    pub(crate) fn until(&self, count: usize) -> Self {
+        let cut = |values: &[f64]| values.iter().take(count).copied().collect();
+        Self {
+            t_s: cut(&self.t_s),
+            u_m: cut(&self.u_m),
+            f_n: cut(&self.f_n),
+            samples: self.samples,
+            noise_n: self.noise_n,
+        }
+    }
+
+    /// Force against displacement at `count` places evenly spaced along the curve, both axes scaled to their
+    /// range: so a stroke that waits long at small displacement doesn't drown its short end.
+    pub(crate) fn nodes(&self, count: usize) -> Vec<[f64; 2]> {
+        let range = |values: &[f64]| {
+            let (low, high) =
+                values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+            (high - low).max(f64::MIN_POSITIVE)
+        };
+        let (u_range, f_range) = (range(&self.u_m), range(&self.f_n));
+        let mut arc = Vec::with_capacity(self.u_m.len());
+        let mut length = 0.0;
+        for (i, (u, f)) in self.u_m.iter().zip(&self.f_n).enumerate() {
+            if i > 0 {
+                length += ((u - self.u_m[i - 1]) / u_range).hypot((f - self.f_n[i - 1]) / f_range);
+            }
+            arc.push(length);
+        }
+        // Each node is the mean of the blocks in its share of the curve, or lies between two blocks if it has none.
+        let width = length / count as f64;
+        (0..count)
+            .filter_map(|k| {
+                let (from, to) = (k as f64 * width, (k + 1) as f64 * width);
+                let first = arc.partition_point(|s| *s < from);
+                let last = arc.partition_point(|s| *s < to);
+                if last > first {
+                    let n = (last - first) as f64;
+                    return Some([
+                        self.u_m.get(first..last)?.iter().sum::<f64>() / n,
+                        self.f_n.get(first..last)?.iter().sum::<f64>() / n,
+                    ]);
+                }
+                let (a, b) = (first.checked_sub(1)?, first);
+                let share = (f64::midpoint(from, to) - arc.get(a)?) / (arc.get(b)? - arc.get(a)?);
+                let between = |v: &[f64]| Some(v.get(a)? + share * (v.get(b)? - v.get(a)?));
+                Some([between(&self.u_m)?, between(&self.f_n)?])
+            })
+            .collect()
+    }
+}

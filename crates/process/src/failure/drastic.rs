@@ -1,0 +1,93 @@
+//! Failures that can't be missed: the force drops, or the plate runs away (section 5.5, figure 5-17).
+
+use super::settings::FailureSettings;
+use crate::blocks::Blocks;
+use crate::robust::{huber, median};
+
+/// How a drastic failure showed itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sign {
+    Drop,
+    RunAway,
+}
+
+/// Last block before the soil gave way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Break {
+    pub(super) block: usize,
+    pub(super) sign: Sign,
+}
+
+/// The earlier of a drop and a run-away.
+pub(super) fn find(blocks: &Blocks, settings: &FailureSettings) -> Option<Break> {
+    let drop = drop(blocks, settings).map(|block| Break { block, sign: Sign::Drop });
+    let away = run_away(blocks, settings).map(|block| Break { block, sign: Sign::RunAway });
+    match (drop, away) {
+        // A plate that runs away in a soil that softens: the peak is the failure, if it comes shortly before.
+        (Some(drop), Some(away)) => Some(if away.block < drop.block { away } else { drop }),
+        (found, None) | (None, found) => found,
+    }
+}
+
+/// The highest block from which the force falls by more than noise allows and does not come back.
+fn drop(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
+    let f = &blocks.f_n;
+    let mut peak = 0;
+    for (k, &force) in f.iter().enumerate() {
+        if force > f[peak] {
+            peak = k;
+        }
+        let fall = (settings.drop_rel * f[peak]).max(8.0 * blocks.noise_n);
+        if f[peak] - force > fall {
+            let later = f[k..].iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            // A jump of the encoder throws the force off for a moment; then it climbs on.
+            if later < (1.0 + settings.drop_rel / 2.0) * f[peak] {
+                return Some(peak);
+            }
+        }
+    }
+    None
+}
+
+/// The first block after which the plate moves much faster than while the force was built up, and the force no
+/// longer rises.
+fn run_away(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
+    let (t, u, f) = (&blocks.t_s, &blocks.u_m, &blocks.f_n);
+    let least = settings.run_away_rel * settings.depth_m;
+    let highest = f.iter().copied().fold(0.0, f64::max);
+    let mut speeds: Vec<f64> = Vec::new();
+    for k in 8..t.len() {
+        let start = t.partition_point(|time| *time < t[k] - settings.run_away_s).min(k - 1);
+        let speed = (u[k] - u[start]) / (t[k] - t[start]);
+        if u[k] - u[start] > least && f[start] > 0.5 * highest {
+            let mut earlier = speeds.clone();
+            let usual = median(&mut earlier).max(settings.depth_m * 1e-3);
+            if speed > settings.run_away_speed_ratio * usual && f[k] < 1.03 * f[start] {
+                // It may still have pushed harder in the beginning of its run.
+                return (start..=k).max_by(|a, b| f[*a].total_cmp(&f[*b]));
+            }
+        }
+        speeds.push(speed);
+    }
+    None
+}
+
+/// Force at the break and its standard deviation in N: a robust parabola over the blocks that lead up to it, so that
+/// the highest of many noisy values isn't taken for the force.
+pub(super) fn force_at(blocks: &Blocks, block: usize) -> Option<(f64, f64)> {
+    let used = (block / 8).clamp(6, 30);
+    let first = (block + 1).saturating_sub(used);
+    let end = *blocks.t_s.get(block)?;
+    let scale = end - blocks.t_s.get(first)?;
+    if block + 1 - first < 4 || scale <= 0.0 {
+        return Some((*blocks.f_n.get(block)?, blocks.noise_n));
+    }
+    let rows: Vec<([f64; 3], f64)> = (first..=block)
+        .map(|i| {
+            let x = (blocks.t_s[i] - end) / scale;
+            ([1.0, x, x * x], blocks.f_n[i])
+        })
+        .collect();
+    let (solved, rms) = huber(&rows)?;
+    Some((solved.x[0], rms.max(blocks.noise_n) * solved.inverse[0][0].sqrt()))
+}

@@ -1,0 +1,295 @@
+//! The force at which the soil fails, from force against displacement.
+
+mod after;
+mod drastic;
+mod evidence;
+mod saturation;
+mod settings;
+mod two_lines;
+
+use std::fmt;
+
+pub use evidence::{Change, Evidence};
+pub use saturation::Saturation;
+pub use settings::FailureSettings;
+pub use two_lines::TwoLines;
+
+use crate::blocks::Blocks;
+use crate::trace::Trace;
+
+/// What a stroke's trace says of its failure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Analysis {
+    /// The failure, or why none can be told.
+    pub outcome: Outcome,
+    /// Two lines through the curve up to a drastic failure or to the end; the thesis's rule, for comparison.
+    pub two_lines: Option<TwoLines>,
+    /// The curve as a limit force times its mobilised fraction.
+    pub saturation: Option<Saturation>,
+    /// Standard deviation of one sample of the force in N, if samples are independent.
+    pub noise_n: f64,
+}
+
+/// Whether there is a failure.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// There is one.
+    Found(FailurePoint),
+    /// None can be told, and why.
+    Indiscernible(Indiscernible),
+}
+
+/// The failure of a stroke.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FailurePoint {
+    /// Force at which the soil failed, in N.
+    pub force_n: f64,
+    /// Its standard deviation in N.
+    pub sd_n: f64,
+    /// How it was found.
+    pub method: Method,
+    /// Displacement at failure in m, from the start of the trace.
+    pub displacement_m: f64,
+    /// Time of failure in s, on the trace's clock.
+    pub time_s: f64,
+    /// `(dF/du) H/F` over half a depth after failure, if the stroke went on.
+    pub post_slope_norm: Option<f64>,
+    /// Force half a depth after failure over the force at failure, if the stroke went so far.
+    pub residual_ratio: Option<f64>,
+    /// What the other channels did.
+    pub evidence: Evidence,
+}
+
+/// How a failure was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// The force dropped.
+    Drop,
+    /// The plate ran away.
+    RunAway,
+    /// The limit force that the curve tends to.
+    Saturation,
+}
+
+/// Two sorts of failure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// All at once.
+    Drastic,
+    /// By and by.
+    Gradual,
+}
+
+impl Method {
+    /// Sort of failure that this method finds.
+    #[must_use]
+    pub fn kind(self) -> Kind {
+        match self {
+            Self::Drop | Self::RunAway => Kind::Drastic,
+            Self::Saturation => Kind::Gradual,
+        }
+    }
+
+    /// As it stands in tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Drop => "drop",
+            Self::RunAway => "run_away",
+            Self::Saturation => "saturation",
+        }
+    }
+}
+
+/// Why no failure can be told.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Indiscernible {
+    /// The force never rose to the least that counts.
+    NoForce {
+        /// Highest force in N.
+        highest_n: f64,
+        /// What was needed in N.
+        least_n: f64,
+    },
+    /// The plate did not move.
+    NoTravel {
+        /// Greatest displacement in m.
+        travel_m: f64,
+    },
+    /// Force grows as steeply at the end as at the beginning.
+    NoBreak {
+        /// Late slope over early slope.
+        slope_ratio: f64,
+    },
+    /// The stroke ended before most of the limit force was mobilised.
+    Incomplete {
+        /// Mobilised fraction at the end, 0 to 1.
+        mobilised: f64,
+    },
+    /// There is a break, but its force is too uncertain.
+    Uncertain {
+        /// Standard deviation over force.
+        sd_rel: f64,
+    },
+}
+
+impl Indiscernible {
+    /// As it stands in tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoForce { .. } => "no_force",
+            Self::NoTravel { .. } => "no_travel",
+            Self::NoBreak { .. } => "no_break",
+            Self::Incomplete { .. } => "incomplete",
+            Self::Uncertain { .. } => "uncertain",
+        }
+    }
+}
+
+impl fmt::Display for Indiscernible {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoForce { highest_n, least_n } => {
+                write!(out, "the force never exceeds {highest_n:.3} N, a stroke needs {least_n:.3} N")
+            }
+            Self::NoTravel { travel_m } => write!(out, "the plate moved by only {:.3} mm", travel_m * 1e3),
+            Self::NoBreak { slope_ratio } => write!(
+                out,
+                "force rises nearly as fast at the end as at the beginning (slopes 1 : {slope_ratio:.2}), so there is no break"
+            ),
+            Self::Incomplete { mobilised } => write!(
+                out,
+                "the stroke ended with only {:.0} % of the limit force mobilised; let it go further or push harder",
+                mobilised * 100.0
+            ),
+            Self::Uncertain { sd_rel } => {
+                write!(
+                    out,
+                    "the failure force is uncertain by {:.0} % (one standard deviation)",
+                    sd_rel * 100.0
+                )
+            }
+        }
+    }
+}
+
+/// Nodes that a curve is fitted at.
+const NODES: usize = 120;
+/// Least travel in depths: below, there is no curve.
+const LEAST_TRAVEL: f64 = 2e-3;
+
+/// Finds the failure of one stroke.
+///
+/// A drop of the force or a run-away of the plate is a drastic failure, and its force the one just before. Otherwise the
+/// failure is gradual: the limit force is found by how the curve saturates. The thesis's rule, the break of
+/// two lines (section 5.5), is biased low by as much as is still to be mobilised at the break; it is reported beside.
+#[must_use]
+pub fn failure_force(trace: &Trace, settings: &FailureSettings) -> Analysis {
+    let blocks = Blocks::of(trace);
+    let noise_n = blocks.noise_n * (blocks.samples as f64).sqrt();
+    let highest_n = blocks.f_n.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least_n = settings.least_force_n.max(10.0 * blocks.noise_n);
+    let none = |reason| Analysis {
+        outcome: Outcome::Indiscernible(reason),
+        two_lines: None,
+        saturation: None,
+        noise_n,
+    };
+    if highest_n < least_n {
+        return none(Indiscernible::NoForce { highest_n, least_n });
+    }
+    let (low, high) =
+        blocks.u_m.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), u| (l.min(*u), h.max(*u)));
+    if high - low < LEAST_TRAVEL * settings.depth_m {
+        return none(Indiscernible::NoTravel { travel_m: high - low });
+    }
+    let broken = drastic::find(&blocks, settings);
+    let loading = broken.map_or_else(|| blocks.clone(), |broken| blocks.until(broken.block + 1));
+    let nodes = loading.nodes(NODES);
+    let two_lines = two_lines::fit(&nodes);
+    let saturation = saturation::fit(&from_rest(&nodes), loading.noise_n);
+    let outcome = match broken {
+        Some(broken) => at_break(trace, &blocks, broken, settings),
+        None => gradual(trace, &blocks, two_lines, saturation, settings),
+    };
+    Analysis { outcome, two_lines, saturation, noise_n }
+}
+
+/// Nodes measured from where the force would be zero: the plate may carry some when a stroke begins.
+fn from_rest(nodes: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let (Some([u_0, f_0]), Some([u_1, f_1])) = (nodes.first(), nodes.get(nodes.len() / 8)) else {
+        return Vec::new();
+    };
+    let slope = (f_1 - f_0) / (u_1 - u_0);
+    let back = if slope.is_finite() && slope > 0.0 { (f_0 / slope).max(0.0) } else { 0.0 };
+    nodes.iter().map(|[u, f]| [u - u_0 + back, *f]).collect()
+}
+
+fn at_break(trace: &Trace, blocks: &Blocks, broken: drastic::Break, settings: &FailureSettings) -> Outcome {
+    let Some((force_n, sd_n)) = drastic::force_at(blocks, broken.block) else {
+        return Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel: 1.0 });
+    };
+    let method = match broken.sign {
+        drastic::Sign::Drop => Method::Drop,
+        drastic::Sign::RunAway => Method::RunAway,
+    };
+    point(trace, blocks, settings, Found { force_n, sd_n, method, block: broken.block })
+}
+
+fn gradual(
+    trace: &Trace,
+    blocks: &Blocks,
+    two_lines: Option<TwoLines>,
+    saturation: Option<Saturation>,
+    settings: &FailureSettings,
+) -> Outcome {
+    let (Some(lines), Some(curve)) = (two_lines, saturation) else {
+        return Outcome::Indiscernible(Indiscernible::NoBreak { slope_ratio: 1.0 });
+    };
+    let slope_ratio = lines.late_n_per_m / lines.early_n_per_m;
+    if !(slope_ratio.is_finite() && slope_ratio < settings.most_slope_ratio) || lines.early_n_per_m <= 0.0 {
+        return Outcome::Indiscernible(Indiscernible::NoBreak { slope_ratio });
+    }
+    if curve.mobilised < settings.least_mobilised {
+        return Outcome::Indiscernible(Indiscernible::Incomplete { mobilised: curve.mobilised });
+    }
+    let first = blocks.u_m.first().copied().unwrap_or(0.0);
+    let at = curve.displacement_95_m.unwrap_or(lines.displacement_m - first);
+    let block = blocks.u_m.iter().position(|u| u - first >= at).unwrap_or(blocks.u_m.len().saturating_sub(1));
+    // What is not mobilised is extrapolated, and so less certain.
+    let extrapolated = 0.25 * (1.0 - curve.mobilised) * curve.force_n;
+    let sd_n = curve.sd_n.hypot(extrapolated);
+    point(trace, blocks, settings, Found { force_n: curve.force_n, sd_n, method: Method::Saturation, block })
+}
+
+struct Found {
+    force_n: f64,
+    sd_n: f64,
+    method: Method,
+    block: usize,
+}
+
+fn point(trace: &Trace, blocks: &Blocks, settings: &FailureSettings, found: Found) -> Outcome {
+    let sd_n = found.sd_n.hypot(settings.floor_sd_rel * found.force_n);
+    let sd_rel = sd_n / found.force_n;
+    if !(sd_rel.is_finite() && sd_rel <= settings.most_sd_rel) {
+        return Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel: sd_rel.min(1e3) });
+    }
+    let (Some(&time_s), Some(&u), Some(&first)) =
+        (blocks.t_s.get(found.block), blocks.u_m.get(found.block), blocks.u_m.first())
+    else {
+        return Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel });
+    };
+    let after = after::After::of(blocks, found.block, found.force_n, settings.depth_m);
+    Outcome::Found(FailurePoint {
+        force_n: found.force_n,
+        sd_n,
+        method: found.method,
+        displacement_m: u - first,
+        time_s,
+        post_slope_norm: after.slope_norm,
+        residual_ratio: after.residual_ratio,
+        evidence: Evidence::at(trace, time_s),
+    })
+}

@@ -1,0 +1,151 @@
+//! How far a gradual failure has mobilised the soil: force against displacement as a limit force, which the heap
+//! makes grow, times a mobilised fraction that tends to 1.
+//!
+//! `F(u) = (F_0 + F_1 u) m(u / lambda)`. At a given `lambda` it is linear in the limit force `F_0` of the undisturbed
+//! ground and its growth `F_1`, so one search over `lambda` does. Which law `m` follows is not known; several are
+//! fitted, from a sharp bend to a hyperbola (Kondner 1963; Duncan & Chang 1970), and count by how well they fit. Their
+//! spread is part of the uncertainty.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::robust::{Solved, least_squares};
+
+/// The limit force by mobilisation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Saturation {
+    /// Limit force of the undisturbed ground in N.
+    pub force_n: f64,
+    /// Its standard deviation in N: residuals, and the spread of the laws that fit.
+    pub sd_n: f64,
+    /// Growth of the limit force with displacement in N/m.
+    pub growth_n_per_m: f64,
+    /// Fraction of the limit force that was mobilised at the end, 0 to 1.
+    pub mobilised: f64,
+    /// Displacement in m at which 95 % were mobilised, if the stroke went so far.
+    pub displacement_95_m: Option<f64>,
+}
+
+/// Mobilised fraction at `x = u / lambda`, all with limit 1.
+const LAWS: [fn(f64) -> f64; 11] = [
+    |x| x.min(1.0),
+    |x| if x < 2.0 { x - x * x / 4.0 } else { 1.0 },
+    f64::tanh,
+    |x| 1.0 - (-x).exp(),
+    |x| 1.0 - (-x.powf(0.75)).exp(),
+    |x| 1.0 - (1.0 + x / 3.0).powi(-3),
+    |x| x / (1.0 + x),
+    |x| x / (1.0 + x.powf(1.5)).powf(2.0 / 3.0),
+    |x| x / (1.0 + x * x).sqrt(),
+    |x| x / (1.0 + x.powi(4)).powf(0.25),
+    |x| (x * FRAC_PI_2).atan() / FRAC_PI_2,
+];
+
+/// As many independent pieces of evidence does a curve give on its shape: nodes depend on each other.
+const INDEPENDENT: f64 = 30.0;
+
+/// Laws whose misfit stays under this fraction of the force can't be told apart: no soil follows any of them closer.
+const INDISTINCT: f64 = 0.006;
+
+/// One law with its best length.
+struct Fitted {
+    lambda: f64,
+    law: fn(f64) -> f64,
+    solved: Solved<2>,
+    square: f64,
+}
+
+/// Fits all laws to nodes (displacement, force) that start where the plate began to push. `noise_n` is the standard
+/// deviation of a node. `None` if no law fits with a limit force above 0.
+pub(super) fn fit(nodes: &[[f64; 2]], noise_n: f64) -> Option<Saturation> {
+    let last = nodes.iter().map(|node| node[0]).fold(0.0, f64::max);
+    if !(last.is_finite() && last > 0.0) {
+        return None;
+    }
+    let fits: Vec<Fitted> = LAWS.iter().filter_map(|law| best_length(nodes, last, *law)).collect();
+    let highest = nodes.iter().map(|node| node[1]).fold(0.0, f64::max);
+    let floor = (noise_n * noise_n + (INDISTINCT * highest).powi(2)).max(f64::MIN_POSITIVE);
+    let least = fits.iter().map(|fit| fit.square.max(floor)).min_by(f64::total_cmp)?;
+    let weights: Vec<f64> =
+        fits.iter().map(|fit| (fit.square.max(floor) / least).powf(-INDEPENDENT / 2.0)).collect();
+    let total: f64 = weights.iter().sum();
+    let mean = |value: &dyn Fn(&Fitted) -> f64| -> f64 {
+        fits.iter().zip(&weights).map(|(fit, w)| w * value(fit)).sum::<f64>() / total
+    };
+    let force_n = mean(&|fit| fit.solved.x[0]);
+    let spread = mean(&|fit| (fit.solved.x[0] - force_n).powi(2));
+    let within =
+        mean(&|fit| fit.square.max(floor) * fit.solved.inverse[0][0] * nodes.len() as f64 / INDEPENDENT);
+    let length_95 = mean(&|fit| fit.lambda * reach(fit.law, 0.95));
+    Some(Saturation {
+        force_n,
+        sd_n: (spread + within).sqrt(),
+        growth_n_per_m: mean(&|fit| fit.solved.x[1]) / last,
+        mobilised: mean(&|fit| (fit.law)(last / fit.lambda)),
+        displacement_95_m: (length_95 <= last).then_some(length_95),
+    })
+}
+
+/// Smallest `x` at which a law reaches `fraction`, by bisection.
+fn reach(law: fn(f64) -> f64, fraction: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1e3);
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if law(middle) < fraction { low = middle } else { high = middle }
+    }
+    high
+}
+
+/// Least squares over the length on a logarithmic grid, refined twice around the best.
+fn best_length(nodes: &[[f64; 2]], last: f64, law: fn(f64) -> f64) -> Option<Fitted> {
+    let mut best: Option<Fitted> = None;
+    // From a hundredth of the stroke to three times the stroke: longer ones can't be told from a straight line.
+    let (mut low, mut high) = ((0.003 * last).ln(), (3.0 * last).ln());
+    for _ in 0..3 {
+        let steps = 40;
+        for k in 0..=steps {
+            let lambda = (low + (high - low) * f64::from(k) / f64::from(steps)).exp();
+            if let Some(found) = at_length(nodes, last, law, lambda)
+                && best.as_ref().is_none_or(|known| found.square < known.square)
+            {
+                best = Some(found);
+            }
+        }
+        let around = best.as_ref()?.lambda.ln();
+        let half = (high - low) / f64::from(steps);
+        (low, high) = (around - half, around + half);
+    }
+    best
+}
+
+/// Limit force above 0, growth between none and twice the limit force over the stroke.
+fn at_length(nodes: &[[f64; 2]], last: f64, law: fn(f64) -> f64, lambda: f64) -> Option<Fitted> {
+    let row = |u: f64| {
+        let m = law((u / lambda).max(0.0));
+        [m, m * u / last]
+    };
+    let mut solved = least_squares(nodes.iter().map(|[u, f]| (row(*u), *f, 1.0)))?;
+    if solved.x[1] < 0.0 || solved.x[1] > 2.0 * solved.x[0] {
+        // On the edge of what is allowed one unknown is left.
+        let share = if solved.x[1] < 0.0 { 0.0 } else { 2.0 };
+        let single = least_squares(nodes.iter().map(|[u, f]| {
+            let [m, mu] = row(*u);
+            ([m + share * mu], *f, 1.0)
+        }))?;
+        solved = Solved {
+            x: [single.x[0], share * single.x[0]],
+            inverse: [[single.inverse[0][0], 0.0], [0.0, 0.0]],
+        };
+    }
+    if solved.x[0].is_nan() || solved.x[0] <= 0.0 {
+        return None;
+    }
+    let square = nodes
+        .iter()
+        .map(|[u, f]| {
+            let [m, mu] = row(*u);
+            (f - solved.x[0] * m - solved.x[1] * mu).powi(2)
+        })
+        .sum::<f64>()
+        / nodes.len() as f64;
+    Some(Fitted { lambda, law, solved, square })
+}

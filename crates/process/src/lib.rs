@@ -1,0 +1,29 @@
+#![doc = include_str!("../README.md")]
+
+mod blocks;
+mod campaign;
+mod depth_law;
+mod error;
+mod failure;
+mod find;
+mod friction;
+mod recorded;
+mod robot;
+mod robust;
+mod statistics;
+mod trace;
+
+pub use campaign::{AngleGroup, CampaignStatistics, CampaignStroke, Dependence, campaign_statistics};
+pub use depth_law::{DepthLaw, DepthPoint, depth_law};
+pub use error::ProcessError;
+pub use failure::{
+    Analysis, Change, Evidence, FailurePoint, FailureSettings, Indiscernible, Kind, Method, Outcome,
+    Saturation, TwoLines, failure_force,
+};
+pub use find::{Contact, FindSettings, Finder, NotAStroke, Recorded};
+pub use friction::{
+    RubbingPeak, SWEEP_ALPHA_DEG, SweepEstimate, SweepStroke, interface_friction, rubbing_peak,
+};
+pub use recorded::{Evaluated, Setting, evaluate};
+pub use robot::{Aligner, Lost, Robot, RobotSample};
+pub use trace::{Channels, FEWEST_SAMPLES, Trace};

@@ -1,0 +1,161 @@
+//! From a stroke's samples to its curve and to a row of the stroke table.
+
+use soilctl_strokes::StrokeRow;
+
+use crate::error::{ProcessError, positive};
+use crate::failure::{Analysis, FailureSettings, Outcome, failure_force};
+use crate::find::Recorded;
+use crate::robot::RobotSample;
+use crate::robust::{median, sd_of_median_abs};
+use crate::trace::{Channels, Trace};
+
+/// What samples don't tell.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Setting {
+    /// Height of the soil's surface in the URDF's root frame, in m.
+    pub surface_z_m: f64,
+    /// Width of the plate in m.
+    pub width_m: f64,
+    /// Tool angle in deg; without it the one of the plate frame.
+    pub alpha_deg: Option<f64>,
+    /// Name of the stroke.
+    pub stroke_id: Option<String>,
+    /// Preparation it belongs to.
+    pub batch: Option<String>,
+    /// Order within the batch.
+    pub order: Option<u32>,
+    /// Set-point of the interface friction in deg.
+    pub delta_set_deg: Option<f64>,
+}
+
+/// A stroke, evaluated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evaluated {
+    /// Row of the stroke table; its force is 0 if there is no failure, and then it must not be written.
+    pub row: StrokeRow,
+    /// The curve.
+    pub trace: Trace,
+    /// What was found on it.
+    pub analysis: Analysis,
+}
+
+/// Evaluates a recorded stroke.
+///
+/// The force is that of the plate on the soil in the vertical plane of travel. Its inclination is positive downward,
+/// and the friction angle is the inclination minus that of the plate's normal, `alpha - 90 deg`.
+///
+/// # Errors
+/// [`ProcessError::OutOfRange`] if the plate's depth or width is not above 0, or its angle is not between 0 and 180 deg;
+/// errors of [`Trace::new`].
+pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, ProcessError> {
+    let width_m = positive("width of the plate", setting.width_m, "m")?;
+    let [dx, dy] = stroke.direction;
+    let first = stroke.samples.first().ok_or(ProcessError::TooFew { what: "samples", found: 0, least: 1 })?;
+    let along = |v: [f64; 3]| v[0] * dx + v[1] * dy;
+    let early = &stroke.samples[..(stroke.samples.len() / 50).max(1)];
+    let mut heights: Vec<f64> = early.iter().map(|s| s.tip_m[2]).collect();
+    let depth_m =
+        positive("depth of the plate below the surface", setting.surface_z_m - median(&mut heights), "m")?;
+    let alpha_deg = match setting.alpha_deg {
+        Some(alpha) => alpha,
+        None => tool_angle_deg(along(first.down_plate), first.down_plate[2]),
+    };
+    if !(alpha_deg > 0.0 && alpha_deg < 180.0) {
+        return Err(ProcessError::OutOfRange {
+            what: "tool angle",
+            value: alpha_deg,
+            unit: "deg",
+            allowed: "above 0 and below 180",
+        });
+    }
+    let mut starts: Vec<f64> = early.iter().map(|s| along(s.tip_m)).collect();
+    let start = median(&mut starts);
+    let theta_plate_deg = alpha_deg - 90.0;
+    let inclination = |force: [f64; 3]| force[2].atan2(-along(force)).to_degrees();
+    let columns =
+        |value: &dyn Fn(&RobotSample) -> f64| -> Vec<f64> { stroke.samples.iter().map(value).collect() };
+    let centre: Option<Vec<f64>> = fill(stroke.samples.iter().map(RobotSample::centre_m));
+    let trace = Trace::new(
+        columns(&|s| s.t_s),
+        columns(&|s| along(s.tip_m) - start),
+        columns(&|s| along(s.force_n()).hypot(s.force_n()[2])),
+        Channels {
+            friction_angle_deg: Some(columns(&|s| inclination(s.force_n()) - theta_plate_deg)),
+            z_m: Some(columns(&|s| s.tip_m[2])),
+            centre_m: centre,
+        },
+    )?;
+    let analysis = failure_force(&trace, &FailureSettings::for_depth(depth_m)?);
+    let mut row = StrokeRow {
+        stroke_id: setting.stroke_id.clone(),
+        batch: setting.batch.clone(),
+        order: setting.order,
+        time_s: Some(first.t_s),
+        alpha_deg,
+        depth_m,
+        width_m,
+        delta_set_deg: setting.delta_set_deg,
+        radius_m: Some(first.tip_m[0].hypot(first.tip_m[1])),
+        base_deg: Some(first.tip_m[1].atan2(first.tip_m[0]).to_degrees()),
+        x_step_m: step(trace.displacement_m()),
+        ..StrokeRow::default()
+    };
+    if let Outcome::Found(point) = &analysis.outcome {
+        row.force_n = point.force_n;
+        row.force_sd_n = Some(point.sd_n);
+        row.displacement_at_failure_m = Some(point.displacement_m);
+        row.post_slope_norm = point.post_slope_norm;
+        row.residual_ratio = point.residual_ratio;
+        row.friction_angle_deg = before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s);
+        row.z_drift_m =
+            before(&trace, trace.channels().z_m.as_deref(), point.time_s).map(|z| z - median(&mut heights));
+        row.speed_mps = (point.displacement_m > 0.0 && point.time_s > first.t_s)
+            .then(|| point.displacement_m / (point.time_s - first.t_s));
+        // A free-air reading counts in the direction in which the soil pushed.
+        let at = stroke.samples.iter().rev().find(|s| s.t_s <= point.time_s).unwrap_or(first);
+        let force = at.force_n();
+        let size = along(force).hypot(force[2]);
+        let share = |tare: [f64; 6]| {
+            let tare = at.turned([tare[0], tare[1], tare[2]]);
+            (along(tare) * along(force) + tare[2] * force[2]) / size
+        };
+        if size > 0.0 {
+            row.tare_before_n = stroke.tare_before.map(share);
+            row.tare_after_n = stroke.tare_after.map(share);
+        }
+    }
+    Ok(Evaluated { row, trace, analysis })
+}
+
+/// Angle of a plate from the ground ahead: its `down` direction along the travel and upwards.
+fn tool_angle_deg(down_along: f64, down_up: f64) -> f64 {
+    (-down_up).atan2(down_along).to_degrees()
+}
+
+/// Median of a channel over the half second before failure, less its last tenth.
+fn before(trace: &Trace, values: Option<&[f64]>, time_s: f64) -> Option<f64> {
+    let first = trace.t_s().partition_point(|t| *t < time_s - 0.5);
+    let last = trace.t_s().partition_point(|t| *t < time_s - 0.05);
+    let part = values?.get(first..last).filter(|part| part.len() >= 3)?;
+    Some(median(&mut part.to_vec()))
+}
+
+/// Holds the last value where there is none; `None` if more than half is missing.
+fn fill(values: impl Iterator<Item = Option<f64>> + Clone) -> Option<Vec<f64>> {
+    let mut last = values.clone().flatten().next()?;
+    let (mut filled, mut missing) = (Vec::new(), 0);
+    for value in values {
+        missing += usize::from(value.is_none());
+        last = value.unwrap_or(last);
+        filled.push(last);
+    }
+    (2 * missing <= filled.len()).then_some(filled)
+}
+
+/// Step of a displacement that comes in steps: the usual size of its jumps, if it mostly stands still between them.
+fn step(displacement_m: &[f64]) -> Option<f64> {
+    let changes: Vec<f64> =
+        displacement_m.windows(2).map(|pair| pair[1] - pair[0]).filter(|change| *change != 0.0).collect();
+    let stepped = changes.len() >= 4 && changes.len() * 2 < displacement_m.len();
+    stepped.then(|| sd_of_median_abs(changes.into_iter()) * 0.674_489_750_196_081_7)
+}

@@ -1,0 +1,76 @@
+//! Failure forces of strokes whose limit force is known.
+#![allow(clippy::unwrap_used, clippy::cast_precision_loss)]
+
+mod common;
+
+use common::{DEPTH_M, LIMIT_N, laws, stroke};
+use soilctl_process::{FailureSettings, Indiscernible, Kind, Method, Outcome, failure_force};
+
+fn settings() -> FailureSettings {
+    FailureSettings::for_depth(DEPTH_M).unwrap()
+}
+
+#[test]
+fn gradual_failures_are_found_where_two_lines_are_biased() {
+    let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+    for (name, law) in laws() {
+        for (growth, lambda) in [(0.0, 0.02), (0.0, 0.05), (0.4, 0.02), (0.4, 0.05)] {
+            let force = |u: f64| LIMIT_N * (1.0 + growth * u / DEPTH_M) * law(u / (lambda * DEPTH_M));
+            let found = failure_force(&stroke(force, 0.020, 8.0, 0.05, 7), &settings());
+            let Outcome::Found(point) = found.outcome else {
+                panic!("{name}, growth {growth}, length {lambda}: {:?}", found.outcome)
+            };
+            let error = point.force_n / LIMIT_N - 1.0;
+            let lines = found.two_lines.unwrap().force_n / LIMIT_N - 1.0;
+            assert_eq!(point.method, Method::Saturation);
+            assert!(
+                (error * LIMIT_N).abs() < 3.0 * point.sd_n,
+                "{name}, growth {growth}, length {lambda}: {error}"
+            );
+            ours.push(error.abs());
+            theirs.push(lines.abs());
+        }
+    }
+    ours.sort_by(f64::total_cmp);
+    theirs.sort_by(f64::total_cmp);
+    let at = |values: &[f64], share: f64| values[(share * (values.len() - 1) as f64) as usize];
+    println!(
+        "median {} worst {}; two lines {} {}",
+        at(&ours, 0.5),
+        at(&ours, 1.0),
+        at(&theirs, 0.5),
+        at(&theirs, 1.0)
+    );
+    // A limit force that grows and one that is slow to be mobilised look alike; the worst cases are those.
+    assert!(at(&ours, 0.5) < 0.01 && at(&ours, 0.9) < 0.08);
+    assert!(at(&ours, 0.5) < 0.5 * at(&theirs, 0.5));
+}
+
+#[test]
+fn a_peak_is_a_drastic_failure_at_its_height() {
+    for rest in [0.5, 0.7, 0.85] {
+        for noise in [0.0, 0.02, 0.1] {
+            let force = |u: f64| {
+                let x = u / (0.04 * DEPTH_M);
+                if x < 1.0 {
+                    LIMIT_N * (2.0 * x - x * x)
+                } else {
+                    LIMIT_N * (rest + (1.0 - rest) * (-(x - 1.0) * 1.5).exp())
+                }
+            };
+            let found = failure_force(&stroke(force, 0.016, 6.0, noise, 3), &settings());
+            let Outcome::Found(point) = found.outcome else { panic!("{:?}", found.outcome) };
+            assert_eq!(point.method.kind(), Kind::Drastic);
+            assert!((point.force_n / LIMIT_N - 1.0).abs() < 0.02);
+        }
+    }
+}
+
+#[test]
+fn a_straight_line_has_no_break() {
+    let found = failure_force(&stroke(|u| 2000.0 * u, 0.01, 6.0, 0.02, 3), &settings());
+    assert!(matches!(
+        found.outcome,
+        Outcome::Indiscernible(Indiscernible::NoBreak { .. } | Indiscernible::Incomplete { .. })
+    ));
+}

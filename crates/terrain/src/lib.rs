@@ -1,0 +1,11 @@
+#![doc = include_str!("../README.md")]
+
+mod error;
+mod field;
+mod push;
+mod settle;
+
+pub use error::TerrainError;
+pub use field::{HeightField, MOST_CELLS};
+pub use push::Sweep;
+pub use settle::{Repose, Settled};
