@@ -180,6 +180,7 @@ mod lower;
 mod mesh;
 mod problem;
 mod proof;
+mod shown;
 mod solution;
 mod statement;
 #[cfg(test)]
@@ -194,6 +195,7 @@ pub use fields::{
 pub use lower::prove_lower;
 pub use mesh::{Mesh, Place, Triangle, Vertex};
 pub use proof::{Bound, Proof, prove};
+pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownStress, show_flow, show_stress};
 pub use solution::{Claim, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
 pub use statement::{Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement};
 pub use upper::prove_upper;

@@ -40,6 +40,69 @@ fn bounds_are_proven_saved_and_proven_again() {
 }
 
 #[test]
+fn results_are_told_and_shown_in_every_form() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let (saved, svg) = (path("plate.json"), path("velocity.svg"));
+    let files = ["--max-gap", "0.2", "--save", &saved, "--plot", &svg];
+    let (code, answer, stderr) = soilctl(&[&PLATE[..], &files].concat());
+    assert_eq!(code, 0, "{stderr}");
+    let results = &answer["results"];
+    assert_eq!(results["files"], serde_json::json!([svg]));
+    assert_eq!(results["length_unit"], "L");
+    // Rankine's wedges.
+    let root = 3.0_f64.sqrt();
+    let [ahead, behind] = ["wedge_ahead", "wedge_behind"].map(|key| answer[key].as_f64().unwrap());
+    assert!((ahead / root - 1.0).abs() < 0.1 && (behind * root - 1.0).abs() < 0.2, "{ahead} {behind}");
+    let contacts = results["contacts"].as_array().unwrap();
+    let force = |face: &str| {
+        let contact = contacts.iter().find(|c| c["face"] == face).unwrap();
+        contact["normal_force"].as_f64().unwrap()
+    };
+    // The plate is smooth and upright: K = 2 F.
+    let net = 2.0 * (force("front") - force("back"));
+    assert!((net - answer["lower"].as_f64().unwrap()).abs() < 1e-9, "{net}");
+
+    let mut sizes = Vec::new();
+    for (kind, ending) in [
+        ("velocity", "csv"),
+        ("dissipation", "svg"),
+        ("stress", "svg"),
+        ("contact", "png"),
+        ("contact", "csv"),
+        ("all", "html"),
+        ("all", "svg"),
+    ] {
+        let file = path(&format!("{kind}.{ending}"));
+        let (code, proof, stderr) = soilctl(&["certify", &saved, "--plot", &file, "--plot-kind", kind]);
+        assert_eq!(code, 0, "{kind}.{ending}: {stderr}");
+        assert_eq!(proof["files"], serde_json::json!([file]));
+        let bytes = std::fs::read(&file).unwrap();
+        let start: &[u8] = match ending {
+            "svg" => b"<svg",
+            "png" => b"\x89PNG",
+            "csv" => b"layer,kind,name",
+            _ => b"<!",
+        };
+        assert!(bytes.starts_with(start), "{kind}.{ending}");
+        sizes.push(bytes.len());
+    }
+    // Edges of more than a thousand triangles in one figure stay small.
+    assert!(std::fs::metadata(&svg).unwrap().len() < 500_000);
+    assert!(sizes.iter().all(|size| *size < 8_000_000), "{sizes:?}");
+}
+
+#[test]
+fn linear_programs_give_wider_bounds_that_are_proven_too() {
+    let (code, answer, stderr) = soilctl(&[&PLATE[..], &["--max-gap", "0.2", "--segments", "12"]].concat());
+    assert_eq!(code, 0, "{stderr}");
+    let (lower, upper) = (answer["lower"].as_f64().unwrap(), answer["upper"].as_f64().unwrap());
+    assert!(lower <= 8.0 / 3.0 && 8.0 / 3.0 <= upper, "{lower} {upper}");
+    // Twelve sides inside of the circle bear a friction of 28.9 deg, whose coefficient is 2.52.
+    assert!(answer["gap"].as_f64().unwrap() > 0.02);
+}
+
+#[test]
 fn a_budget_that_ends_first_is_exit_code_3_with_the_best_bounds() {
     let (code, answer, _) = soilctl(&[&PLATE[..], &["--max-gap", "1e-9"]].concat());
     assert_eq!(code, 3);
@@ -64,6 +127,12 @@ fn bad_input_is_refused_in_words() {
         (["bound", "--alpha", "90", "--phi", "30", "--delta", "0", "--cohesion", "5"].as_slice(), "--depth"),
         (["bound", "--alpha", "90", "--phi", "30", "--delta", "0", "--max-gap", "0"].as_slice(), "above 0"),
         (["certify", "no-such-file.json"].as_slice(), "no-such-file.json"),
+        ([&PLATE[..], &["--plot", "a.gif"]].concat().as_slice(), ".svg, .png, .html or .csv"),
+        ([&PLATE[..], &["--plot", "a.csv", "--plot-kind", "all"]].concat().as_slice(), "one figure"),
+        ([&PLATE[..], &["--vtu", "a.txt"]].concat().as_slice(), ".vtu"),
+        ([&PLATE[..], &["--mesh", "a"]].concat().as_slice(), ".msh"),
+        ([&PLATE[..], &["--dump", "no/such/folder"]].concat().as_slice(), "no/such/folder"),
+        ([&PLATE[..], &["--segments", "2"]].concat().as_slice(), "3..=1000"),
     ] {
         let (code, _, stderr) = soilctl(args);
         assert_eq!(code, 2, "{args:?}");

@@ -1,6 +1,6 @@
 //! The data of a figure as a table in long form; the columns are documented at `Figure::to_csv`.
 
-use crate::model::{Figure, Layer, Orientation};
+use crate::model::{Figure, Layer, Orientation, Shade};
 
 const HEADER: &str = "layer,kind,name,part,ring,x,y,y_low,y_high,text\n";
 
@@ -12,6 +12,8 @@ struct Row<'a> {
     y: Option<f64>,
     y_low: Option<f64>,
     y_high: Option<f64>,
+    /// Stands in the column of the text.
+    value: Option<f64>,
     text: &'a str,
 }
 
@@ -25,7 +27,7 @@ pub(crate) fn to_csv(figure: &Figure) -> String {
                 .part_and_ring
                 .map_or_else(Default::default, |(part, ring)| (part.to_string(), ring.to_string()));
             let [x, y, low, high] = [row.x, row.y, row.y_low, row.y_high].map(number);
-            let text = quoted(row.text);
+            let text = row.value.map_or_else(|| quoted(row.text), |value| number(Some(value)));
             out += &format!("{prefix},{part},{ring},{x},{y},{low},{high},{text}\n");
         }
     }
@@ -63,6 +65,23 @@ fn rows(layer: &Layer) -> Vec<Row<'_>> {
                 ..point(p)
             };
             points.points.iter().enumerate().map(row).collect()
+        }
+        Layer::Paths(paths) => {
+            let parts = paths.parts.iter().enumerate();
+            let part = |(part, points): (usize, &'_ Vec<_>)| {
+                let place = Some((part + 1, 0));
+                points.iter().map(move |p| Row { part_and_ring: place, ..point(p) }).collect::<Vec<_>>()
+            };
+            parts.flat_map(part).collect()
+        }
+        Layer::Shades(shades) => {
+            let parts = shades.parts.iter().enumerate();
+            let part = |(part, shade): (usize, &Shade)| {
+                let (place, value) = (Some((part + 1, 0)), Some(shade.value));
+                let row = |p| Row { part_and_ring: place, value, ..point(p) };
+                shade.ring.iter().map(row).collect::<Vec<_>>()
+            };
+            parts.flat_map(part).collect()
         }
         Layer::Span(span) if span.orientation == Orientation::Horizontal => {
             vec![Row { y_low: Some(span.low), y_high: Some(span.high), ..Row::default() }]

@@ -105,12 +105,14 @@ pub enum FigureError {
         value: f64,
     },
     /// A line width outside of what is legible.
-    #[error("layer \"{layer}\": line width {value} is not allowed; choose a width between 0.5 and 12 px")]
+    #[error("layer \"{layer}\": line width {value} is not allowed; choose a width between {least} and 12 px")]
     BadWidth {
         /// Name of the layer.
         layer: String,
         /// The refused width.
         value: f64,
+        /// The smallest allowed.
+        least: f64,
     },
     /// Equal aspect was asked for with a logarithmic axis.
     #[error(

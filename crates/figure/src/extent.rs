@@ -51,6 +51,8 @@ fn add_layer(layer: &Layer, x: &mut Bounds, y: &mut Bounds) {
                 y.add(high);
             }
         }
+        Layer::Paths(paths) => paths.parts.iter().for_each(|part| add(part)),
+        Layer::Shades(shades) => shades.parts.iter().for_each(|part| add(&part.ring)),
         Layer::Text(text) => add(&[text.at]),
         Layer::Span(span) => {
             let across = if span.orientation == Orientation::Horizontal { y } else { x };

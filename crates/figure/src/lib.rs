@@ -1,7 +1,7 @@
 //! Scientific figures that are defined once and rendered everywhere.
 //!
-//! A [`Figure`] holds two axes and layers of data: lines, bands, polygons, points with error bars,
-//! spans, reference lines and texts. It renders to SVG and PNG (with an embedded font, so results
+//! A [`Figure`] holds two axes and layers of data: lines, bands, polygons, points with error bars, many lines or arrows at
+//! once, maps of a value, spans, reference lines and texts. It renders to SVG and PNG (with an embedded font, so results
 //! do not depend on the machine), to interactive HTML inside of an [`HtmlReport`], and to CSV.
 //! Layers are checked when they are added: values that cannot be drawn are refused with a
 //! [`FigureError`] that says what to do, and rendering a figure that was accepted does not panic.
@@ -43,8 +43,8 @@ mod report;
 pub use draw::FigureGrid;
 pub use error::FigureError;
 pub use model::{
-    Axis, Band, DataPoint, Figure, Layer, Legend, Line, Orientation, Points, Polygon, Polygons, RefLine,
-    Scale, Size, Span, Text, TextPlace,
+    Axis, Band, DataPoint, Figure, Layer, Legend, Line, Orientation, Paths, Points, Polygon, Polygons,
+    RefLine, Scale, Shade, Shades, Size, Span, Text, TextPlace,
 };
 pub use palette::{Dash, Marker};
 pub use report::{Align, CalloutKind, HtmlReport, RichText, Table};

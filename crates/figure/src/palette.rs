@@ -37,6 +37,25 @@ pub(crate) fn series(index: usize) -> Rgb {
     SERIES[index % SERIES.len()]
 }
 
+/// Colours of a scale from nothing to much, from light to dark so that it can be read without colour.
+const SCALE: [Rgb; 6] = [
+    (0xff, 0xff, 0xff),
+    (0xfd, 0xe3, 0xa7),
+    (0xf9, 0xb2, 0x5c),
+    (0xe8, 0x6f, 0x33),
+    (0xb3, 0x2b, 0x24),
+    (0x55, 0x0b, 0x1d),
+];
+
+/// The colour of a part, from 0 to 1, of the way along the scale.
+pub(crate) fn shade(part: f64) -> Rgb {
+    let place = part.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
+    let first = (place as usize).min(SCALE.len() - 2);
+    let (a, b, s) = (SCALE[first], SCALE[first + 1], place - first as f64);
+    let mix = |a: u8, b: u8| (f64::from(a) + s * (f64::from(b) - f64::from(a))).round() as u8;
+    (mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
+}
+
 /// Dash pattern of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]

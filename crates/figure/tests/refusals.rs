@@ -3,8 +3,8 @@
 
 use proptest::prelude::*;
 use soilctl_figure::{
-    Axis, Band, Figure, FigureError, FigureGrid, Layer, Legend, Line, Points, Polygon, Polygons, RefLine,
-    Size, Span, Table, Text,
+    Axis, Band, Figure, FigureError, FigureGrid, Layer, Legend, Line, Paths, Points, Polygon, Polygons,
+    RefLine, Shade, Shades, Size, Span, Table, Text,
 };
 
 fn linear() -> Figure {
@@ -34,7 +34,8 @@ fn bad_values_are_named() {
 fn mismatched_and_missing_data_are_refused() {
     use FigureError as E;
     type Case = (Layer, fn(&E) -> bool);
-    let cases: [Case; 8] = [
+    let triangle = |value: f64| Shade { ring: vec![(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)], value };
+    let cases: [Case; 13] = [
         (Line::new("l", []).into(), |e| matches!(e, E::TooFewPoints { .. })),
         (Line::new("l", [(0.0, 0.0)]).width(0.0).into(), |e| matches!(e, E::BadWidth { .. })),
         (Band::new("b", [0.0, 1.0], [0.0], [1.0, 1.0]).into(), |e| {
@@ -49,6 +50,15 @@ fn mismatched_and_missing_data_are_refused() {
         }),
         (Span::horizontal("s", 2.0, 1.0).into(), |e| matches!(e, E::Inverted { .. })),
         (Polygons::new("p", []).into(), |e| matches!(e, E::TooFewPoints { .. })),
+        (Paths::new("p", []).into(), |e| matches!(e, E::TooFewPoints { .. })),
+        (Paths::new("p", [vec![(0.0, 0.0)]]).into(), |e| matches!(e, E::TooFewPoints { needed: 2, .. })),
+        (Paths::new("p", [vec![(0.0, 0.0), (1.0, 0.0)]]).width(0.1).into(), |e| {
+            matches!(e, E::BadWidth { .. })
+        }),
+        (Shades::new("s", [triangle(1.0)], 2.0, 2.0).into(), |e| matches!(e, E::Inverted { .. })),
+        (Shades::new("s", [triangle(f64::NAN)], 0.0, 1.0).into(), |e| {
+            matches!(e, E::NotFinite { what: "values", .. })
+        }),
     ];
     for (layer, expected) in cases {
         let error = refused(layer);
@@ -115,12 +125,15 @@ proptest! {
             figure = figure.with_equal_aspect().unwrap();
         }
         let x: Vec<f64> = points.iter().map(|p| p.0).collect();
-        let layers: [Layer; 5] = [
+        let shade = Shade { ring: points.clone(), value: points[0].0 };
+        let layers: [Layer; 7] = [
             Line::new(name.as_str(), points.clone()).into(),
             Points::new("p", points.clone()).into(),
             Band::new("b", x.clone(), x.clone(), x).into(),
             Polygons::new("a", [Polygon::new(points.clone())]).into(),
             Text::new(name.as_str(), points[0]).into(),
+            Paths::new(name.as_str(), [points.clone()]).arrows().into(),
+            Shades::new(name.as_str(), [shade], points[0].1, 1.0).into(),
         ];
         let accepted = layers.into_iter().filter(|layer| figure.push(layer.clone()).is_ok()).count();
         let size = Size::new(width, 160).unwrap();

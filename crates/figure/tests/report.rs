@@ -75,7 +75,8 @@ fn figures_are_complete() {
     let json = &html[start..start + html[start..].find("</script>").unwrap()];
     let parsed: serde_json::Value = serde_json::from_str(json).unwrap();
     let data = parsed["data"].as_array().unwrap();
-    assert_eq!(data.len(), 5);
+    // One trace a layer, but for the map: one for each of its seven levels and one for the colour bar.
+    assert_eq!(data.len(), 6 + 8);
     assert_eq!(parsed["layout"]["shapes"].as_array().unwrap().len(), 4);
     assert!(data.iter().all(|trace| trace["name"].as_str().is_some_and(|name| !name.contains('<'))));
     assert!(data[0]["hovertemplate"].as_str().unwrap().contains("x (mm): %{x"));

@@ -112,7 +112,9 @@ fn csv_reads_back_exactly() {
     assert_eq!(of("points")[1][9], common::HOSTILE);
     assert_eq!(of("vspan").len(), 2);
     assert_eq!(number(&of("hline")[0][6]), 2.0);
-    assert_eq!(records.len(), 1 + 3 + 2 + 8 + 2 + 1 + 2 + 1 + 1 + 1);
+    assert_eq!(of("paths").iter().map(|r| r[3].as_str()).collect::<Vec<_>>(), ["1", "1", "2", "2", "2"]);
+    assert!(of("shades").len() == 4 && of("shades").iter().all(|r| number(&r[9]) == 0.7));
+    assert_eq!(records.len(), 1 + 3 + 2 + 8 + 2 + 5 + 4 + 1 + 2 + 1 + 1 + 1);
 }
 
 #[test]

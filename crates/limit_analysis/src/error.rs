@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use crate::describe::DescriptionError;
 use crate::mesh::MeshError;
+use crate::mesh::files::FileError;
 
 /// What can go wrong on the way to a bound.
 #[derive(Debug, Error)]
@@ -16,6 +17,9 @@ pub enum LimitError {
     /// A proof was refused.
     #[error(transparent)]
     Certificate(#[from] CertificateError),
+    /// A mesh or a solution cannot be written for another program.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A problem description makes no sense.
     #[error(transparent)]
     Description(#[from] DescriptionError),

@@ -27,6 +27,7 @@ pub mod mesh;
 mod plate;
 mod problem;
 mod program;
+pub mod results;
 mod runs;
 mod singular;
 mod slip;

@@ -50,6 +50,11 @@ impl Interval {
         self.hi
     }
 
+    /// A number in the middle, as good as any where nothing is to be proven.
+    pub(crate) fn middle(self) -> f64 {
+        0.5 * self.lo + 0.5 * self.hi
+    }
+
     /// Whether it is zero and nothing else.
     pub(crate) fn is_zero(self) -> bool {
         self.lo == 0.0 && self.hi == 0.0

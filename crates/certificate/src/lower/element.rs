@@ -105,6 +105,32 @@ impl Local {
             ]
         })
     }
+
+    /// The slopes of the function in each part, quadratic there, in Bernstein form: at the part's nodes (corner `k + 1`,
+    /// corner `k + 2`, centroid), then on its edges opposite to these.
+    pub(crate) fn part_slopes(&self) -> [[Vector; 6]; 3] {
+        let c = self.coefficients();
+        let [p, q, r] = self.corners;
+        let centroid = Vector { x: (p.x + q.x + r.x).third(), y: (p.y + q.y + r.y).third() };
+        [0, 1, 2].map(|k| {
+            let (a, b) = (after(k, 1), after(k, 2));
+            let (pa, pb) = (self.corners[a], self.corners[b]);
+            let to_slope = Interval::point(3.0) / (pb - pa).cross(centroid - pa);
+            let towards = [(centroid - pb).turned(), (pa - centroid).turned(), (pb - pa).turned()];
+            let slope = |coefficients: [Interval; 3]| {
+                (0..3).fold(Vector::ZERO, |sum, i| sum + towards[i] * (coefficients[i] * to_slope))
+            };
+            let [ab, ba] = [c.near[a][0], c.near[b][1]];
+            [
+                slope([self.f[a], ab, c.inward[a]]),
+                slope([ba, self.f[b], c.inward[b]]),
+                slope([c.deep[a], c.deep[b], c.centre]),
+                slope([c.middle[k], c.inward[b], c.deep[b]]),
+                slope([c.inward[a], c.middle[k], c.deep[a]]),
+                slope([ab, ba, c.middle[k]]),
+            ]
+        })
+    }
 }
 
 /// Second differences of Bernstein coefficients along the steps from the centroid to `a` (twice), to `b` (twice), and
@@ -161,6 +187,12 @@ impl Shape {
 mod tests {
     use super::*;
 
+    impl Vector {
+        fn halved(self) -> Self {
+            self * Interval::point(0.5)
+        }
+    }
+
     /// Value, slopes and stresses of `sum c_ij x^i y^j` up to degree three.
     fn cubic(c: &[f64; 10], [x, y]: [f64; 2]) -> (f64, [f64; 2], [f64; 3]) {
         let f = c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y;
@@ -188,6 +220,19 @@ mod tests {
             across,
         };
         let centroid = [0, 1].map(|i| (v[0][i] + v[1][i] + v[2][i]) / 3.0);
+        for (k, slopes) in local.part_slopes().iter().enumerate() {
+            let at = [v[after(k, 1)], v[after(k, 2)], centroid];
+            for i in 0..3 {
+                // At a node the coefficient, in the middle of an edge the mean of three, one of them twice.
+                let (p, q) = (at[after(i, 1)], at[after(i, 2)]);
+                let middle = [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])];
+                let mean = (slopes[after(i, 1)] + slopes[after(i, 2)]).halved() + slopes[3 + i];
+                for (got, p) in [(slopes[i], at[i]), (mean.halved(), middle)] {
+                    let (_, [gx, gy], _) = cubic(c, p);
+                    assert!((got.x.middle() - gx).abs() < 1e-12 && (got.y.middle() - gy).abs() < 1e-12);
+                }
+            }
+        }
         for (k, nodes) in local.stresses().iter().enumerate() {
             let at = [v[after(k, 1)], v[after(k, 2)], centroid];
             for (stress, p) in nodes.iter().zip(at) {

@@ -46,6 +46,22 @@ pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, Cer
     power.bound(&statement.objective)
 }
 
+/// A polynomial velocity on a triangle: its corners, then its control points at corners and edges.
+pub(crate) type Piece = ([Vector; 3], [Vector; 6]);
+
+/// Velocities on the pieces of each triangle, on a checked mesh. No flow rule is checked.
+pub(crate) fn piece_velocities<T>(
+    statement: &Statement,
+    field: &UpperField,
+    with: impl FnOnce(&Tiling, Vec<Vec<Piece>>) -> T,
+) -> Result<T, CertificateError> {
+    let problem = Problem::new(statement)?;
+    let tiling = Tiling::new(&problem, &field.mesh)?;
+    let motion = Motion::new(&problem, &tiling, field)?;
+    let pieces = (0..field.mesh.triangles.len()).map(|t| motion.pieces(t)).collect();
+    Ok(with(&tiling, pieces))
+}
+
 /// A velocity field on a checked mesh.
 struct Motion<'a> {
     problem: &'a Problem<'a>,
@@ -77,6 +93,16 @@ impl<'a> Motion<'a> {
         match self.field.flows[triangle] {
             Flow::Quadratic(nodes) => self.quadratic(triangle, nodes),
             Flow::Stream { corners, .. } => Ok(self.stream(triangle, corners)),
+        }
+    }
+
+    /// The velocity of a triangle.
+    fn pieces(&self, triangle: usize) -> Vec<Piece> {
+        match self.field.flows[triangle] {
+            Flow::Quadratic(nodes) => {
+                vec![(self.tiling.corners(triangle), nodes.map(|node| self.velocities[node]))]
+            }
+            Flow::Stream { corners, .. } => self.stream_pieces(triangle, corners),
         }
     }
 

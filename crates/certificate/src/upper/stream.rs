@@ -1,8 +1,8 @@
 //! Flows of soil without friction, by a stream function.
 
-use super::Motion;
 use super::power::Power;
 use super::resistance::Resistance;
+use super::{Motion, Piece};
 use crate::element::Local;
 use crate::interval::{Interval, Vector};
 use crate::tiling::{Side, after};
@@ -29,6 +29,19 @@ impl Motion<'_> {
             dissipation = dissipation + part * area.third();
         }
         Power::dissipated(dissipation) + self.body(triangle, rigid * area + self.integral(triangle, &local))
+    }
+
+    /// The velocity in the three parts of the element.
+    pub(super) fn stream_pieces(&self, triangle: usize, copies: [usize; 3]) -> Vec<Piece> {
+        let (local, rigid) = self.local(triangle, copies);
+        let [p, q, r] = local.corners;
+        let centroid = Vector { x: (p.x + q.x + r.x).third(), y: (p.y + q.y + r.y).third() };
+        let slopes = local.part_slopes().into_iter().enumerate();
+        let piece = |(k, slopes): (usize, [Vector; 6])| {
+            let corners = [local.corners[after(k, 1)], local.corners[after(k, 2)], centroid];
+            (corners, slopes.map(|slope| rigid - slope.turned()))
+        };
+        slopes.map(piece).collect()
     }
 
     /// The local values of the element less the affine function that touches it at corner 0, and the velocity that goes

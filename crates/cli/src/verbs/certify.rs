@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_certificate::{CertificateError, Solution, prove_lower, prove_upper};
+use soilctl_limit_analysis::results::Units;
 
 use super::Outcome;
+use super::limits::{Show, Shown};
 use crate::error::CliError;
 use crate::output::{Answer, Output};
 
@@ -18,6 +20,9 @@ use crate::output::{Answer, Output};
 pub(crate) struct Args {
     /// A solution saved with `soilctl bound --save`
     file: PathBuf,
+
+    #[command(flatten)]
+    show: Show,
 }
 
 /// What a saved solution proves.
@@ -31,6 +36,8 @@ pub(crate) struct CertifyAnswer {
     upper: Option<Checked>,
     /// What the problem is, in the words of the file.
     description: Option<String>,
+    /// Files written for --plot, --vtu and --mesh, named as they were given.
+    files: Vec<String>,
 }
 
 /// One bound.
@@ -68,6 +75,7 @@ impl Checked {
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    args.show.check()?;
     let solution = Solution::read(&args.file)?;
     let statement = &solution.statement;
     let lower = solution
@@ -85,9 +93,28 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         )));
     }
     let certified = [&lower, &upper].into_iter().flatten().all(|c| c.confirmed);
-    let answer = CertifyAnswer { certified, lower, upper, description: solution.scale.description };
+    let files = if args.show.any() { args.show.write(&shown(&solution)?)? } else { Vec::new() };
+    let answer = CertifyAnswer { certified, lower, upper, description: solution.scale.description, files };
     output.answer(&answer)?;
     Ok(if certified { Outcome::Done } else { Outcome::Negative })
+}
+
+/// The fields of a solution, in its own coordinates, in metres if it says how long one of its units is.
+fn shown(solution: &Solution) -> Result<Shown, CliError> {
+    let statement = &solution.statement;
+    // What follows tells about units.
+    let title = solution.scale.description.as_ref().and_then(|d| d.split(';').next());
+    let known = solution.scale.length_m.zip(solution.scale.unit_weight_n_per_m3);
+    let (length, stress, names) =
+        known.map_or((1.0, 1.0, ["L", "γL"]), |(l, w)| (l, 1e-3 * l * w, ["m", "kPa"]));
+    let [length_name, stress_name] = names.map(str::to_owned);
+    let units = Units { origin: [0.0; 2], length, length_name, stress, stress_name };
+    Shown::new(
+        solution.upper.as_ref().map(|c| (statement, &c.field)),
+        solution.lower.as_ref().map(|c| (statement, &c.field)),
+        units,
+        title.unwrap_or_default().to_owned(),
+    )
 }
 
 impl Answer for CertifyAnswer {
@@ -97,6 +124,9 @@ impl Answer for CertifyAnswer {
         let mut text = self.description.as_ref().map_or_else(String::new, |d| format!("{d}\n"));
         for (name, checked) in [("lower", &self.lower), ("upper", &self.upper)] {
             text += &checked.as_ref().map_or_else(String::new, |c| c.line(name));
+        }
+        for file in &self.files {
+            text += &format!("written: {file}\n");
         }
         text
     }

@@ -4,6 +4,7 @@ use super::clip::Rect;
 use super::fonts::{width, wrap};
 use super::legend;
 use super::scene::Px;
+use super::shades;
 use super::ticks::{Ticks, ticks};
 use crate::extent::{self, Extent};
 use crate::model::{DataPoint, Figure, Legend, Scale};
@@ -44,6 +45,7 @@ impl Frame {
             legend.as_ref().filter(|_| figure.legend == Legend::Below).map_or(0.0, |l| l.height + 8.0);
         let beside =
             legend.as_ref().filter(|_| figure.legend == Legend::Right).map_or(0.0, |l| l.width + 14.0);
+        let beside = beside + shades::beside(figure);
         let x_title = if figure.x.label.is_empty() { 0.0 } else { LABEL_EM + 9.0 };
         let left = 64f64.min(page_width * 0.3);
         let plot = Rect {

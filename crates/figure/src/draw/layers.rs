@@ -4,7 +4,9 @@ use super::areas::{draw_band, draw_polygons, draw_span, stroke};
 use super::clip::Rect;
 use super::fonts;
 use super::frame::{Frame, TICK_EM};
+use super::paths::draw_paths;
 use super::scene::{Anchor, Item, Label, Px, Scene};
+use super::shades::draw_shades;
 use crate::model::{Figure, Layer, Line, Orientation, Points, RefLine, Text, TextPlace};
 use crate::palette::{Dash, INK, Marker, NEUTRAL, PAPER, Rgb, series};
 
@@ -26,6 +28,8 @@ pub(crate) fn draw(figure: &Figure, frame: &Frame, scene: &mut Scene) {
             Layer::Band(band) => draw_band(band, frame, scene),
             Layer::Polygons(polygons) => draw_polygons(polygons, frame, scene),
             Layer::Points(points) => draw_points(points, frame, scene),
+            Layer::Paths(paths) => draw_paths(paths, frame, scene),
+            Layer::Shades(shades) => draw_shades(shades, frame, scene),
             Layer::Span(_) | Layer::RefLine(_) | Layer::Text(_) => {}
         }
     }

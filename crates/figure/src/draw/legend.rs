@@ -117,10 +117,11 @@ fn draw_sample(layer: &Layer, (left, middle): (f64, f64), scene: &mut Scene) {
             }
             draw_marker(p.marker.unwrap_or_else(|| Marker::of(index)), (center, middle), color, scene);
         }
+        Layer::Paths(p) => line(Dash::Solid, p.width.min(6.0), p.color.map_or(NEUTRAL, series)),
         Layer::Band(b) => draw_swatch(left, middle, b.color, scene),
         Layer::Polygons(p) => draw_swatch(left, middle, p.color, scene),
         Layer::Span(s) => draw_swatch(left, middle, s.color, scene),
-        Layer::Text(_) => {}
+        Layer::Shades(_) | Layer::Text(_) => {}
     }
 }
 

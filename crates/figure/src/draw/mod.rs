@@ -10,9 +10,11 @@ mod frame;
 mod grid;
 mod layers;
 mod legend;
+mod paths;
 pub(crate) mod png;
 mod raster;
 mod scene;
+mod shades;
 pub(crate) mod svg;
 mod ticks;
 
@@ -33,6 +35,7 @@ pub(crate) fn scene_of(figure: &Figure, size: Size) -> Result<Scene, FigureError
     axes::draw(figure, &frame, &mut scene);
     layers::draw(figure, &frame, &mut scene);
     axes::draw_border(&frame, &mut scene);
+    shades::draw_bars(figure, &frame, &mut scene);
     legend::draw(figure, &frame, &mut scene);
     Ok(scene)
 }

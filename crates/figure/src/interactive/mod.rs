@@ -1,5 +1,6 @@
 //! Figures as plotly.js input.
 
+mod fields;
 mod layout;
 mod traces;
 

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::fields::{paths_trace, shades_traces};
 use super::{dash, hex, translucent};
 use crate::escape;
 use crate::model::{Band, Figure, Layer, Line, Points, Polygons, Text, TextPlace};
@@ -11,17 +12,19 @@ use crate::palette::{Dash, FILL_ALPHA, INK, Marker, hatch, series};
 pub(super) fn of(figure: &Figure) -> Vec<Value> {
     let hover = Hover::new(figure);
     let trace = |layer: &Layer| match layer {
-        Layer::Line(line) => Some(line_trace(line, &hover)),
-        Layer::Band(band) => Some(band_trace(band, &hover)),
-        Layer::Polygons(polygons) => Some(polygons_trace(polygons, &hover)),
-        Layer::Points(points) => Some(points_trace(points, &hover)),
-        Layer::Span(_) | Layer::RefLine(_) | Layer::Text(_) => None,
+        Layer::Line(line) => vec![line_trace(line, &hover)],
+        Layer::Band(band) => vec![band_trace(band, &hover)],
+        Layer::Polygons(polygons) => vec![polygons_trace(polygons, &hover)],
+        Layer::Points(points) => vec![points_trace(points, &hover)],
+        Layer::Paths(paths) => vec![paths_trace(paths)],
+        Layer::Shades(shades) => shades_traces(shades),
+        Layer::Span(_) | Layer::RefLine(_) | Layer::Text(_) => Vec::new(),
     };
     let text = |layer: &Layer| match layer {
         Layer::Text(text) => Some(text_trace(text)),
         _ => None,
     };
-    figure.layers.iter().filter_map(trace).chain(figure.layers.iter().filter_map(text)).collect()
+    figure.layers.iter().flat_map(trace).chain(figure.layers.iter().filter_map(text)).collect()
 }
 
 /// Hover templates: each value after the label of its axis, which carries the unit.
@@ -53,7 +56,7 @@ impl Hover {
 }
 
 /// What all traces have in common.
-fn trace(name: &str, mode: &str) -> Value {
+pub(super) fn trace(name: &str, mode: &str) -> Value {
     json!({
         "type": "scatter",
         "mode": mode,

@@ -1,7 +1,8 @@
 //! What a layer must fulfil before a figure accepts it.
 
 use super::areas::open_ring;
-use super::{Axis, Band, DataPoint, Layer, Orientation, Points, Polygons, Scale, Span};
+use super::narrowest;
+use super::{Axis, Band, DataPoint, Layer, Orientation, Paths, Points, Polygons, Scale, Shades, Span};
 use crate::error::{FigureError, MAX_MAGNITUDE, MIN_POSITIVE};
 
 /// Checks one layer against the axes of its figure.
@@ -9,15 +10,15 @@ pub(crate) fn check(layer: &Layer, x: &Axis, y: &Axis) -> Result<(), FigureError
     let on = Checker { layer: layer.name(), x: x.scale, y: y.scale };
     match layer {
         Layer::Line(line) => {
-            if !(0.5..=12.0).contains(&line.width) {
-                return Err(FigureError::BadWidth { layer: line.name.clone(), value: line.width });
-            }
+            on.width(line.width, 0.5)?;
             on.enough("points", line.points.len(), 1)?;
             on.points(&line.points)
         }
         Layer::Band(band) => on.band(band),
         Layer::Polygons(polygons) => on.polygons(polygons),
         Layer::Points(points) => on.marks(points),
+        Layer::Paths(paths) => on.paths(paths),
+        Layer::Shades(shades) => on.shades(shades),
         Layer::Span(span) => on.span(span),
         Layer::RefLine(line) => on.value("at", 0, line.at, on.scale_across(line.orientation)),
         Layer::Text(text) => on.points(&[text.at]),
@@ -109,6 +110,37 @@ impl Checker<'_> {
             self.value("y error bar", index, high, self.y)?;
         }
         Ok(())
+    }
+
+    fn width(&self, width: f64, least: f64) -> Result<(), FigureError> {
+        if (least..=12.0).contains(&width) {
+            return Ok(());
+        }
+        Err(FigureError::BadWidth { layer: self.layer.to_owned(), value: width, least })
+    }
+
+    fn paths(&self, paths: &Paths) -> Result<(), FigureError> {
+        self.width(paths.width, 0.2)?;
+        self.enough("parts", paths.parts.len(), 1)?;
+        paths.parts.iter().try_for_each(|part| {
+            self.enough("part", part.len(), 2)?;
+            self.points(part)
+        })
+    }
+
+    fn shades(&self, shades: &Shades) -> Result<(), FigureError> {
+        self.enough("parts", shades.parts.len(), 1)?;
+        for (index, part) in shades.parts.iter().enumerate() {
+            self.enough("ring", part.ring.len(), 3)?;
+            self.points(&part.ring)?;
+            self.value("values", index, part.value, Scale::Linear)?;
+        }
+        let (low, high) = shades.range;
+        self.values("range", &[low, high], Scale::Linear)?;
+        if high - low > narrowest(low, high) {
+            return Ok(());
+        }
+        Err(FigureError::Inverted { what: format!("colours of layer \"{}\"", self.layer), low, high })
     }
 
     fn span(&self, span: &Span) -> Result<(), FigureError> {

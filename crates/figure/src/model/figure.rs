@@ -128,12 +128,12 @@ impl Figure {
     /// | column | meaning |
     /// |---|---|
     /// | `layer` | number of the layer, from 1 in draw order |
-    /// | `kind` | `line`, `band`, `polygons`, `points`, `hspan`, `vspan`, `hline`, `vline` or `text` |
+    /// | `kind` | `line`, `band`, `polygons`, `points`, `paths`, `shades`, `hspan`, `vspan`, `hline`, `vline` or `text` |
     /// | `name` | name of the layer |
-    /// | `part`, `ring` | number of the polygon from 1; 0 for its exterior, from 1 for its holes |
+    /// | `part`, `ring` | number of the polygon or the path from 1; 0 for its exterior, from 1 for its holes |
     /// | `x`, `y` | coordinates in the units of the axes; a `vspan` has one row per end |
     /// | `y_low`, `y_high` | ends of a band, of a horizontal span or of an error bar |
-    /// | `text` | hover label of a point or the text of a text layer |
+    /// | `text` | hover label of a point, the text of a text layer or the value of a shaded polygon |
     ///
     /// Fields that do not apply are empty. Numbers are written with as many digits as are needed
     /// to read back the same value; quoting follows RFC 4180 with LF line ends.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Band, Line, Points, Polygons, RefLine, Span, Text};
+use super::{Band, Line, Paths, Points, Polygons, RefLine, Shades, Span, Text};
 
 /// Direction of a span or a reference line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -26,6 +26,10 @@ pub enum Layer {
     Polygons(Polygons),
     /// Single points.
     Points(Points),
+    /// Many polylines of one style, or arrows.
+    Paths(Paths),
+    /// Polygons coloured by a value.
+    Shades(Shades),
     /// A strip over the whole figure.
     Span(Span),
     /// A straight line over the whole figure.
@@ -42,6 +46,8 @@ impl Layer {
             Self::Band(l) => &l.name,
             Self::Polygons(l) => &l.name,
             Self::Points(l) => &l.name,
+            Self::Paths(l) => &l.name,
+            Self::Shades(l) => &l.name,
             Self::Span(l) => &l.name,
             Self::RefLine(l) => &l.name,
             Self::Text(l) => &l.text,
@@ -55,6 +61,8 @@ impl Layer {
             Self::Band(_) => "band",
             Self::Polygons(_) => "polygons",
             Self::Points(_) => "points",
+            Self::Paths(_) => "paths",
+            Self::Shades(_) => "shades",
             Self::Span(s) if s.orientation == Orientation::Horizontal => "hspan",
             Self::Span(_) => "vspan",
             Self::RefLine(r) if r.orientation == Orientation::Horizontal => "hline",
@@ -65,7 +73,7 @@ impl Layer {
 
     /// Whether the legend lists the layer.
     pub(crate) fn in_legend(&self) -> bool {
-        !matches!(self, Self::Text(_)) && !self.name().is_empty()
+        !matches!(self, Self::Text(_) | Self::Shades(_)) && !self.name().is_empty()
     }
 
     /// The colour slot, for the kinds that take the next palette index by default.
@@ -75,7 +83,7 @@ impl Layer {
             Self::Band(l) => Some(&mut l.color),
             Self::Polygons(l) => Some(&mut l.color),
             Self::Points(l) => Some(&mut l.color),
-            Self::Span(_) | Self::RefLine(_) | Self::Text(_) => None,
+            Self::Paths(_) | Self::Shades(_) | Self::Span(_) | Self::RefLine(_) | Self::Text(_) => None,
         }
     }
 }
@@ -89,4 +97,4 @@ macro_rules! into_layer {
         }
     )*};
 }
-into_layer!(Line, Band, Polygons, Points, Span, RefLine, Text);
+into_layer!(Line, Band, Polygons, Points, Paths, Shades, Span, RefLine, Text);

@@ -7,6 +7,8 @@ mod curves;
 mod figure;
 mod layer;
 mod marks;
+mod paths;
+mod shades;
 mod size;
 
 pub use areas::{Polygon, Polygons, Span};
@@ -16,6 +18,9 @@ pub use curves::{Band, Line};
 pub use figure::{Figure, Legend};
 pub use layer::{Layer, Orientation};
 pub use marks::{Points, RefLine, Text, TextPlace};
+pub use paths::Paths;
+pub(crate) use shades::STEPS;
+pub use shades::{Shade, Shades};
 pub use size::Size;
 
 /// A point in data coordinates, `(x, y)`.

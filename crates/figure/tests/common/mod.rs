@@ -1,7 +1,10 @@
 //! A figure with every kind of layer and hostile names.
 #![allow(dead_code)]
 
-use soilctl_figure::{Axis, Band, Figure, FigureError, Line, Points, Polygon, Polygons, RefLine, Span, Text};
+use soilctl_figure::{
+    Axis, Band, Figure, FigureError, Line, Paths, Points, Polygon, Polygons, RefLine, Shade, Shades, Span,
+    Text,
+};
 
 /// Text that breaks out of careless documents.
 pub(crate) const HOSTILE: &str = "<script>alert('1')</script> & \"q\" %{x} \u{0}";
@@ -21,6 +24,11 @@ pub(crate) fn everything() -> Result<Figure, FigureError> {
                 .y_error([(0.5, 0.25), (0.0, 1.0)])
                 .labels(["a", HOSTILE]),
         )?
+        .push(
+            Paths::new(HOSTILE, [vec![(0.0, 0.0), (1.0, 2.0)], vec![(2.0, 2.0), (2.0, 3.0), (3.0, 3.0)]])
+                .arrows(),
+        )?
+        .push(Shades::new(HOSTILE, [Shade { ring: square(0.5, 1.5), value: 0.7 }], 0.0, 1.0))?
         .push(RefLine::horizontal("hline", 2.0))?
         .push(RefLine::vertical("vline", 4.5))?
         .push(Text::new(HOSTILE, (2.0, 2.0)))?;

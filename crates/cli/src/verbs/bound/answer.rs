@@ -8,7 +8,7 @@ use super::Args;
 use super::plate::Scaled;
 use crate::output::Answer;
 use crate::text::number;
-use crate::verbs::limits::{LevelAnswer, ended, level_table};
+use crate::verbs::limits::{LevelAnswer, ResultsAnswer, ended, level_table};
 
 /// Proven bounds on the net force coefficient of an embedded plate.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -35,6 +35,12 @@ pub(crate) struct BoundAnswer {
     ended: &'static str,
     /// All levels, coarse to fine.
     levels: Vec<LevelAnswer>,
+    /// How far the moving soil reaches along the surface ahead of the plate's top; in the unit of `results`.
+    wedge_ahead: f64,
+    /// The same behind it.
+    wedge_behind: f64,
+    /// What the fields behind the bounds show: x along the surface from the plate's top, y across it.
+    results: ResultsAnswer,
     /// What was asked.
     inputs: Inputs,
 }
@@ -67,7 +73,7 @@ struct Inputs {
 }
 
 impl BoundAnswer {
-    pub(super) fn new(args: &Args, scaled: &Scaled, bounds: &Bounds) -> Self {
+    pub(super) fn new(args: &Args, scaled: &Scaled, bounds: &Bounds, results: ResultsAnswer) -> Self {
         let [lower, upper] = scaled.coefficients(bounds);
         let coefficient = upper / bounds.upper.value;
         let levels = bounds.levels.iter().map(|level| LevelAnswer::new(level, coefficient)).collect();
@@ -84,6 +90,9 @@ impl BoundAnswer {
             force_upper_n: newtons.map(|n| n * upper),
             ended: ended(bounds.ended),
             levels,
+            wedge_ahead: results.reach(1.0),
+            wedge_behind: results.reach(-1.0),
+            results,
             inputs: Inputs {
                 alpha_deg: args.alpha,
                 beta_deg: args.loads.beta,
@@ -115,6 +124,8 @@ impl Answer for BoundAnswer {
             text += &format!("force  {} to {} N\n", number(lower), number(upper));
         }
         text += &format!("both bounds are proven; {:.1} s, ended by {}\n\n", self.seconds, self.ended);
-        text + &level_table(&self.levels)
+        text += &level_table(&self.levels);
+        text += "\n";
+        text + &self.results.text()
     }
 }

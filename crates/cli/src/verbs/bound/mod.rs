@@ -9,7 +9,7 @@ pub(crate) use answer::BoundAnswer;
 use soilctl_limit_analysis::bound;
 
 use super::Outcome;
-use super::limits::{Budget, words};
+use super::limits::{Budget, ResultsAnswer, Show, Shown, Watch, words};
 use crate::args::{LoadArgs, finite};
 use crate::error::CliError;
 use crate::output::Output;
@@ -55,19 +55,37 @@ pub(crate) struct Args {
     /// Saves the fields that prove the bounds, for `soilctl certify`
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
+
+    #[command(flatten)]
+    show: Show,
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let scaled = Scaled::new(args)?;
     let problem = scaled.plate.problem()?;
-    let options = args.budget.options();
+    args.show.check()?;
+    let options = args.budget.options()?;
     let progress = output.spinner("first mesh");
-    let bounds = bound(&problem, &options, &mut |level, gap| progress.set_message(words(level, gap)))?;
+    let mut watch = Watch::default();
+    let bounds = bound(&problem, &options, &mut |level, gap| {
+        watch.see(level, &options);
+        progress.set_message(words(level, gap));
+    });
+    let bounds = bounds.map_err(|problem| watch.explain(problem))?;
     progress.finish_and_clear();
     if let Some(path) = &args.save {
         scaled.solution(&problem, &bounds).write(path)?;
     }
-    let answer = BoundAnswer::new(args, &scaled, &bounds);
+    let statement = problem.statement();
+    let fields = (&bounds.upper.field, &bounds.lower.field);
+    let shown = Shown::new(
+        Some((statement, fields.0)),
+        Some((statement, fields.1)),
+        scaled.shown_in(),
+        scaled.title(),
+    )?;
+    let results = ResultsAnswer::new(&shown, args.show.write(&shown)?)?;
+    let answer = BoundAnswer::new(args, &scaled, &bounds, results);
     output.answer(&answer)?;
     Ok(if bounds.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
 }

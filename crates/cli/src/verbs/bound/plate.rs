@@ -1,6 +1,7 @@
 //! The plate of the command line in the units of the solver, and back.
 
 use soilctl_certificate::{Claim, SCHEMA, Scale, Solution};
+use soilctl_limit_analysis::results::Units;
 use soilctl_limit_analysis::{Bounds, EmbeddedPlate, Problem};
 use soilctl_soil::{Angle, Interface, Plate, Soil};
 
@@ -78,6 +79,26 @@ impl Scaled {
     pub(super) fn newtons(&self) -> Option<f64> {
         let (length, weight) = self.units?;
         Some(0.5 * weight * length * length * self.width_m?)
+    }
+
+    /// What figures and results are in: slant lengths and their weight if nothing else is known.
+    pub(super) fn shown_in(&self) -> Units {
+        let known = self.units.map(|(length, weight)| (length, 1e-3 * length * weight, "m", "kPa"));
+        let (length, stress, length_name, stress_name) = known.unwrap_or((1.0, 1.0, "L", "γL"));
+        Units {
+            origin: [0.0; 2],
+            length,
+            length_name: length_name.to_owned(),
+            stress,
+            stress_name: stress_name.to_owned(),
+        }
+    }
+
+    /// The plate in a few words.
+    pub(super) fn title(&self) -> String {
+        let p = &self.plate;
+        let slope = if p.beta_deg == 0.0 { String::new() } else { format!("β {}°, ", p.beta_deg) };
+        format!("α {}°, {slope}φ {}°, δ {}°", p.alpha_deg, p.phi_deg, p.delta_deg)
     }
 
     pub(crate) fn solution(&self, problem: &Problem, bounds: &Bounds) -> Solution {

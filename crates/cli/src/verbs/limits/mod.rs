@@ -1,14 +1,21 @@
-//! What the verbs that bound collapse loads share: the budget, progress, and how levels are told.
+//! What the verbs that bound collapse loads share: the budget, progress, how levels are told, and what is shown of a
+//! solution.
 
 mod levels;
+mod show;
+mod why;
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 pub(crate) use levels::{LevelAnswer, ended, level_table};
+pub(crate) use show::{ResultsAnswer, Show, Shown};
 use soilctl_limit_analysis::{Level, Options};
+pub(crate) use why::Watch;
 
 use crate::args::finite;
+use crate::error::CliError;
 
 /// When to stop, and what may be spent.
 #[derive(Debug, clap::Args)]
@@ -28,22 +35,38 @@ pub(crate) struct Budget {
     /// Threads; the bounds are the same for any number
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1024))]
     threads: u32,
+
+    /// Solves with strength linearised to so many sides, from inside, instead of cones: for comparison, slower and wider
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..=1000))]
+    segments: Option<u32>,
+
+    /// Existing folder for programs on which the solver failed, to reproduce that from
+    #[arg(long, value_name = "DIR")]
+    dump: Option<PathBuf>,
 }
 
 impl Budget {
     /// The same for the solver; Ctrl-C ends the run with the best bounds so far.
-    pub(crate) fn options(&self) -> Options {
+    pub(crate) fn options(&self) -> Result<Options, CliError> {
+        if let Some(dir) = self.dump.as_ref().filter(|dir| !dir.is_dir()) {
+            return Err(CliError::Usage(format!(
+                "--dump is {}, which is no folder; make it first, or leave the option out",
+                dir.display()
+            )));
+        }
         let options = Options {
             max_gap: self.max_gap,
             max_seconds: self.max_seconds,
             max_elements: self.max_elements as usize,
             threads: self.threads as usize,
+            segments: self.segments.map(|n| n as usize),
+            dump: self.dump.clone(),
             ..Options::default()
         };
         let stop = Arc::clone(&options.stop);
         // A second handler cannot be set; then Ctrl-C just ends the program.
         let _ = ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed));
-        options
+        Ok(options)
     }
 }
 

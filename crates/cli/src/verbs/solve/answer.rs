@@ -7,7 +7,7 @@ use soilctl_limit_analysis::{Bounds, Described, SafetyBounds};
 
 use crate::output::Answer;
 use crate::text::{columns, number};
-use crate::verbs::limits::{LevelAnswer, ended, level_table};
+use crate::verbs::limits::{LevelAnswer, ResultsAnswer, ended, level_table};
 
 /// Proven bounds on what a problem file asks for.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -36,6 +36,9 @@ pub(crate) struct SolveAnswer {
     levels: Vec<LevelAnswer>,
     /// For a factor of safety, all factors that were tried; else empty.
     trials: Vec<TrialAnswer>,
+    /// What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety are of soil whose
+    /// strength is divided by its bounds.
+    results: ResultsAnswer,
 }
 
 /// A factor that strength was divided by, and bounds on the factor on the weight that the soil then bears.
@@ -70,7 +73,7 @@ fn gap(lower: f64, upper: f64) -> Option<f64> {
 }
 
 impl SolveAnswer {
-    pub(super) fn new(described: &Described, bounds: &Bounds) -> Self {
+    pub(super) fn new(described: &Described, bounds: &Bounds, results: ResultsAnswer) -> Self {
         let [lower, upper] = described.in_units([bounds.lower.value, bounds.upper.value]);
         let unit = match described.quantity {
             Quantity::ForceKnPerM => described.length_m * described.stress_kpa,
@@ -89,10 +92,11 @@ impl SolveAnswer {
             ended: ended(bounds.ended),
             levels: bounds.levels.iter().map(|level| LevelAnswer::new(level, unit)).collect(),
             trials: Vec::new(),
+            results,
         }
     }
 
-    pub(super) fn of_safety(title: Option<&String>, safety: &SafetyBounds) -> Self {
+    pub(super) fn of_safety(title: Option<&String>, safety: &SafetyBounds, results: ResultsAnswer) -> Self {
         let finite = |x: f64| x.is_finite().then_some(x);
         let trials = safety.trials.iter().map(|t| TrialAnswer {
             factor: t.factor,
@@ -112,6 +116,7 @@ impl SolveAnswer {
             ended: ended(safety.ended),
             levels: Vec::new(),
             trials: trials.collect(),
+            results,
         }
     }
 
@@ -142,13 +147,13 @@ impl Answer for SolveAnswer {
         }
         text += &format!("both bounds are proven; {:.1} s, ended by {}\n\n", self.seconds, self.ended);
         if self.trials.is_empty() {
-            return text + &level_table(&self.levels);
+            return text + &level_table(&self.levels) + "\n" + &self.results.text();
         }
         let mut rows = vec![["strength over", "weight borne", ""].map(str::to_owned).to_vec()];
         let any = |x: Option<f64>| x.map_or_else(|| "any".to_owned(), number);
         for t in &self.trials {
             rows.push(vec![number(t.factor), any(t.weight_lower), any(t.weight_upper)]);
         }
-        text + &columns(&rows)
+        text + &columns(&rows) + "\n" + &self.results.text()
     }
 }

@@ -4,6 +4,7 @@ mod answer;
 mod check;
 mod safety;
 mod save;
+mod scale;
 
 use std::path::PathBuf;
 
@@ -13,7 +14,7 @@ use soilctl_limit_analysis::describe::Aim;
 use soilctl_limit_analysis::{Description, bound};
 
 use super::Outcome;
-use super::limits::{Budget, words};
+use super::limits::{Budget, ResultsAnswer, Show, Shown, Watch, words};
 use crate::error::CliError;
 use crate::output::Output;
 
@@ -37,6 +38,9 @@ pub(crate) struct Args {
     /// Saves the fields that prove the bounds, for `soilctl certify`; for a factor of safety several files
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
+
+    #[command(flatten)]
+    show: Show,
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
@@ -46,18 +50,32 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         output.answer(&CheckAnswer::new(&description, &described))?;
         return Ok(Outcome::Done);
     }
-    let options = args.budget.options();
+    args.show.check()?;
+    let options = args.budget.options()?;
     if description.objective == (Aim::StrengthReduction {}) {
         return safety::run(args, &description, &options, output);
     }
     let problem = described.problem()?;
     let progress = output.spinner("first mesh");
-    let bounds = bound(&problem, &options, &mut |level, gap| progress.set_message(words(level, gap)))?;
+    let mut watch = Watch::default();
+    let bounds = bound(&problem, &options, &mut |level, gap| {
+        watch.see(level, &options);
+        progress.set_message(words(level, gap));
+    });
+    let bounds = bounds.map_err(|problem| watch.explain(problem))?;
     progress.finish_and_clear();
     if let Some(path) = &args.save {
         save::both(path, &described, &bounds)?;
     }
-    let answer = SolveAnswer::new(&described, &bounds);
+    let statement = &described.statement;
+    let shown = Shown::new(
+        Some((statement, &bounds.upper.field)),
+        Some((statement, &bounds.lower.field)),
+        scale::units(&description, &described),
+        described.title.clone().unwrap_or_default(),
+    )?;
+    let results = ResultsAnswer::new(&shown, args.show.write(&shown)?)?;
+    let answer = SolveAnswer::new(&described, &bounds, results);
     output.answer(&answer)?;
     Ok(if answer.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
 }

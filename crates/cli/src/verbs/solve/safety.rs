@@ -3,12 +3,12 @@
 use soilctl_limit_analysis::{Description, Options, factor_of_safety};
 
 use super::answer::SolveAnswer;
-use super::{Args, save};
+use super::{Args, save, scale};
 use crate::error::CliError;
 use crate::output::Output;
 use crate::text::number;
 use crate::verbs::Outcome;
-use crate::verbs::limits::words;
+use crate::verbs::limits::{ResultsAnswer, Shown, words};
 
 pub(super) fn run(
     args: &Args,
@@ -28,7 +28,15 @@ pub(super) fn run(
             output.note(&format!("saved {}", file.display()));
         }
     }
-    let answer = SolveAnswer::of_safety(description.title.as_ref(), &safety);
+    let (upper, lower) = (&safety.upper, &safety.lower);
+    let shown = Shown::new(
+        Some((&upper.described.statement, &upper.bound.field)),
+        Some((&lower.described.statement, &lower.bound.field)),
+        scale::units(description, &upper.described),
+        description.title.clone().unwrap_or_default(),
+    )?;
+    let results = ResultsAnswer::new(&shown, args.show.write(&shown)?)?;
+    let answer = SolveAnswer::of_safety(description.title.as_ref(), &safety, results);
     output.answer(&answer)?;
     Ok(if answer.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
 }

@@ -1,0 +1,132 @@
+//! Fields in plain numbers, for tables and pictures: what the proofs look at, without a proof.
+
+use crate::CertificateError;
+use crate::fields::{LowerField, UpperField};
+use crate::interval::Vector;
+use crate::lower::element::NodeStresses;
+use crate::lower::node_stresses;
+use crate::problem::finite;
+use crate::statement::{Condition, LineUse, Statement};
+use crate::tiling::{Beyond, Side, Tiling};
+use crate::upper::piece_velocities;
+
+/// What an edge of a triangle adjoins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Adjoins {
+    /// The edge of another triangle, with the same vertices.
+    Soil {
+        /// Index of that triangle.
+        triangle: usize,
+        /// The edge: that opposite to this corner.
+        corner: usize,
+    },
+    /// A boundary.
+    Boundary {
+        /// The side of a line.
+        side: LineUse,
+        /// Fractions of the line at which the edge starts and ends, walked with the triangle on the left.
+        ends: [f64; 2],
+        /// What holds there.
+        condition: Condition,
+    },
+}
+
+/// A stress field in plain numbers. Edge `k` of a triangle lies opposite to corner `k`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShownStress {
+    /// Corners of each triangle, counter-clockwise.
+    pub corners: Vec<[[f64; 2]; 3]>,
+    /// What the edges of each triangle adjoin.
+    pub adjoins: Vec<[Adjoins; 3]>,
+    /// Total stresses `[xx, yy, xy]`, tension positive, in units of the statement. Each triangle has three parts, in which
+    /// they are linear: part `k` lies at edge `k`, its nodes are corner `k + 1`, corner `k + 2` and the centroid.
+    pub parts: Vec<[[[f64; 3]; 3]; 3]>,
+}
+
+/// A flow in plain numbers. Edge `k` of a triangle lies opposite to corner `k`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShownFlow {
+    /// Corners of each triangle, counter-clockwise.
+    pub corners: Vec<[[f64; 2]; 3]>,
+    /// What the edges of each triangle adjoin.
+    pub adjoins: Vec<[Adjoins; 3]>,
+    /// The pieces of each triangle on which the velocity is a polynomial: one, or three for soil without friction, piece
+    /// `k` at edge `k`.
+    pub pieces: Vec<Vec<FlowPiece>>,
+}
+
+/// A quadratic velocity on a triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlowPiece {
+    /// Corners of the triangle, counter-clockwise. Of a piece of three, the last is the centroid.
+    pub corners: [[f64; 2]; 3],
+    /// Bernstein coefficients `sum_i l_i^2 b_i + sum_{i<j} 2 l_i l_j b_ij` in barycentric coordinates: at corners 0, 1, 2,
+    /// then on edges 0, 1, 2.
+    pub control: [[f64; 2]; 6],
+}
+
+/// The stresses of a field that proves a lower bound, to about the last digits of double precision.
+///
+/// # Errors
+///
+/// [`CertificateError`] if the statement is not a problem, if the field is not built as it must be, or if a stress is
+/// too large for a number. Whether the soil bears the stresses is not checked.
+pub fn show_stress(statement: &Statement, field: &LowerField) -> Result<ShownStress, CertificateError> {
+    node_stresses(statement, field, |tiling, stresses| {
+        let plain = |triangle: usize, nodes: NodeStresses| -> Result<_, CertificateError> {
+            let parts = nodes.map(|part| part.map(|s| [s.xx, s.yy, s.xy].map(|x| x.middle())));
+            for x in parts.iter().flatten().flatten() {
+                finite("stress", || format!("triangle {triangle}"), *x, "stress")?;
+            }
+            Ok(parts)
+        };
+        let parts = stresses.into_iter().enumerate().map(|(t, nodes)| plain(t, nodes));
+        Ok(ShownStress {
+            corners: corners(tiling),
+            adjoins: adjoins(tiling),
+            parts: parts.collect::<Result<_, _>>()?,
+        })
+    })?
+}
+
+/// The velocities of a field that proves an upper bound, to about the last digits of double precision.
+///
+/// # Errors
+///
+/// [`CertificateError`] if the statement is not a problem, if the field is not built as it must be, or if a velocity is
+/// too large for a number. Whether the soil can flow like this is not checked.
+pub fn show_flow(statement: &Statement, field: &UpperField) -> Result<ShownFlow, CertificateError> {
+    piece_velocities(statement, field, |tiling, all| {
+        let mut pieces = Vec::with_capacity(all.len());
+        for (triangle, found) in all.into_iter().enumerate() {
+            let found = found.into_iter().map(|(corners, control)| FlowPiece {
+                corners: corners.map(plain),
+                control: control.map(plain),
+            });
+            let found: Vec<FlowPiece> = found.collect();
+            for x in found.iter().flat_map(|p| p.control).flatten() {
+                finite("velocity", || format!("triangle {triangle}"), x, "velocity")?;
+            }
+            pieces.push(found);
+        }
+        Ok(ShownFlow { corners: corners(tiling), adjoins: adjoins(tiling), pieces })
+    })?
+}
+
+fn plain(v: Vector) -> [f64; 2] {
+    [v.x.middle(), v.y.middle()]
+}
+
+fn corners(tiling: &Tiling) -> Vec<[[f64; 2]; 3]> {
+    (0..tiling.mesh.triangles.len()).map(|t| tiling.corners(t).map(plain)).collect()
+}
+
+fn adjoins(tiling: &Tiling) -> Vec<[Adjoins; 3]> {
+    let one = |triangle: usize, corner: usize| match tiling.beyond(Side { triangle, corner }) {
+        Beyond::Soil(Side { triangle, corner }) => Adjoins::Soil { triangle, corner },
+        Beyond::Boundary(on, condition) => {
+            Adjoins::Boundary { side: on.side, ends: [on.start, on.end], condition }
+        }
+    };
+    (0..tiling.mesh.triangles.len()).map(|t| [0, 1, 2].map(|k| one(t, k))).collect()
+}

@@ -1,0 +1,128 @@
+"""`soilctl bound` and `solve`: what they write, read back by programs of others."""
+
+import json
+import math
+
+import meshio
+import numpy as np
+import pytest
+
+PLATE = ["--alpha", 90, "--phi", 30, "--delta", 15]
+BUDGET = ["--max-elements", 1500, "--max-gap", 0.03, "--max-seconds", 250]
+
+
+@pytest.fixture(scope="module")
+def solved(soilctl, tmp_path_factory):
+    """The folder and the answer of a plate with all its files."""
+    folder = tmp_path_factory.mktemp("plate")
+    files = ["--vtu", "plate.vtu", "--mesh", "plate.msh", "--save", "plate.json", "--plot", "plate.svg"]
+    answer = soilctl.json("bound", *PLATE, *BUDGET, *files, cwd=folder)
+    return folder, answer
+
+
+@pytest.fixture(scope="module")
+def vtu(solved):
+    return meshio.read(solved[0] / "plate.vtu")
+
+
+def areas(mesh):
+    """Areas of straight triangles, from their corners."""
+    corners = mesh.points[mesh.cells[0].data[:, :3]]
+    (x, y), (u, v) = ((corners[:, i, :2] - corners[:, 0, :2]).T for i in (1, 2))
+    return 0.5 * (x * v - y * u)
+
+
+def test_the_answer_follows_the_schema_and_names_its_files(solved, validate):
+    validate(solved[1])
+    assert solved[1]["results"]["files"] == ["plate.svg", "plate.vtu", "plate.msh"]
+    assert all((solved[0] / name).stat().st_size > 0 for name in solved[1]["results"]["files"])
+
+
+def test_triangles_fill_the_soil_that_the_mesh_stands_for(vtu, solved):
+    statement = json.loads((solved[0] / "plate.json").read_text())["statement"]
+    points = np.array(statement["points"])
+    width, height = points.max(axis=0) - points.min(axis=0)
+    assert [block.type for block in vtu.cells] == ["triangle6"]
+    assert (areas(vtu) > 0).all()
+    assert areas(vtu).sum() == pytest.approx(width * height, rel=1e-9)
+    assert len(vtu.cells[0].data) == solved[1]["upper_elements"]
+
+
+def test_the_weight_lifted_is_the_upper_bound(vtu, solved):
+    # Sand without cohesion dissipates nothing, so the force at unit speed is the rate at which weight is lifted. A
+    # quadratic function has its mean over a triangle in the middles of the edges.
+    middles = vtu.cells[0].data[:, 3:]
+    lifted = (areas(vtu) * vtu.point_data["velocity"][middles, 1].mean(axis=1)).sum()
+    coefficient = 2 * lifted / math.sin(math.radians(90 + 15))
+    assert coefficient == pytest.approx(solved[1]["upper"], rel=1e-6)
+    assert np.abs(vtu.cell_data["dissipation"][0]).max() == 0
+
+
+def test_the_soil_bears_the_stresses_and_they_are_in_principal_axes(vtu):
+    stress = vtu.point_data["stress"].reshape(-1, 3, 3)
+    assert (stress == stress.transpose(0, 2, 1)).all() and (stress[:, 2] == 0).all()
+    least, most = np.linalg.eigvalsh(stress[:, :2, :2]).T
+    assert vtu.point_data["principal_major"] == pytest.approx(-least, abs=1e-12)
+    assert vtu.point_data["principal_minor"] == pytest.approx(-most, abs=1e-12)
+    ratio = math.tan(math.radians(60)) ** 2
+    assert (-least <= ratio * -most + 1e-9).all()
+    # In equilibrium with the weight: what is deep is pressed.
+    deep = vtu.points[:, 1] < -4
+    assert (-least[deep] > 2).all()
+
+
+def test_soil_data_are_those_of_the_problem(vtu):
+    assert set(vtu.cell_data["region"][0]) == {0}
+    assert set(vtu.cell_data["phi_deg"][0]) == {30.0}
+    assert set(vtu.cell_data["unit_weight"][0]) == {1.0}
+    assert (vtu.cell_data["shear_rate"][0] >= 0).all() and vtu.cell_data["shear_work"][0].max() > 0.1
+
+
+def test_gmsh_files_hold_the_same_mesh_with_its_groups(vtu, solved):
+    mesh = meshio.read(solved[0] / "plate.msh")
+    triangles = mesh.cells_dict["triangle"]
+    assert len(triangles) == solved[1]["upper_elements"]
+    corners = mesh.points[triangles][:, :, :2]
+    sides = corners[:, 1:] - corners[:, :1]
+    area = 0.5 * np.linalg.det(sides)
+    assert area == pytest.approx(areas(vtu), rel=1e-12)
+    assert {"line 0", "region 0", "guides"} <= set(mesh.field_data)
+
+
+def test_a_saved_solution_is_shown_as_it_was_solved(solved, soilctl, validate):
+    folder = solved[0]
+    proof = soilctl.json("certify", "plate.json", "--vtu", "again.vtu", "--mesh", "again.msh", cwd=folder)
+    validate(proof)
+    assert proof["certified"] and proof["files"] == ["again.vtu", "again.msh"]
+    assert (folder / "again.vtu").read_bytes() == (folder / "plate.vtu").read_bytes()
+    assert (folder / "again.msh").read_bytes() == (folder / "plate.msh").read_bytes()
+
+
+def test_a_page_shows_all_figures_and_they_can_be_zoomed(solved, soilctl, open_page):
+    folder = solved[0]
+    soilctl("certify", "plate.json", "--plot", "all.html", "--plot-kind", "all", cwd=folder, code=0)
+    page = open_page(folder / "all.html")
+    page.wait_for_selector(".js-plotly-plot .main-svg")
+    assert page.locator(".js-plotly-plot").count() == 4
+    x_range = "document.querySelector('.js-plotly-plot')._fullLayout.xaxis.range"
+    before = page.evaluate(x_range)
+    page.evaluate("document.querySelector('.js-plotly-plot').querySelector('[data-title=\"Zoom in\"]').click()")
+    page.wait_for_function(f"({x_range})[1] < {before[1]}")
+    assert page.problems == [] and page.requests == []
+
+
+def test_solve_writes_in_the_coordinates_of_its_file(soilctl, validate, tmp_path, data):
+    wall = data / "problems" / "wall_passive.toml"
+    budget = ["--max-elements", 1000, "--max-gap", 0.5, "--max-seconds", 250]
+    answer = soilctl.json("solve", wall, *budget, "--vtu", tmp_path / "wall.vtu")
+    validate(answer)
+    mesh = meshio.read(tmp_path / "wall.vtu")
+    low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
+    assert (low[:2] == pytest.approx([0, -3], abs=1e-9)) and (high[:2] == pytest.approx([24, 0], abs=1e-9))
+    assert mesh.cell_data["unit_weight"][0] == pytest.approx(18)
+    [ground] = answer["results"]["moving_ground"]
+    assert ground["from"] == pytest.approx([0, 0], abs=1e-9) and 4 < ground["to"][0] < 20
+    [face] = answer["results"]["contacts"]
+    assert face["face"] == "front" and face["length"] == pytest.approx(3)
+    # The wall is pushed level: the pressure's resultant is the force.
+    assert face["normal_force"] == pytest.approx(answer["lower"], rel=1e-9)
