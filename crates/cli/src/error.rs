@@ -1,9 +1,12 @@
 use soilctl_certificate::CertificateError;
+use soilctl_diagnosis::DiagnosisError;
 use soilctl_direct_shear::DirectShearError;
 use soilctl_earth_pressure::EarthPressureError;
+use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
 use soilctl_limit_analysis::LimitError;
+use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
 use soilctl_strokes::StrokesError;
 use thiserror::Error;
@@ -45,6 +48,15 @@ pub(crate) enum CliError {
     /// A saved solution.
     #[error(transparent)]
     Certificate(#[from] CertificateError),
+    /// A log.
+    #[error(transparent)]
+    Session(#[from] SessionError),
+    /// A diagnosis.
+    #[error(transparent)]
+    Diagnosis(#[from] DiagnosisError),
+    /// Effects and model files.
+    #[error(transparent)]
+    Effects(#[from] EffectsError),
     /// A figure.
     #[error(transparent)]
     Figure(#[from] FigureError),

@@ -105,17 +105,6 @@ fn angles(counts: &[i32; 5], zero: &[i32; 5], rad_per_count: &[f64; 5]) -> [f64;
     std::array::from_fn(|i| (f64::from(counts[i]) - f64::from(zero[i])) * rad_per_count[i])
 }
 
-/// A vector of the frame `ft_sensor` along r, t, z of the base joint: what `Arm::frames` would give, in half the time.
-fn sensor_to_rtz(joints: &JointAngles, [along, across, back]: [f64; 3]) -> [f64; 3] {
-    let (s4, c4) = libm::sincos(joints.0[4]);
-    let (s3, c3) = libm::sincos(joints.0[3]);
-    let (s12, c12) = libm::sincos(joints.0[1] + joints.0[2]);
-    // The hand's axes are (-back, across, along); wrist, twist, then shoulder and elbow turn them.
-    let (x, z) = (c4 * -back + s4 * along, c4 * along - s4 * -back);
-    let (x, t) = (c3 * x - s3 * across, s3 * x + c3 * across);
-    [c12 * x + s12 * z, t, c12 * z - s12 * x]
-}
-
 /// What one tick knows of the arm.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Estimate {
@@ -162,14 +151,14 @@ impl Estimate {
         if !homed {
             return Ok(estimate);
         }
-        estimate.pose = arm.forward(&external)?;
-        estimate.jacobian = arm.jacobian(&external)?;
+        let here = arm.at(&external)?;
+        estimate.pose = here.pose();
+        estimate.jacobian = here.jacobian()?;
         if params.config().gains.gravity_compensation {
-            estimate.gravity = arm.gravity_torques(&external)?;
+            estimate.gravity = here.gravity_torques();
         }
-        let [r, t, z] = sensor_to_rtz(&external, [filters.wrench[0], filters.wrench[1], filters.wrench[2]]);
-        let (sin, cos) = libm::sincos(external.0[0]);
-        estimate.force_xyz_n = [r * cos - t * sin, r * sin + t * cos, z];
+        let [r, t, z] = here.sensor_to_rtz([filters.wrench[0], filters.wrench[1], filters.wrench[2]]);
+        estimate.force_xyz_n = here.rtz_to_base([r, t, z]);
         estimate.force_rtz_n = [r, t, z];
         estimate.normal_force_n = filters.wrench[2];
         Ok(estimate)
@@ -179,23 +168,5 @@ impl Estimate {
     pub(crate) fn locate_motor_tip(&mut self, params: &Params) -> Result<(), KinematicsError> {
         self.motor_position_m = params.arm().forward(&self.motor)?.position_m();
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_sensor_turns_as_its_frame_does() {
-        let arm = soilctl_kinematics::Arm::thesis();
-        let joints = JointAngles([0.3, 0.7, 1.1, -0.4, 0.6]);
-        let force = [1.0, -2.0, 3.0];
-        let [x, y, z] = arm.frames(&joints).unwrap().ft_sensor.direction(force);
-        let (sin, cos) = libm::sincos(0.3);
-        let expected = [x * cos + y * sin, y * cos - x * sin, z];
-        for (a, b) in sensor_to_rtz(&joints, force).iter().zip(expected) {
-            assert!((a - b).abs() < 1e-12, "{a} {b}");
-        }
     }
 }

@@ -1,9 +1,15 @@
 //! The trajectory handler: one trajectory is active, the ring holds those to come, and an empty ring means holding still.
 
+use soilctl_kinematics::MotorTorques;
+
 use crate::estimate::Estimate;
 use crate::events::EventKind;
+use crate::laws::joint_integral;
 use crate::trajectory::{Active, Law, Setpoint, View};
 use crate::{Events, Finish, Params, State, Trajectory};
+
+/// Share of its torque that a joint keeps after it has touched its stop.
+const TOUCH_SHARE: f64 = 0.2;
 
 /// One tick of the active trajectory.
 pub(crate) fn advance(state: &mut State, params: &Params, est: &Estimate, events: &mut Events) -> Setpoint {
@@ -17,14 +23,26 @@ pub(crate) fn advance(state: &mut State, params: &Params, est: &Estimate, events
     let Some(mut active) = state.active else { return Setpoint::still(est.motor) };
     let (setpoint, finish) = active.update(view);
     state.active = Some(active);
-    if setpoint.law != state.setpoint.law {
+    let new_law = setpoint.law != state.setpoint.law;
+    if setpoint.law == Law::Joint && (new_law || state.rebased.is_some()) {
+        let share = state.rebased.unwrap_or(1.0);
+        let torques = last_torques(state, params).map(|torque| share * torque);
+        state.integral_nm = joint_integral(params, &setpoint, est, &torques);
+    } else if new_law {
         state.integral_nm = [0.0; 5];
     }
+    state.rebased = None;
     state.setpoint = setpoint;
     if let Some(finish) = finish {
         end(state, &active, view, finish, events);
     }
     setpoint
+}
+
+/// Joint torques of the tick before in N m.
+fn last_torques(state: &State, params: &Params) -> [f64; 5] {
+    let motors = MotorTorques(state.motor_torques_nm);
+    params.arm().transmission().joint_torques(&motors).unwrap_or_default().0
 }
 
 fn is_endless_hold(active: &Active) -> bool {
@@ -38,9 +56,12 @@ fn end(state: &mut State, active: &Active, view: View<'_>, finish: Finish, event
     if matches!(active.trajectory, Trajectory::Stroke { .. }) {
         state.last_stroke = active.stroke;
     }
-    // What did not reach its wanted joints goes on from where the arm is, so that nothing stays wound up.
+    // What did not reach its wanted joints goes on from where the arm is, with the torques that it has there.
     if finish != Finish::Completed || state.setpoint.law != Law::Joint {
-        state.setpoint.joints = view.est.motor;
+        state.setpoint.joints = view.est.external;
+        // A joint need not stay pressed against its stop as hard as it was to find it.
+        let touched = matches!(active.trajectory, Trajectory::JointTouch { .. });
+        state.rebased = Some(if touched { TOUCH_SHARE } else { 1.0 });
     }
     if !finish.is_success() {
         state.ring.clear();
@@ -78,7 +99,7 @@ fn hold(state: &mut State, view: View<'_>, joints: soilctl_kinematics::JointAngl
 pub(crate) fn stop_here(state: &mut State, params: &Params, est: &Estimate) {
     let tuning = state.tuning;
     state.ring.clear();
-    state.setpoint = Setpoint::still(est.motor);
-    state.integral_nm = [0.0; 5];
-    hold(state, View { params, est, tuning: &tuning }, est.motor);
+    state.setpoint = Setpoint::still(est.external);
+    state.rebased = Some(1.0);
+    hold(state, View { params, est, tuning: &tuning }, est.external);
 }

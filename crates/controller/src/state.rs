@@ -9,7 +9,7 @@ use crate::trajectory::{Active, Ring, Setpoint, StrokeRun};
 use crate::{Events, Fault, FaultRecord, Finish, Mode, Params};
 
 /// Version of [`State`]; a stored state of another version is not to be resumed.
-pub const STATE_VERSION: u32 = 1;
+pub const STATE_VERSION: u32 = 2;
 
 /// Everything that a step remembers. Plain data: copied, stored as a key frame and resumed bit for bit.
 ///
@@ -50,6 +50,8 @@ pub struct State {
     pub last_stroke: StrokeRun,
     /// What was wanted last.
     pub setpoint: Setpoint,
+    /// Set while the wanted joints have just become those of the arm: the share of the last torques with which to go on.
+    pub rebased: Option<f64>,
     /// Integrals of the servo law in N m.
     pub integral_nm: [f64; 5],
     /// Which joint torques were at their limit: -1, 0 or 1.
@@ -111,6 +113,7 @@ impl State {
             last_finish: None,
             last_stroke: StrokeRun::default(),
             setpoint: Setpoint::default(),
+            rebased: None,
             integral_nm: [0.0; 5],
             saturated: [0; 5],
             motor_torques_nm: [0.0; 5],
@@ -146,6 +149,7 @@ impl State {
         self.active = None;
         self.idle = true;
         self.last_finish = None;
+        self.rebased = None;
         self.integral_nm = [0.0; 5];
         self.saturated = [0; 5];
         self.motor_torques_nm = [0.0; 5];

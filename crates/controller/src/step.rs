@@ -124,6 +124,11 @@ fn servo(
         // A wrist that is off hangs on its worm gear and needs no help against its weight.
         let off = wanted.law == Law::Stiffness && i == soilctl_kinematics::Joint::Wrist.index();
         *torque += if off { 0.0 } else { est.gravity.0[i] };
+        // Limits turn a NaN into full torque, so it has to be found before.
+        if !torque.is_finite() {
+            state.raise(events, Fault::OutputNotFinite, i, 0.0, 0.0);
+            return JointTorques::default();
+        }
         let most = params.max_joint_torque_nm[i];
         state.saturated[i] = i8::from(*torque > most) - i8::from(*torque < -most);
         *torque = torque.max(-most).min(most);

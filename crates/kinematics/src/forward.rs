@@ -1,5 +1,4 @@
-use crate::posture::Posture;
-use crate::{Arm, JointAngles, KinematicsError, TaskPose};
+use crate::{Arm, ArmAt, JointAngles, KinematicsError, TaskPose};
 
 impl Arm {
     /// Where the plate is when the joints are at `joints` (eqs B.1 to B.3, B.7, B.8).
@@ -13,15 +12,23 @@ impl Arm {
     /// [`KinematicsError::NonFinite`] or [`KinematicsError::OutOfRange`] if an angle is not a finite number of at
     /// most 1000 rad.
     pub fn forward(&self, joints: &JointAngles) -> Result<TaskPose, KinematicsError> {
-        let posture = Posture::new(self, joints)?;
-        let [x_m, y_m, height_m] = posture.in_world(posture.tip);
-        Ok(TaskPose {
+        Ok(self.at(joints)?.pose())
+    }
+}
+
+impl ArmAt<'_> {
+    /// Where the plate is: what [`Arm::forward`] says.
+    #[must_use]
+    pub fn pose(&self) -> TaskPose {
+        let p = &self.posture;
+        let [x_m, y_m, height_m] = p.in_world(p.tip);
+        TaskPose {
             x_m,
             y_m,
-            z_m: self.config().links.base_height_m + height_m,
-            n1_rad: posture.theta_12 + libm::atan2(posture.s4 * posture.c3, posture.c4),
+            z_m: self.arm.config().links.base_height_m + height_m,
+            n1_rad: p.theta_12 + libm::atan2(p.s4 * p.c3, p.c4),
             // B.8's arcsine loses half of its digits near a right angle.
-            n2_rad: libm::atan2(posture.hand[1], posture.cos_n2),
-        })
+            n2_rad: libm::atan2(p.hand[1], p.cos_n2),
+        }
     }
 }

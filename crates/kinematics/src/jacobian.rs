@@ -1,7 +1,7 @@
 use crate::error::check_size;
-use crate::posture::Posture;
 use crate::{
-    Arm, JointAngles, JointTorques, JointVelocities, KinematicsError, Singularity, TaskForce, TaskVelocity,
+    Arm, ArmAt, JointAngles, JointTorques, JointVelocities, KinematicsError, Singularity, TaskForce,
+    TaskVelocity,
 };
 
 /// The pitch `n1` is refused where cos n2 is below this: its rates grow as the inverse.
@@ -24,9 +24,19 @@ impl Arm {
     /// [`KinematicsError::NonFinite`] or [`KinematicsError::OutOfRange`] if an angle is not a finite number of at
     /// most 1000 rad.
     pub fn jacobian(&self, joints: &JointAngles) -> Result<Jacobian, KinematicsError> {
-        let p = Posture::new(self, joints)?;
+        self.at(joints)?.jacobian()
+    }
+}
+
+impl ArmAt<'_> {
+    /// The Jacobian: what [`Arm::jacobian`] says.
+    ///
+    /// # Errors
+    /// [`KinematicsError::Singular`] where cos n2 is below 1e-6 and n1 has no derivatives.
+    pub fn jacobian(&self) -> Result<Jacobian, KinematicsError> {
+        let p = &self.posture;
         check_cos_n2(p.cos_n2)?;
-        let links = &self.config().links;
+        let links = &self.arm.config().links;
         let (l4, cos2) = (links.hand_m, p.cos_n2 * p.cos_n2);
         let [r, t, height] = p.tip;
         let elbow_to_tip = [r - p.upper_arm[0], height - p.upper_arm[1]];

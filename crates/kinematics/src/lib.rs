@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod arm;
+mod arm_at;
 pub mod config;
 mod error;
 mod flexion;
@@ -23,11 +24,13 @@ mod validate;
 mod velocity;
 
 pub use arm::{Arm, LIMIT_TOLERANCE_RAD};
+pub use arm_at::ArmAt;
 pub use config::ArmConfig;
 pub use error::{KinematicsError, Singularity};
 pub use flexion::{Compliance, thesis_elbow_offset_rad};
 pub use flexion_fit::{ComplianceFit, Push};
 pub use frames::{Frame, LinkFrames};
+pub use inertia::LinkBody;
 pub use jacobian::Jacobian;
 pub use joint::Joint;
 pub use pose::TaskPose;

@@ -1,12 +1,7 @@
 use std::fmt::Write;
 
-use crate::inertia::{Body, counterweight_radius_m};
+use crate::inertia::{COLUMN_RADIUS_M, HAND_RADIUS_M, LINK_RADIUS_M, LinkBody, counterweight_radius_m};
 use crate::{Arm, Joint};
-
-/// Half the thickness of the drawn links, in m; not in the thesis.
-const COLUMN_RADIUS_M: f64 = 0.05;
-const LINK_RADIUS_M: f64 = 0.025;
-const HAND_RADIUS_M: f64 = 0.015;
 
 /// One drawn and colliding shape, centred at `z_m` on the link's axis.
 struct Shape {
@@ -41,7 +36,7 @@ impl Shape {
 #[must_use]
 pub fn urdf(arm: &Arm) -> String {
     let config = arm.config();
-    let (lengths, masses, weights) = (&config.links, &config.masses, &config.counterweights);
+    let (lengths, weights) = (&config.links, &config.counterweights);
     let upper_edge = lengths.hand_m - config.plate.height_m;
     let grey = |from, to, radius| Shape::cylinder(from, to, radius, "grey");
     let ball = |weight: crate::config::Counterweight| {
@@ -61,22 +56,16 @@ pub fn urdf(arm: &Arm) -> String {
         let _ = writeln!(text, "  <material name=\"{name}\"><color rgba=\"{rgba}\"/></material>");
     }
     link(&mut text, "base_link", None, &[]);
-    let body = Body::rod(masses.base, lengths.base_height_m, COLUMN_RADIUS_M);
-    link(&mut text, "column_link", Some(body), &[grey(0.0, lengths.base_height_m, COLUMN_RADIUS_M)]);
-    let body = Body::rod(masses.upper_arm, lengths.upper_arm_m, LINK_RADIUS_M)
-        .and(Body::counterweight(weights.shoulder));
+    let [column, upper_arm, forearm, twist, hand] = arm.link_bodies();
+    link(&mut text, "column_link", Some(column), &[grey(0.0, lengths.base_height_m, COLUMN_RADIUS_M)]);
     let shapes = [grey(0.0, lengths.upper_arm_m, LINK_RADIUS_M), ball(weights.shoulder)];
-    link(&mut text, "upper_arm_link", Some(body), &shapes);
-    let body =
-        Body::rod(masses.forearm, lengths.forearm_m, LINK_RADIUS_M).and(Body::counterweight(weights.elbow));
+    link(&mut text, "upper_arm_link", Some(upper_arm), &shapes);
     let shapes = [grey(0.0, lengths.forearm_m, LINK_RADIUS_M), ball(weights.elbow)];
-    link(&mut text, "forearm_link", Some(body), &shapes);
-    let body = Body::rod(masses.twist, lengths.twist_m + 2.0 * LINK_RADIUS_M, LINK_RADIUS_M);
+    link(&mut text, "forearm_link", Some(forearm), &shapes);
     let shapes =
         [grey(0.0, lengths.twist_m, LINK_RADIUS_M), Shape::ball(lengths.twist_m, LINK_RADIUS_M, "dark")];
-    link(&mut text, "twist_link", Some(body), &shapes);
-    let body = Body::rod(masses.hand, lengths.hand_m, HAND_RADIUS_M);
-    link(&mut text, "hand_link", Some(body), &[grey(0.0, upper_edge, HAND_RADIUS_M), Some(plate)]);
+    link(&mut text, "twist_link", Some(twist), &shapes);
+    link(&mut text, "hand_link", Some(hand), &[grey(0.0, upper_edge, HAND_RADIUS_M), Some(plate)]);
     link(&mut text, "ft_sensor", None, &[]);
     link(&mut text, "plate_tip", None, &[]);
 
@@ -100,13 +89,13 @@ pub fn urdf(arm: &Arm) -> String {
 }
 
 // Writing to a String cannot fail, hence the ignored results.
-fn link(text: &mut String, name: &str, body: Option<Body>, shapes: &[Option<Shape>]) {
+fn link(text: &mut String, name: &str, body: Option<LinkBody>, shapes: &[Option<Shape>]) {
     if body.is_none() {
         let _ = writeln!(text, "  <link name=\"{name}\"/>");
         return;
     }
     let _ = writeln!(text, "  <link name=\"{name}\">");
-    if let Some(Body { mass_kg, centre_m, across, along }) = body {
+    if let Some(LinkBody { mass_kg, centre_m, across_kg_m2: across, along_kg_m2: along }) = body {
         let _ = writeln!(text, "    <inertial>");
         let _ = writeln!(text, "      <origin xyz=\"0 0 {centre_m}\" rpy=\"0 0 0\"/>");
         let _ = writeln!(text, "      <mass value=\"{mass_kg}\"/>");

@@ -209,3 +209,16 @@ fn a_twist_length_lengthens_the_forearm() {
     assert!(pose_error(&a, &b) < 1e-15);
     assert!(pose_error(&split.forward(&split.inverse(&a).unwrap()).unwrap(), &a) < 1e-12);
 }
+
+/// The force sensor's frame, turned joint by joint, against the short way.
+#[test]
+fn the_sensor_turns_as_its_frame_does() {
+    let arm = Arm::thesis();
+    let joints = JointAngles([0.3, 0.7, 1.1, -0.4, 0.6]);
+    let force = [1.0, -2.0, 3.0];
+    let expected = arm.frames(&joints).unwrap().ft_sensor.direction(force);
+    let here = arm.at(&joints).unwrap();
+    for (a, b) in here.rtz_to_base(here.sensor_to_rtz(force)).iter().zip(expected) {
+        assert!((a - b).abs() < 1e-12, "{a} {b}");
+    }
+}

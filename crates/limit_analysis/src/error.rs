@@ -54,7 +54,7 @@ pub enum LimitError {
         advice: &'static str,
     },
     /// The budget ended before the first pair of bounds was proven.
-    #[error("no pair of bounds was proven within the budget ({spent}); allow more time or elements")]
+    #[error("no pair of bounds was proven within the budget ({spent}); allow more time, elements or memory")]
     NothingProven {
         /// What was done so far.
         spent: String,

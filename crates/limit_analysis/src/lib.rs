@@ -37,7 +37,7 @@ mod strength;
 mod topology;
 mod upper;
 
-pub use bound::{Bound, Bounds, Ended, Level, Options, Solve, bound};
+pub use bound::{Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, bound};
 pub use describe::{Described, Description, DescriptionError};
 pub use error::LimitError;
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};

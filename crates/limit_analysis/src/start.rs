@@ -14,6 +14,12 @@ const SHRINK: f64 = 0.8;
 /// Sector angle of the fans.
 const SECTOR_DEG: f64 = 15.0;
 
+/// The same for lower bounds at points on the rim that are no tips. There stresses hardly vary along the rays of a fan,
+/// but much with their angle; flows do both, and want small fans.
+const LOWER_FAN: f64 = 0.4;
+const LOWER_SECTOR_DEG: f64 = 7.5;
+const LOWER_SECTOR_SHRINK: f64 = 0.9;
+
 /// Clearance of the moving soil's bowl below the slip lines in units of the depth; how it shrinks; and its least value.
 const MARGIN: f64 = 0.8;
 const MARGIN_SHRINK: f64 = 0.8;
@@ -70,6 +76,8 @@ fn slip_line(
 pub(crate) struct Start {
     /// Points of the outline with fans.
     points: Vec<usize>,
+    /// How many of them, the first ones, are tips.
+    tip_points: usize,
     /// Where slip lines may be led to.
     pub(crate) tips: Vec<[f64; 2]>,
     pub(crate) guides: Vec<Guide>,
@@ -125,6 +133,7 @@ impl Start {
         let mut corners = on_face;
         let singular = singular_points(problem);
         corners.extend(singular.iter().filter(|p| !touching(**p).any(is_face)));
+        let tip_points = points.len();
         points.extend(singular.iter().filter(|p| !tips.contains(&at(p))));
         if tips.is_empty() {
             tips = points.iter().map(at).collect();
@@ -138,6 +147,7 @@ impl Start {
             unit: typical_length(problem),
             depth: tips.iter().map(|t| statement.datum - t[1]).fold(0.0, f64::max),
             points,
+            tip_points,
             tips,
             guides,
             phi,
@@ -150,6 +160,19 @@ impl Start {
     pub(crate) fn fans(&self, level: usize) -> Vec<Fan> {
         let radius = self.unit * FAN * SHRINK.powi(level as i32);
         self.points.iter().map(|&point| Fan { point, radius, angle: SECTOR_DEG.to_radians() }).collect()
+    }
+
+    /// Fans of the mesh of a level's lower bound; none if it is that of the upper bound.
+    pub(crate) fn lower_fans(&self, level: usize) -> Option<Vec<Fan>> {
+        if self.points.len() == self.tip_points {
+            return None;
+        }
+        let mut fans = self.fans(level);
+        for fan in &mut fans[self.tip_points..] {
+            fan.radius *= LOWER_FAN / FAN;
+            fan.angle = (LOWER_SECTOR_DEG * LOWER_SECTOR_SHRINK.powi(level as i32)).to_radians();
+        }
+        Some(fans)
     }
 
     /// The soil that may move on a level's mesh, around its slip lines.

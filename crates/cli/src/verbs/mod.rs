@@ -4,9 +4,12 @@
 mod bound;
 mod certify;
 mod completions;
+mod diagnose;
 mod estimate;
 mod limits;
+mod log;
 mod predict;
+mod replay;
 mod report;
 mod schemas;
 mod shear;
@@ -34,12 +37,18 @@ pub(crate) enum Verb {
     Certify(certify::Args),
     /// Every soil that could have produced the measured forces
     Estimate(Box<estimate::Args>),
+    /// Where model and measurement disagree, which effect is missing, and the gap after it is added
+    Diagnose(diagnose::Args),
     /// One HTML page: the estimate with its figures and what they mean
     Report(Box<report::Args>),
     /// Friction angle against normal stress from direct-shear tests
     Shear(Box<shear::Args>),
     /// Shows, builds and checks prediction tables
     Table(table::Args),
+    /// Looks into, checks, repairs and exports logs
+    Log(log::Args),
+    /// Runs the controller again on a log's inputs and compares every output bit
+    Replay(replay::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
     #[command(hide = true)]
@@ -66,9 +75,12 @@ impl Verb {
             Self::Solve(args) => solve::run(&args, output),
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
+            Self::Diagnose(args) => diagnose::run(&args, output),
             Self::Report(args) => report::run(&args, output),
             Self::Shear(args) => shear::run(&args, output),
             Self::Table(args) => table::run(&args, output),
+            Self::Log(args) => log::run(&args, output),
+            Self::Replay(args) => replay::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),
         }

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{Outcome, bound, certify, estimate, predict, report, shear, solve, table};
+use super::{Outcome, bound, certify, diagnose, estimate, log, predict, replay, report, shear, solve, table};
 use crate::error::CliError;
 use crate::output::{Answer, Document};
 
@@ -25,9 +25,13 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<solve::CheckAnswer>(&args.dir)?;
     write::<certify::CertifyAnswer>(&args.dir)?;
     write::<estimate::EstimateAnswer>(&args.dir)?;
+    write::<diagnose::DiagnosisAnswer>(&args.dir)?;
+    write::<diagnose::SelfTestAnswer>(&args.dir)?;
     write::<report::ReportAnswer>(&args.dir)?;
     write::<shear::ShearAnswer>(&args.dir)?;
     write::<table::TableAnswer>(&args.dir)?;
+    write::<log::LogAnswer>(&args.dir)?;
+    write::<replay::ReplayAnswer>(&args.dir)?;
     write_problem(&args.dir)?;
     Ok(Outcome::Done)
 }

@@ -8,6 +8,6 @@ mod stiffness;
 
 pub use accommodation::{accommodation_speed, beyond_dead_zone};
 pub use lead::{LeadAngle, LeadBounds};
-pub(crate) use pid::{joint_pid, velocity_pi};
+pub(crate) use pid::{joint_integral, joint_pid, velocity_pi};
 pub use safe_force::SafeForceSet;
 pub(crate) use stiffness::stiffness;

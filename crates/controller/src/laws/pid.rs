@@ -31,6 +31,24 @@ pub(crate) fn joint_pid(
     })
 }
 
+/// The integrals in N m with which [`joint_pid`] goes on from these torques without a jump, as far as their limits allow.
+///
+/// Motor and external angles differ by free play and stretch; a new wanted posture would else be a step of torque.
+pub(crate) fn joint_integral(
+    params: &Params,
+    wanted: &Setpoint,
+    est: &Estimate,
+    torques_nm: &[f64; 5],
+) -> [f64; 5] {
+    let gains = &params.config().gains;
+    std::array::from_fn(|i| {
+        let proportional = gains.motor_p_nm_per_rad[i] * (wanted.joints.0[i] - est.motor.0[i])
+            + gains.external_p_nm_per_rad[i] * (wanted.joints.0[i] - est.external.0[i]);
+        let limit = gains.integral_limit_nm[i];
+        (torques_nm[i] - est.gravity.0[i] - proportional).max(-limit).min(limit)
+    })
+}
+
 /// Velocity control: proportional-integral on the speed by the motor encoders.
 pub(crate) fn velocity_pi(
     params: &Params,
@@ -55,6 +73,14 @@ pub(crate) fn velocity_pi(
 /// `rate` in N m/s.
 fn integrate(integral: &mut f64, rate: f64, saturated: i8, limit: f64) {
     if rate * f64::from(saturated) <= 0.0 {
-        *integral = (*integral + rate * TICK_S).max(-limit).min(limit);
+        let next = *integral + rate * TICK_S;
+        // Not by `max` and `min`, which would make a limit of a NaN and hide it.
+        *integral = if next > limit {
+            limit
+        } else if next < -limit {
+            -limit
+        } else {
+            next
+        };
     }
 }

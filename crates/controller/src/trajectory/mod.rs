@@ -131,6 +131,9 @@ pub(crate) struct View<'a> {
     pub(crate) tuning: &'a Tuning,
 }
 
+/// Out-of-plane angle in rad below which a hand counts as level.
+const LEVEL_RAD: f64 = 0.01;
+
 impl Active {
     /// Begins `trajectory` at the wanted joints `from`.
     ///
@@ -149,6 +152,10 @@ impl Active {
         };
         if view.est.homed {
             active.from_pose = view.params.arm().forward(&from).map_err(|_| Finish::Unreachable)?;
+            // Near a straight wrist the twist joint would turn far to keep up a lean that is only the encoders' resolution.
+            if active.from_pose.n2_rad.abs() < LEVEL_RAD {
+                active.from_pose.n2_rad = 0.0;
+            }
         }
         match trajectory {
             Trajectory::Hold { ticks } | Trajectory::JointVelocity { ticks, .. } => {
@@ -161,7 +168,7 @@ impl Active {
                 active.plan_cartesian_touch(view, direction, travel_m)?;
             }
             Trajectory::Insert { depth_m } => active.plan_insert(view, depth_m)?,
-            Trajectory::Stroke { delta_rad, .. } => active.plan_stroke(view, delta_rad),
+            Trajectory::Stroke { delta_rad, .. } => active.plan_stroke(view, delta_rad)?,
         }
         Ok(active)
     }

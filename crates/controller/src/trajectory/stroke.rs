@@ -1,4 +1,5 @@
 use serde::{Deserialize, Serialize};
+use soilctl_kinematics::TaskPose;
 
 use super::{Active, Law, Setpoint, View};
 use crate::config::StrokeLaw;
@@ -22,6 +23,14 @@ pub struct StrokeRun {
     pub start_z_m: f64,
     /// Smoothed radius and height from which the lead starts, in m.
     pub smooth_m: [f64; 2],
+    /// Tip by the motors minus tip by the external encoders at the start along x, y, z in m: free play and stretch, which the springs
+    /// between wanted and motors' position must not take for a lead.
+    pub offset_m: [f64; 3],
+    /// Displacement along r and z in m that keeps the force with which the stroke began; along z it is turned until the
+    /// force has the wanted inclination (position feedback: until the insertion's force is gone).
+    pub hold_m: [f64; 2],
+    /// Whether the force of the insertion is gone. The lead waits for it.
+    pub released: bool,
     /// Lead in m.
     pub lead_m: f64,
     /// Inclination of the lead, theta_adj.
@@ -42,13 +51,32 @@ pub struct StrokeRun {
     pub lift_rad: f64,
 }
 
+/// Time in s in which the force of the insertion is taken back, to 1/e, were there no friction.
+const RELEASE_S: f64 = 0.15;
+/// The same for what friction keeps up during the stroke; slower than the loop that turns the lead.
+const TRIM_S: f64 = 0.8;
+/// Largest displacement along z in m that the force may ask for.
+const MOST_TRIM_M: f64 = 0.01;
+/// How many times faster the lead grows while the drives go through their free play and the plate feels nothing.
+const HASTE: f64 = 5.0;
+/// Longest time that is spent on it, in ticks.
+const RELEASE_TICKS: u32 = 1500;
+
 impl Active {
-    pub(super) fn plan_stroke(&mut self, view: View<'_>, delta_rad: f64) {
+    pub(super) fn plan_stroke(&mut self, view: View<'_>, delta_rad: f64) -> Result<(), Finish> {
         let (est, settings) = (view.est, &view.params.config().stroke);
         let (sin, cos) = libm::sincos(est.external.0[0]);
         let plate_rad = est.pose.tool_angle_rad() - std::f64::consts::FRAC_PI_2;
         let (margin, upper) = (settings.lower_margin_deg.to_radians(), settings.upper_bound_deg.to_radians());
+        let [fx, fy, fz] = est.force_xyz_n;
+        let [k_r, _, k_z] = view.params.config().gains.stiffness_n_per_m;
+        let displacement =
+            |force: f64, stiffness: f64| if stiffness > 0.0 { -force / stiffness } else { 0.0 };
+        let motor = view.params.arm().forward(&est.motor).map_err(|_| Finish::Unreachable)?;
         self.stroke = StrokeRun {
+            offset_m: offset(&motor, &est.pose),
+            // Else the torques that pressed the plate in would be gone at once, and the drives leap through their play.
+            hold_m: [displacement(fx * cos + fy * sin, k_r), displacement(fz, k_z)],
             bounds: LeadBounds::new(plate_rad, delta_rad, margin, upper),
             plane: [cos, sin],
             plate_rad,
@@ -60,6 +88,7 @@ impl Active {
             force_rad: plate_rad + delta_rad,
             ..StrokeRun::default()
         };
+        Ok(())
     }
 
     /// Orientation by feedback, magnitude by an open-loop lead (eqs 5.11 and 5.24 to 5.26).
@@ -81,15 +110,35 @@ impl Active {
         run.peak_force_n = run.peak_force_n.max(outward);
         run.travel_m = run.start_radius_m - radius;
 
-        let short = run.wanted_rad - run.force_rad;
+        // After the failure a quick loop would hide a plate that lifts.
+        let failed = run.travel_m >= settings.failure_travel_m;
+        run.hold_m[0] *= 1.0 - TICK_S / RELEASE_S;
+        // The insertion has left the plate pressed down, by more than the stroke will bear in the end; and dry friction keeps
+        // up forces across the lead that the lead alone is too small to turn.
+        if !failed && (!run.released || law == StrokeLaw::Force) {
+            let excess = fz - outward * libm::tan(run.wanted_rad);
+            let stiffness = view.params.config().gains.stiffness_n_per_m[2].max(1.0);
+            let time_s = if run.released { TRIM_S } else { RELEASE_S };
+            let trim = run.hold_m[1] + excess / stiffness * TICK_S / time_s;
+            run.hold_m[1] = trim.clamp(-MOST_TRIM_M, MOST_TRIM_M);
+            if !run.released && (excess <= settings.least_force_n || self.ticks >= RELEASE_TICKS) {
+                // From here on, as if the stroke began now; the drives may have changed sides of their play.
+                run.released = true;
+                run.hold_m = [0.0; 2];
+                run.smooth_m = [radius, est.pose.z_m];
+                run.start_z_m = est.pose.z_m;
+                if let Ok(motor) = view.params.arm().forward(&est.motor) {
+                    run.offset_m = offset(&motor, &est.pose);
+                }
+            }
+        }
+        let short = if run.released { run.wanted_rad - run.force_rad } else { 0.0 };
         let (error, p, i) = match law {
             StrokeLaw::Force => (short, settings.force_p, settings.force_p * settings.force_i_per_s),
             StrokeLaw::Position => {
                 (est.pose.z_m - run.start_z_m, settings.position_p_rad_per_m, settings.position_i_rad_per_m_s)
             }
         };
-        // After the failure a quick loop would hide a plate that lifts.
-        let failed = run.travel_m >= settings.failure_travel_m;
         if !failed {
             run.lead_rad = run.angle.update(run.wanted_rad, error, p, i, run.bounds);
         }
@@ -97,8 +146,9 @@ impl Active {
         // Too flat for its size: let the orientation catch up before pressing harder (section 5.3.3).
         let largest = view.params.safe_force().largest_n(run.force_rad - run.plate_rad);
         let unsafe_force = has_direction && short > 0.0 && largest.is_some_and(|largest| force > largest);
-        if !unsafe_force {
-            run.lead_m = (run.lead_m + view.tuning.lead_rate_m_s * TICK_S).min(settings.max_lead_m);
+        if run.released && !unsafe_force {
+            let haste = if has_direction { 1.0 } else { HASTE };
+            run.lead_m = (run.lead_m + haste * view.tuning.lead_rate_m_s * TICK_S).min(settings.max_lead_m);
         }
         if failed {
             let from = *run.failure_z_m.get_or_insert(run.smooth_m[1]);
@@ -112,8 +162,10 @@ impl Active {
         let smoothing = view.params.stroke_smoothing;
         run.smooth_m[0] += smoothing * (radius - run.smooth_m[0]);
         run.smooth_m[1] += smoothing * (est.pose.z_m - run.smooth_m[1]);
-        let wanted_radius = run.smooth_m[0] - run.lead_m * cos_lead;
-        let position_m = [wanted_radius * cos, wanted_radius * sin, run.smooth_m[1] - run.lead_m * sin_lead];
+        let wanted_radius = run.smooth_m[0] - run.lead_m * cos_lead + run.hold_m[0];
+        let wanted_z = run.smooth_m[1] - run.lead_m * sin_lead + run.hold_m[1];
+        let place = [wanted_radius * cos, wanted_radius * sin, wanted_z];
+        let position_m = std::array::from_fn(|i| place[i] + run.offset_m[i]);
         let finish = if run.travel_m >= settings.max_travel_m {
             Some(Finish::TravelLimit)
         } else if run.lead_m >= settings.max_lead_m {
@@ -127,4 +179,10 @@ impl Active {
             Setpoint { law: Law::Stiffness, joints: self.from_joints, position_m, ..Setpoint::default() };
         (setpoint, finish)
     }
+}
+
+/// Tip by the motors minus tip by the external encoders in m.
+fn offset(motor: &TaskPose, external: &TaskPose) -> [f64; 3] {
+    let (motor, external) = (motor.position_m(), external.position_m());
+    std::array::from_fn(|i| motor[i] - external[i])
 }

@@ -73,8 +73,14 @@ pub fn factor_of_safety(
     progress: &mut dyn FnMut(f64, &Level, Option<f64>),
 ) -> Result<SafetyBounds, LimitError> {
     let start = Instant::now();
-    let mut run =
-        Run { description, options, start, search: Search::new(options.max_gap), found: Found::default() };
+    let mut run = Run {
+        description,
+        options,
+        start,
+        search: Search::new(options.max_gap),
+        found: Found::default(),
+        limit: Ended::Elements,
+    };
     let ended = loop {
         if run.search.is_done() {
             break Ended::Gap;
@@ -88,7 +94,8 @@ pub fn factor_of_safety(
         if run.search.trials.len() == MAX_TRIALS {
             break Ended::Elements;
         }
-        if let Some(ended) = run.trial(progress)? {
+        let Some(factor) = run.search.next() else { break run.limit };
+        if let Some(ended) = run.trial(factor, progress)? {
             break ended;
         }
     };
@@ -113,6 +120,8 @@ struct Run<'a> {
     start: Instant,
     search: Search,
     found: Found,
+    /// What keeps trials from getting sharper, once something does.
+    limit: Ended,
 }
 
 impl Run<'_> {
@@ -123,9 +132,9 @@ impl Run<'_> {
     /// One factor. Returns why to stop, if so.
     fn trial(
         &mut self,
+        factor: f64,
         progress: &mut dyn FnMut(f64, &Level, Option<f64>),
     ) -> Result<Option<Ended>, LimitError> {
-        let factor = self.search.next();
         let described = self.description.reduced(factor).described()?;
         let proven = self.search.gap();
         let options = Options {
@@ -158,7 +167,13 @@ impl Run<'_> {
             self.found.upper = Some(SafetyProof { factor, described, bound: bounds.upper });
         }
         self.search.add(trial, stands);
-        // A mesh as fine as is allowed that does not get as sharp as needed will not the next time either.
+        if unsharp && matches!(ended, Ended::Elements | Ended::Memory) {
+            // What is as fine as is allowed and still not sharp will not be so the next time either. But there may be
+            // something to gain from its two bounds.
+            self.search.is_finest = true;
+            self.limit = ended;
+            return Ok(None);
+        }
         let both = self.found.lower.is_some() && self.found.upper.is_some();
         Ok((unsharp && both && !self.search.is_done()).then_some(ended))
     }

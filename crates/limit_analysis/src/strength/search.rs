@@ -25,6 +25,16 @@ const SPARE: f64 = 0.05;
 const FIRST_GAP: f64 = 0.2;
 const SHARPER: f64 = 0.4;
 
+/// Bounds this close to one (in logarithms) tell well where they are one.
+const NEAR: f64 = 0.1;
+
+impl Trial {
+    /// Logarithmic distance of the bounds.
+    fn width(&self) -> f64 {
+        (self.upper / self.lower).ln()
+    }
+}
+
 /// What is known so far.
 #[derive(Debug, Clone)]
 pub(super) struct Search {
@@ -36,12 +46,14 @@ pub(super) struct Search {
     max_gap: f64,
     /// Relative gap of the multiplier for the next trial.
     pub(super) trial_gap: f64,
+    /// Whether trials cannot get sharper.
+    pub(super) is_finest: bool,
 }
 
 impl Search {
     pub(super) fn new(max_gap: f64) -> Self {
         let trial_gap = FIRST_GAP.max(0.5 * max_gap);
-        Self { trials: Vec::new(), stands: None, fails: None, max_gap, trial_gap }
+        Self { trials: Vec::new(), stands: None, fails: None, max_gap, trial_gap, is_finest: false }
     }
 
     /// Takes note of a trial; `stands` is whether the lower bound counts as proof.
@@ -65,16 +77,24 @@ impl Search {
         self.gap().is_some_and(|gap| gap <= self.max_gap)
     }
 
-    /// The factor to try next. Sharpens the trials when they have shown all they can at their gap.
-    pub(super) fn next(&mut self) -> f64 {
-        let Some(last) = self.trials.last().copied() else { return 1.0 };
+    /// The factor to try next. Sharpens the trials when they have shown all they can at their gap; none is left if that
+    /// cannot be.
+    pub(super) fn next(&mut self) -> Option<f64> {
+        let Some(last) = self.trials.last().copied() else { return Some(1.0) };
         let slope = self.slope();
         let spare = SPARE * self.max_gap;
-        // Towards the root of a bound: from the trial where it is next to one.
+        // Towards the root of a bound: from the trial where it is next to one; at the end, of those that are about as sharp
+        // as any near one.
         let root = |of: fn(&Trial) -> f64, beyond: f64| {
-            let known = self.trials.iter().filter(|t| of(t).is_finite() && of(t) > 0.0);
-            let nearest = known.min_by(|a, b| of(a).ln().abs().total_cmp(&of(b).ln().abs()));
-            nearest.map(|t| t.factor * of(t).powf(1.0 / slope).clamp(1.0 / STEP, STEP) * beyond)
+            let far = |t: &Trial| of(t).ln().abs();
+            let known = || self.trials.iter().filter(|t| of(t).is_finite() && of(t) > 0.0);
+            let nearest = known().map(far).fold(f64::INFINITY, f64::min);
+            let near =
+                || known().filter(|t| far(t) <= if self.is_finest { nearest.max(NEAR) } else { nearest });
+            let sharpest = near().map(Trial::width).fold(f64::INFINITY, f64::min);
+            let best =
+                near().filter(|t| t.width() <= 2.0 * sharpest).min_by(|a, b| far(a).total_cmp(&far(b)));
+            best.map(|t| t.factor * of(t).powf(1.0 / slope).clamp(1.0 / STEP, STEP) * beyond)
         };
         let stands = root(|t| t.lower, 1.0 - spare).unwrap_or(last.factor / STEP);
         let fails = root(|t| t.upper, 1.0 + spare).unwrap_or(last.factor * STEP);
@@ -89,18 +109,21 @@ impl Search {
             if self.fails.is_none() { f64::INFINITY } else { 1.0 - fails.max(low) / high },
         ];
         if gains[0].max(gains[1]) < 0.1 * self.max_gap {
+            if self.is_finest {
+                return None;
+            }
             self.trial_gap *= SHARPER;
             // The middle, sharply, tells where both roots are.
-            return (low * high).sqrt();
+            return Some((low * high).sqrt());
         }
         let next = if gains[0] >= gains[1] { stands } else { fails };
         let inside = next > low && next < high;
-        match (inside, low > 0.0, high.is_finite()) {
+        Some(match (inside, low > 0.0, high.is_finite()) {
             (true, _, _) => next,
             (false, true, true) => (low * high).sqrt(),
             (false, true, false) => low * 2.0,
             (false, false, _) => high / 2.0,
-        }
+        })
     }
 
     /// How fast the multiplier falls: the power of the factor, from the two trials nearest to the root.
@@ -128,7 +151,7 @@ mod tests {
             if search.is_done() {
                 return (search, trials);
             }
-            let factor = search.next();
+            let factor = search.next().unwrap();
             let (m, half) = (multiplier(factor), 0.5 * search.trial_gap);
             search.add(Trial { factor, lower: m * (1.0 - half), upper: m * (1.0 + half) }, true);
         }
@@ -161,7 +184,7 @@ mod tests {
     fn a_multiplier_without_end_leads_to_weaker_soil_though_it_proves_nothing() {
         let mut search = Search::new(0.1);
         search.add(Trial { factor: 1.0, lower: f64::INFINITY, upper: f64::INFINITY }, false);
-        assert!(search.next() > 1.0);
+        assert!(search.next().unwrap() > 1.0);
     }
 
     #[test]
@@ -169,5 +192,19 @@ mod tests {
         let mut search = Search::new(0.1);
         search.add(Trial { factor: 1.0, lower: 2.0, upper: 2.1 }, false);
         assert_eq!(search.stands, None);
+    }
+
+    #[test]
+    fn bounds_that_get_no_sharper_are_used_up() {
+        let mut search = Search::new(0.01);
+        let mut trials = 0;
+        while let Some(factor) = search.next() {
+            // As close as 3 % and no closer, from the first trial that asks for more on.
+            search.is_finest |= search.trial_gap < 0.03;
+            let (m, half) = (1.7 / factor, 0.5 * search.trial_gap.max(0.03));
+            search.add(Trial { factor, lower: m * (1.0 - half), upper: m * (1.0 + half) }, true);
+            trials += 1;
+        }
+        assert!(trials < 20 && search.gap().unwrap() < 0.035, "{trials}: {search:?}");
     }
 }

@@ -25,6 +25,11 @@ pub(crate) struct EstimateArgs {
     #[arg(long, value_name = "NAME", default_value = "table")]
     pub(crate) model: String,
 
+    /// A model file, such as the patch of `diagnose`: its effects are taken out of the measured forces first, at the
+    /// soil of the file
+    #[arg(long, value_name = "PATCH")]
+    pub(crate) model_file: Option<PathBuf>,
+
     /// Friction angle between soil and plate (deg), or `column` for delta_set_deg of the table
     #[arg(long, value_name = "DEG|column", allow_negative_numbers = true)]
     pub(crate) delta: NumberOrColumn,

@@ -1,10 +1,11 @@
 //! From options and a stroke table to the estimator's setup.
 
 use soilctl_earth_pressure::{ForceModel, Loads};
+use soilctl_effects::Loaded;
 use soilctl_estimator::{Observation, Setup};
 use soilctl_soil::{Angle, Plate};
 use soilctl_strokes::{
-    Campaign, Measurement, ReadOptions, StrokeTable, Uncertainty as Deviations, measurements,
+    Campaign, Measurement, ReadOptions, StrokeRow, StrokeTable, Uncertainty as Deviations, measurements,
 };
 
 use super::args::{EstimateArgs, Uncertainty};
@@ -35,7 +36,10 @@ impl Inputs {
                 args.density_tol
             )));
         }
-        let table = StrokeTable::read(&args.file, ReadOptions { allow_zero_sd: exact })?;
+        let mut table = StrokeTable::read(&args.file, ReadOptions { allow_zero_sd: exact })?;
+        if let Some(path) = &args.model_file {
+            table = without_effects(&table, &Loaded::read(path)?)?;
+        }
         let wanted = if exact { Deviations::ExactAllowed } else { Deviations::Required };
         let measurements = measurements(&table, wanted)?;
         let campaign = Campaign::read_beside(&args.file)?.unwrap_or_default();
@@ -95,6 +99,19 @@ impl Inputs {
         let (low, high) = self.delta_deg;
         if low == high { vec![low] } else { vec![low, f64::midpoint(low, high), high] }
     }
+}
+
+/// The forces that would have been read without the effects of a model file.
+fn without_effects(table: &StrokeTable, model: &Loaded) -> Result<StrokeTable, CliError> {
+    let rows = table
+        .rows()
+        .map(|row| {
+            let ratio = model.plain_force_n(&row)? / model.force_n(&row)?;
+            let force_sd_n = row.force_sd_n.map(|sd| sd * ratio);
+            Ok(StrokeRow { force_n: row.force_n * ratio, force_sd_n, ..row })
+        })
+        .collect::<Result<Vec<_>, CliError>>()?;
+    Ok(StrokeTable::new(table.name(), &rows)?)
 }
 
 fn observation(args: &EstimateArgs, m: &Measurement) -> Result<Observation, CliError> {

@@ -70,6 +70,7 @@ pub(crate) fn ended(ended: Ended) -> &'static str {
         Ended::Gap => "gap",
         Ended::Time => "time",
         Ended::Elements => "elements",
+        Ended::Memory => "memory",
         Ended::Stopped => "stopped",
     }
 }

@@ -3,6 +3,7 @@
 mod answer;
 mod chosen;
 mod curves;
+mod patched;
 mod plot;
 mod single;
 mod strokes;
@@ -38,13 +39,25 @@ pub(crate) struct Args {
           required_unless_present = "strokes", conflicts_with = "strokes")]
     alpha: Option<f64>,
 
+    /// A model file, such as the patch of `diagnose`: force model, soil and effects; --phi, --delta and --density
+    /// replace its values
+    #[arg(long, value_name = "PATCH", conflicts_with_all = ["model", "model_table", "plot", "cohesion", "adhesion",
+          "surcharge", "beta"])]
+    model_file: Option<PathBuf>,
+
     /// Internal friction angle of the soil (deg)
-    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
-    phi: f64,
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_negative_numbers = true,
+          required_unless_present = "model_file")]
+    phi: Option<f64>,
 
     /// Friction angle between soil and plate (deg), or `column` for delta_set_deg of --strokes
-    #[arg(long, value_name = "DEG|column", allow_negative_numbers = true)]
-    delta: NumberOrColumn,
+    #[arg(
+        long,
+        value_name = "DEG|column",
+        allow_negative_numbers = true,
+        required_unless_present = "model_file"
+    )]
+    delta: Option<NumberOrColumn>,
 
     /// Bulk density (kg/m3), or `column` for density_kg_m3 of --strokes
     #[arg(long, value_name = "KG/M3|column", allow_negative_numbers = true)]
@@ -77,6 +90,16 @@ pub(crate) struct Args {
 }
 
 impl Args {
+    /// The friction angle; required wherever it is asked for.
+    fn phi(&self) -> Result<f64, CliError> {
+        self.phi.ok_or_else(|| CliError::Usage("give --phi DEG".into()))
+    }
+
+    /// Where the interface friction comes from; required wherever it is asked for.
+    fn delta(&self) -> Result<NumberOrColumn, CliError> {
+        self.delta.ok_or_else(|| CliError::Usage("give --delta DEG".into()))
+    }
+
     /// The loads, checked.
     fn checked_loads(&self) -> Result<Loads, SoilError> {
         let surcharge = self.loads.surcharge;
@@ -97,6 +120,10 @@ impl Args {
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    if let Some(path) = &args.model_file {
+        output.answer(&patched::predict(args, path)?)?;
+        return Ok(Outcome::Done);
+    }
     let answer = match (&args.strokes, args.alpha) {
         (Some(path), _) => strokes::predict(args, path)?,
         (None, Some(alpha)) => single::predict(args, alpha)?,

@@ -14,7 +14,7 @@ const ANY: f64 = 1.0;
 
 /// The four angles of the command line.
 pub(super) fn case(args: &Args, alpha_deg: f64) -> Result<Case, CliError> {
-    Ok(Case::from_deg(alpha_deg, args.loads.beta, args.phi, delta(args)?))
+    Ok(Case::from_deg(alpha_deg, args.loads.beta, args.phi()?, delta(args)?))
 }
 
 pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliError> {
@@ -25,7 +25,7 @@ pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliErro
         args.depth.unwrap_or(ANY),
         args.width.unwrap_or(ANY),
     )?;
-    let soil = Soil::new(Angle::from_degrees(args.phi), density.unwrap_or(ANY))?
+    let soil = Soil::new(Angle::from_degrees(args.phi()?), density.unwrap_or(ANY))?
         .with_cohesion(args.loads.cohesion)?
         .with_gravity(args.loads.gravity)?;
     Interface::new(Angle::from_degrees(delta_deg), args.loads.adhesion)?;
@@ -56,7 +56,7 @@ pub(super) fn predict(args: &Args, alpha_deg: f64) -> Result<Prediction, CliErro
             density_kg_m3: density,
             depth_m: args.depth,
             width_m: args.width,
-            ..inputs(args)
+            ..inputs(args)?
         },
         interpolation_margin: found.interpolation_margin,
         notes: found.notes.iter().map(|note| (*note).to_owned()).collect(),
@@ -77,12 +77,12 @@ fn sensitivity(model: &dyn ForceModel, case: &Case) -> Sensitivity {
 }
 
 /// Inputs that never come from a file; the others are null.
-pub(super) fn inputs(args: &Args) -> Inputs {
-    Inputs {
+pub(super) fn inputs(args: &Args) -> Result<Inputs, CliError> {
+    Ok(Inputs {
         alpha_deg: None,
         beta_deg: args.loads.beta,
-        phi_deg: args.phi,
-        delta_deg: args.delta.number(),
+        phi_deg: args.phi()?,
+        delta_deg: args.delta()?.number(),
         cohesion_pa: args.loads.cohesion,
         adhesion_pa: args.loads.adhesion,
         surcharge_pa: args.loads.surcharge,
@@ -90,11 +90,11 @@ pub(super) fn inputs(args: &Args) -> Inputs {
         gravity_m_s2: args.loads.gravity,
         depth_m: None,
         width_m: None,
-    }
+    })
 }
 
 fn delta(args: &Args) -> Result<f64, CliError> {
-    args.delta.number().ok_or_else(|| needs_strokes("--delta", "delta_set_deg"))
+    args.delta()?.number().ok_or_else(|| needs_strokes("--delta", "delta_set_deg"))
 }
 
 fn density(args: &Args) -> Result<Option<f64>, CliError> {

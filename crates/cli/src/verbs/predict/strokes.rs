@@ -41,7 +41,7 @@ pub(super) fn predict(args: &Args, path: &Path) -> Result<Prediction, CliError> 
         k_net_provenance: None,
         force_n: None,
         sensitivity_percent_per_deg: None,
-        inputs: inputs(args),
+        inputs: inputs(args)?,
         interpolation_margin,
         notes,
         valid_range: chosen.model.valid_range().into(),
@@ -61,7 +61,7 @@ struct Predictor<'a> {
 
 impl Predictor<'_> {
     fn stroke(&mut self, row: StrokeRow) -> Result<StrokePrediction, CliError> {
-        let delta_deg = match self.args.delta {
+        let delta_deg = match self.args.delta()? {
             NumberOrColumn::Number(value) => value,
             NumberOrColumn::Column => self.cell(row.delta_set_deg, &row, "--delta", "delta_set_deg")?,
         };
@@ -75,7 +75,7 @@ impl Predictor<'_> {
         let args = self.args;
         let beta = Angle::from_degrees(args.loads.beta);
         let plate = Plate::new(Angle::from_degrees(row.alpha_deg), beta, row.depth_m, row.width_m)?;
-        let soil = Soil::new(Angle::from_degrees(args.phi), density.unwrap_or(1.0))?
+        let soil = Soil::new(Angle::from_degrees(args.phi()?), density.unwrap_or(1.0))?
             .with_cohesion(args.loads.cohesion)?
             .with_gravity(args.loads.gravity)?;
         let interface = Interface::new(Angle::from_degrees(delta_deg), args.loads.adhesion)?;

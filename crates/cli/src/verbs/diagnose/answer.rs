@@ -1,0 +1,260 @@
+//! What `diagnose` answers, in data and in words.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_diagnosis::Testable;
+
+use super::Work;
+use super::files::{Written, parameters, status};
+use crate::output::Answer;
+use crate::text::{columns, number};
+
+/// Where model and measurement disagree, which effect is missing, and the gap after it is added.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct DiagnosisAnswer {
+    /// none, named, ambiguous, provisional, unknown or not_testable; only `named` is firm.
+    pub(super) status: String,
+    /// Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
+    pub(super) effects: Vec<EffectAnswer>,
+    /// What the data do not tell apart, best first; ids of effects, or `unknown:<covariate>`.
+    pub(super) equivalence_set: Vec<String>,
+    /// How far model and measurement are apart.
+    pub(super) gap: GapAnswer,
+    /// Disagreements of the recalibrated baseline that are more than chance.
+    #[serde(rename = "where")]
+    pub(super) located: Vec<WhereAnswer>,
+    /// The follow-up that would tell most; null if nothing on the menu would.
+    pub(super) next_experiment: Option<NextAnswer>,
+    /// Model file for `--model-file`.
+    pub(super) patch: String,
+    /// HTML page.
+    pub(super) report: String,
+    /// The force model without effects.
+    pub(super) model: String,
+    /// Strokes.
+    pub(super) strokes: usize,
+    /// Recalibrated friction angle with the effects, deg.
+    pub(super) phi_deg: f64,
+    /// Recalibrated density with the effects, kg/m3.
+    pub(super) density_kg_m3: f64,
+    /// Scatter of ln force of one stroke about the baseline.
+    pub(super) scatter: f64,
+    /// What the design could show of each effect, before the forces were looked at.
+    pub(super) testability: Vec<TestabilityAnswer>,
+}
+
+/// One effect.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct EffectAnswer {
+    /// Id in the catalogue.
+    pub(super) id: String,
+    /// Parameters by name.
+    pub(super) parameters: BTreeMap<String, ParameterAnswer>,
+    /// ln Bayes factor over the explanation without it.
+    pub(super) log_bayes_factor: f64,
+}
+
+/// A parameter.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct ParameterAnswer {
+    /// Value; for a choice among force models, its index.
+    pub(super) value: f64,
+    /// Standard deviation.
+    pub(super) sd: f64,
+    /// Unit, `1` for a number without.
+    pub(super) unit: String,
+}
+
+/// Root mean squares of ln force; chi-square and log density are of batches that were left out.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct GapAnswer {
+    /// Without effects.
+    pub(super) before: f64,
+    /// With effects.
+    pub(super) after: f64,
+    /// Without effects, each batch predicted from the others; null with fewer than two batches.
+    pub(super) heldout_before: Option<f64>,
+    /// With effects, each batch predicted from the others.
+    pub(super) heldout_after: Option<f64>,
+    /// chi-square a stroke without effects.
+    pub(super) chi2_per_n_before: Option<f64>,
+    /// chi-square a stroke with effects.
+    pub(super) chi2_per_n_after: Option<f64>,
+    /// Gain in expected log predictive density.
+    pub(super) delta_elpd: Option<f64>,
+    /// Its standard error.
+    pub(super) delta_elpd_se: Option<f64>,
+}
+
+/// One disagreement.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct WhereAnswer {
+    /// Column of the stroke table.
+    pub(super) channel: String,
+    /// Covariate.
+    pub(super) covariate: String,
+    /// Probability of as much by chance, adjusted for the number of tests.
+    pub(super) p_adjusted: f64,
+}
+
+/// The next experiment.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct NextAnswer {
+    /// What to do and why.
+    pub(super) text: String,
+    /// File with the strokes to make.
+    pub(super) design_csv: String,
+    /// Chance that it settles the question.
+    pub(super) power: f64,
+}
+
+/// What the design could show of an effect.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct TestabilityAnswer {
+    /// Id of the effect.
+    pub(super) id: String,
+    /// Expected squared signal-to-noise ratio at a typical amplitude.
+    pub(super) lambda: f64,
+    /// The same at the largest plausible amplitude.
+    pub(super) lambda_largest: f64,
+    /// yes, if large, absorbed by soil and interface, or not varied by the design.
+    pub(super) verdict: String,
+}
+
+impl DiagnosisAnswer {
+    pub(super) fn new(work: &Work, written: &Written) -> Self {
+        let d = &work.diagnosis;
+        let gap = &d.comparison.gap;
+        Self {
+            status: status(d.status).into(),
+            effects: d
+                .effects
+                .iter()
+                .map(|found| EffectAnswer {
+                    id: found.id.into(),
+                    parameters: parameters(found.id, found.amplitude, found.amplitude_sd, found.shape)
+                        .into_iter()
+                        .map(|(name, p)| (name, ParameterAnswer { value: p.value, sd: p.sd, unit: p.unit }))
+                        .collect(),
+                    log_bayes_factor: found.log_bayes_factor,
+                })
+                .collect(),
+            equivalence_set: d.equivalence_set.clone(),
+            gap: GapAnswer {
+                before: gap.before,
+                after: gap.after,
+                heldout_before: gap.heldout_before,
+                heldout_after: gap.heldout_after,
+                chi2_per_n_before: gap.chi2_per_n_before,
+                chi2_per_n_after: gap.chi2_per_n_after,
+                delta_elpd: gap.delta_elpd,
+                delta_elpd_se: gap.delta_elpd_se,
+            },
+            located: d
+                .located
+                .iter()
+                .map(|w| WhereAnswer {
+                    channel: w.channel.clone(),
+                    covariate: w.covariate.clone(),
+                    p_adjusted: w.p_adjusted,
+                })
+                .collect(),
+            next_experiment: d.next.as_ref().zip(written.next.as_ref()).map(|(next, path)| NextAnswer {
+                text: next.text.clone(),
+                design_csv: path.display().to_string(),
+                power: next.power,
+            }),
+            patch: written.patch.display().to_string(),
+            report: written.report.display().to_string(),
+            model: work.model.clone(),
+            strokes: work.data.len(),
+            phi_deg: d.comparison.soil_after.phi_deg,
+            density_kg_m3: d.comparison.soil_after.density_kg_m3,
+            scatter: d.scatter,
+            testability: d
+                .expected
+                .iter()
+                .map(|of| TestabilityAnswer {
+                    id: of.id.into(),
+                    lambda: of.lambda,
+                    lambda_largest: of.lambda_largest,
+                    verdict: testable(of.testable).into(),
+                })
+                .collect(),
+        }
+    }
+
+    /// The outcome in a sentence.
+    pub(super) fn sentence(&self) -> String {
+        let names = self.equivalence_set.join(", ");
+        match self.status.as_str() {
+            "none" => "nothing is missing that these strokes could show".into(),
+            "named" => format!(
+                "missing: {}",
+                self.effects.iter().map(|e| e.id.as_str()).collect::<Vec<_>>().join(" and ")
+            ),
+            "ambiguous" => format!("something is missing; these explain it about equally well: {names}"),
+            "provisional" => {
+                format!("something is missing, and a shape without a name explains it as well: {names}")
+            }
+            "unknown" => format!("something is missing that is not in the catalogue: {names}"),
+            _ => "these strokes cannot tell any effect from the soil itself; see the next experiment".into(),
+        }
+    }
+}
+
+/// What the design could show, in words.
+pub(super) const fn testable(testable: Testable) -> &'static str {
+    match testable {
+        Testable::Yes => "yes",
+        Testable::IfLarge => "if large",
+        Testable::Absorbed => "absorbed by phi, density and delta",
+        Testable::NotVaried => "not testable with this design",
+    }
+}
+
+impl Answer for DiagnosisAnswer {
+    const SCHEMA: &'static str = "soilctl.diagnose/1";
+
+    fn text(&self) -> String {
+        let mut text = format!("{}: {}\n", self.status, self.sentence());
+        for effect in &self.effects {
+            let parameters: Vec<String> = effect
+                .parameters
+                .iter()
+                .map(|(name, p)| format!("{name} {} ± {}", number(p.value), number(p.sd)))
+                .collect();
+            text += &format!(
+                "  {} (ln Bayes factor {:.1}): {}\n",
+                effect.id,
+                effect.log_bayes_factor,
+                parameters.join(", ")
+            );
+        }
+        let mut rows = vec![vec!["gap".to_owned(), "before".into(), "after".into()]];
+        let shown = |value: Option<f64>| value.map_or_else(|| "-".into(), |v| format!("{v:.4}"));
+        rows.push(vec!["rms of ln force".into(), shown(Some(self.gap.before)), shown(Some(self.gap.after))]);
+        rows.push(vec!["held out".into(), shown(self.gap.heldout_before), shown(self.gap.heldout_after)]);
+        rows.push(vec![
+            "chi2 / n".into(),
+            shown(self.gap.chi2_per_n_before),
+            shown(self.gap.chi2_per_n_after),
+        ]);
+        text += &columns(&rows);
+        for place in &self.located {
+            text += &format!(
+                "where: {} over {} (p {})\n",
+                place.channel,
+                place.covariate,
+                number(place.p_adjusted)
+            );
+        }
+        if let Some(next) = &self.next_experiment {
+            text += &format!("next: {} (power {:.2}; {})\n", next.text, next.power, next.design_csv);
+        }
+        text += &format!("patch: {}\nreport: {}\n", self.patch, self.report);
+        text
+    }
+}

@@ -1,0 +1,184 @@
+//! Files of a diagnosis: model file, predictions, next experiment.
+
+use std::collections::BTreeMap;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use soilctl_diagnosis::Status;
+use soilctl_effects::{
+    EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry, effect,
+};
+use soilctl_strokes::StrokeTable;
+
+use super::Work;
+use crate::error::CliError;
+
+/// Where things were written.
+pub(super) struct Written {
+    pub(super) patch: PathBuf,
+    pub(super) report: PathBuf,
+    pub(super) next: Option<PathBuf>,
+}
+
+/// Writes all files but the report.
+pub(super) fn write(work: &Work, strokes: &Path, out: &Path) -> Result<Written, CliError> {
+    let bytes = std::fs::read(strokes).map_err(|problem| failed(strokes, problem))?;
+    let patch = out.join("patch.json");
+    let file = model_file(work, &bytes);
+    file.write(&patch)?;
+    predictions(work, file, &patch, &out.join("predictions.csv"))?;
+    let next = match &work.diagnosis.next {
+        Some(next) => {
+            let path = out.join("next_experiment.csv");
+            write_design(&next.rows, &path)?;
+            Some(path)
+        }
+        None => None,
+    };
+    Ok(Written { patch, report: out.join("report.html"), next })
+}
+
+fn failed(path: &Path, problem: std::io::Error) -> CliError {
+    CliError::File { path: path.display().to_string(), problem }
+}
+
+fn value(value: f64, sd: f64, unit: &str) -> ParameterValue {
+    ParameterValue { value, sd, unit: unit.into() }
+}
+
+fn model_file(work: &Work, bytes: &[u8]) -> ModelFile {
+    let (data, d) = (&work.data, &work.diagnosis);
+    let soil = &d.comparison.soil_after;
+    let set = data.delta_set_deg(0);
+    let mean = data.reference.delta_set_deg.unwrap_or(set);
+    let gap = &d.comparison.gap;
+    let held_out = match (gap.heldout_before, gap.heldout_after, gap.delta_elpd, gap.delta_elpd_se) {
+        (Some(rmse_before), Some(rmse_after), Some(delta_elpd), Some(delta_elpd_se)) => Some(HeldOut {
+            rmse_before,
+            rmse_after,
+            chi2_per_n_before: gap.chi2_per_n_before.unwrap_or_default(),
+            chi2_per_n_after: gap.chi2_per_n_after.unwrap_or_default(),
+            delta_elpd,
+            delta_elpd_se,
+        }),
+        _ => None,
+    };
+    ModelFile {
+        schema: FILE_SCHEMA.into(),
+        model: work.model.clone(),
+        status: status(d.status).into(),
+        soil: SoilEntry {
+            phi_deg: value(soil.phi_deg, soil.phi_sd_deg, "deg"),
+            delta_deg: value((mean + soil.delta_offset_deg).max(0.0), soil.delta_offset_sd_deg, "deg"),
+            delta_offset_deg: value(soil.delta_offset_deg, soil.delta_offset_sd_deg, "deg"),
+            density_kg_m3: value(soil.density_kg_m3, soil.density_sd_kg_m3, "kg/m3"),
+            gravity_m_s2: data.gravity_m_s2,
+        },
+        effects: d
+            .effects
+            .iter()
+            .map(|found| EffectEntry {
+                id: found.id.into(),
+                parameters: parameters(found.id, found.amplitude, found.amplitude_sd, found.shape),
+                shape: found.shape,
+                log_bayes_factor: found.log_bayes_factor,
+            })
+            .collect(),
+        equivalence_set: d.equivalence_set.clone(),
+        reference: data.reference.clone(),
+        data_hash: format!("{:016x}", fnv(bytes)),
+        held_out,
+    }
+}
+
+/// Parameters of an effect by name.
+pub(super) fn parameters(id: &str, amplitude: f64, sd: f64, shape: f64) -> BTreeMap<String, ParameterValue> {
+    let mut found = BTreeMap::new();
+    if let Some(effect) = effect(id) {
+        let main = effect.parameter();
+        found.insert(main.name.to_owned(), value(amplitude, sd, main.unit));
+        if let Some(of_shape) = effect.shape()
+            && let Some(parameter) = of_shape.parameter
+        {
+            // Half the distance to the next value that was tried.
+            let away = of_shape.values.iter().map(|v| (v - shape).abs()).filter(|d| *d > 0.0);
+            let step = away.fold(f64::INFINITY, f64::min);
+            let sd = if step.is_finite() { 0.5 * step } else { 0.0 };
+            found.insert(parameter.name.to_owned(), value(shape, sd, parameter.unit));
+        }
+    }
+    found
+}
+
+/// FNV-1a, 64 bits: says whether two files are the same, not more.
+fn fnv(bytes: &[u8]) -> u64 {
+    bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// Status as it is written.
+pub(super) const fn status(status: Status) -> &'static str {
+    match status {
+        Status::None => "none",
+        Status::Named => "named",
+        Status::Ambiguous => "ambiguous",
+        Status::Provisional => "provisional",
+        Status::Unknown => "unknown",
+        Status::NotTestable => "not_testable",
+    }
+}
+
+/// The design without forces: they are still to be measured.
+fn write_design(rows: &[soilctl_strokes::StrokeRow], path: &Path) -> Result<(), CliError> {
+    let table = StrokeTable::new("next_experiment.csv", rows)?;
+    let mut text = Vec::new();
+    table.to_writer(&mut text).map_err(|problem| failed(path, problem))?;
+    let text = String::from_utf8_lossy(&text);
+    let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+    let Some(header) = lines.next() else { return Ok(()) };
+    let keep: Vec<usize> = (0..header.len()).filter(|&i| header[i] != "force_n").collect();
+    let mut out = String::new();
+    for line in std::iter::once(header.clone()).chain(lines) {
+        let cells: Vec<&str> = keep.iter().filter_map(|&i| line.get(i).map(String::as_str)).collect();
+        out += &(cells.join(",") + "\n");
+    }
+    std::fs::write(path, out).map_err(|problem| failed(path, problem))
+}
+
+fn predictions(work: &Work, file: ModelFile, patch: &Path, path: &Path) -> Result<(), CliError> {
+    let c = &work.diagnosis.comparison;
+    let name = patch.display().to_string();
+    let mut before_file = file.clone();
+    before_file.effects.clear();
+    before_file.soil.phi_deg.value = c.soil_before.phi_deg;
+    before_file.soil.delta_offset_deg.value = c.soil_before.delta_offset_deg;
+    before_file.soil.density_kg_m3.value = c.soil_before.density_kg_m3;
+    let shift = c.soil_before.delta_offset_deg - c.soil_after.delta_offset_deg;
+    before_file.soil.delta_deg.value = (before_file.soil.delta_deg.value + shift).max(0.0);
+    let (before, after) = (Loaded::new(before_file, &name)?, Loaded::new(file, &name)?);
+    let mut text = String::from("stroke_id,force_before_n,force_after_n,heldout_before_n,heldout_after_n\n");
+    for (i, row) in work.data.rows.iter().enumerate() {
+        let id = row.stroke_id.clone().unwrap_or_else(|| (i + 1).to_string());
+        let held =
+            |values: &Option<Vec<f64>>| values.as_ref().map_or_else(String::new, |v| v[i].exp().to_string());
+        text += &format!(
+            "{},{},{},{},{}\n",
+            quoted(&id),
+            before.force_n(row)?,
+            after.force_n(row)?,
+            held(&c.heldout_before),
+            held(&c.heldout_after)
+        );
+    }
+    let mut out = std::fs::File::create(path).map_err(|problem| failed(path, problem))?;
+    out.write_all(text.as_bytes()).map_err(|problem| failed(path, problem))
+}
+
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.into()
+    }
+}

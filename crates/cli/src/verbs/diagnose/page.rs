@@ -1,0 +1,195 @@
+//! The page of a diagnosis: where, what, how sure, what else, what changes, what next.
+
+use soilctl_effects::effect;
+use soilctl_figure::{Align, CalloutKind, HtmlReport, Size, Table};
+
+use super::{DiagnosisAnswer, Work, figures};
+use crate::error::CliError;
+use crate::text::number;
+
+/// Most covariates that residuals are drawn over.
+const MOST_FIGURES: usize = 3;
+/// Explanations that are listed.
+const MOST_RIVALS: usize = 8;
+
+pub(super) fn render(work: &Work, answer: &DiagnosisAnswer) -> Result<String, CliError> {
+    let mut page = HtmlReport::new(format!("Diagnosis: {}", work.title));
+    page.subtitle(format!("{} strokes against the force model {}", answer.strokes, answer.model));
+    page.footer(format!("soilctl {}", env!("CARGO_PKG_VERSION")));
+    let kind = match answer.status.as_str() {
+        "none" | "named" => CalloutKind::Good,
+        _ => CalloutKind::Warning,
+    };
+    page.callout(kind, answer.status.replace('_', " "), answer.sentence());
+    places(&mut page, work, answer)?;
+    what(&mut page, answer)?;
+    rivals(&mut page, work, answer)?;
+    changes(&mut page, work, answer)?;
+    next(&mut page, answer)?;
+    testability(&mut page, answer)?;
+    Ok(page.to_html())
+}
+
+fn places(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Result<(), CliError> {
+    page.heading("Where model and measurement disagree");
+    if answer.located.is_empty() {
+        page.paragraph("No column varies over any recorded condition by more than chance, once the soil is recalibrated.");
+    } else {
+        let columns = [("column", Align::Left), ("over", Align::Left), ("adjusted p", Align::Right)];
+        let mut table =
+            Table::new("Disagreements that are more than chance (false discoveries held at 5 %)", columns);
+        for place in &answer.located {
+            table.row([
+                place.channel.clone(),
+                place.covariate.clone(),
+                format!("{:.2e}", place.p_adjusted),
+            ])?;
+        }
+        page.table(table);
+    }
+    let mut over: Vec<&str> = Vec::new();
+    let found = answer
+        .located
+        .iter()
+        .filter(|place| place.channel == "force_n")
+        .map(|place| place.covariate.as_str());
+    for name in found.chain(["depth_m", "alpha_deg"]) {
+        if !over.contains(&name) && over.len() < MOST_FIGURES {
+            over.push(name);
+        }
+    }
+    for name in over {
+        if let Some(figure) = figures::residuals(work, name)? {
+            page.figure(&figure, Size::new(760, 380)?, "Each point is a stroke; zero is perfect agreement.")?;
+        }
+    }
+    Ok(())
+}
+
+fn what(page: &mut HtmlReport, answer: &DiagnosisAnswer) -> Result<(), CliError> {
+    page.heading("What is missing, and how sure that is");
+    if answer.effects.is_empty() {
+        page.paragraph("No effect of the catalogue is named.");
+        return Ok(());
+    }
+    let columns = [
+        ("effect", Align::Left),
+        ("what it is", Align::Left),
+        ("parameters", Align::Left),
+        ("ln Bayes factor", Align::Right),
+    ];
+    let mut table = Table::new("Effects of the best explanation", columns);
+    for found in &answer.effects {
+        let parameters: Vec<String> = found
+            .parameters
+            .iter()
+            .map(|(name, p)| format!("{name} {} ± {} {}", number(p.value), number(p.sd), p.unit))
+            .collect();
+        let title = effect(&found.id).map_or("", |e| e.title());
+        table.row([
+            found.id.clone(),
+            title.into(),
+            parameters.join("; "),
+            format!("{:.1}", found.log_bayes_factor),
+        ])?;
+    }
+    page.table(table);
+    page.paragraph(
+        "The ln Bayes factor says how much more probable the forces are with the effect than without it: 5 is a \
+         factor of 150. Plausible ranges of the parameters are part of it, so a free parameter pays for itself.",
+    );
+    Ok(())
+}
+
+fn rivals(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Result<(), CliError> {
+    page.heading("What else it could be");
+    if answer.equivalence_set.len() > 1 {
+        page.paragraph(format!("Not told apart by these data: {}.", answer.equivalence_set.join(", ")));
+    }
+    let columns =
+        [("effect alone", Align::Left), ("what it is", Align::Left), ("ln Bayes factor", Align::Right)];
+    let mut table = Table::new("Single effects, best first", columns);
+    for (id, factor) in work.diagnosis.alone.iter().take(MOST_RIVALS) {
+        table.row([(*id).to_owned(), effect(id).map_or("", |e| e.title()).into(), format!("{factor:.1}")])?;
+    }
+    page.table(table);
+    Ok(())
+}
+
+fn changes(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Result<(), CliError> {
+    page.heading("What changes when it is added");
+    page.figure(&figures::forces(work)?, Size::new(640, 480)?, "On the line, model and measurement agree.")?;
+    let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| format!("{v:.3}"));
+    let columns = [("", Align::Left), ("without effects", Align::Right), ("with effects", Align::Right)];
+    let mut table =
+        Table::new("The gap; held out means that each batch is predicted from the others", columns);
+    let gap = &answer.gap;
+    table.row(["RMS of ln force".into(), shown(Some(gap.before)), shown(Some(gap.after))])?;
+    table.row(["RMS of ln force, held out".into(), shown(gap.heldout_before), shown(gap.heldout_after)])?;
+    table.row([
+        "chi² a stroke, held out".into(),
+        shown(gap.chi2_per_n_before),
+        shown(gap.chi2_per_n_after),
+    ])?;
+    let (before, after) = (&work.diagnosis.comparison.soil_before, &work.diagnosis.comparison.soil_after);
+    table.row([
+        "Friction angle (deg)".into(),
+        format!("{:.2} ± {:.2}", before.phi_deg, before.phi_sd_deg),
+        format!("{:.2} ± {:.2}", after.phi_deg, after.phi_sd_deg),
+    ])?;
+    table.row([
+        "Density (kg/m³)".into(),
+        format!("{:.0} ± {:.0}", before.density_kg_m3, before.density_sd_kg_m3),
+        format!("{:.0} ± {:.0}", after.density_kg_m3, after.density_sd_kg_m3),
+    ])?;
+    page.table(table);
+    if let (Some(gain), Some(error)) = (gap.delta_elpd, gap.delta_elpd_se) {
+        page.paragraph(format!(
+            "Expected log predictive density of unseen batches changes by {gain:.1} ± {error:.1}."
+        ));
+    }
+    Ok(())
+}
+
+fn next(page: &mut HtmlReport, answer: &DiagnosisAnswer) -> Result<(), CliError> {
+    page.heading("What to measure next");
+    match &answer.next_experiment {
+        Some(next) => {
+            page.paragraph(format!(
+                "{}. The chance that this settles it is {:.0} %. The strokes are in {}; append their results to the \
+                 stroke table as further batches.",
+                next.text,
+                100.0 * next.power,
+                next.design_csv
+            ));
+        }
+        None => {
+            page.paragraph("No follow-up on the menu would tell more.");
+        }
+    }
+    Ok(())
+}
+
+fn testability(page: &mut HtmlReport, answer: &DiagnosisAnswer) -> Result<(), CliError> {
+    page.heading("What this design could show");
+    let columns = [
+        ("effect", Align::Left),
+        ("typical amplitude", Align::Right),
+        ("largest", Align::Right),
+        ("testable", Align::Left),
+    ];
+    let mut table = Table::new(
+        "Expected squared signal-to-noise ratio, before any force is looked at; below 8 nothing can be named",
+        columns,
+    );
+    for of in &answer.testability {
+        table.row([
+            of.id.clone(),
+            format!("{:.1}", of.lambda),
+            format!("{:.1}", of.lambda_largest),
+            of.verdict.clone(),
+        ])?;
+    }
+    page.table(table);
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! What a trace-derived column reads when no effect is there.
+
+use soilctl_effects::Channel;
+
+use crate::data::{Data, Prior};
+
+/// Baseline and scatter of a channel.
+pub(crate) struct Baseline {
+    /// What is subtracted before anything is fitted, by stroke.
+    pub(crate) known: Vec<f64>,
+    /// Regressors with the prior of their coefficients.
+    pub(crate) terms: Vec<(Vec<f64>, Prior)>,
+    /// Prior of ln scatter.
+    pub(crate) ln_scatter: Prior,
+    /// Whether the interface friction angle itself is read.
+    pub(crate) reads_delta: bool,
+}
+
+impl Baseline {
+    /// The baseline of a channel in a campaign.
+    ///
+    /// Columns that read zero on a perfect instrument may be off by a fraction of what the instrument scatters; columns
+    /// that depend on the soil have free baselines.
+    pub(crate) fn of(channel: Channel, data: &Data) -> Self {
+        let n = data.len();
+        let one = || vec![1.0; n];
+        let zero = |sd: f64| Prior { mean: 0.0, sd };
+        let instrument = &data.campaign.instrument;
+        let depth: Vec<f64> = data.rows.iter().map(|row| row.depth_m).collect();
+        let force: Vec<f64> = data.rows.iter().map(|row| row.force_n).collect();
+        let lean: Vec<f64> =
+            data.rows.iter().map(|row| (row.alpha_deg - data.reference.alpha_deg) / 10.0).collect();
+        let cells: Vec<f64> =
+            data.channels.get(&channel).into_iter().flatten().filter_map(|cell| *cell).collect();
+        let spread = spread(&cells).max(1e-9);
+        let given = |sd: f64| Prior { mean: if sd > 0.0 { sd } else { spread }.ln(), sd: 0.5 };
+        let own = Prior { mean: (0.7 * spread).ln(), sd: 0.7 };
+        let (terms, ln_scatter): (Vec<(Vec<f64>, Prior)>, Prior) = match channel {
+            Channel::TareBefore | Channel::TareAfter => {
+                (vec![(one(), zero((0.5 * instrument.tare_sd).max(0.02)))], given(instrument.tare_sd))
+            }
+            Channel::CmdMinusForce => {
+                let mean = force.iter().sum::<f64>() / n as f64;
+                let relative = force.iter().map(|f| f / mean - 1.0).collect();
+                let sd = (0.25 * instrument.cmd_sd).max(0.2);
+                (vec![(one(), zero(sd)), (relative, zero(sd))], given(instrument.cmd_sd))
+            }
+            Channel::FrictionAngle => (vec![(one(), zero(0.4))], given(instrument.friction_angle_sd)),
+            Channel::ZDrift => {
+                (vec![(one(), zero((0.25 * instrument.z_sd).max(1e-5)))], given(instrument.z_sd))
+            }
+            Channel::HeapHeight => {
+                (vec![(one(), zero((0.25 * instrument.heap_sd).max(2e-4)))], given(instrument.heap_sd))
+            }
+            Channel::MotorExtGap => {
+                let stretch = force.iter().map(|f| f / instrument.joint_stiffness_n_per_m).collect();
+                let sd = (0.25 * instrument.gap_sd).max(6e-5);
+                (vec![(one(), zero(sd)), (stretch, Prior { mean: 1.0, sd: 1.0 })], given(instrument.gap_sd))
+            }
+            Channel::XStep => {
+                let sd = (0.05 * instrument.encoder_step_m).max(1e-5);
+                let nominal = Prior { mean: instrument.encoder_step_m, sd };
+                (
+                    vec![(one(), nominal)],
+                    Prior { mean: (0.05 * instrument.encoder_step_m).max(1e-6).ln(), sd: 1.0 },
+                )
+            }
+            Channel::Displacement => (
+                vec![
+                    (one(), zero(0.001)),
+                    (depth, Prior { mean: 0.12, sd: 0.12 }),
+                    (lean.iter().zip(&data.rows).map(|(x, row)| x * row.depth_m).collect(), zero(0.01)),
+                ],
+                own,
+            ),
+            Channel::PostSlope => {
+                let mean = if data.campaign.dense_preparation { -0.6 } else { -0.1 };
+                (vec![(one(), Prior { mean, sd: 0.4 }), (lean, zero(0.03))], own)
+            }
+            Channel::ResidualRatio => {
+                let mean = if data.campaign.dense_preparation { 0.75 } else { 0.95 };
+                (vec![(one(), Prior { mean, sd: 0.12 }), (lean, zero(0.01))], own)
+            }
+        };
+        let reads_delta = channel == Channel::FrictionAngle;
+        let known = if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
+        Self { known, terms, ln_scatter, reads_delta }
+    }
+}
+
+/// Standard deviation that an outlier does not move much: from the median absolute deviation.
+pub(crate) fn spread(values: &[f64]) -> f64 {
+    if values.len() < 2 {
+        return 0.0;
+    }
+    let middle = median(values.to_vec());
+    let away = median(values.iter().map(|x| (x - middle).abs()).collect());
+    1.4826 * away
+}
+
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let n = values.len();
+    match n {
+        0 => 0.0,
+        _ if n % 2 == 1 => values[n / 2],
+        _ => 0.5 * (values[n / 2 - 1] + values[n / 2]),
+    }
+}

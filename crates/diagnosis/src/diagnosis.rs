@@ -1,0 +1,114 @@
+//! The whole diagnosis of a campaign.
+
+use serde::Serialize;
+use soilctl_effects::catalogue;
+
+use crate::DiagnosisError;
+use crate::data::Data;
+use crate::gap::{Comparison, compare};
+use crate::localise::{Where, localise};
+use crate::next::{NextExperiment, next};
+use crate::search::Search;
+use crate::setup::Setup;
+use crate::spec::Spec;
+use crate::surface::Surface;
+use crate::testability::{Expected, LEAST_LAMBDA, expected};
+use crate::verdict::{Status, judge};
+
+/// An effect that was found.
+#[derive(Debug, Clone, Serialize)]
+pub struct FoundEffect {
+    /// Id in the catalogue.
+    pub id: &'static str,
+    /// Amplitude in the unit of its parameter.
+    pub amplitude: f64,
+    /// Standard deviation of the amplitude.
+    pub amplitude_sd: f64,
+    /// Its shape, 0 for effects without one.
+    pub shape: f64,
+    /// ln Bayes factor over the explanation without it.
+    pub log_bayes_factor: f64,
+}
+
+/// What a campaign says.
+#[derive(Debug, Clone)]
+pub struct Diagnosis {
+    /// The outcome.
+    pub status: Status,
+    /// Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
+    pub effects: Vec<FoundEffect>,
+    /// What the data do not tell apart, best first.
+    pub equivalence_set: Vec<String>,
+    /// What the design could show of each effect.
+    pub expected: Vec<Expected>,
+    /// Disagreements of the recalibrated baseline that are more than chance.
+    pub located: Vec<Where>,
+    /// ln Bayes factor of each effect alone, best first.
+    pub alone: Vec<(&'static str, f64)>,
+    /// The gap and the predictions without and with the effects.
+    pub comparison: Comparison,
+    /// The follow-up that would tell most.
+    pub next: Option<NextExperiment>,
+    /// Scatter of ln force of one stroke about the baseline.
+    pub scatter: f64,
+}
+
+/// Diagnoses a campaign against a force model.
+///
+/// # Errors
+/// [`DiagnosisError::NoFit`] if no soil explains the forces at all.
+pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisError> {
+    let first = Setup::new(data, surface, data.phi.mean);
+    let phi_deg = Search::new(&first)?.baseline.soil[0];
+    let setup = Setup::new(data, surface, phi_deg);
+    let search = Search::new(&setup)?;
+    let expected: Vec<Expected> =
+        catalogue().iter().map(|&effect| expected(&setup, phi_deg, effect)).collect();
+    // With a handful of strokes the largest amplitudes alone could be seen, which is no test of anything.
+    let testable =
+        expected.iter().filter(|of| of.lambda >= LEAST_LAMBDA).count() > 0 && data.len() > MOST_SUMMARIES;
+    let verdict = judge(&search);
+    let status = if testable { verdict.status } else { Status::NotTestable };
+    let mut effects = Vec::new();
+    let mut spec = Spec::default();
+    if let (Status::Named | Status::Ambiguous | Status::Provisional, Some(best)) = (status, &verdict.best) {
+        spec = best.spec.clone();
+        for ((choice, (amplitude, sd)), factor) in
+            best.spec.choices.iter().zip(&best.fit.amplitudes).zip(&verdict.factors)
+        {
+            effects.push(FoundEffect {
+                id: choice.effect.id(),
+                amplitude: *amplitude,
+                amplitude_sd: sd.hypot(FORM_ERROR * amplitude),
+                shape: choice.shape,
+                log_bayes_factor: *factor,
+            });
+        }
+    }
+    let amplitudes: Vec<f64> = effects.iter().map(|effect| effect.amplitude).collect();
+    let failed = || DiagnosisError::NoFit {
+        file: data.name.clone(),
+        model: "the force model".into(),
+        problem: "a batch left out could not be predicted".into(),
+    };
+    let comparison = compare(&setup, &spec, &amplitudes).ok_or_else(failed)?;
+    effects.sort_by(|a, b| b.log_bayes_factor.total_cmp(&a.log_bayes_factor));
+    let equivalence_set = if testable { verdict.equivalents } else { Vec::new() };
+    let next = next(&setup, phi_deg, &effects, &equivalence_set, &expected);
+    Ok(Diagnosis {
+        status,
+        effects,
+        equivalence_set,
+        located: localise(&setup, &search.baseline),
+        expected,
+        alone: verdict.singles.iter().map(|scored| (scored.ids()[0], scored.log_bayes)).collect(),
+        comparison,
+        next,
+        scatter: search.baseline.scatter,
+    })
+}
+
+/// Relative error of an amplitude because nature's formula is not ours.
+const FORM_ERROR: f64 = 0.08;
+/// Rows up to which a table is a summary and no campaign: there are as many unknowns.
+const MOST_SUMMARIES: usize = 6;

@@ -1,0 +1,188 @@
+//! The gap between model and forces, before and after effects are added, also on batches that the fit has not seen.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+use soilctl_effects::Channel;
+
+use crate::fit::{Fit, everything, fit};
+use crate::setup::Setup;
+use crate::spec::Spec;
+
+/// How far model and measurement are apart.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Gap {
+    /// Root mean square of ln force measured over predicted, without effects.
+    pub before: f64,
+    /// The same with effects.
+    pub after: f64,
+    /// The same as `before`, each batch predicted from the others; none with fewer than two batches.
+    pub heldout_before: Option<f64>,
+    /// The same as `after`, each batch predicted from the others.
+    pub heldout_after: Option<f64>,
+    /// Held-out chi-square a stroke without effects.
+    pub chi2_per_n_before: Option<f64>,
+    /// Held-out chi-square a stroke with effects.
+    pub chi2_per_n_after: Option<f64>,
+    /// Gain in expected log predictive density of all batches.
+    pub delta_elpd: Option<f64>,
+    /// Its standard error over batches.
+    pub delta_elpd_se: Option<f64>,
+}
+
+/// Soil of a fit that a model file can repeat.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FittedSoil {
+    /// Friction angle, deg.
+    pub phi_deg: f64,
+    /// Its standard deviation.
+    pub phi_sd_deg: f64,
+    /// Interface friction minus set-point, deg.
+    pub delta_offset_deg: f64,
+    /// Its standard deviation.
+    pub delta_offset_sd_deg: f64,
+    /// Density, kg/m3.
+    pub density_kg_m3: f64,
+    /// Its standard deviation.
+    pub density_sd_kg_m3: f64,
+}
+
+/// Gap, soils and predictions of ln force.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    /// The gap.
+    pub gap: Gap,
+    /// Soil without effects.
+    pub soil_before: FittedSoil,
+    /// Soil with effects.
+    pub soil_after: FittedSoil,
+    /// ln force without effects, by stroke.
+    pub before: Vec<f64>,
+    /// ln force with effects.
+    pub after: Vec<f64>,
+    /// ln force without effects, from the other batches.
+    pub heldout_before: Option<Vec<f64>>,
+    /// ln force with effects, from the other batches.
+    pub heldout_after: Option<Vec<f64>>,
+    /// Standard deviation of ln force of each stroke about its prediction, batches included.
+    pub stroke_sd: Vec<f64>,
+}
+
+/// Compares a set of effects (amplitudes fixed) with none. `None` if a fit fails.
+pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<Comparison> {
+    let setup = full.without_model_error();
+    let core: BTreeSet<Channel> =
+        setup.baselines.keys().copied().filter(|c| *c == Channel::FrictionAngle).collect();
+    let all = everything(&setup);
+    let forces = Spec {
+        choices: spec.choices.iter().filter(|choice| choice.effect.acts_on_force()).copied().collect(),
+        ..Spec::default()
+    };
+    let fixed = spec.choices.iter().zip(amplitudes).filter(|(choice, _)| choice.effect.acts_on_force());
+    let kept = Spec { fixed: fixed.map(|(_, a)| *a).collect(), ..forces.clone() };
+    let mut channels = forces.touched(setup.data);
+    channels.extend(&core);
+    let before = fit(&setup, &Spec::default(), &core, true, &all)?;
+    let after = fit(&setup, &kept, &channels, true, &all)?;
+    let mut held = None;
+    if setup.batch_terms > 1 {
+        let n = setup.data.len();
+        let mut out = [Held::new(n), Held::new(n)];
+        for batch in 0..setup.data.batches {
+            let include: Vec<bool> = setup.data.batch.iter().map(|&b| b != batch).collect();
+            if include.iter().all(|&i| i) || !include.iter().any(|&i| i) {
+                continue;
+            }
+            let pair = [
+                fit(&setup, &Spec::default(), &core, true, &include)?,
+                fit(&setup, &forces, &channels, true, &include)?,
+            ];
+            for (held, fit) in out.iter_mut().zip(&pair) {
+                held.take(&setup, fit, &include);
+            }
+        }
+        held = Some(out);
+    }
+    let rms = |ln: &[f64]| {
+        let squares = ln.iter().zip(&setup.data.ln_force).map(|(a, b)| (a - b).powi(2));
+        (squares.sum::<f64>() / ln.len() as f64).sqrt()
+    };
+    let n = setup.data.len() as f64;
+    let elpd = held.as_ref().map(|[a, b]| {
+        let gains: Vec<f64> = b.log_density.iter().zip(&a.log_density).map(|(x, y)| x - y).collect();
+        let (count, sum) = (gains.len() as f64, gains.iter().sum::<f64>());
+        let mean = sum / count;
+        let variance = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+        (sum, (count * variance).sqrt())
+    });
+    let gap = Gap {
+        before: rms(&before.ln_force),
+        after: rms(&after.ln_force),
+        heldout_before: held.as_ref().map(|[a, _]| rms(&a.ln_force)),
+        heldout_after: held.as_ref().map(|[_, b]| rms(&b.ln_force)),
+        chi2_per_n_before: held.as_ref().map(|[a, _]| a.chi2 / n),
+        chi2_per_n_after: held.as_ref().map(|[_, b]| b.chi2 / n),
+        delta_elpd: elpd.map(|(sum, _)| sum),
+        delta_elpd_se: elpd.map(|(_, se)| se),
+    };
+    let (heldout_before, heldout_after) = match held {
+        Some([a, b]) => (Some(a.ln_force), Some(b.ln_force)),
+        None => (None, None),
+    };
+    let stroke_sd = after.force_sd.iter().map(|s| s.hypot(setup.batch_sd)).collect();
+    Some(Comparison {
+        gap,
+        soil_before: soil(&setup, &before),
+        soil_after: soil(&setup, &after),
+        before: before.ln_force,
+        after: after.ln_force,
+        heldout_before,
+        heldout_after,
+        stroke_sd,
+    })
+}
+
+fn soil(setup: &Setup<'_>, fit: &Fit) -> FittedSoil {
+    let density = setup.data.density.mean * fit.soil[2].exp();
+    FittedSoil {
+        phi_deg: fit.soil[0],
+        phi_sd_deg: fit.soil_sd[0],
+        delta_offset_deg: fit.soil[1],
+        delta_offset_sd_deg: fit.soil_sd[1],
+        density_kg_m3: density,
+        density_sd_kg_m3: density * fit.soil_sd[2],
+    }
+}
+
+/// Predictions of batches that took no part, gathered batch by batch.
+struct Held {
+    ln_force: Vec<f64>,
+    chi2: f64,
+    log_density: Vec<f64>,
+}
+
+impl Held {
+    fn new(n: usize) -> Self {
+        Self { ln_force: vec![0.0; n], chi2: 0.0, log_density: Vec::new() }
+    }
+
+    fn take(&mut self, setup: &Setup<'_>, fit: &Fit, include: &[bool]) {
+        // Strokes of a batch share its scatter: a matrix of rank one on top of a diagonal.
+        let shared = setup.batch_sd * setup.batch_sd;
+        let (mut sum_w, mut sum_wz, mut sum_wz2, mut ln_det, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for (i, _) in include.iter().enumerate().filter(|(_, inside)| !**inside) {
+            self.ln_force[i] = fit.ln_force[i];
+            let z = setup.data.ln_force[i] - fit.ln_force[i];
+            let variance = fit.force_sd[i].powi(2) + fit.expectation_sd[i].powi(2);
+            self.chi2 += z * z / (variance + shared);
+            sum_w += 1.0 / variance;
+            sum_wz += z / variance;
+            sum_wz2 += z * z / variance;
+            ln_det += variance.ln();
+            count += 1.0;
+        }
+        let inner = 1.0 + shared * sum_w;
+        let quadratic = sum_wz2 - shared * sum_wz * sum_wz / inner;
+        self.log_density.push(-0.5 * (quadratic + ln_det + inner.ln() + count * std::f64::consts::TAU.ln()));
+    }
+}

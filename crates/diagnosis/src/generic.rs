@@ -1,0 +1,166 @@
+//! Shapes without a name, over covariates and pairs of them, so that what is not in the catalogue has a voice.
+
+use soilctl_strokes::StrokeRow;
+
+use crate::data::Data;
+
+/// A recorded condition of the strokes.
+#[derive(Debug, Clone)]
+pub(crate) struct Covariate {
+    pub(crate) name: &'static str,
+    /// Value by stroke; strokes without one take the mean.
+    pub(crate) values: Vec<f64>,
+    /// Level by stroke, if there are few different values.
+    pub(crate) levels: Option<Vec<usize>>,
+}
+
+/// A shape over one covariate or two.
+#[derive(Debug, Clone)]
+pub(crate) struct Generic {
+    /// `depth_m`, or `depth_m x alpha_deg`.
+    pub(crate) covariate: String,
+    /// Regressors of unit root mean square.
+    pub(crate) columns: Vec<Vec<f64>>,
+}
+
+const MOST_LEVELS: usize = 6;
+
+/// The covariates that vary in a campaign.
+pub(crate) fn covariates(data: &Data) -> Vec<Covariate> {
+    type Get = fn(&StrokeRow) -> Option<f64>;
+    let columns: [(&'static str, Get); 11] = [
+        ("alpha_deg", |r| Some(r.alpha_deg)),
+        ("depth_m", |r| Some(r.depth_m)),
+        ("width_m", |r| Some(r.width_m)),
+        ("speed_mps", |r| r.speed_mps),
+        ("radius_m", |r| r.radius_m),
+        ("base_deg", |r| r.base_deg),
+        ("gap_prior_m", |r| r.gap_prior_m),
+        ("wall_m", |r| r.wall_m),
+        ("delta_set_deg", |r| r.delta_set_deg),
+        ("order", |r| r.order.map(f64::from)),
+        ("time_s", |r| r.time_s),
+    ];
+    let mut found: Vec<Covariate> = columns
+        .iter()
+        .filter_map(|(name, get)| covariate(name, data.rows.iter().map(get).collect()))
+        .collect();
+    let batch = data.batch.iter().map(|&b| Some(b as f64)).collect();
+    found.extend(covariate("batch", batch));
+    found
+}
+
+fn covariate(name: &'static str, cells: Vec<Option<f64>>) -> Option<Covariate> {
+    let known: Vec<f64> = cells.iter().flatten().copied().collect();
+    let mean = known.iter().sum::<f64>() / known.len().max(1) as f64;
+    let mut distinct = known;
+    distinct.sort_by(f64::total_cmp);
+    let span = distinct.last()? - distinct.first()?;
+    if span <= 1e-9 * mean.abs().max(1e-9) {
+        return None;
+    }
+    distinct.dedup_by(|a, b| (*a - *b).abs() <= 0.02 * span);
+    let values: Vec<f64> = cells.iter().map(|cell| cell.unwrap_or(mean)).collect();
+    let levels = (distinct.len() <= MOST_LEVELS).then(|| {
+        values
+            .iter()
+            .map(|value| {
+                let nearest = distinct
+                    .iter()
+                    .enumerate()
+                    .min_by(|a, b| (a.1 - value).abs().total_cmp(&(b.1 - value).abs()));
+                nearest.map_or(0, |(i, _)| i)
+            })
+            .collect()
+    });
+    Some(Covariate { name, values, levels })
+}
+
+/// Shifted to mean 0 and scaled to root mean square 1; `None` if nothing is left.
+pub(crate) fn standard(values: &[f64]) -> Option<Vec<f64>> {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let rms = (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let least = 1e-9 * values.iter().fold(1e-9_f64, |most, x| most.max(x.abs()));
+    (rms > least).then(|| values.iter().map(|x| (x - mean) / rms).collect())
+}
+
+/// All shapes of a campaign.
+pub(crate) fn shapes(data: &Data) -> Vec<Generic> {
+    let found = covariates(data);
+    let mut shapes = Vec::new();
+    for c in &found {
+        let Some(linear) = standard(&c.values) else { continue };
+        let square: Vec<f64> = linear.iter().map(|x| x * x).collect();
+        let name = c.name.to_owned();
+        shapes.push(Generic { covariate: name.clone(), columns: vec![linear.clone()] });
+        let few =
+            c.levels.as_ref().map_or(usize::MAX, |levels| levels.iter().max().map_or(1, |last| last + 1));
+        if few > 2 {
+            if let Some(square) = without(&square, &linear) {
+                shapes.push(Generic { covariate: name.clone(), columns: vec![square.clone()] });
+                shapes.push(Generic { covariate: name.clone(), columns: vec![linear.clone(), square] });
+            }
+            shapes.extend(steps(c).map(|columns| Generic { covariate: name.clone(), columns }));
+        }
+        if let Some(levels) = c.levels.as_ref().filter(|_| few > 2) {
+            let columns = (0..few).filter_map(|level| {
+                standard(&levels.iter().map(|&l| f64::from(u8::from(l == level))).collect::<Vec<_>>())
+            });
+            shapes.push(Generic { covariate: name, columns: columns.collect() });
+        } else if few == usize::MAX {
+            shapes.extend(waves(c).map(|columns| Generic { covariate: name.clone(), columns }));
+        }
+    }
+    if data.batches > MOST_LEVELS {
+        // Batches that scatter more than preparations do.
+        let columns = (0..data.batches).filter_map(|batch| {
+            standard(&data.batch.iter().map(|&b| f64::from(u8::from(b == batch))).collect::<Vec<_>>())
+        });
+        shapes.push(Generic { covariate: "batch".into(), columns: columns.collect() });
+    }
+    for (i, a) in found.iter().enumerate() {
+        for b in &found[i + 1..] {
+            let (Some(x), Some(y)) = (standard(&a.values), standard(&b.values)) else { continue };
+            let product: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x * y).collect();
+            let Some(left) = without(&product, &x).and_then(|p| without(&p, &y)) else { continue };
+            shapes.push(Generic { covariate: format!("{} x {}", a.name, b.name), columns: vec![left] });
+        }
+    }
+    shapes
+}
+
+/// What is left of a regressor after another (standardised) is taken out.
+fn without(values: &[f64], other: &[f64]) -> Option<Vec<f64>> {
+    let values = standard(values)?;
+    let share = values.iter().zip(other).map(|(a, b)| a * b).sum::<f64>() / values.len() as f64;
+    if share.abs() > 0.95 {
+        return None;
+    }
+    standard(&values.iter().zip(other).map(|(a, b)| a - share * b).collect::<Vec<_>>())
+}
+
+/// Steps between any two neighbouring levels or at the quarters of the values.
+fn steps(c: &Covariate) -> impl Iterator<Item = Vec<Vec<f64>>> {
+    let mut sorted = c.values.clone();
+    sorted.sort_by(f64::total_cmp);
+    let cuts: Vec<f64> = [1, 2, 3].iter().map(|q| sorted[q * sorted.len() / 4]).collect();
+    let values = c.values.clone();
+    cuts.into_iter().filter_map(move |cut| {
+        let step: Vec<f64> = values.iter().map(|x| f64::from(u8::from(*x >= cut))).collect();
+        Some(vec![standard(&step)?])
+    })
+}
+
+/// One and two waves over the range.
+fn waves(c: &Covariate) -> impl Iterator<Item = Vec<Vec<f64>>> {
+    let low = c.values.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = c.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let values = c.values.clone();
+    [1.0, 2.0].into_iter().filter_map(move |waves| {
+        let turn = |x: &f64| waves * std::f64::consts::TAU * (x - low) / (high - low);
+        let sine: Vec<f64> = values.iter().map(|x| turn(x).sin()).collect();
+        let cosine: Vec<f64> = values.iter().map(|x| turn(x).cos()).collect();
+        Some(vec![standard(&sine)?, standard(&cosine)?])
+    })
+}

@@ -1,0 +1,31 @@
+//! Where the forces of a campaign and a force model disagree, which effect is missing, and what is left after it is
+//! added.
+
+mod channels;
+mod chi_square;
+mod data;
+mod diagnosis;
+mod error;
+mod fit;
+mod gap;
+mod generic;
+mod grid;
+mod localise;
+mod next;
+mod search;
+pub mod self_test;
+mod setup;
+mod spec;
+mod surface;
+mod testability;
+mod verdict;
+
+pub use data::{Data, Prior};
+pub use diagnosis::{Diagnosis, FoundEffect, diagnose};
+pub use error::DiagnosisError;
+pub use gap::{Comparison, FittedSoil, Gap};
+pub use localise::Where;
+pub use next::NextExperiment;
+pub use surface::Surface;
+pub use testability::{Expected, LEAST_LAMBDA, Testable};
+pub use verdict::Status;

@@ -1,0 +1,211 @@
+//! The experiment that would tell most: a menu of follow-ups, and the chance of each to settle what is left.
+
+use soilctl_effects::{Active, Base, Effect, Reference, Stroke, catalogue, effect, force_n};
+use soilctl_soil::units::inches_to_m;
+use soilctl_strokes::StrokeRow;
+
+use crate::chi_square;
+use crate::data::Data;
+use crate::diagnosis::FoundEffect;
+use crate::setup::Setup;
+use crate::testability::{Expected, LEAST_LAMBDA, left_after_soil, stroke_sd};
+
+/// A proposed follow-up.
+#[derive(Debug, Clone)]
+pub struct NextExperiment {
+    /// What to do and why.
+    pub text: String,
+    /// Strokes to make, as further batches of the campaign; forces are placeholders.
+    pub rows: Vec<StrokeRow>,
+    /// Chance that it settles the question.
+    pub power: f64,
+}
+
+/// Standard deviations by which two explanations must differ before one of them is named.
+const NEEDED: f64 = 2.9;
+
+struct Menu {
+    name: &'static str,
+    change: fn(&Data, usize, &mut StrokeRow),
+}
+
+fn cycle(values: &[f64], i: usize) -> f64 {
+    values[i % values.len()]
+}
+
+const MENU: [Menu; 9] = [
+    Menu {
+        name: "a depth ladder from half the usual depth to one and a half times it",
+        change: |data, i, row| row.depth_m = cycle(&[0.5, 1.5, 0.75, 1.25], i) * data.reference.depth_m,
+    },
+    Menu {
+        name: "a second, narrower plate at shallow and deep strokes",
+        change: |data, i, row| {
+            row.width_m *= if i % 4 < 2 { 0.4 } else { 1.0 };
+            row.depth_m = cycle(&[0.6, 1.4], i) * data.reference.depth_m;
+        },
+    },
+    Menu {
+        name: "a ladder of speeds over a factor of 16, in random order",
+        change: |data, i, row| {
+            row.speed_mps =
+                Some(cycle(&[1.0, 4.0, 0.25, 4.0, 1.0, 0.25], i) * data.reference.speed_mps.unwrap_or(0.01));
+        },
+    },
+    Menu {
+        name: "the same tool angles at 12 in and 17 in, swapped",
+        change: |_, i, row| row.radius_m = Some(inches_to_m(if i % 2 == 0 { 12.0 } else { 17.0 })),
+    },
+    Menu {
+        name: "the box turned by 90 deg, strokes over all base angles",
+        change: |_, i, row| row.base_deg = Some(cycle(&[-90.0, 0.0, 90.0, -45.0, 45.0, 0.0], i)),
+    },
+    Menu {
+        name: "strokes at set distances from earlier ones: side by side and far apart",
+        change: |_, i, row| row.gap_prior_m = Some(cycle(&[0.01, 0.15, 0.03], i)),
+    },
+    Menu {
+        name: "strokes close to a wall and in the middle of the box",
+        change: |_, i, row| row.wall_m = Some(cycle(&[0.01, 0.2, 0.04], i)),
+    },
+    Menu {
+        name: "bracketing strokes: the interface friction set 4 deg low, right and 4 deg high",
+        change: |data, i, row| {
+            row.delta_set_deg = Some((data.delta_set_deg(0) + cycle(&[-4.0, 0.0, 4.0], i)).max(1.0))
+        },
+    },
+    Menu { name: "the first batch once more, at the end", change: |_, _, _| {} },
+];
+
+/// Strokes of a menu entry: two batches made after the campaign.
+fn design(data: &Data, entry: &Menu) -> Vec<StrokeRow> {
+    let last = data.rows.iter().filter_map(|row| row.time_s).fold(0.0, f64::max);
+    (0..12)
+        .map(|i| {
+            let like = &data.rows[(i * 5) % data.len().min(12)];
+            let mut row = StrokeRow {
+                line: i + 2,
+                stroke_id: Some(format!("next{:02}", i + 1)),
+                batch: Some(format!("next{}", 1 + i / 6)),
+                order: Some((i % 6) as u32 + 1),
+                time_s: data.reference.time_s.map(|_| last + 3600.0 + 300.0 * i as f64),
+                alpha_deg: data.levels_deg[i % data.levels_deg.len()],
+                depth_m: like.depth_m,
+                width_m: like.width_m,
+                speed_mps: like.speed_mps,
+                radius_m: like.radius_m,
+                base_deg: like.base_deg,
+                gap_prior_m: like.gap_prior_m,
+                wall_m: like.wall_m,
+                density_kg_m3: like.density_kg_m3,
+                delta_set_deg: like.delta_set_deg,
+                force_n: 1.0,
+                ..StrokeRow::default()
+            };
+            (entry.change)(data, i, &mut row);
+            row
+        })
+        .collect()
+}
+
+/// The best follow-up for what is left open; `None` if nothing on the menu would tell anything.
+pub(crate) fn next(
+    setup: &Setup<'_>,
+    phi_deg: f64,
+    found: &[FoundEffect],
+    equivalents: &[String],
+    expected: &[Expected],
+) -> Option<NextExperiment> {
+    let data = setup.data;
+    let amplitude = |id: &str| found.iter().find(|f| f.id == id).map(|f| (f.amplitude, f.shape));
+    let known = |id: &str| -> Option<(&'static dyn Effect, f64, f64)> {
+        let effect = effect(id)?;
+        let shape = effect.shape().map_or(0.0, |shape| shape.values[shape.values.len() / 2]);
+        let (size, shape) = amplitude(id).unwrap_or((effect.range().typical(), shape));
+        Some((effect, size, shape))
+    };
+    // What is to be told apart: the first two explanations, or, if one stands alone, it and nothing; if nothing was
+    // found, an effect that this design hides and nothing.
+    let (first, second, question) = match equivalents {
+        [a, b, ..] if effect(a).is_some() && effect(b).is_some() => {
+            (known(a)?, known(b), format!("tells {a} from {b}"))
+        }
+        [a, ..] if effect(a).is_some() => (known(a)?, None, format!("confirms {a}")),
+        _ => {
+            let hidden = expected
+                .iter()
+                .filter(|e| e.lambda < LEAST_LAMBDA)
+                .min_by(|a, b| a.lambda.total_cmp(&b.lambda));
+            let id = hidden.map_or(catalogue()[0].id(), |e| e.id);
+            (known(id)?, None, format!("would show {id}, which this design hides"))
+        }
+    };
+    let mut best: Option<NextExperiment> = None;
+    for entry in &MENU {
+        let rows = design(data, entry);
+        let Some(lambda) = told_apart(setup, phi_deg, first, second, &rows) else { continue };
+        let power = normal_tail(NEEDED - lambda.sqrt());
+        if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
+            best = Some(NextExperiment { text: format!("{}: {question}", entry.name), rows, power });
+        }
+    }
+    best
+}
+
+/// Squared signal-to-noise ratio of the difference of two explanations in campaign and follow-up together, after the
+/// soil has been fitted anew and the rival has taken the amplitude that suits it best.
+fn told_apart(
+    setup: &Setup<'_>,
+    phi_deg: f64,
+    first: (&'static dyn Effect, f64, f64),
+    second: Option<(&'static dyn Effect, f64, f64)>,
+    follow_up: &[StrokeRow],
+) -> Option<f64> {
+    let mut rows = setup.data.rows.clone();
+    rows.extend_from_slice(follow_up);
+    let data = Data::new(&setup.data.name, rows, setup.data.campaign.clone()).ok()?;
+    let joint = Setup::new(&data, setup.surface, phi_deg);
+    let sd = stroke_sd(&joint, None);
+    let a = change(&joint, phi_deg, first, &setup.data.reference)?;
+    let a = left_after_soil(&joint, phi_deg, &a, &sd)?;
+    let weight: Vec<f64> = sd.iter().map(|s| 1.0 / (s * s)).collect();
+    let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).zip(&weight).map(|((x, y), w)| x * y * w).sum::<f64>();
+    let all = dot(&a, &a);
+    let Some(second) = second else { return Some(all) };
+    let b = change(&joint, phi_deg, second, &setup.data.reference)?;
+    let b = left_after_soil(&joint, phi_deg, &b, &sd)?;
+    let of_b = dot(&b, &b);
+    Some(if of_b > 0.0 { (all - dot(&a, &b).powi(2) / of_b).max(0.0) } else { all })
+}
+
+/// Change of ln force by an effect, by stroke.
+fn change(
+    setup: &Setup<'_>,
+    phi_deg: f64,
+    (effect, amplitude, shape): (&'static dyn Effect, f64, f64),
+    reference: &Reference,
+) -> Option<Vec<f64>> {
+    let data = setup.data;
+    data.rows
+        .iter()
+        .enumerate()
+        .map(|(i, row)| {
+            let base = Base {
+                phi_deg,
+                delta_deg: data.delta_set_deg(i),
+                density_kg_m3: data.density.mean,
+                gravity_m_s2: data.gravity_m_s2,
+            };
+            let stroke = Stroke::new(row, reference);
+            let force =
+                |active: &[Active<'_>]| force_n(setup.surface, &stroke, reference, &base, active).ok();
+            Some((force(&[Active { effect, amplitude, shape }])? / force(&[])?).ln())
+        })
+        .collect()
+}
+
+/// Probability that a standard normal number exceeds a value.
+fn normal_tail(value: f64) -> f64 {
+    let both = chi_square::tail(value * value, 1);
+    if value >= 0.0 { 0.5 * both } else { 1.0 - 0.5 * both }
+}

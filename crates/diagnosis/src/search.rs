@@ -1,0 +1,231 @@
+//! Which effects, alone and together, explain a campaign best.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use soilctl_effects::{Channel, Effect, catalogue};
+
+use crate::DiagnosisError;
+use crate::fit::{Fit, everything, fit};
+use crate::generic::{Generic, shapes};
+use crate::setup::Setup;
+use crate::spec::{Choice, Spec};
+
+/// ln prior of an effect showing, or not showing, in the channels that its amplitude fixes.
+const LN_LINKED: [f64; 2] = [-0.105, -2.303];
+/// ln prior of channels responding, or not.
+const LN_RESPONDS: [f64; 2] = [-0.511, -0.916];
+/// Sets that are extended in each round.
+const BEAM: usize = 4;
+/// Most effects in a set.
+const MOST_EFFECTS: usize = 3;
+/// What an effect must earn in ln evidence to be believed: the odds against any one of the catalogue, and a margin.
+pub(crate) const THRESHOLD: f64 = 3.6;
+
+/// A set of effects with its fit.
+#[derive(Debug, Clone)]
+pub(crate) struct Scored {
+    pub(crate) spec: Spec,
+    pub(crate) fit: Fit,
+    /// ln Bayes factor over the baseline, averaged over signs and shapes.
+    pub(crate) log_bayes: f64,
+    /// ln Bayes factor of this very variant.
+    pub(crate) gain: f64,
+}
+
+impl Scored {
+    pub(crate) fn ids(&self) -> Vec<&'static str> {
+        self.spec.choices.iter().map(|choice| choice.effect.id()).collect()
+    }
+
+    /// What is left after each effect has paid.
+    pub(crate) fn score(&self) -> f64 {
+        self.log_bayes - THRESHOLD * self.spec.choices.len() as f64
+    }
+
+    fn same_set(&self, other: &Self) -> bool {
+        let set = |scored: &Self| scored.ids().into_iter().collect::<BTreeSet<_>>();
+        set(self) == set(other)
+    }
+}
+
+/// A shape without a name with its gain in ln evidence.
+#[derive(Debug, Clone)]
+pub(crate) struct ScoredShape {
+    pub(crate) covariate: String,
+    pub(crate) log_bayes: f64,
+}
+
+/// The evidence of a campaign without effects, and everything measured against it.
+pub(crate) struct Search<'a> {
+    pub(crate) setup: &'a Setup<'a>,
+    pub(crate) baseline: Fit,
+    core: BTreeSet<Channel>,
+    channel_evidence: BTreeMap<Channel, f64>,
+    include: Vec<bool>,
+    pub(crate) shapes: Vec<Generic>,
+}
+
+impl<'a> Search<'a> {
+    pub(crate) fn new(setup: &'a Setup<'a>) -> Result<Self, DiagnosisError> {
+        let include = everything(setup);
+        let core: BTreeSet<Channel> =
+            setup.baselines.keys().copied().filter(|c| *c == Channel::FrictionAngle).collect();
+        let failed = || DiagnosisError::NoFit {
+            file: setup.data.name.clone(),
+            model: "the baseline".into(),
+            problem: "the search for friction angle and density found nothing finite".into(),
+        };
+        let baseline = fit(setup, &Spec::default(), &core, true, &include).ok_or_else(failed)?;
+        let mut channel_evidence = BTreeMap::new();
+        for &channel in setup.baselines.keys().filter(|c| !core.contains(c)) {
+            let alone = fit(setup, &Spec::default(), &BTreeSet::from([channel]), false, &include)
+                .ok_or_else(failed)?;
+            channel_evidence.insert(channel, alone.log_evidence);
+        }
+        Ok(Self { setup, baseline, core, channel_evidence, include, shapes: shapes(setup.data) })
+    }
+
+    /// Fit and ln Bayes factor of one set over the baseline.
+    pub(crate) fn evaluate(&self, spec: &Spec) -> Option<(Fit, f64)> {
+        let touched = spec.touched(self.setup.data);
+        let with_force = spec.on_force();
+        let mut channels = touched;
+        let mut against = 0.0;
+        if with_force {
+            channels.extend(&self.core);
+            against += self.baseline.log_evidence;
+        }
+        against += channels.iter().filter_map(|channel| self.channel_evidence.get(channel)).sum::<f64>();
+        if !with_force && channels.is_empty() {
+            return None;
+        }
+        let found = fit(self.setup, spec, &channels, with_force, &self.include)?;
+        let gain = found.log_evidence - against;
+        gain.is_finite().then_some((found, gain))
+    }
+
+    /// The best variant of a set with one more effect; `log_bayes` averages over the variants.
+    pub(crate) fn add(&self, seed: Option<&Scored>, effect: &'static dyn Effect) -> Option<Scored> {
+        let start = seed.map_or_else(Spec::default, |scored| scored.spec.clone());
+        // What averaging over its own variants took from the seed, it takes from every set that is built on it.
+        let paid = seed.map_or(0.0, |scored| scored.log_bayes - scored.gain);
+        let mut best: Option<(f64, f64, Spec, Fit)> = None;
+        let mut terms = Vec::new();
+        for (choice, ln_prior) in self.variants(effect) {
+            let spec = start.with(choice);
+            let Some((found, gain)) = self.evaluate(&spec) else { continue };
+            let weighted = gain + ln_prior + paid;
+            terms.push(weighted);
+            if best.as_ref().is_none_or(|(most, ..)| weighted > *most) {
+                best = Some((weighted, gain, spec, found));
+            }
+        }
+        let (most, gain, spec, fit) = best?;
+        let log_bayes = most + terms.iter().map(|t| (t - most).exp()).sum::<f64>().ln();
+        Some(Scored { spec, fit, log_bayes, gain })
+    }
+
+    fn variants(&self, effect: &'static dyn Effect) -> Vec<(Choice, f64)> {
+        let data = self.setup.data;
+        let shape = effect.shape();
+        let shapes = shape.map_or(&[0.0][..], |shape| shape.values);
+        let signs = effect.range().signs();
+        let present = |channel: &Channel| data.channels.contains_key(channel);
+        let linked: &[(bool, f64)] = if !effect.linked().iter().any(present) {
+            &[(false, 0.0)]
+        } else if effect.acts_on_force() {
+            &[(true, LN_LINKED[0]), (false, LN_LINKED[1])]
+        } else {
+            &[(true, 0.0)]
+        };
+        let responds: &[(bool, f64)] = if effect.responses().iter().any(|r| present(&r.channel)) {
+            &[(true, LN_RESPONDS[0]), (false, LN_RESPONDS[1])]
+        } else {
+            &[(false, 0.0)]
+        };
+        let even = -((shapes.len() * signs.len()) as f64).ln();
+        let mut variants = Vec::new();
+        for &shape in shapes {
+            for &sign in signs {
+                for &(linked, a) in linked {
+                    for &(responds, b) in responds {
+                        variants.push((Choice { effect, sign, shape, linked, responds }, even + a + b));
+                    }
+                }
+            }
+        }
+        variants
+    }
+
+    /// Every effect alone, best first.
+    pub(crate) fn singles(&self) -> Vec<Scored> {
+        let mut found: Vec<Scored> =
+            catalogue().iter().filter_map(|&effect| self.add(None, effect)).collect();
+        sort(&mut found);
+        found
+    }
+
+    /// Sets of growing size, best first within each size; the first entry holds the single effects.
+    pub(crate) fn sets(&self) -> Vec<Vec<Scored>> {
+        let mut sizes = vec![self.singles()];
+        while sizes.len() < MOST_EFFECTS {
+            let last = &sizes[sizes.len() - 1];
+            let Some(best) = last.first() else { break };
+            // Another effect is only looked for if what is there is worth extending.
+            let before = if sizes.len() == 1 { 0.0 } else { sizes[sizes.len() - 2][0].log_bayes };
+            if best.log_bayes < before + 0.5 * THRESHOLD {
+                break;
+            }
+            let mut next: Vec<Scored> = Vec::new();
+            for seed in last.iter().take(if sizes.len() == 1 { BEAM } else { 2 }) {
+                self.extend(seed, &mut next);
+            }
+            sort(&mut next);
+            // The members of the best set are seeds too, so that each of them can be exchanged for anything.
+            if let (1, Some(best)) = (sizes.len(), next.first().cloned()) {
+                for id in best.ids() {
+                    let seed = last.iter().skip(BEAM).find(|single| single.ids() == [id]);
+                    if let Some(seed) = seed {
+                        self.extend(seed, &mut next);
+                    }
+                }
+                sort(&mut next);
+            }
+            sizes.push(next);
+        }
+        sizes
+    }
+
+    fn extend(&self, seed: &Scored, next: &mut Vec<Scored>) {
+        let known = seed.ids();
+        for &effect in catalogue().iter().filter(|effect| !known.contains(&effect.id())) {
+            let Some(found) = self.add(Some(seed), effect) else { continue };
+            match next.iter_mut().find(|other| other.same_set(&found)) {
+                Some(other) if other.log_bayes < found.log_bayes => *other = found,
+                Some(_) => {}
+                None => next.push(found),
+            }
+        }
+    }
+
+    /// Shapes without a name, added to a set of effects, best first.
+    pub(crate) fn shapes_on(&self, seed: Option<&Scored>) -> Vec<ScoredShape> {
+        let start = seed.map_or_else(Spec::default, |scored| scored.spec.clone());
+        let before = seed.map_or(0.0, |scored| scored.gain);
+        let mut found: Vec<ScoredShape> = self
+            .shapes
+            .iter()
+            .filter_map(|shape| {
+                let spec = Spec { generic: shape.columns.clone(), ..start.clone() };
+                let (_, gain) = self.evaluate(&spec)?;
+                Some(ScoredShape { covariate: shape.covariate.clone(), log_bayes: gain - before })
+            })
+            .collect();
+        found.sort_by(|a, b| b.log_bayes.total_cmp(&a.log_bayes));
+        found
+    }
+}
+
+fn sort(found: &mut [Scored]) {
+    found.sort_by(|a, b| b.log_bayes.total_cmp(&a.log_bayes));
+}

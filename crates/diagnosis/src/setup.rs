@@ -1,0 +1,82 @@
+//! Everything a fit needs that does not change from one candidate to the next.
+
+use std::collections::BTreeMap;
+
+use soilctl_effects::{ALTERNATIVE_MODELS, Channel, Mechanics};
+
+use crate::channels::Baseline;
+use crate::data::Data;
+use crate::surface::Surface;
+
+/// How far a force model may be mixed into the one in use without being an effect: standard deviation of the share.
+/// Coulomb's plane wedge is known to be far off at high interface friction, so it is believed least.
+const ALTERNATIVE_SD: [f64; 4] = [0.1, 0.5, 0.3, 0.5];
+/// Least error of a force model between tool angles, as a standard deviation of ln force.
+const LEAST_MODEL_ERROR: f64 = 0.007;
+/// Least scatter between batches, as a standard deviation of ln force.
+const LEAST_BATCH_SCATTER: f64 = 0.01;
+
+/// Data, model and nuisance of a campaign.
+pub(crate) struct Setup<'a> {
+    pub(crate) data: &'a Data,
+    pub(crate) surface: &'a Surface,
+    pub(crate) baselines: BTreeMap<Channel, Baseline>,
+    /// Regressors of ln force with the standard deviation of their coefficients: batches, tool angles, models.
+    pub(crate) nuisance: Vec<(Vec<f64>, f64)>,
+    /// How many of the nuisance regressors, from the first, are batches.
+    pub(crate) batch_terms: usize,
+    /// Standard deviation of ln force between batches.
+    pub(crate) batch_sd: f64,
+}
+
+impl<'a> Setup<'a> {
+    /// Prepares a campaign; model errors are taken at `phi_deg`.
+    pub(crate) fn new(data: &'a Data, surface: &'a Surface, phi_deg: f64) -> Self {
+        let baselines = data.channels.keys().map(|&channel| (channel, Baseline::of(channel, data))).collect();
+        let n = data.len();
+        let batch_sd = data.campaign.density_sd_rel.max(LEAST_BATCH_SCATTER);
+        let mut nuisance = Vec::new();
+        let indicator =
+            |of: &[usize], which: usize| of.iter().map(|&i| f64::from(u8::from(i == which))).collect();
+        let batch_terms = if data.batches > 1 { data.batches } else { 0 };
+        for batch in 0..batch_terms {
+            nuisance.push((indicator(&data.batch, batch), batch_sd));
+        }
+        for (level, &alpha) in data.levels_deg.iter().enumerate() {
+            if data.levels_deg.len() > 1 && data.levels_deg.len() < n {
+                let mean = data.delta_set_deg(0);
+                let sd = surface.half_width(alpha, phi_deg, mean).max(LEAST_MODEL_ERROR);
+                nuisance.push((indicator(&data.level, level), sd));
+            }
+        }
+        for (which, &sd) in ALTERNATIVE_SD.iter().enumerate().take(ALTERNATIVE_MODELS.len()) {
+            let direction: Result<Vec<f64>, _> = (0..n)
+                .map(|i| {
+                    surface.ln_alternative(which, data.rows[i].alpha_deg, phi_deg, data.delta_set_deg(i))
+                })
+                .collect();
+            if let Ok(direction) = direction {
+                let mean = direction.iter().sum::<f64>() / n as f64;
+                if direction.iter().any(|x| (x - mean).abs() > 1e-3) {
+                    nuisance.push((direction.iter().map(|x| x - mean).collect(), sd));
+                }
+            }
+        }
+        Self { data, surface, baselines, nuisance, batch_terms, batch_sd }
+    }
+    /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.
+    pub(crate) fn without_model_error(&self) -> Self {
+        Self {
+            data: self.data,
+            surface: self.surface,
+            baselines: self
+                .baselines
+                .keys()
+                .map(|&channel| (channel, Baseline::of(channel, self.data)))
+                .collect(),
+            nuisance: self.nuisance[..self.batch_terms].to_vec(),
+            batch_terms: self.batch_terms,
+            batch_sd: self.batch_sd,
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What a fit adds to the baseline.
+
+use std::collections::BTreeSet;
+
+use soilctl_effects::{Channel, Effect};
+
+use crate::data::Data;
+
+/// One effect with everything but the size of its amplitude.
+#[derive(Clone, Copy)]
+pub(crate) struct Choice {
+    pub(crate) effect: &'static dyn Effect,
+    pub(crate) sign: f64,
+    pub(crate) shape: f64,
+    /// Whether channels that its amplitude fixes are believed to show it.
+    pub(crate) linked: bool,
+    /// Whether channels respond with a strength of their own.
+    pub(crate) responds: bool,
+}
+
+impl std::fmt::Debug for Choice {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {} {} {} {}", self.effect.id(), self.sign, self.shape, self.linked, self.responds)
+    }
+}
+
+/// Effects and shapes without a name.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Spec {
+    pub(crate) choices: Vec<Choice>,
+    /// Regressors of ln force, of unit root mean square.
+    pub(crate) generic: Vec<Vec<f64>>,
+    /// Amplitudes that are kept as they are, by choice; empty if they are fitted.
+    pub(crate) fixed: Vec<f64>,
+}
+
+impl Spec {
+    pub(crate) fn with(&self, choice: Choice) -> Self {
+        let mut more = self.clone();
+        more.choices.push(choice);
+        more
+    }
+
+    /// Channels whose expectation the choices change.
+    pub(crate) fn touched(&self, data: &Data) -> BTreeSet<Channel> {
+        let mut touched = BTreeSet::new();
+        for choice in &self.choices {
+            if choice.linked {
+                touched.extend(choice.effect.linked());
+            }
+            if choice.responds {
+                touched.extend(choice.effect.responses().iter().map(|response| response.channel));
+            }
+        }
+        touched.retain(|channel| data.channels.contains_key(channel));
+        touched
+    }
+
+    /// Whether forces are part of the fit: always but for effects that only channels show.
+    pub(crate) fn on_force(&self) -> bool {
+        self.choices.is_empty()
+            || !self.generic.is_empty()
+            || self.choices.iter().any(|c| c.effect.acts_on_force())
+    }
+}

@@ -1,0 +1,180 @@
+//! What a design can show, before any data: the gap that is left after soil and interface are fitted anew.
+
+use nalgebra::{Matrix3, Vector3};
+use soilctl_effects::{Active, Base, Effect, force_n};
+
+use crate::setup::Setup;
+
+/// Expected squared signal-to-noise ratio below which nothing can be named honestly.
+pub const LEAST_LAMBDA: f64 = 8.0;
+/// Usual scatter of ln force of one stroke, before data say otherwise.
+const USUAL_SCATTER: f64 = 0.06;
+
+/// Whether a design can show an effect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Testable {
+    /// A typical amplitude would be seen.
+    Yes,
+    /// Only a large one would.
+    IfLarge,
+    /// Friction angle, density and interface friction take it up.
+    Absorbed,
+    /// The design does not vary what it depends on.
+    NotVaried,
+}
+
+/// Expected signal of an effect in a design.
+#[derive(Debug, Clone, serde::Serialize)]
+pub struct Expected {
+    /// Id of the effect.
+    pub id: &'static str,
+    /// Squared signal-to-noise ratio at a typical amplitude.
+    pub lambda: f64,
+    /// The same at the largest plausible amplitude.
+    pub lambda_largest: f64,
+    /// The verdict.
+    pub testable: Testable,
+}
+
+/// Standard deviation of ln force of each stroke: scatter, depth error, density.
+pub(crate) fn stroke_sd(setup: &Setup<'_>, scatter: Option<f64>) -> Vec<f64> {
+    let campaign = &setup.data.campaign;
+    setup
+        .data
+        .rows
+        .iter()
+        .map(|row| {
+            let force = row.force_sd_n.map_or(scatter.unwrap_or(USUAL_SCATTER), |sd| sd / row.force_n);
+            let depth = 2.0 * campaign.depth_sd_m / row.depth_m;
+            (force * force + depth * depth + campaign.density_sd_rel.powi(2)).sqrt()
+        })
+        .collect()
+}
+
+/// Takes out of a change of ln force what a new friction angle, density and interface friction explain, under their
+/// priors. The answer is what is left, by stroke.
+pub(crate) fn left_after_soil(
+    setup: &Setup<'_>,
+    phi_deg: f64,
+    change: &[f64],
+    sd: &[f64],
+) -> Option<Vec<f64>> {
+    let data = setup.data;
+    let at = |i: usize, soil: [f64; 3]| {
+        let base = Base {
+            phi_deg: soil[0],
+            delta_deg: (data.delta_set_deg(i) + soil[1]).max(0.0),
+            density_kg_m3: data.density.mean * soil[2].exp(),
+            gravity_m_s2: data.gravity_m_s2,
+        };
+        force_n(setup.surface, &data.strokes[i], &data.reference, &base, &[]).ok().map(f64::ln)
+    };
+    let prior_sd = [data.phi.sd, data.delta.sd, data.density.sd];
+    let mut soil = [phi_deg, 0.0, 0.0];
+    let plain: Vec<f64> = (0..data.len()).map(|i| at(i, soil)).collect::<Option<_>>()?;
+    let mut rest = change.to_vec();
+    for _ in 0..6 {
+        let mut hessian = Matrix3::from_diagonal(&Vector3::from(prior_sd.map(|s| 1.0 / (s * s))));
+        let mut gradient = Vector3::new(
+            -(soil[0] - phi_deg) / prior_sd[0].powi(2),
+            -soil[1] / prior_sd[1].powi(2),
+            -soil[2] / prior_sd[2].powi(2),
+        );
+        for i in 0..data.len() {
+            let here = at(i, soil)?;
+            rest[i] = plain[i] + change[i] - here;
+            let mut row = Vector3::zeros();
+            for (k, size) in [0.01, 0.01, 0.001].into_iter().enumerate() {
+                let mut moved = soil;
+                moved[k] += size;
+                row[k] = (at(i, moved)? - here) / size;
+            }
+            let weight = 1.0 / (sd[i] * sd[i]);
+            hessian += row * row.transpose() * weight;
+            gradient += row * (weight * rest[i]);
+        }
+        let step = hessian.cholesky()?.solve(&gradient);
+        for k in 0..3 {
+            // Far steps leave the angles for which the model answers.
+            soil[k] += step[k].clamp(-4.0, 4.0);
+        }
+    }
+    for i in 0..data.len() {
+        rest[i] = plain[i] + change[i] - at(i, soil)?;
+    }
+    Some(rest)
+}
+
+/// `N (g / s)^2` of a change of ln force, after soil and interface are fitted anew.
+pub(crate) fn lambda(setup: &Setup<'_>, phi_deg: f64, change: &[f64], sd: &[f64]) -> Option<f64> {
+    let rest = left_after_soil(setup, phi_deg, change, sd)?;
+    Some(rest.iter().zip(sd).map(|(g, s)| (g / s).powi(2)).sum())
+}
+
+/// Expected signal of an effect at an amplitude, in forces and linked channels together.
+fn signal(
+    setup: &Setup<'_>,
+    phi_deg: f64,
+    effect: &'static dyn Effect,
+    amplitude: f64,
+    sd: &[f64],
+) -> (f64, f64) {
+    let data = setup.data;
+    let shapes = effect.shape().map_or(&[0.0][..], |shape| shape.values);
+    let (mut most, mut raw) = (0.0_f64, 0.0_f64);
+    for &shape in shapes {
+        let active = Active { effect, amplitude, shape };
+        let change: Option<Vec<f64>> = (0..data.len())
+            .map(|i| {
+                let base = Base {
+                    phi_deg,
+                    delta_deg: data.delta_set_deg(i),
+                    density_kg_m3: data.density.mean,
+                    gravity_m_s2: data.gravity_m_s2,
+                };
+                let with =
+                    force_n(setup.surface, &data.strokes[i], &data.reference, &base, &[active]).ok()?;
+                let without = force_n(setup.surface, &data.strokes[i], &data.reference, &base, &[]).ok()?;
+                Some((with / without).ln())
+            })
+            .collect();
+        let Some(change) = change else { continue };
+        let mut found = lambda(setup, phi_deg, &change, sd).unwrap_or(0.0);
+        for channel in effect.linked() {
+            let Some(cells) = data.channels.get(channel) else { continue };
+            let scatter = setup.baselines[channel].ln_scatter.mean.exp();
+            let shifts = (0..data.len()).filter(|&i| cells[i].is_some()).map(|i| {
+                effect.shift(*channel, amplitude, shape, &data.strokes[i], &data.reading(i)) / scatter
+            });
+            found += shifts.map(|x| x * x).sum::<f64>();
+        }
+        most = most.max(found);
+        raw = raw.max(change.iter().zip(sd).map(|(g, s)| (g / s).powi(2)).sum::<f64>());
+    }
+    (most, raw)
+}
+
+/// What a design can show of an effect.
+pub(crate) fn expected(setup: &Setup<'_>, phi_deg: f64, effect: &'static dyn Effect) -> Expected {
+    let sd = stroke_sd(setup, None);
+    let range = effect.range();
+    let both = |size: f64| {
+        let signs = range.signs().iter();
+        signs
+            .map(|sign| signal(setup, phi_deg, effect, sign * size, &sd))
+            .fold((0.0, 0.0), |a: (f64, f64), b| (a.0.max(b.0), a.1.max(b.1)))
+    };
+    let (lambda, _) = both(range.typical());
+    let (lambda_largest, raw) = both(range.high);
+    let testable = if lambda >= LEAST_LAMBDA {
+        Testable::Yes
+    } else if lambda_largest >= LEAST_LAMBDA {
+        Testable::IfLarge
+    } else if raw >= LEAST_LAMBDA {
+        Testable::Absorbed
+    } else {
+        Testable::NotVaried
+    };
+    Expected { id: effect.id(), lambda, lambda_largest, testable }
+}

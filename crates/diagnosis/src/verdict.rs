@@ -1,0 +1,125 @@
+//! What may be said of a campaign.
+
+use serde::Serialize;
+
+use crate::search::{Scored, ScoredShape, Search, THRESHOLD};
+
+/// What a diagnosis ends with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Nothing is missing that these data could show.
+    None,
+    /// One set of effects explains the campaign, and nothing else does nearly as well.
+    Named,
+    /// Several effects explain it about equally well.
+    Ambiguous,
+    /// An effect explains it, but so does a shape without a name.
+    Provisional,
+    /// Something is missing that is not in the catalogue.
+    Unknown,
+    /// The design could not show any effect.
+    NotTestable,
+}
+
+/// Effects within this ln Bayes factor of the best are not told apart.
+const TOLD_APART: f64 = 2.0;
+/// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead.
+const UNKNOWN_MARGIN: f64 = 3.0;
+/// ln Bayes factor by which such a shape may trail and still leave doubt.
+const DOUBT: f64 = 0.0;
+/// ln Bayes factor of such a shape on top of the named effects from which these are not the whole story.
+const LEFT_OVER: f64 = 3.0;
+/// Part of what the effects explain that their formulas may leave over without doubt.
+const LEFT_OVER_SHARE: f64 = 0.15;
+
+/// The best explanation, what else it could be, and the verdict.
+#[derive(Debug, Clone)]
+pub(crate) struct Verdict {
+    pub(crate) status: Status,
+    /// The best set of effects, if any is worth naming.
+    pub(crate) best: Option<Scored>,
+    /// ln Bayes factor of each effect of the best set: what taking it out costs.
+    pub(crate) factors: Vec<f64>,
+    /// Ids that the data do not tell apart, best first.
+    pub(crate) equivalents: Vec<String>,
+    /// All effects alone, best first.
+    pub(crate) singles: Vec<Scored>,
+}
+
+/// Weighs sets of effects and shapes without a name.
+pub(crate) fn judge(search: &Search<'_>) -> Verdict {
+    let sizes = search.sets();
+    let mut best: Option<&Scored> = None;
+    for scored in sizes.iter().filter_map(|of_size| of_size.first()) {
+        if scored.score() > best.map_or(0.0, Scored::score) {
+            best = Some(scored);
+        }
+    }
+    let singles = sizes.first().cloned().unwrap_or_default();
+    let shapes = search.shapes_on(None);
+    // As many shapes as there are, as much has each to show before it is believed.
+    let toll = (search.shapes.len().max(1) as f64).ln() + 1.2;
+    let shape_score = |shape: &ScoredShape| shape.log_bayes - toll;
+    let shape = shapes.into_iter().next().filter(|shape| shape_score(shape) > 0.0);
+    let lead = shape.as_ref().map(shape_score).unwrap_or_default() - best.map_or(0.0, Scored::score);
+    let Some(best) = best else {
+        let status = if shape.is_some() { Status::Unknown } else { Status::None };
+        let equivalents = shape.iter().map(|shape| format!("unknown:{}", shape.covariate)).collect();
+        return Verdict { status, best: None, factors: Vec::new(), equivalents, singles };
+    };
+    let of_size = &sizes[best.spec.choices.len() - 1];
+    let mut equivalents: Vec<String> = Vec::new();
+    for scored in of_size.iter().filter(|scored| scored.log_bayes > best.log_bayes - TOLD_APART) {
+        for id in scored.ids() {
+            if !equivalents.iter().any(|known| known == id) {
+                equivalents.push(id.into());
+            }
+        }
+    }
+    let factors = factors(best, &sizes);
+    let on_force = best.spec.on_force();
+    let more = if on_force { search.shapes_on(Some(best)).into_iter().next() } else { None };
+    let left_over = more.filter(|more| more.log_bayes - toll > LEFT_OVER + LEFT_OVER_SHARE * best.log_bayes);
+    let status = if lead > UNKNOWN_MARGIN + LEFT_OVER_SHARE * best.log_bayes && on_force {
+        Status::Unknown
+    } else if (lead > DOUBT + 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force) || left_over.is_some() {
+        Status::Provisional
+    } else if equivalents.len() > best.spec.choices.len() {
+        Status::Ambiguous
+    } else {
+        Status::Named
+    };
+    let shape = match status {
+        Status::Unknown => shape,
+        Status::Provisional => left_over.or(shape),
+        _ => None,
+    };
+    if let Some(shape) = &shape {
+        let name = format!("unknown:{}", shape.covariate);
+        if status == Status::Unknown {
+            equivalents.insert(0, name);
+        } else {
+            equivalents.push(name);
+        }
+    }
+    Verdict { status, best: Some(best.clone()), factors, equivalents, singles }
+}
+
+/// What each effect of a set earns over the best set without it.
+fn factors(best: &Scored, sizes: &[Vec<Scored>]) -> Vec<f64> {
+    let ids = best.ids();
+    if ids.len() == 1 {
+        return vec![best.log_bayes];
+    }
+    let smaller = &sizes[ids.len() - 2];
+    ids.iter()
+        .map(|out| {
+            let without = smaller.iter().find(|set| {
+                let of_set = set.ids();
+                !of_set.contains(out) && of_set.iter().all(|id| ids.contains(id))
+            });
+            without.map_or(THRESHOLD, |set| best.log_bayes - set.log_bayes)
+        })
+        .collect()
+}

@@ -1,0 +1,97 @@
+//! What the diagnosis says of campaigns whose effect is known, and of tables that lack things.
+
+#![allow(clippy::unwrap_used)]
+
+use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest};
+use soilctl_diagnosis::{Data, Diagnosis, Status, Surface, Testable, diagnose};
+use soilctl_earth_pressure::model;
+use soilctl_strokes::StrokeRow;
+
+const SEED: u64 = 31;
+
+fn campaign(ids: &[&'static str], number: u64, design: Design) -> HiddenCampaign {
+    let test = SelfTest::new("chen", SEED).unwrap();
+    let case = Case { kind: Kind::Single, number, ids: ids.to_vec(), design };
+    test.campaign(&case).unwrap().unwrap()
+}
+
+fn diagnosed(hidden: &HiddenCampaign, rows: Vec<StrokeRow>) -> Diagnosis {
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    diagnose(&Data::new("test", rows, hidden.campaign.clone()).unwrap(), &surface).unwrap()
+}
+
+#[test]
+fn a_strong_effect_is_named_and_closes_the_gap() {
+    let hidden = campaign(&["force_bias"], 3, Design::default());
+    let found = diagnosed(&hidden, hidden.rows.clone());
+    assert_eq!(found.status, Status::Named);
+    assert_eq!(found.effects[0].id, "force_bias");
+    let truth = hidden.hidden[0].size;
+    assert!((found.effects[0].amplitude - truth).abs() < 4.0 * found.effects[0].amplitude_sd);
+    let gap = &found.comparison.gap;
+    assert!(gap.after < gap.before && gap.delta_elpd.unwrap() > 4.0);
+    assert_eq!(found.equivalence_set[0], "force_bias");
+}
+
+#[test]
+fn the_same_campaign_gives_the_same_bits() {
+    let hidden = campaign(&["rate_effect"], 5, Design { strokes: 24, ..Design::default() });
+    let (a, b) = (diagnosed(&hidden, hidden.rows.clone()), diagnosed(&hidden, hidden.rows.clone()));
+    assert_eq!(format!("{a:?}"), format!("{b:?}"));
+}
+
+#[test]
+fn one_depth_cannot_show_what_depends_on_depth() {
+    let design = Design { depths_m: vec![0.02], speeds_mps: vec![0.01], strokes: 24, ..Design::default() };
+    let hidden = campaign(&[], 7, design);
+    let found = diagnosed(&hidden, hidden.rows.clone());
+    for id in ["rate_effect", "density_gradient"] {
+        let expected = found.expected.iter().find(|of| of.id == id).unwrap();
+        assert_eq!(expected.testable, Testable::NotVaried, "{id}");
+    }
+    let absorbed = found.expected.iter().find(|of| of.id == "force_scale").unwrap();
+    assert!(absorbed.lambda_largest < 30.0);
+    assert_ne!(found.status, Status::Named);
+}
+
+#[test]
+fn tables_with_little_in_them_are_answered_all_the_same() {
+    let hidden = campaign(&["cohesion"], 9, Design { traces: false, ..Design::default() });
+    let bare = |row: &StrokeRow| StrokeRow {
+        alpha_deg: row.alpha_deg,
+        depth_m: row.depth_m,
+        width_m: row.width_m,
+        force_n: row.force_n,
+        ..StrokeRow::default()
+    };
+    let found = diagnosed(&hidden, hidden.rows.iter().map(bare).collect());
+    assert!(found.comparison.gap.heldout_after.is_none());
+    assert!(found.expected.iter().any(|of| of.id == "wall_proximity" && of.testable == Testable::NotVaried));
+
+    let summary: Vec<StrokeRow> = hidden
+        .rows
+        .iter()
+        .take(4)
+        .map(|row| StrokeRow { force_sd_n: Some(0.06 * row.force_n), ..bare(row) })
+        .collect();
+    assert_eq!(diagnosed(&hidden, summary).status, Status::NotTestable);
+    let one = diagnosed(&hidden, vec![bare(&hidden.rows[0])]);
+    assert!(one.effects.is_empty() && one.comparison.gap.before.is_finite());
+}
+
+#[test]
+fn holes_and_clipped_columns_do_not_stop_it() {
+    let hidden = campaign(&["backlash"], 11, Design::default());
+    let mut rows = hidden.rows.clone();
+    for (i, row) in rows.iter_mut().enumerate() {
+        if i % 3 == 0 {
+            row.motor_ext_gap_m = None;
+            row.wall_m = None;
+        }
+        // A channel that is stuck at its stop has no scatter at all.
+        row.cmd_minus_force_n = Some(0.0);
+        row.z_drift_m = row.z_drift_m.map(|z| z.min(0.0));
+    }
+    let found = diagnosed(&hidden, rows);
+    assert_eq!(found.effects[0].id, "backlash");
+}

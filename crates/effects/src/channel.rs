@@ -1,0 +1,81 @@
+use soilctl_strokes::StrokeRow;
+
+/// A column of the stroke table that comes from the trace of the stroke and not from its failure force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Channel {
+    /// Free-air reading before the stroke, N.
+    TareBefore,
+    /// Free-air reading after the stroke, N.
+    TareAfter,
+    /// Force from the motor torques minus that of the sensor, N.
+    CmdMinusForce,
+    /// Friction angle just before failure, deg.
+    FrictionAngle,
+    /// Vertical drift of the tip, up positive, m.
+    ZDrift,
+    /// Displacement at failure, m.
+    Displacement,
+    /// Slope after the break, `(dF/du) H/F`.
+    PostSlope,
+    /// Force half a depth after failure over the failure force.
+    ResidualRatio,
+    /// Height of the heap before the stroke, m.
+    HeapHeight,
+    /// Motor-side minus external position, m.
+    MotorExtGap,
+    /// Smallest repeated encoder step, m.
+    XStep,
+}
+
+impl Channel {
+    /// All channels.
+    pub const ALL: [Self; 11] = [
+        Self::TareBefore,
+        Self::TareAfter,
+        Self::CmdMinusForce,
+        Self::FrictionAngle,
+        Self::ZDrift,
+        Self::Displacement,
+        Self::PostSlope,
+        Self::ResidualRatio,
+        Self::HeapHeight,
+        Self::MotorExtGap,
+        Self::XStep,
+    ];
+
+    /// Name of the column in the stroke table.
+    #[must_use]
+    pub const fn column(self) -> &'static str {
+        match self {
+            Self::TareBefore => "tare_before_n",
+            Self::TareAfter => "tare_after_n",
+            Self::CmdMinusForce => "cmd_minus_force_n",
+            Self::FrictionAngle => "friction_angle_deg",
+            Self::ZDrift => "z_drift_m",
+            Self::Displacement => "displacement_at_failure_m",
+            Self::PostSlope => "post_slope_norm",
+            Self::ResidualRatio => "residual_ratio",
+            Self::HeapHeight => "heap_height_m",
+            Self::MotorExtGap => "motor_ext_gap_m",
+            Self::XStep => "x_step_m",
+        }
+    }
+
+    /// The cell of a stroke; `None` if it is empty.
+    #[must_use]
+    pub const fn of(self, row: &StrokeRow) -> Option<f64> {
+        match self {
+            Self::TareBefore => row.tare_before_n,
+            Self::TareAfter => row.tare_after_n,
+            Self::CmdMinusForce => row.cmd_minus_force_n,
+            Self::FrictionAngle => row.friction_angle_deg,
+            Self::ZDrift => row.z_drift_m,
+            Self::Displacement => row.displacement_at_failure_m,
+            Self::PostSlope => row.post_slope_norm,
+            Self::ResidualRatio => row.residual_ratio,
+            Self::HeapHeight => row.heap_height_m,
+            Self::MotorExtGap => row.motor_ext_gap_m,
+            Self::XStep => row.x_step_m,
+        }
+    }
+}

@@ -1,0 +1,42 @@
+use crate::{Base, Conditions, Effect, EffectsError, Mechanics, Reference, Stroke};
+
+/// An effect with its amplitude and shape.
+#[derive(Clone, Copy)]
+pub struct Active<'a> {
+    /// The effect.
+    pub effect: &'a dyn Effect,
+    /// Its amplitude, in the unit of its parameter.
+    pub amplitude: f64,
+    /// Its shape; ignored by effects without one.
+    pub shape: f64,
+}
+
+/// Force in N that is read for a stroke, with all effects.
+///
+/// # Errors
+/// [`EffectsError::Model`] if the force model has no answer under these conditions, [`EffectsError::NoForce`] if
+/// the effects leave nothing above 0 N.
+pub fn force_n(
+    mechanics: &dyn Mechanics,
+    stroke: &Stroke,
+    reference: &Reference,
+    base: &Base,
+    effects: &[Active<'_>],
+) -> Result<f64, EffectsError> {
+    let mut conditions = Conditions::plain(stroke.alpha_deg, stroke.depth_m, base);
+    for active in effects {
+        active.effect.apply(active.amplitude, active.shape, stroke, reference, &mut conditions, mechanics)?;
+    }
+    let c = &conditions;
+    let net = mechanics.net(c.alpha_deg, c.beta_deg, c.phi_deg, c.delta_deg)?;
+    let slant_m = c.depth_m / c.alpha_deg.to_radians().sin();
+    let unit_weight = base.density_kg_m3 * base.gravity_m_s2;
+    let weight = 0.5 * unit_weight * slant_m * net.weight;
+    let loads = c.cohesion_pa * net.cohesion + c.surcharge_pa * net.surcharge;
+    let force_n = slant_m * stroke.width_m * (weight + loads) * c.ln_factor.exp() + c.bias_n;
+    if c.depth_m > 0.0 && force_n > 0.0 && force_n.is_finite() {
+        Ok(force_n)
+    } else {
+        Err(EffectsError::NoForce { force_n })
+    }
+}

@@ -1,0 +1,85 @@
+use std::path::Path;
+
+use soilctl_earth_pressure::model;
+use soilctl_strokes::StrokeRow;
+
+use crate::{Active, Base, DirectMechanics, Effect, EffectsError, ModelFile, Stroke, force_n};
+
+/// A model file that is ready to predict.
+pub struct Loaded {
+    file: ModelFile,
+    mechanics: DirectMechanics,
+    effects: Vec<(&'static dyn Effect, f64, f64)>,
+}
+
+impl Loaded {
+    /// Reads a model file and the force model that it names.
+    ///
+    /// # Errors
+    /// As [`ModelFile::read`], and [`EffectsError::Model`] if there is no such force model.
+    pub fn read(path: &Path) -> Result<Self, EffectsError> {
+        Self::new(ModelFile::read(path)?, &path.display().to_string())
+    }
+
+    /// Prepares a model file; `name` stands for it in messages.
+    ///
+    /// # Errors
+    /// As [`Loaded::read`].
+    pub fn new(file: ModelFile, name: &str) -> Result<Self, EffectsError> {
+        let effects = file.effects.iter().map(|entry| entry.resolve(name)).collect::<Result<_, _>>()?;
+        let mechanics = DirectMechanics::new(model(&file.model)?);
+        Ok(Self { file, mechanics, effects })
+    }
+
+    /// The file behind it.
+    #[must_use]
+    pub const fn file(&self) -> &ModelFile {
+        &self.file
+    }
+
+    /// Force in N that the model file expects to be read for a stroke, with its effects.
+    ///
+    /// # Errors
+    /// As [`force_n`].
+    pub fn force_n(&self, row: &StrokeRow) -> Result<f64, EffectsError> {
+        self.force_with(row, true)
+    }
+
+    /// The same without the effects.
+    ///
+    /// # Errors
+    /// As [`force_n`].
+    pub fn plain_force_n(&self, row: &StrokeRow) -> Result<f64, EffectsError> {
+        self.force_with(row, false)
+    }
+
+    /// Interface friction angle of a stroke, deg: its set-point and the offset, or that of the file.
+    #[must_use]
+    pub fn delta_deg(&self, row: &StrokeRow) -> f64 {
+        let soil = &self.file.soil;
+        row.delta_set_deg.map_or(soil.delta_deg.value, |set| (set + soil.delta_offset_deg.value).max(0.0))
+    }
+
+    fn force_with(&self, row: &StrokeRow, with_effects: bool) -> Result<f64, EffectsError> {
+        let soil = &self.file.soil;
+        let base = Base {
+            phi_deg: soil.phi_deg.value,
+            delta_deg: self.delta_deg(row),
+            density_kg_m3: soil.density_kg_m3.value,
+            gravity_m_s2: soil.gravity_m_s2,
+        };
+        let active: Vec<Active<'_>> = self
+            .effects
+            .iter()
+            .filter(|_| with_effects)
+            .map(|&(effect, amplitude, shape)| Active { effect, amplitude, shape })
+            .collect();
+        force_n(
+            &self.mechanics,
+            &Stroke::new(row, &self.file.reference),
+            &self.file.reference,
+            &base,
+            &active,
+        )
+    }
+}

@@ -1,0 +1,80 @@
+//! Model files: what is written reads back, what is wrong is refused, what is taken out is gone.
+
+#![allow(clippy::unwrap_used)]
+
+use std::collections::BTreeMap;
+
+use soilctl_effects::{EffectEntry, FILE_SCHEMA, Loaded, ModelFile, ParameterValue, Reference, SoilEntry};
+use soilctl_strokes::StrokeRow;
+
+fn value(value: f64, unit: &str) -> ParameterValue {
+    ParameterValue { value, sd: 0.1, unit: unit.into() }
+}
+
+fn file() -> ModelFile {
+    let rows =
+        [StrokeRow { alpha_deg: 80.0, depth_m: 0.02, width_m: 0.127, force_n: 5.0, ..StrokeRow::default() }];
+    ModelFile {
+        schema: FILE_SCHEMA.into(),
+        model: "chen".into(),
+        status: "named".into(),
+        soil: SoilEntry {
+            phi_deg: value(38.0, "deg"),
+            delta_deg: value(23.0, "deg"),
+            delta_offset_deg: value(0.5, "deg"),
+            density_kg_m3: value(1500.0, "kg/m3"),
+            gravity_m_s2: 9.806_65,
+        },
+        effects: vec![EffectEntry {
+            id: "depth_offset".into(),
+            parameters: BTreeMap::from([("offset_m".into(), value(0.002, "m"))]),
+            shape: 0.0,
+            log_bayes_factor: 9.0,
+        }],
+        equivalence_set: vec!["depth_offset".into()],
+        reference: Reference::of(&rows).unwrap(),
+        data_hash: String::new(),
+        held_out: None,
+    }
+}
+
+#[test]
+fn what_is_written_reads_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("patch.json");
+    file().write(&path).unwrap();
+    assert_eq!(ModelFile::read(&path).unwrap(), file());
+}
+
+#[test]
+fn taking_the_effect_out_restores_the_plain_model() {
+    let row =
+        StrokeRow { alpha_deg: 80.0, depth_m: 0.02, width_m: 0.127, force_n: 5.0, ..StrokeRow::default() };
+    let with = Loaded::new(file(), "patch").unwrap();
+    let without = Loaded::new(ModelFile { effects: Vec::new(), ..file() }, "patch").unwrap();
+    let ratio = with.force_n(&row).unwrap() / without.force_n(&row).unwrap();
+    assert!((ratio - 1.1_f64.powi(2)).abs() < 1e-12);
+    assert_eq!(with.plain_force_n(&row).unwrap().to_bits(), without.force_n(&row).unwrap().to_bits());
+    assert_eq!(with.delta_deg(&StrokeRow { delta_set_deg: Some(20.0), ..row.clone() }), 20.5);
+    assert_eq!(with.delta_deg(&row), 23.0);
+}
+
+#[test]
+fn what_is_wrong_is_refused_by_name() {
+    let text = |change: &dyn Fn(&mut ModelFile)| {
+        let mut file = file();
+        change(&mut file);
+        serde_json::to_string(&file).unwrap()
+    };
+    let cases: [(String, &str); 5] = [
+        (text(&|f| f.schema = "soilctl.model-file/9".into()), "soilctl.model-file/1"),
+        (text(&|f| f.soil.phi_deg.value = 95.0), "soil.phi_deg is 95"),
+        (text(&|f| f.effects[0].id = "gremlins".into()), "no effect called \"gremlins\""),
+        (text(&|f| f.effects[0].parameters.clear()), "offset_m"),
+        ("{}".into(), "missing field"),
+    ];
+    for (text, expected) in cases {
+        let message = ModelFile::parse(&text, "patch.json").unwrap_err().to_string();
+        assert!(message.starts_with("patch.json: ") && message.contains(expected), "{message}");
+    }
+}

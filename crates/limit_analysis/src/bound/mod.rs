@@ -1,0 +1,189 @@
+//! Both bounds of a problem on a sequence of meshes, each made from what the last one showed.
+
+mod memory;
+mod run;
+mod solves;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use soilctl_certificate::{LowerField, UpperField};
+
+use crate::error::LimitError;
+use crate::problem::Problem;
+use crate::solver::Status;
+use run::Run;
+
+/// When to stop, and what may be spent.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// Relative gap, `(U - L) / ((U + L) / 2)`, at which to stop.
+    pub max_gap: f64,
+    /// Time in seconds. Which level is the last then depends on the machine; what each level gives does not.
+    pub max_seconds: f64,
+    /// No mesh has more elements.
+    pub max_elements: usize,
+    /// Memory in bytes that the run may use, by an estimate with a margin: no program is built that may need more.
+    pub max_memory_bytes: u64,
+    /// 1: one solve at a time; more: both bounds of a level at once. The results are the same.
+    pub threads: usize,
+    /// Replaces each cone by a pyramid of so many sides inside it (at least 3), which makes the programs linear: for
+    /// comparison. Bounds are proven as always, but further apart.
+    pub segments: Option<usize>,
+    /// An existing folder for programs that end in numerical trouble, one file each, to reproduce it from.
+    pub dump: Option<PathBuf>,
+    /// Set to end the run early with the best bounds so far.
+    pub stop: Arc<AtomicBool>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            max_gap: 0.01,
+            max_seconds: 60.0,
+            max_elements: 20_000,
+            max_memory_bytes: u64::MAX,
+            threads: 1,
+            segments: None,
+            dump: None,
+            stop: Arc::new(AtomicBool::new(false)),
+        }
+    }
+}
+
+/// A proven bound.
+#[derive(Debug, Clone)]
+pub struct Bound<F> {
+    /// The bound, as the certificate proves it: power of the structure's force at its velocity.
+    pub value: f64,
+    /// Triangles of its mesh.
+    pub elements: usize,
+    /// What proves it.
+    pub field: F,
+}
+
+/// One solve of a level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solve {
+    /// Triangles.
+    pub elements: usize,
+    /// How the solver ended.
+    pub status: Status,
+    /// Its steps.
+    pub iterations: u32,
+    /// Time in the solver in seconds.
+    pub seconds: f64,
+    /// Time for repair and proof in seconds.
+    pub proof_seconds: f64,
+    /// The proven bound, if there is one.
+    pub proven: Option<f64>,
+}
+
+/// One mesh and what was solved after it was made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// The upper bound, on this level's mesh.
+    pub upper: Solve,
+    /// A lower bound, on the mesh of this level or of one before.
+    pub lower: Option<Solve>,
+    /// Gap by the objectives of the two programs, and by the sum of its shares over the soil: the same quantity by two
+    /// ways that have nothing in common, so a check of both programs. See [`Level::identity_residual`].
+    pub identity: Option<[f64; 2]>,
+}
+
+impl Level {
+    /// By how much the two gaps differ, over the objective of the upper bound; zero where they are not known.
+    ///
+    /// Where dissipation is linear in the unknowns (soil with friction) only rounding is left. Soil without friction and
+    /// cut-offs have unknowns for the size of shear rates, which exceed it by as much as the solver's accuracy allows.
+    #[must_use]
+    pub fn identity_residual(&self) -> f64 {
+        match (self.identity, self.upper.proven) {
+            (Some([a, b]), Some(upper)) => (a - b).abs() / upper.abs().max(f64::MIN_POSITIVE),
+            _ => 0.0,
+        }
+    }
+}
+
+/// Why a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ended {
+    /// The gap asked for is reached.
+    Gap,
+    /// Time is up, or the next level would not fit.
+    Time,
+    /// The next mesh would have too many elements.
+    Elements,
+    /// The next program may not fit into the memory allowed.
+    Memory,
+    /// The user asked.
+    Stopped,
+}
+
+/// The bounds of a problem.
+#[derive(Debug, Clone)]
+pub struct Bounds {
+    /// The greatest lower bound proven.
+    pub lower: Bound<LowerField>,
+    /// The least upper bound proven.
+    pub upper: Bound<UpperField>,
+    /// All levels.
+    pub levels: Vec<Level>,
+    /// Why there are no more.
+    pub ended: Ended,
+    /// Time in seconds.
+    pub seconds: f64,
+}
+
+impl Bounds {
+    /// Distance of the bounds over their mean.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        relative_gap(self.lower.value, self.upper.value)
+    }
+
+    /// The greatest [residual](Level::identity_residual) of all levels. More than [`IDENTITY`] says that something is
+    /// wrong with a program; proven bounds hold all the same.
+    #[must_use]
+    pub fn identity_residual(&self) -> f64 {
+        self.levels.iter().map(Level::identity_residual).fold(0.0, f64::max)
+    }
+}
+
+/// What is left of the [identity](Level::identity) in sound runs.
+pub const IDENTITY: f64 = 2e-5;
+
+fn relative_gap(lower: f64, upper: f64) -> f64 {
+    2.0 * (upper - lower) / (upper + lower).abs()
+}
+
+/// Bounds the load of a problem, calling `progress` after each level.
+///
+/// # Errors
+///
+/// [`LimitError`] if the mesh cannot be made, the solver refuses, or no pair of bounds is proven within the budget.
+pub fn bound(
+    problem: &Problem,
+    options: &Options,
+    progress: &mut dyn FnMut(&Level, Option<f64>),
+) -> Result<Bounds, LimitError> {
+    problem.covered()?;
+    let mut run = Run::new(problem, options);
+    let ended = loop {
+        if let Some(ended) = run.level(progress)? {
+            if matches!(ended, Ended::Time | Ended::Elements | Ended::Memory) {
+                run.last_lower(progress)?;
+            }
+            break ended;
+        }
+    };
+    match (run.lower, run.upper) {
+        (Some(lower), Some(upper)) => {
+            Ok(Bounds { lower, upper, levels: run.levels, ended, seconds: run.start.elapsed().as_secs_f64() })
+        }
+        _ => Err(LimitError::NothingProven {
+            spent: format!("{} levels, {:.1} s", run.levels.len(), run.start.elapsed().as_secs_f64()),
+        }),
+    }
+}

@@ -1,0 +1,261 @@
+//! The levels of a run.
+
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use soilctl_certificate::{LowerField, UpperField};
+
+use super::memory::capacity;
+use super::{Bound, Ended, Level, Options, Solve, relative_gap};
+use crate::adapt::wanted_sizes;
+use crate::bowl::Bowl;
+use crate::error::LimitError;
+use crate::fields::StressField;
+use crate::gap::shares;
+use crate::mesh::{Fan, Guide, Mesh, Request, SizeField, generate};
+use crate::problem::Problem;
+use crate::solver::Status;
+use crate::start::Start;
+use crate::topology::Topology;
+
+/// Elements of the first mesh, roughly, and how much each next one is larger; one that grows less than this is not
+/// worth its time.
+const FIRST: f64 = 600.0;
+const GROWTH: f64 = 1.5;
+const LEAST_GROWTH: f64 = 1.15;
+
+/// Time of a solve grows with about this power of the elements.
+const COST: f64 = 1.3;
+
+/// The mesh whose lower bound is solved with a level's upper bound: lower bounds need far fewer elements.
+fn lower_mesh(level: usize) -> Option<usize> {
+    match level {
+        0 => Some(0),
+        2 | 4 => Some(level - 1),
+        _ => level.is_multiple_of(2).then(|| level - 2),
+    }
+}
+
+/// A run so far.
+pub(super) struct Run<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) options: &'a Options,
+    pub(super) start: Instant,
+    begin: Start,
+    pub(super) meshes: Vec<(Mesh, Topology)>,
+    pub(super) levels: Vec<Level>,
+    pub(super) lower: Option<Bound<LowerField>>,
+    pub(super) upper: Option<Bound<UpperField>>,
+    /// The stress field behind the best lower bound, and its objective.
+    stress: Option<(StressField, f64)>,
+    pub(super) bowl: Bowl,
+    /// Which tightening the last upper bound needed; finer meshes need no less.
+    pub(super) tightening: usize,
+    /// Elements asked for on the last mesh.
+    target: f64,
+    /// Shares in the gap of the triangles of the last mesh for which they are known.
+    shares: Option<(usize, Vec<f64>)>,
+    /// Slip lines for the next mesh.
+    guides: Vec<Guide>,
+}
+
+impl<'a> Run<'a> {
+    pub(super) fn new(problem: &'a Problem, options: &'a Options) -> Self {
+        let begin = Start::new(problem);
+        let guides = begin.guides.clone();
+        let bowl = begin.bowl(0, &guides);
+        Self {
+            problem,
+            options,
+            start: Instant::now(),
+            begin,
+            bowl,
+            meshes: Vec::new(),
+            levels: Vec::new(),
+            lower: None,
+            upper: None,
+            stress: None,
+            tightening: 0,
+            target: FIRST,
+            shares: None,
+            guides,
+        }
+    }
+
+    pub(super) fn remaining(&self) -> f64 {
+        self.options.max_seconds - self.start.elapsed().as_secs_f64()
+    }
+
+    /// Time that a solve on `elements` will take, from the last one like it.
+    fn estimate(&self, elements: usize, of: impl Fn(&Level) -> Option<Solve>) -> f64 {
+        self.levels.iter().rev().find_map(of).map_or(0.0, |last| {
+            1.1 * (last.seconds + last.proof_seconds) * (elements as f64 / last.elements as f64).powf(COST)
+        })
+    }
+
+    /// About how many elements the next mesh shall have, or why there is none.
+    fn next_target(&self) -> Result<f64, Ended> {
+        let Some(last) = self.levels.last() else {
+            return if self.capacity() < FIRST { Err(Ended::Memory) } else { Ok(FIRST) };
+        };
+        if self.options.stop.load(Ordering::Relaxed) {
+            return Err(Ended::Stopped);
+        }
+        let solved = last.upper.elements as f64;
+        let growth = GROWTH.min(self.options.max_elements as f64 / solved);
+        if growth < LEAST_GROWTH {
+            return Err(Ended::Elements);
+        }
+        let needed = self.estimate((growth * solved) as usize, |l| Some(l.upper));
+        let growth = growth * (self.remaining() / needed).clamp(0.0, 1.0).powf(1.0 / COST);
+        if growth < LEAST_GROWTH {
+            return Err(Ended::Time);
+        }
+        let growth = growth.min(self.capacity() / solved);
+        if growth < LEAST_GROWTH { Err(Ended::Memory) } else { Ok(growth * self.target) }
+    }
+
+    /// How many elements a level may have in the memory allowed.
+    fn capacity(&self) -> f64 {
+        capacity(self.options.max_memory_bytes, self.options.threads > 1)
+    }
+
+    /// One level. Returns why to stop, if so.
+    pub(super) fn level(
+        &mut self,
+        progress: &mut dyn FnMut(&Level, Option<f64>),
+    ) -> Result<Option<Ended>, LimitError> {
+        let number = self.levels.len();
+        let target = match self.next_target() {
+            Ok(target) => target,
+            Err(ended) => return Ok(Some(ended)),
+        };
+        self.target = target;
+        // What does not move in a bowl around wrong slip lines may move in the first one.
+        let is_lost = self.levels.last().is_some_and(|l| l.upper.proven.is_none());
+        if is_lost {
+            self.guides = self.begin.guides.clone();
+        }
+        self.bowl = self.begin.bowl(if is_lost { 0 } else { number }, &self.guides);
+        let mut guides = self.guides.clone();
+        guides.extend(self.bowl.guide());
+        let made = self.mesh(target, &self.begin.fans(number), &guides)?;
+        if made.0.triangles.len() as f64 > self.capacity() {
+            return Ok(Some(Ended::Memory));
+        }
+        self.meshes.push(made);
+
+        let lower_mesh = lower_mesh(number).filter(|m| {
+            number == 0 || self.estimate(self.meshes[*m].0.triangles.len(), |l| l.lower) < self.remaining()
+        });
+        let own = lower_mesh.map(|m| self.lower_mesh(m)).transpose()?.flatten();
+        let run = &*self;
+        let lower_mesh = lower_mesh.map(|m| own.as_ref().unwrap_or(&run.meshes[m]));
+        let (upper, lower) = if self.options.threads > 1 {
+            std::thread::scope(|scope| {
+                let lower = scope.spawn(|| lower_mesh.map(|m| run.solve_lower(m)).transpose());
+                let upper = run.solve_upper(number);
+                let lower = lower.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                (upper, lower)
+            })
+        } else {
+            (run.solve_upper(number), lower_mesh.map(|m| run.solve_lower(m)).transpose())
+        };
+        let (tightening, upper_solve, upper_field, velocity, objective) = upper?;
+        self.tightening = tightening;
+        let mut level = Level { upper: upper_solve, lower: None, identity: None };
+        if let Some((solve, field, stress, objective)) = lower? {
+            level.lower = Some(solve);
+            self.keep_lower(&solve, field, stress, objective);
+        }
+        if let Some(value) = upper_solve.proven.filter(|v| self.upper.as_ref().is_none_or(|b| *v < b.value)) {
+            self.upper = Some(Bound { value, elements: upper_solve.elements, field: upper_field });
+        }
+        let gap = self.gap();
+        let (mesh, topology) = &self.meshes[number];
+        if let Some((stress, lower_objective)) = self.stress.as_ref().filter(|_| upper_solve.proven.is_some())
+        {
+            let by_triangle = shares(self.problem, mesh, topology, &velocity, stress);
+            level.identity = Some([objective - lower_objective, by_triangle.iter().sum()]);
+            self.shares = Some((number, by_triangle));
+            self.guides = crate::slip::guides(self.problem, mesh, topology, &velocity, &self.begin.tips);
+        }
+        progress(&level, gap);
+        self.levels.push(level);
+        if gap.is_some_and(|g| g <= self.options.max_gap) {
+            return Ok(Some(Ended::Gap));
+        }
+        if self.options.stop.load(Ordering::Relaxed) {
+            return Ok(Some(Ended::Stopped));
+        }
+        Ok((upper_solve.status == Status::Stopped || self.remaining() <= 0.0).then_some(Ended::Time))
+    }
+
+    /// A mesh of about `target` triangles.
+    fn mesh(&self, target: f64, fans: &[Fan], guides: &[Guide]) -> Result<(Mesh, Topology), LimitError> {
+        // Until shares are known, all of it gets finer.
+        let finer = (FIRST / target).sqrt();
+        let first = |p: [f64; 2]| finer * self.begin.size(p);
+        let of = |(m, shares): &(usize, Vec<f64>)| {
+            wanted_sizes(&self.meshes[*m].0, shares, target as usize, self.begin.largest)
+        };
+        let later = self.shares.as_ref().map(of).transpose()?;
+        let later = later.as_ref().map(|field: &SizeField| |p: [f64; 2]| field.size(p));
+        let size: &dyn Fn([f64; 2]) -> f64 = match &later {
+            Some(size) => size,
+            None => &first,
+        };
+        let mesh = generate(&Request {
+            outline: &self.problem.outline,
+            guides,
+            fans,
+            size,
+            // The size field asks for about the target; the fans come on top.
+            max_triangles: 4 * self.options.max_elements + 10_000,
+        })?;
+        let topology = Topology::new(&mesh);
+        Ok((mesh, topology))
+    }
+
+    /// A mesh for the lower bound, as fine as that of a level, where it differs.
+    fn lower_mesh(&self, level: usize) -> Result<Option<(Mesh, Topology)>, LimitError> {
+        let Some(fans) = self.begin.lower_fans(level) else { return Ok(None) };
+        let target = if level == 0 { FIRST } else { self.meshes[level].0.triangles.len() as f64 };
+        Ok(Some(self.mesh(target, &fans, &self.guides)?))
+    }
+
+    /// Spends what is left on a lower bound on the finest mesh that fits.
+    pub(super) fn last_lower(
+        &mut self,
+        progress: &mut dyn FnMut(&Level, Option<f64>),
+    ) -> Result<(), LimitError> {
+        let solved = self.levels.iter().filter_map(|l| l.lower).map(|s| s.elements).max().unwrap_or(0);
+        let fits = |m: &usize| {
+            let elements = self.meshes[*m].0.triangles.len();
+            elements > solved && self.estimate(elements, |l| l.lower) < self.remaining()
+        };
+        let Some(number) = (0..self.meshes.len()).rev().find(fits) else { return Ok(()) };
+        let own = self.lower_mesh(number)?;
+        let mesh = own.as_ref().unwrap_or(&self.meshes[number]);
+        let (solve, field, stress, objective) = self.solve_lower(mesh)?;
+        self.keep_lower(&solve, field, stress, objective);
+        let gap = self.gap();
+        if let Some(level) = self.levels.last_mut().filter(|l| l.lower.is_none()) {
+            level.lower = Some(solve);
+            progress(level, gap);
+        }
+        Ok(())
+    }
+
+    /// Takes over a lower bound, with the stress field behind it, if it is the best.
+    fn keep_lower(&mut self, solve: &Solve, field: LowerField, stress: StressField, objective: f64) {
+        if let Some(value) = solve.proven.filter(|v| self.lower.as_ref().is_none_or(|b| *v > b.value)) {
+            self.lower = Some(Bound { value, elements: solve.elements, field });
+            self.stress = Some((stress, objective));
+        }
+    }
+
+    fn gap(&self) -> Option<f64> {
+        Some(relative_gap(self.lower.as_ref()?.value, self.upper.as_ref()?.value))
+    }
+}

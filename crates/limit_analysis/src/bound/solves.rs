@@ -1,0 +1,104 @@
+//! One solve, and the proof of what comes out.
+
+use std::time::Instant;
+
+use soilctl_certificate::{LowerField, UpperField, prove_lower, prove_upper};
+
+use super::Solve;
+use super::run::Run;
+use crate::error::LimitError;
+use crate::fields::{StressField, VelocityField};
+use crate::lower::Lower;
+use crate::mesh::Mesh;
+use crate::program::Program;
+use crate::solver::{self, Accuracy, Answer, Status};
+use crate::topology::Topology;
+use crate::upper::Upper;
+
+/// Solver accuracies. The gap shows in the bound; what a stress field misses its cones by costs much of the bound, so
+/// lower bounds need more.
+const UPPER_ACCURACY: Accuracy = Accuracy { gap: 1e-5, feasibility: 1e-8 };
+const LOWER_ACCURACY: Accuracy = Accuracy { gap: 1e-6, feasibility: 1e-8 };
+
+/// What stays clear of all cones of an upper bound, in units of the structure's velocity; more if the proof fails.
+const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
+
+/// What stays clear of all cones of a lower bound, in units of the local stress times the edge length over the plate's;
+/// more if the proof fails; and how much of it must be left for the proof.
+const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
+const LEFT: f64 = 0.5;
+
+impl Run<'_> {
+    /// Solves a program, as cones or linearised, in the time that is left.
+    fn solve(&self, program: &Program, accuracy: Accuracy, name: &str) -> Result<Answer, LimitError> {
+        let file = format!("{name}-{}-unknowns.json", program.unknowns);
+        let dump = self.options.dump.as_ref().map(|folder| folder.join(file));
+        let linear = self.options.segments.map(|p| program.linearised(p.max(3)));
+        let program = linear.as_ref().unwrap_or(program);
+        solver::solve(program, accuracy, self.remaining().max(0.0), &self.options.stop, dump.as_deref())
+    }
+
+    pub(super) fn solve_upper(
+        &self,
+        number: usize,
+    ) -> Result<(usize, Solve, UpperField, VelocityField, f64), LimitError> {
+        let (mesh, topology) = &self.meshes[number];
+        let still = self.bowl.still(mesh);
+        let mut spent = 0.0;
+        for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
+            let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
+            let answer = self.solve(&upper.program, UPPER_ACCURACY, "upper")?;
+            let start = Instant::now();
+            let field = upper.saved(mesh, &answer.x);
+            let proven = prove_upper(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
+            spent += answer.seconds;
+            let solve = Solve {
+                elements: mesh.triangles.len(),
+                status: answer.status,
+                iterations: answer.iterations,
+                seconds: spent,
+                proof_seconds: start.elapsed().as_secs_f64(),
+                proven,
+            };
+            // A tighter program is no more feasible.
+            let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
+            if proven.is_some() || hopeless || attempt + 1 == TIGHTENING.len() {
+                let velocity = VelocityField::new(&upper, &answer.x);
+                let objective = upper.force.value(&answer.x);
+                return Ok((attempt, solve, field, velocity, objective));
+            }
+        }
+        Err(LimitError::NothingProven { spent: format!("{spent:.1} s") })
+    }
+
+    pub(super) fn solve_lower(
+        &self,
+        (mesh, topology): &(Mesh, Topology),
+    ) -> Result<(Solve, LowerField, StressField, f64), LimitError> {
+        let mut spent = 0.0;
+        for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
+            let lower = Lower::new(self.problem, mesh, topology, *tightening);
+            let answer = self.solve(&lower.program, LOWER_ACCURACY, "lower")?;
+            spent += answer.seconds;
+            let start = Instant::now();
+            let x = lower.drawn_inside(&answer.x, -LEFT * tightening);
+            let field = lower.function.saved(mesh, topology, self.problem, &x);
+            let proven = prove_lower(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
+            let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
+            if proven.is_some() || hopeless || attempt + 1 == LOWER_TIGHTENING.len() {
+                let solve = Solve {
+                    elements: mesh.triangles.len(),
+                    status: answer.status,
+                    iterations: answer.iterations,
+                    seconds: spent,
+                    proof_seconds: start.elapsed().as_secs_f64(),
+                    proven,
+                };
+                let objective = lower.force.value(&x);
+                let stress = StressField::new(mesh, topology, &lower, &x);
+                return Ok((solve, field, stress, objective));
+            }
+        }
+        Err(LimitError::NothingProven { spent: format!("{spent:.1} s") })
+    }
+}

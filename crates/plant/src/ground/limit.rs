@@ -1,0 +1,143 @@
+use soilctl_earth_pressure::{
+    Case, ChenLiu, EarthPressureError, ForceModel, LoadFactors, Loads, check_loads,
+};
+use soilctl_soil::{Angle, Interface, Soil};
+
+/// Tool angles of the nodes: from this one, in steps of half a degree.
+const FIRST_DEG: usize = 50;
+const ANGLES: usize = 121;
+/// Friction on the plate at the nodes, in sixteenths of the full one.
+const SHARES: usize = 17;
+
+/// Coefficients of a force model for one soil, at every tool angle and with the friction on the plate in part mobilised.
+///
+/// Taken from the model once, since a step has no time for it, and rounded to 1e-9, so that the last bits of a system's
+/// sine do not matter. Between nodes they are interpolated linearly: within 0.4 % of the model. Beyond the tool angles
+/// of a table it follows the shape of Chen and Liu's model, scaled to the table's last value.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct LimitCoefficients {
+    /// Net factors of weight, surcharge and cohesion, by angle and share.
+    nodes: Vec<[LoadFactors; SHARES]>,
+}
+
+impl LimitCoefficients {
+    /// Errors are those of the model at the tool angles that it covers.
+    pub(crate) fn new(
+        model: &dyn ForceModel,
+        soil: &Soil,
+        interface: &Interface,
+        fraction: f64,
+    ) -> Result<Self, EarthPressureError> {
+        let range = model.valid_range().alpha_deg;
+        let loads = Loads { cohesion_pa: soil.cohesion_pa(), adhesion_pa: 0.0, surcharge_pa: 0.0 };
+        let mut nodes = Vec::with_capacity(ANGLES);
+        for i in 0..ANGLES {
+            #[allow(clippy::cast_precision_loss, reason = "small integers")]
+            let alpha_deg = FIRST_DEG as f64 + 0.5 * i as f64;
+            let mut row = [LoadFactors::default(); SHARES];
+            for (share, factors) in row.iter_mut().enumerate() {
+                #[allow(clippy::cast_precision_loss, reason = "small integers")]
+                let share = share as f64 / (SHARES - 1) as f64;
+                let case = |alpha_deg: f64| Case {
+                    tool_angle: Angle::from_degrees(alpha_deg),
+                    surface_slope: Angle::ZERO,
+                    friction: soil.friction(),
+                    interface: Angle::from_radians(share * interface.friction().radians()),
+                };
+                let inside = alpha_deg.max(range.0).min(range.1);
+                check_loads(model, &case(inside), &loads)?;
+                let prediction = model.predict(&case(inside))?;
+                let weight =
+                    prediction.net_lower.0 + fraction * (prediction.net_upper.0 - prediction.net_lower.0);
+                let mut found = LoadFactors { weight, ..prediction.net };
+                if inside != alpha_deg {
+                    let shape = |alpha_deg| ChenLiu.predict(&case(alpha_deg)).map(|p| p.net.weight);
+                    found.weight *= shape(alpha_deg)? / shape(inside)?;
+                }
+                *factors = rounded(found);
+            }
+            nodes.push(row);
+        }
+        Ok(Self { nodes })
+    }
+
+    /// Factors at a tool angle in rad with a share (0 to 1) of the friction on the plate.
+    pub(crate) fn at(&self, tool_angle_rad: f64, share: f64) -> LoadFactors {
+        #[allow(clippy::cast_precision_loss, reason = "small integers")]
+        let (first, last) = (FIRST_DEG as f64, (ANGLES - 2) as f64);
+        let (row, in_row) = place(2.0 * (tool_angle_rad.to_degrees() - first), last);
+        #[allow(clippy::cast_precision_loss, reason = "small integers")]
+        let (column, in_column) = place(share * (SHARES - 1) as f64, (SHARES - 2) as f64);
+        let (low, high) = (&self.nodes[row], &self.nodes[row + 1]);
+        let at = |row: &[LoadFactors; SHARES]| between(&row[column], &row[column + 1], in_column);
+        between(&at(low), &at(high), in_row)
+    }
+}
+
+/// Cell and place in it; beyond the ends the last cell is taken, at its edge.
+fn place(at: f64, last: f64) -> (usize, f64) {
+    let cell = at.floor().max(0.0).min(last);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to last")]
+    let index = cell as usize;
+    (index, (at - cell).clamp(0.0, 1.0))
+}
+
+fn between(a: &LoadFactors, b: &LoadFactors, share: f64) -> LoadFactors {
+    let mix = |a: f64, b: f64| a + share * (b - a);
+    LoadFactors {
+        weight: mix(a.weight, b.weight),
+        surcharge: mix(a.surcharge, b.surcharge),
+        cohesion: mix(a.cohesion, b.cohesion),
+        adhesion: mix(a.adhesion, b.adhesion),
+    }
+}
+
+fn rounded(factors: LoadFactors) -> LoadFactors {
+    let round = |value: f64| (value * 1e9).round() * 1e-9;
+    LoadFactors {
+        weight: round(factors.weight),
+        surcharge: round(factors.surcharge),
+        cohesion: round(factors.cohesion),
+        adhesion: round(factors.adhesion),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use soilctl_earth_pressure::model;
+
+    /// Against the model itself, also between the nodes.
+    #[test]
+    fn nodes_and_interpolation() {
+        let soil = Soil::new(Angle::from_degrees(40.0), 1500.0).unwrap();
+        let interface = Interface::new(Angle::from_degrees(25.0), 0.0).unwrap();
+        for id in ["chen", "coulomb", "table"] {
+            let model = model(id).unwrap();
+            let limits = LimitCoefficients::new(model.as_ref(), &soil, &interface, 0.5).unwrap();
+            for alpha in [70.0, 77.3, 90.0, 99.5] {
+                for delta in [0.0, 10.0, 25.0] {
+                    let p = model.predict(&Case::level_deg(alpha, 40.0, delta)).unwrap();
+                    let expected = 0.5 * (p.net_lower.0 + p.net_upper.0);
+                    let found = limits.at(alpha.to_radians(), delta / 25.0).weight;
+                    assert!(
+                        (found / expected - 1.0).abs() < 4e-3,
+                        "{id} {alpha} {delta}: {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Beyond the table's 70 degrees the coefficient goes on without a jump.
+    #[test]
+    fn beyond_a_table() {
+        let soil = Soil::new(Angle::from_degrees(40.0), 1500.0).unwrap();
+        let interface = Interface::new(Angle::from_degrees(25.0), 0.0).unwrap();
+        let limits =
+            LimitCoefficients::new(model("table").unwrap().as_ref(), &soil, &interface, 0.5).unwrap();
+        let at = |deg: f64| limits.at(deg.to_radians(), 1.0).weight;
+        assert!(at(69.0) < at(70.0) && at(68.0) > 0.9 * at(70.0));
+        assert!(at(101.0) > at(100.0) && at(101.0) < 1.1 * at(100.0));
+    }
+}

@@ -1,0 +1,179 @@
+use soilctl_kinematics::Frame;
+
+use super::strength::Strength;
+use crate::config::GroundConfig;
+use crate::effects::SoilChange;
+use crate::truth::SoilTruth;
+
+/// Share of the limit from which on the soil counts as failing.
+const FAILING: f64 = 0.995;
+/// Depth below which nothing is divided by it, in m.
+const LEAST_DEPTH_M: f64 = 0.001;
+/// Depth at which the damping is the one of the settings, in m.
+const DAMPED_AT_M: f64 = 0.0254;
+
+/// The contact of plate and soil, and what it remembers.
+///
+/// Across the plate the mobilised share of the limit force grows with the way of the plate against the soil, slower the
+/// more is mobilised; along it and sideways there are springs that slip at the friction.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Plate {
+    /// What is mobilised, -1 to 1.
+    mobilised: f64,
+    /// Stretch of the springs along the plate (soil pressing upwards) and along its edge in m.
+    stretch_m: [f64; 2],
+    deepest_m: f64,
+    slip_m: f64,
+    /// Forces across and along the plate and along its edge in N, damping included.
+    forces_n: [f64; 3],
+    pub(crate) slant_m: f64,
+    pub(crate) speed_m_s: f64,
+    /// Way of the failing soil that the surface does not know yet, in m.
+    pub(crate) moved_m: f64,
+    pub(crate) truth: SoilTruth,
+}
+
+impl Plate {
+    #[allow(clippy::too_many_arguments, reason = "called from one place")]
+    pub(crate) fn press(
+        &mut self,
+        config: &GroundConfig,
+        strength: &Strength,
+        change: &SoilChange,
+        [width_m, thickness_m]: [f64; 2],
+        hand: &Frame,
+        depth_m: f64,
+        velocity_m_s: [f64; 3],
+        dt_s: f64,
+    ) {
+        let axis = |column: usize| [0, 1, 2].map(|row: usize| hand.rotation[row][column]);
+        let along = |column: usize| dot(axis(column), velocity_m_s);
+        // Towards the base, sideways, and into the soil.
+        let (push, side, down) = (along(0), along(1), along(2));
+        let alpha = libm::atan2(-hand.rotation[2][2], hand.rotation[2][0]);
+        if depth_m <= 0.0 || alpha <= 0.2 || alpha >= std::f64::consts::PI - 0.2 {
+            *self = Self {
+                truth: SoilTruth {
+                    depth_m,
+                    tool_angle_rad: alpha,
+                    heap_m: self.truth.heap_m,
+                    ..SoilTruth::default()
+                },
+                ..Self::default()
+            };
+            return;
+        }
+        self.slant_m = depth_m / libm::sin(alpha);
+        self.speed_m_s = libm::sqrt(dot(velocity_m_s, velocity_m_s));
+        let delta = (strength.delta_rad + change.interface_rad).max(0.0);
+        let friction = libm::tan(delta);
+
+        // Soil that the edge pushes aside moves against the plate.
+        let deeper = (depth_m - self.deepest_m).max(0.0);
+        self.deepest_m = self.deepest_m.max(depth_m);
+        let lean = libm::cos(alpha) / std::f64::consts::FRAC_1_SQRT_2;
+        let drift = config.misalignment_drift + config.insertion_drift * lean;
+        let way = push * dt_s + drift * deeper;
+
+        let [normal, tangent] = [self.forces_n[0], self.forces_n[1]];
+        let share = if delta > 0.0 { libm::atan2(tangent, normal.abs().max(1e-6)) / delta } else { 1.0 };
+        let share = share.clamp(0.0, 1.0);
+        let facing = if self.mobilised < 0.0 { std::f64::consts::PI - alpha } else { alpha };
+        let limit = change.limit_force * strength.limit_n(facing, depth_m, width_m, share);
+        let residual = self.residual(config, strength);
+        let most_normal = limit * libm::cos(share * delta) * residual;
+        let failing = self.mobilise(config, strength, change, alpha, depth_m, way);
+
+        let at_rest = 2.0 * strength.at_rest_n(depth_m, width_m) * friction;
+        let edge = change.bearing * strength.edge_n(depth_m, width_m, thickness_m, config.bearing_shape);
+        let normal = self.mobilised * most_normal;
+        let grip = normal.abs() * friction + at_rest;
+        // Sheared sideways, the soil below the edge bears less, and nothing once the wedge ahead moves; the square is that of
+        // Meyerhof's (1963) factor for inclined loads.
+        let upright = 1.0 - self.mobilised.max(0.0);
+        let bearing = edge * upright * upright;
+        let spring = (most_normal * friction + at_rest + edge) / config.tangent_way_m;
+        // The failing wedge rises along the plate.
+        let rising = if failing { push.max(0.0) } else { 0.0 };
+        let tangent = slip(&mut self.stretch_m[0], (down + rising) * dt_s, spring, -grip, grip + bearing);
+        let most_side = grip + edge * thickness_m / width_m;
+        let lateral = slip(&mut self.stretch_m[1], side * dt_s, spring, -most_side, most_side);
+
+        let damping = config.damping_ns_per_m * depth_m / DAMPED_AT_M;
+        let free = |force: f64, most: f64| if most > 0.0 { (1.0 - force.abs() / most).max(0.0) } else { 0.0 };
+        self.forces_n = [
+            normal + damping * push * free(self.mobilised, 1.0),
+            tangent + damping * down * free(tangent, grip + bearing),
+            lateral + damping * side * free(lateral, most_side),
+        ];
+        self.truth = SoilTruth {
+            depth_m,
+            heap_m: self.truth.heap_m,
+            tool_angle_rad: alpha,
+            limit_force_n: change.limit_force * strength.limit_n(alpha, depth_m, width_m, 1.0),
+            limit_force_now_n: libm::hypot(most_normal, tangent),
+            normal_n: self.forces_n[0],
+            tangent_n: self.forces_n[1],
+            lateral_n: self.forces_n[2],
+            mobilisation: self.mobilised,
+            failing,
+            slip_m: self.slip_m,
+        };
+    }
+
+    /// Moves the plate by `way` against the soil; says whether the soil fails.
+    fn mobilise(
+        &mut self,
+        config: &GroundConfig,
+        strength: &Strength,
+        change: &SoilChange,
+        alpha: f64,
+        depth_m: f64,
+        way: f64,
+    ) -> bool {
+        let dense = strength.relative_density;
+        let ratio =
+            config.loose_mobilisation + dense * (config.dense_mobilisation - config.loose_mobilisation);
+        let failure_m = (change.mobilisation_way * ratio * depth_m.max(LEAST_DEPTH_M)).max(1e-6);
+        // Gradual at steep angles and in loose soil, drastic else.
+        let flat = ((config.gradual_above_deg - alpha.to_degrees()) / 10.0).clamp(0.0, 1.0);
+        let bend = config.gradual_exponent + flat * (config.drastic_exponent - config.gradual_exponent);
+        let bend = bend * (1.0 + dense);
+        let slope = (1.0 + 2.0 / bend) / failure_m;
+        let left = if way * self.mobilised > 0.0 { 1.0 - libm::pow(self.mobilised.abs(), bend) } else { 1.0 };
+        self.mobilised = (self.mobilised + slope * way * left).clamp(-1.0, 1.0);
+        let failing = self.mobilised >= FAILING && way > 0.0;
+        if failing {
+            self.slip_m += way;
+            self.moved_m += way;
+        }
+        failing
+    }
+
+    /// Dense soil loses strength after its peak.
+    fn residual(&self, config: &GroundConfig, strength: &Strength) -> f64 {
+        if self.slip_m == 0.0 {
+            return 1.0;
+        }
+        let lost = 1.0 - libm::exp(-self.slip_m / config.residual_way_m);
+        1.0 - config.residual_drop * strength.relative_density * lost
+    }
+
+    /// Force on the plate in base coordinates.
+    pub(crate) fn force_n(&self, hand: &Frame) -> [f64; 3] {
+        let [normal, tangent, lateral] = self.forces_n;
+        hand.rotation.map(|[x, y, z]| -normal * x - lateral * y - tangent * z)
+    }
+}
+
+/// A spring that slips at its limits: its force in N after a further way in m.
+fn slip(stretch_m: &mut f64, way_m: f64, stiffness: f64, least: f64, most: f64) -> f64 {
+    let free = stiffness * (*stretch_m + way_m);
+    let force = free.max(least).min(most);
+    *stretch_m = if stiffness > 0.0 { force / stiffness } else { 0.0 };
+    force
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

@@ -1,0 +1,42 @@
+use serde::{Deserialize, Serialize};
+use soilctl_kinematics::JointAngles;
+
+/// What a simulated run knows and no sensor tells.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Truth {
+    /// Joint angles.
+    pub joints: JointAngles,
+    /// Middle of the plate's lower edge in m, base frame.
+    pub tip_m: [f64; 3],
+    /// Load of the force sensor in its frame in N and N m, without bias and noise; the plate's weight is part of it.
+    pub wrench: [f64; 6],
+    /// The soil at the plate.
+    pub soil: SoilTruth,
+}
+
+/// The soil at the plate; all zero outside it.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct SoilTruth {
+    /// Depth of the plate's lower edge below the surface ahead of it in m; negative above it.
+    pub depth_m: f64,
+    /// The surface ahead of the plate above the level of the last preparation in m.
+    pub heap_m: f64,
+    /// Tool angle in rad.
+    pub tool_angle_rad: f64,
+    /// Force of the force model in N at which the soil fails now, at full friction on the plate.
+    pub limit_force_n: f64,
+    /// The same with the present force along the plate, and what is left of the strength after the peak.
+    pub limit_force_now_n: f64,
+    /// Force across the plate in N, positive when the plate presses towards the base.
+    pub normal_n: f64,
+    /// Force of the soil along the plate in N, positive upwards.
+    pub tangent_n: f64,
+    /// Force along the plate's edge in N.
+    pub lateral_n: f64,
+    /// Share of the failure force that is mobilised, -1 to 1.
+    pub mobilisation: f64,
+    /// Whether the soil fails in this tick.
+    pub failing: bool,
+    /// Way of the plate since the soil failed in m.
+    pub slip_m: f64,
+}

@@ -1,0 +1,101 @@
+//! Whole strokes in simulated sand.
+#![allow(clippy::unwrap_used, clippy::print_stdout)]
+
+mod rig;
+
+use rig::{Trace, spec, stroke};
+use soilctl_controller::{EventKind, StrokeLaw};
+
+/// The first tick at which the soil fails, in a stroke.
+fn failure(trace: &Trace) -> rig::Row {
+    *trace.rows.iter().find(|row| row.stroking && row.soil.failing).expect("the soil fails")
+}
+
+/// The sensor reads the force of the model when the soil fails, for a point model and for a bracket.
+#[test]
+fn the_soil_fails_at_the_force_of_the_model() {
+    for (soil, model, alpha, radius) in [
+        ("ticino_rained", "table", 80.0, 0.4318),
+        ("ticino_loose", "chen", 90.0, 0.4318),
+        ("glass_beads", "coulomb", 100.0, 0.4318),
+    ] {
+        let delta = if soil == "glass_beads" { 19.0 } else { 23.0 };
+        let (done, trace) = stroke(soil, model, spec(radius, alpha, 0.0254, delta), StrokeLaw::Force);
+        assert!(done);
+        let row = failure(&trace);
+        let error = row.force_n - row.soil.limit_force_now_n;
+        println!(
+            "{soil} {model} {alpha} deg: sensor {:.2} N, model {:.2} N ({:.2} at full friction), depth {:.2} mm, heap {:.2} mm",
+            row.force_n,
+            row.soil.limit_force_now_n,
+            row.soil.limit_force_n,
+            1e3 * row.soil.depth_m,
+            1e3 * row.soil.heap_m
+        );
+        // Noise of two channels after the low-pass, and 2 % for what has not quite failed.
+        assert!(error.abs() < 0.1 + 0.02 * row.soil.limit_force_now_n, "{error} N");
+        let depth = trace.find(EventKind::Inserted).unwrap();
+        println!("  inserted {:.2} of {:.2} mm", 1e3 * depth.value, 1e3 * depth.limit);
+    }
+}
+
+/// Errors of the force's inclination in degrees from 0.6 of the failure force until the soil fails: worst and mean.
+fn tracking(radius_m: f64, alpha_deg: f64, law: StrokeLaw) -> (f64, f64) {
+    let delta = 23.0_f64;
+    let (_, trace) = stroke("ticino_loose", "table", spec(radius_m, alpha_deg, 0.0254, delta), law);
+    let mut errors = Vec::new();
+    for row in trace.rows.iter().filter(|row| row.stroking) {
+        if row.soil.failing {
+            break;
+        }
+        let soil = row.soil;
+        // Across the plate, since along it there is first what the insertion has left.
+        if soil.normal_n > 0.6 * soil.limit_force_n * libm::cos(delta.to_radians()) {
+            errors.push((soil.tangent_n.atan2(soil.normal_n).to_degrees() - delta).abs());
+        }
+    }
+    let count = errors.len().max(1) as f64;
+    (errors.iter().copied().fold(0.0, f64::max), errors.iter().sum::<f64>() / count)
+}
+
+/// The thesis's bar is 1 to 3 degrees (figure 5-11); position feedback varies widely (figure 5-8).
+#[test]
+#[ignore = "not met yet: dry friction and free play of the drives turn the force by 5 deg in the mean, 11 deg at worst"]
+fn force_feedback_tracks_the_angle_at_all_tool_angles() {
+    for (radius, alpha) in [(0.3048, 70.0), (0.4318, 80.0), (0.4318, 90.0), (0.4318, 100.0)] {
+        let (worst, mean) = tracking(radius, alpha, StrokeLaw::Force);
+        let (worst_position, mean_position) = tracking(radius, alpha, StrokeLaw::Position);
+        println!(
+            "{radius} m {alpha} deg: force {worst:.2} ({mean:.2}), position {worst_position:.2} ({mean_position:.2})"
+        );
+        assert!(mean > 0.0 && worst < 3.0 && mean < 1.5, "{worst} {mean} deg at {alpha} deg");
+        assert!(mean_position > 3.0 * mean, "{mean_position} against {mean} deg");
+    }
+}
+
+/// The slope of log force over log depth, both as true; 2 in sand without cohesion.
+#[test]
+fn force_goes_with_the_square_of_depth() {
+    let points: Vec<(f64, f64)> = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0]
+        .into_iter()
+        .map(|inches| {
+            let wanted = spec(0.4318, 80.0, inches * 0.0254, 23.0);
+            let (_, trace) = stroke("ticino_rained", "table", wanted, StrokeLaw::Force);
+            let row = failure(&trace);
+            println!(
+                "{inches} in: {:.2} N at {:.2} mm, wanted {:.2} mm",
+                row.force_n,
+                1e3 * row.soil.depth_m,
+                1e3 * wanted.depth_m
+            );
+            (row.soil.depth_m.ln(), row.force_n.ln())
+        })
+        .collect();
+    let count = points.len() as f64;
+    let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), point| (x + point.0 / count, y + point.1 / count));
+    let above: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
+    let below: f64 = points.iter().map(|point| (point.0 - x) * (point.0 - x)).sum();
+    println!("exponent {:.3}", above / below);
+    // Sensor noise of 0.1 N on 3 N is 3 % at the least depth.
+    assert!((above / below - 2.0).abs() < 0.1, "{}", above / below);
+}

@@ -1,0 +1,31 @@
+#![doc = include_str!("../README.md")]
+
+mod cdr;
+mod error;
+mod export;
+mod fields;
+mod frames;
+mod info;
+mod keyframe;
+mod logger;
+pub mod messages;
+pub mod read;
+mod record;
+mod recover;
+mod replay;
+mod setup;
+mod strokes;
+pub mod topics;
+mod write;
+
+pub use error::SessionError;
+pub use export::{Export, TABLES, TableForm, export};
+pub use fields::Cell;
+pub use info::{Info, TopicInfo, info};
+pub use keyframe::KEYFRAME_VERSION;
+pub use logger::{LogReport, Logger, Pace, Recorder};
+pub use record::{KEYFRAME_STEPS, StepRecord, Truth};
+pub use recover::{Recovery, recover};
+pub use replay::{Difference, Replay, replay};
+pub use setup::{CONFIGURATION_RECORD, END_RECORD, FORMAT_VERSION, SESSION_RECORD, STROKE_RECORD, Setup};
+pub use write::LogWriter;

@@ -1,0 +1,134 @@
+"""`soilctl diagnose`: the example campaigns, the files it writes, and what the model file does elsewhere."""
+
+import csv
+import json
+import math
+import random
+
+import pytest
+from conftest import DATA
+
+CAMPAIGNS = DATA / "campaigns"
+NAMES = ["campaign_a", "campaign_b", "campaign_c"]
+
+
+@pytest.fixture(scope="module")
+def diagnosed(soilctl, tmp_path_factory):
+    """Answers and folders of all example campaigns."""
+    found = {}
+    for name in NAMES:
+        out = tmp_path_factory.mktemp(name)
+        found[name] = (soilctl.json("diagnose", CAMPAIGNS / name, "--out", out), out)
+    return found
+
+
+def rows(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_answer_follows_the_schema_and_is_consistent(diagnosed, validate, name):
+    answer, _ = diagnosed[name]
+    validate(answer)
+    assert answer["schema"] == "soilctl.diagnose/1"
+    named = [effect["id"] for effect in answer["effects"]]
+    assert set(named) <= set(answer["equivalence_set"])
+    assert answer["gap"]["after"] <= answer["gap"]["before"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_predictions_are_repeated_from_the_model_file(diagnosed, soilctl, name):
+    answer, out = diagnosed[name]
+    strokes = CAMPAIGNS / name / "strokes.csv"
+    replay = soilctl.json("predict", "--strokes", strokes, "--model-file", answer["patch"])["strokes"]
+    predicted = rows(out / "predictions.csv")
+    squares = 0.0
+    for again, first in zip(replay, predicted, strict=True):
+        assert again["stroke_id"] == first["stroke_id"]
+        assert math.isclose(again["force_n"], float(first["force_after_n"]), rel_tol=1e-12)
+        squares += math.log(again["measured_n"] / again["force_n"]) ** 2
+    assert math.isclose(math.sqrt(squares / len(replay)), answer["gap"]["after"], rel_tol=0.01)
+
+
+def test_taking_the_effect_out_leaves_the_plain_model(diagnosed, soilctl, tmp_path):
+    answer, _ = diagnosed["campaign_a"]
+    with open(answer["patch"], encoding="utf-8") as file:
+        patch = json.load(file)
+    patch["effects"] = []
+    plain = tmp_path / "plain.json"
+    plain.write_text(json.dumps(patch), encoding="utf-8")
+    place = ["--alpha", 80, "--depth", 0.02, "--width", 0.127]
+    soil = ["--phi", patch["soil"]["phi_deg"]["value"], "--delta", 20]
+    density = ["--density", patch["soil"]["density_kg_m3"]["value"]]
+    ours = soilctl.json("predict", "--model-file", plain, "--delta", 20, *place)
+    theirs = soilctl.json("predict", "--model", patch["model"], *soil, *density, *place)
+    assert math.isclose(ours["force_n"], theirs["force_n"], rel_tol=1e-9)
+
+
+def test_estimate_takes_the_effects_out(diagnosed, soilctl, tmp_path):
+    answer, _ = diagnosed["campaign_a"]
+    strokes = tmp_path / "strokes.csv"
+    strokes.write_bytes((DATA / "soils" / "ticino_rained" / "strokes.csv").read_bytes())
+    options = ["--delta", 23, "--density", 1600]
+    plain = soilctl.json("estimate", strokes, *options)
+    patched = soilctl.json("estimate", strokes, *options, "--model-file", answer["patch"])
+    assert plain["phi_deg"] != patched["phi_deg"]
+
+
+def test_the_next_experiment_has_the_columns_of_a_stroke_table(diagnosed):
+    for answer, _ in diagnosed.values():
+        following = answer["next_experiment"]
+        assert 0 <= following["power"] <= 1
+        design = rows(following["design_csv"])
+        assert {"batch", "alpha_deg", "depth_m", "width_m"} <= set(design[0]) and "force_n" not in design[0]
+
+
+def test_the_same_campaign_gives_the_same_files(diagnosed, soilctl, tmp_path):
+    _, out = diagnosed["campaign_b"]
+    soilctl("diagnose", CAMPAIGNS / "campaign_b", "--out", tmp_path, code=0)
+    for name in ["patch.json", "predictions.csv", "next_experiment.csv"]:
+        assert (tmp_path / name).read_bytes() == (out / name).read_bytes()
+
+
+def test_published_soils_are_not_firmly_named(soilctl, tmp_path):
+    for soil in ["ticino_loose", "ticino_rained", "nevada_fine", "glass_beads"]:
+        answer = soilctl.json("diagnose", DATA / "soils" / soil, "--out", tmp_path / soil)
+        assert answer["status"] == "not_testable"
+        assert answer["effects"] == []
+
+
+def test_forces_without_an_effect_are_not_named(soilctl, tmp_path):
+    """Forces from the model itself, scattered here: a generator that shares nothing with the program."""
+    source = rows(CAMPAIGNS / "campaign_a" / "strokes.csv")
+    keep = ["stroke_id", "batch", "order", "time_s", "alpha_deg", "depth_m", "width_m", "speed_mps", "delta_set_deg"]
+    table = tmp_path / "strokes.csv"
+    plain = ["predict", "--model", "table", "--phi", 37, "--delta", "column", "--density", 1500, "--strokes"]
+    forces = soilctl.json(*plain, CAMPAIGNS / "campaign_a" / "strokes.csv")["strokes"]
+    chance = random.Random(4)
+    with open(table, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, [*keep, "force_n"])
+        writer.writeheader()
+        for row, force in zip(source, forces, strict=True):
+            scattered = force["force_n"] * math.exp(chance.gauss(0, 0.06))
+            writer.writerow({**{name: row[name] for name in keep}, "force_n": scattered})
+    answer = soilctl.json("diagnose", tmp_path, "--out", tmp_path / "out")
+    assert answer["status"] in {"none", "ambiguous"}
+
+
+def test_refuses_what_is_not_there(soilctl, tmp_path):
+    soilctl.refuses("diagnose", tmp_path, mentions=["strokes.csv"])
+    soilctl.refuses("diagnose", CAMPAIGNS / "campaign_a", "--model", "magic", mentions=["magic", "table"])
+
+
+# Last, because this opens what is sealed.
+@pytest.mark.parametrize("name", NAMES)
+def test_what_was_sealed_is_what_was_found(diagnosed, name):
+    answer, _ = diagnosed[name]
+    with open(CAMPAIGNS / "sealed" / f"{name}.json", encoding="utf-8") as file:
+        hidden = json.load(file)["hidden"]
+    assert answer["status"] == "named"
+    assert [effect["id"] for effect in answer["effects"]] == [effect["id"] for effect in hidden]
+    amplitudes = [value for value in answer["effects"][0]["parameters"].items() if value[0] != "decay_m"]
+    (_, amplitude), = amplitudes
+    assert abs(amplitude["value"] - hidden[0]["size"]) <= 3 * amplitude["sd"]
