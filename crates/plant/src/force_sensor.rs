@@ -59,9 +59,9 @@ impl ForceSensor {
             let arm: [f64; 3] = std::array::from_fn(|i| load.point_m[i] - frame.origin_m[i]);
             let moment = cross(arm, load.force_n);
             for axis in 0..3 {
-                for i in 0..3 {
-                    self.sum[axis] += frame.rotation[i][axis] * load.force_n[i];
-                    self.sum[axis + 3] += frame.rotation[i][axis] * moment[i];
+                for ((row, force), moment) in frame.rotation.iter().zip(load.force_n).zip(moment) {
+                    self.sum[axis] += row[axis] * force;
+                    self.sum[axis + 3] += row[axis] * moment;
                 }
             }
         }

@@ -48,7 +48,7 @@ fn open_loop(substeps: u32) -> (f64, f64) {
             reference.runge_kutta(&torques, 0.002 / 40.0);
         }
         worst = worst.max(distance(plant.truth().tip_m, reference.tip(params.arm())));
-        params.arm().check_limits(&JointAngles(reference.q)).expect("the reference has no stops");
+        params.arm().check_limits(&JointAngles(reference.q)).unwrap();
         fastest = reference.v.iter().fold(fastest, |f, v| f.max(v.abs()));
     }
     (worst, fastest)
@@ -127,9 +127,9 @@ impl Loop {
     }
 
     fn torques(&mut self, t: f64, turned: [f64; 5]) -> [f64; 5] {
-        for i in 0..5 {
+        for ((rate, now), last) in self.rate.iter_mut().zip(turned).zip(self.last) {
             // The controller's low-pass of 40 Hz.
-            self.rate[i] += 0.395 * ((turned[i] - self.last[i]) / 0.002 - self.rate[i]);
+            *rate += 0.395 * ((now - last) / 0.002 - *rate);
         }
         self.last = turned;
         servo(t, &turned, &self.rate, &self.start)

@@ -1,5 +1,5 @@
 //! Controller and plant together, for tests.
-#![allow(dead_code, unreachable_pub, clippy::unwrap_used)]
+#![allow(dead_code, unreachable_pub, clippy::unwrap_used, clippy::print_stdout)]
 
 use soilctl_controller::{
     Event, EventKind, Mode, Params, Request, SequenceId, StrokeLaw, StrokePlan, StrokeSpec, Tunable,
