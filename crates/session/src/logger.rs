@@ -93,13 +93,14 @@ impl Logger {
     ) -> Result<(Self, Recorder), SessionError> {
         let writer = LogWriter::new(sink, setup)?;
         let places = if pace == Pace::RealTime { REAL_TIME_PLACES } else { SIMULATED_PLACES };
-        let (producer, consumer) = RingBuffer::new(places);
+        let (producer, mut consumer) = RingBuffer::new(places);
         let shared = Arc::new(Shared::default());
         let theirs = Arc::clone(&shared);
         let thread = std::thread::Builder::new()
             .name("logger".to_owned())
             .spawn(move || {
-                let done = write(writer, consumer, &theirs, pace);
+                // The ring outlives the flag: a recorder that finds it abandoned must find the failure said.
+                let done = write(writer, &mut consumer, &theirs, pace);
                 if done.is_err() {
                     theirs.failed.store(true, Ordering::Release);
                 }
@@ -214,7 +215,7 @@ impl Recorder {
 /// The logger's thread: the number of steps written.
 fn write<W: Write>(
     mut writer: LogWriter<W>,
-    mut ring: Consumer<Entry>,
+    ring: &mut Consumer<Entry>,
     shared: &Shared,
     pace: Pace,
 ) -> Result<u64, SessionError> {
