@@ -78,15 +78,11 @@ pub fn depth_law(points: &[DepthPoint], depth_sd_m: f64) -> Result<DepthLaw, Pro
             / points.len() as f64;
         exponent = solved.x[1];
         scatter = (square - by_depth).max(0.0).sqrt();
-        fitted = Some((solved, square));
+        fitted = Some(solved);
     }
-    let (solved, square) = fitted.ok_or(no_depths)?;
-    // With weights by an assumed variance, the standard error follows from it; without depth error it is the usual one.
-    let exponent_se = if depth_sd_m > 0.0 || scatter > 0.0 {
-        solved.inverse[1][1].sqrt()
-    } else {
-        (square * solved.inverse[1][1] * 1e-12).sqrt()
-    };
+    let solved = fitted.ok_or(no_depths)?;
+    // The weights are inverse variances, so the standard error follows from them.
+    let exponent_se = solved.inverse[1][1].sqrt();
     let half = t_quantile(0.025, freedom).unwrap_or(f64::MAX.sqrt()) * exponent_se;
     let fourth: f64 = points.iter().map(|p| p.depth_m.powi(4)).sum();
     let quadratic = points.iter().map(|p| p.force_n * p.depth_m * p.depth_m).sum::<f64>() / fourth;

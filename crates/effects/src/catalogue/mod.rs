@@ -8,6 +8,7 @@ mod cable_flex;
 mod cohesion;
 mod density_gradient;
 mod depth_offset;
+mod distance;
 mod encoder_quantisation;
 mod force_bias;
 mod force_drift;

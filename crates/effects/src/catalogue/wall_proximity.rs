@@ -1,4 +1,4 @@
-use super::Effect;
+use super::{Effect, distance};
 use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
 
 /// A wall of the box stiffens the wedge; the change fades with distance. The amplitude is the relative change at no
@@ -15,18 +15,15 @@ impl Effect for WallProximity {
     }
 
     fn parameter(&self) -> Parameter {
-        Parameter { name: "amplitude", unit: "1" }
+        distance::AMPLITUDE
     }
 
     fn range(&self) -> Range {
-        Range::either(0.06, 0.5)
+        distance::range()
     }
 
     fn shape(&self) -> Option<Shape> {
-        Some(Shape {
-            parameter: Some(Parameter { name: "decay_m", unit: "m" }),
-            values: &[0.02, 0.035, 0.06, 0.1, 0.15],
-        })
+        Some(distance::DECAY)
     }
 
     fn apply(
@@ -38,9 +35,7 @@ impl Effect for WallProximity {
         c: &mut Conditions,
         _mechanics: &dyn Mechanics,
     ) -> Result<(), EffectsError> {
-        if let Some(distance_m) = stroke.wall_m {
-            c.ln_factor += (amplitude * (-distance_m / shape).exp()).max(-0.99).ln_1p();
-        }
+        distance::fade(amplitude, shape, stroke.wall_m, c);
         Ok(())
     }
 }
