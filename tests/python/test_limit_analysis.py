@@ -2,6 +2,8 @@
 
 import json
 import math
+import os
+import subprocess
 
 import meshio
 import numpy as np
@@ -126,3 +128,17 @@ def test_solve_writes_in_the_coordinates_of_its_file(soilctl, validate, tmp_path
     assert face["face"] == "front" and face["length"] == pytest.approx(3)
     # The wall is pushed level: the pressure's resultant is the force.
     assert face["normal_force"] == pytest.approx(answer["lower"], rel=1e-9)
+
+
+def test_a_run_stays_in_the_memory_it_was_given(soilctl, tmp_path):
+    limit_mb = 200
+    arguments = ["bound", *PLATE, "--max-gap", 1e-4, "--max-memory", limit_mb, "--format", "json"]
+    with (tmp_path / "answer.json").open("w") as answer:
+        run = subprocess.Popen([soilctl.binary, *map(str, arguments)], stdout=answer, stderr=subprocess.DEVNULL)
+        # Not wait(): only this call tells what this very process used.
+        _, status, used = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+    assert run.returncode == 3
+    assert used.ru_maxrss * 1024 < limit_mb * 1e6
+    ended = json.loads((tmp_path / "answer.json").read_text())
+    assert ended["ended"] == "memory" and ended["certified"]

@@ -47,6 +47,11 @@ pub(crate) struct Accuracy {
     pub(crate) gap: f64,
     /// Residuals.
     pub(crate) feasibility: f64,
+    /// Residuals of the linear systems of each step.
+    pub(crate) steps: f64,
+    /// What is added to the diagonal of these systems. Rows and columns of small elements are small; the usual 1e-8 drowns
+    /// them, and the steps stall.
+    pub(crate) regularisation: f64,
 }
 
 /// Factor on the objective: multipliers of some thousand elements then are of the order of one.
@@ -140,10 +145,9 @@ fn settings(accuracy: Accuracy, seconds: f64) -> DefaultSettings<f64> {
         // Rows and columns are scaled by lengths and stresses already; equilibration undoes that and costs twice the
         // steps.
         equilibrate_enable: false,
-        iterative_refinement_reltol: 1e-10,
-        iterative_refinement_abstol: 1e-10,
-        // Rows and columns of small elements are small; the usual 1e-8 drowns them, and the steps stall.
-        static_regularization_constant: 1e-10,
+        iterative_refinement_reltol: accuracy.steps,
+        iterative_refinement_abstol: accuracy.steps,
+        static_regularization_constant: accuracy.regularisation,
         tol_gap_rel: accuracy.gap,
         tol_gap_abs: accuracy.gap,
         tol_feas: accuracy.feasibility,
@@ -165,7 +169,7 @@ mod tests {
         program.non_negative(Form::unknown(y, 1e-300).plus(-1.0, &Form::unknown(x, 1.0)));
         program.objective.push((x, 1e300));
         let path = std::env::temp_dir().join(format!("soilctl-dump-{}.json", std::process::id()));
-        let accuracy = Accuracy { gap: 1e-8, feasibility: 1e-8 };
+        let accuracy = Accuracy { gap: 1e-8, feasibility: 1e-8, steps: 1e-10, regularisation: 1e-8 };
         let stop = Arc::new(AtomicBool::new(false));
         let answer = solve(&program, accuracy, 10.0, &stop, Some(&path)).unwrap();
         assert_eq!(answer.status, Status::Failed);

@@ -104,6 +104,12 @@ impl Level {
             _ => 0.0,
         }
     }
+
+    /// Whether the two gaps agree to [`IDENTITY`].
+    #[must_use]
+    pub fn identity_holds(&self) -> bool {
+        self.identity_residual() <= IDENTITY
+    }
 }
 
 /// Why a run ended.
@@ -143,15 +149,15 @@ impl Bounds {
         relative_gap(self.lower.value, self.upper.value)
     }
 
-    /// The greatest [residual](Level::identity_residual) of all levels. More than [`IDENTITY`] says that something is
-    /// wrong with a program; proven bounds hold all the same.
+    /// The greatest [residual](Level::identity_residual) of all levels.
     #[must_use]
     pub fn identity_residual(&self) -> f64 {
         self.levels.iter().map(Level::identity_residual).fold(0.0, f64::max)
     }
 }
 
-/// What is left of the [identity](Level::identity) in sound runs.
+/// What is left of the [identity](Level::identity) in sound runs. More says that a program is not what it should be, or
+/// was solved badly: the level's shares are not used to refine meshes. Proven bounds hold all the same.
 pub const IDENTITY: f64 = 2e-5;
 
 fn relative_gap(lower: f64, upper: f64) -> f64 {

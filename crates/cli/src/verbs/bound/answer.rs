@@ -31,7 +31,7 @@ pub(crate) struct BoundAnswer {
     force_lower_n: Option<f64>,
     /// Upper bound on the force in N; null likewise.
     force_upper_n: Option<f64>,
-    /// Why the run ended: gap, time, elements or stopped.
+    /// Why the run ended: gap, time, elements, memory or stopped.
     ended: &'static str,
     /// All levels, coarse to fine.
     levels: Vec<LevelAnswer>,

@@ -9,7 +9,7 @@ pub(crate) use answer::BoundAnswer;
 use soilctl_limit_analysis::bound;
 
 use super::Outcome;
-use super::limits::{Budget, ResultsAnswer, Show, Shown, Watch, words};
+use super::limits::{Budget, ResultsAnswer, Show, Shown, Watch, note_doubts, words};
 use crate::args::{LoadArgs, finite};
 use crate::error::CliError;
 use crate::output::Output;
@@ -73,6 +73,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     });
     let bounds = bounds.map_err(|problem| watch.explain(problem))?;
     progress.finish_and_clear();
+    note_doubts(&bounds.levels, output);
     if let Some(path) = &args.save {
         scaled.solution(&problem, &bounds).write(path)?;
     }

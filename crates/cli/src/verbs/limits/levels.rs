@@ -2,9 +2,10 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_limit_analysis::{Ended, Level, Solve, Status};
+use soilctl_limit_analysis::{Ended, IDENTITY, Level, Solve, Status};
 
-use crate::text::{columns, number_or_dash};
+use crate::output::Output;
+use crate::text::{columns, number, number_or_dash};
 
 /// One level of meshes.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -13,7 +14,8 @@ pub(crate) struct LevelAnswer {
     upper: SolveAnswer,
     /// The lower bound on this level's mesh or one before; null if none was solved.
     lower: Option<SolveAnswer>,
-    /// Gap of the forces less the sum of its shares over all elements, relative to the gap; null without both bounds.
+    /// Gap of the two programs less the sum of its shares over all elements, relative to the upper bound; null without both
+    /// bounds.
     identity_error: Option<f64>,
 }
 
@@ -48,7 +50,7 @@ impl LevelAnswer {
         Self {
             upper: solve(&level.upper),
             lower: level.lower.as_ref().map(solve),
-            identity_error: level.identity.map(|[gap, sum]| (gap - sum).abs() / gap.abs()),
+            identity_error: level.identity.map(|_| level.identity_residual()),
         }
     }
 }
@@ -72,6 +74,18 @@ pub(crate) fn ended(ended: Ended) -> &'static str {
         Ended::Elements => "elements",
         Ended::Memory => "memory",
         Ended::Stopped => "stopped",
+    }
+}
+
+/// Says on stderr where the parts of a gap do not add up to it.
+pub(crate) fn note_doubts(levels: &[Level], output: &Output) {
+    for (index, level) in levels.iter().enumerate().filter(|(_, level)| !level.identity_holds()) {
+        output.note(&format!(
+            "level {}: the gap's parts differ from the gap by {} of the upper bound, allowed is {IDENTITY}; the mesh was \
+             not refined by them. The bounds are proven all the same",
+            index + 1,
+            number(level.identity_residual()),
+        ));
     }
 }
 

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-pub(crate) use levels::{LevelAnswer, ended, level_table};
+pub(crate) use levels::{LevelAnswer, ended, level_table, note_doubts};
 pub(crate) use show::{ResultsAnswer, Show, Shown};
 use soilctl_limit_analysis::{Level, Options};
 pub(crate) use why::Watch;
@@ -31,6 +31,10 @@ pub(crate) struct Budget {
     /// Most elements of a mesh
     #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1000..=1_000_000))]
     max_elements: u32,
+
+    /// Memory that may be used (MB): a mesh whose programs may need more is not made
+    #[arg(long, value_name = "MB", value_parser = clap::value_parser!(u32).range(100..))]
+    max_memory: Option<u32>,
 
     /// Threads; the bounds are the same for any number
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1024))]
@@ -58,6 +62,7 @@ impl Budget {
             max_gap: self.max_gap,
             max_seconds: self.max_seconds,
             max_elements: self.max_elements as usize,
+            max_memory_bytes: self.max_memory.map_or(u64::MAX, |mb| u64::from(mb) * 1_000_000),
             threads: self.threads as usize,
             segments: self.segments.map(|n| n as usize),
             dump: self.dump.clone(),

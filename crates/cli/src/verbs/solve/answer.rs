@@ -30,7 +30,7 @@ pub(crate) struct SolveAnswer {
     upper_elements: usize,
     /// Time spent in s.
     seconds: f64,
-    /// Why the run ended: gap, time, elements or stopped.
+    /// Why the run ended: gap, time, elements, memory or stopped.
     ended: &'static str,
     /// All levels, coarse to fine; empty for a factor of safety.
     levels: Vec<LevelAnswer>,

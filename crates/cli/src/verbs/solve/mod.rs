@@ -14,7 +14,7 @@ use soilctl_limit_analysis::describe::Aim;
 use soilctl_limit_analysis::{Description, bound};
 
 use super::Outcome;
-use super::limits::{Budget, ResultsAnswer, Show, Shown, Watch, words};
+use super::limits::{Budget, ResultsAnswer, Show, Shown, Watch, note_doubts, words};
 use crate::error::CliError;
 use crate::output::Output;
 
@@ -64,6 +64,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     });
     let bounds = bounds.map_err(|problem| watch.explain(problem))?;
     progress.finish_and_clear();
+    note_doubts(&bounds.levels, output);
     if let Some(path) = &args.save {
         save::both(path, &described, &bounds)?;
     }
