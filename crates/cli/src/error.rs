@@ -6,6 +6,7 @@ use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
 use soilctl_limit_analysis::LimitError;
+use soilctl_process::ProcessError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
 use soilctl_strokes::StrokesError;
@@ -51,6 +52,9 @@ pub(crate) enum CliError {
     /// A log.
     #[error(transparent)]
     Session(#[from] SessionError),
+    /// Recorded strokes.
+    #[error(transparent)]
+    Process(#[from] ProcessError),
     /// A diagnosis.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),

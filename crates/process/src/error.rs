@@ -57,6 +57,40 @@ pub enum ProcessError {
         /// The links there are.
         known: String,
     },
+    /// What is needed and neither the log nor an option gives.
+    #[error("{what} is missing: {advice}")]
+    Missing {
+        /// Name of the quantity, as the option is called.
+        what: &'static str,
+        /// What to do.
+        advice: String,
+    },
+    /// A topic that is not there, or not of the type that is needed.
+    #[error("there is no topic {wanted} of type {message_type}; the log has {known}")]
+    Topic {
+        /// What was looked for.
+        wanted: String,
+        /// The type it must have.
+        message_type: &'static str,
+        /// Topics and types of the log.
+        known: String,
+    },
+    /// Joints that move plate or sensor and that no message names.
+    #[error("{topic} never names {missing}, which move the plate or the sensor; it names {named}")]
+    Joints {
+        /// The topic.
+        topic: String,
+        /// Joints that are missing.
+        missing: String,
+        /// Joints that there are.
+        named: String,
+    },
+    /// A log or a stroke in it, in words.
+    #[error("{0}")]
+    Log(String),
+    /// The user wanted to stop.
+    #[error("stopped before the log was read to its end")]
+    Stopped,
     /// A number outside its range.
     #[error("{what} is {value} {unit}, allowed is {allowed}")]
     OutOfRange {
@@ -69,6 +103,13 @@ pub enum ProcessError {
         /// In words.
         allowed: &'static str,
     },
+}
+
+impl ProcessError {
+    /// What the kinematics of the log's arm say.
+    pub(crate) fn arm(error: soilctl_kinematics::KinematicsError) -> Self {
+        Self::Log(error.to_string())
+    }
 }
 
 /// `value` if it is finite and above zero.

@@ -7,10 +7,12 @@ mod error;
 mod failure;
 mod find;
 mod friction;
+pub mod log;
 mod recorded;
 mod robot;
 mod robust;
 mod statistics;
+pub mod table;
 mod trace;
 
 pub use campaign::{AngleGroup, CampaignStatistics, CampaignStroke, Dependence, campaign_statistics};

@@ -3,11 +3,14 @@
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
-use crate::failure::{Analysis, FailureSettings, Outcome, failure_force};
+use crate::failure::{Analysis, FailureSettings, Indiscernible, Outcome, failure_force};
 use crate::find::Recorded;
 use crate::robot::RobotSample;
 use crate::robust::{median, sd_of_median_abs};
 use crate::trace::{Channels, Trace};
+
+/// A force that lies further from the plate's normal than this cosine says, 70 deg, is none that fails the soil ahead.
+const LEAST_COSINE: f64 = 0.34;
 
 /// What samples don't tell.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -85,7 +88,8 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
             centre_m: centre,
         },
     )?;
-    let analysis = failure_force(&trace, &FailureSettings::for_depth(depth_m)?);
+    let sunk: Vec<f64> = stroke.samples.iter().map(|s| setting.surface_z_m - s.tip_m[2]).collect();
+    let analysis = across_plate(&trace, &sunk, &FailureSettings::for_depth(depth_m)?)?;
     let mut row = StrokeRow {
         stroke_id: setting.stroke_id.clone(),
         batch: setting.batch.clone(),
@@ -125,6 +129,44 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         }
     }
     Ok(Evaluated { row, trace, analysis })
+}
+
+/// Finds the failure on the force across the plate, and gives it as that of the resultant.
+///
+/// Along the plate an insertion leaves a load, larger than the failure force may be, that fades when the stroke begins; the
+/// force across starts from nothing. At failure both keep their ratio, the friction angle. A plate that sinks or rises
+/// while it is pulled changes its limit force with the square of its depth (section 5.6), `depths_m` by sample; the failure
+/// is looked for at one depth.
+fn across_plate(
+    trace: &Trace,
+    depths_m: &[f64],
+    settings: &FailureSettings,
+) -> Result<Analysis, ProcessError> {
+    let angles = trace.channels().friction_angle_deg.clone().unwrap_or_default();
+    let cosines: Vec<f64> = angles.iter().map(|angle| angle.to_radians().cos()).collect();
+    // Near the surface the square says little.
+    let squares: Vec<f64> =
+        depths_m.iter().map(|depth| (depth / settings.depth_m).clamp(0.5, 2.0).powi(2)).collect();
+    let across = trace.force_n().iter().zip(&cosines).zip(&squares);
+    let across: Vec<f64> = across.map(|((force, cosine), square)| force * cosine / square).collect();
+    let (t_s, u_m) = (trace.t_s().to_vec(), trace.displacement_m().to_vec());
+    let mut analysis = failure_force(&Trace::new(t_s, u_m, across, trace.channels().clone())?, settings);
+    let Outcome::Found(point) = &mut analysis.outcome else { return Ok(analysis) };
+    let cosine = before(trace, Some(&cosines), point.time_s).unwrap_or(1.0);
+    if cosine < LEAST_COSINE {
+        let sd_rel = 1.0 / cosine.max(1e-3);
+        analysis.outcome = Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel });
+        return Ok(analysis);
+    }
+    let factor = before(trace, Some(&squares), point.time_s).unwrap_or(1.0) / cosine;
+    (point.force_n, point.sd_n) = (point.force_n * factor, point.sd_n * factor);
+    if let Some(lines) = &mut analysis.two_lines {
+        (lines.force_n, lines.sd_n) = (lines.force_n * factor, lines.sd_n * factor);
+    }
+    if let Some(curve) = &mut analysis.saturation {
+        (curve.force_n, curve.sd_n) = (curve.force_n * factor, curve.sd_n * factor);
+    }
+    Ok(analysis)
 }
 
 /// Angle of a plate from the ground ahead: its `down` direction along the travel and upwards.

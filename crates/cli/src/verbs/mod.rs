@@ -9,6 +9,7 @@ mod estimate;
 mod limits;
 mod log;
 mod predict;
+mod process;
 mod replay;
 mod report;
 mod schemas;
@@ -47,6 +48,8 @@ pub(crate) enum Verb {
     Table(table::Args),
     /// Looks into, checks, repairs and exports logs
     Log(log::Args),
+    /// Failure forces of the strokes in logs, and what they say together
+    Process(Box<process::Args>),
     /// Runs the controller again on a log's inputs and compares every output bit
     Replay(replay::Args),
     /// Prints a completion script for a shell
@@ -80,6 +83,7 @@ impl Verb {
             Self::Shear(args) => shear::run(&args, output),
             Self::Table(args) => table::run(&args, output),
             Self::Log(args) => log::run(&args, output),
+            Self::Process(args) => process::run(&args, output),
             Self::Replay(args) => replay::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),

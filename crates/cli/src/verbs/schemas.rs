@@ -8,7 +8,9 @@ use serde_json::{Value, json};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{Outcome, bound, certify, diagnose, estimate, log, predict, replay, report, shear, solve, table};
+use super::{
+    Outcome, bound, certify, diagnose, estimate, log, predict, process, replay, report, shear, solve, table,
+};
 use crate::error::CliError;
 use crate::output::{Answer, Document};
 
@@ -31,6 +33,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<shear::ShearAnswer>(&args.dir)?;
     write::<table::TableAnswer>(&args.dir)?;
     write::<log::LogAnswer>(&args.dir)?;
+    write::<process::ProcessAnswer>(&args.dir)?;
     write::<replay::ReplayAnswer>(&args.dir)?;
     write_problem(&args.dir)?;
     Ok(Outcome::Done)

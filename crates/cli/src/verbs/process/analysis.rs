@@ -1,0 +1,389 @@
+//! What the strokes say together: interface friction, depth law, statistics of the campaign, comparison with a model.
+
+use std::sync::atomic::AtomicBool;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_earth_pressure::{Case, ForceModel, model};
+use soilctl_process::log::read_wrenches;
+use soilctl_process::table::StrokeRecord;
+use soilctl_process::{
+    CampaignStroke, DepthPoint, SweepStroke, campaign_statistics, depth_law, interface_friction, rubbing_peak,
+};
+use soilctl_strokes::Campaign;
+
+use super::inputs::Inputs;
+use super::{AnalysisArgs, Args};
+use crate::error::CliError;
+
+/// Depths that differ by less than this share of their mean are one depth.
+const SAME_DEPTH: f64 = 0.1;
+/// Rubbing counts while the plate is pressed with at least this force in N.
+const RUBBING_N: f64 = 1.0;
+
+/// What the strokes say together.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub(crate) struct Analysis {
+    /// Interface friction by the lift at failure; null without a sweep.
+    pub(crate) friction: Option<Friction>,
+    /// Why there is none.
+    pub(crate) no_friction: Option<String>,
+    /// The check by rubbing; null without such a log.
+    pub(crate) rubbing: Option<Rubbing>,
+    /// Force as a power of depth, for each tool angle with several depths.
+    pub(crate) depth_laws: Vec<Law>,
+    /// Slant length to which forces are scaled in m.
+    pub(crate) slant_m: f64,
+    /// Forces by tool angle, at that slant length.
+    pub(crate) groups: Vec<Group>,
+    /// Whether forces depend on the radius; null if it does not vary.
+    pub(crate) radius: Option<Effect>,
+    /// Whether forces depend on the base angle; null if it does not vary.
+    pub(crate) base_angle: Option<Effect>,
+    /// What the model's forces were compared for; null without --density.
+    pub(crate) comparison: Option<Comparison>,
+}
+
+/// Interface friction by a sweep of set-points.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Friction {
+    /// Estimate in deg.
+    pub(crate) delta_deg: f64,
+    /// Its standard deviation in deg.
+    pub(crate) sd_deg: f64,
+    /// Highest set-point with a significant lift; friction is above it.
+    pub(crate) above_deg: Option<f64>,
+    /// Lowest set-point above that without one; friction is below it.
+    pub(crate) below_deg: Option<f64>,
+    /// Lift for each degree that the set-point is too low.
+    pub(crate) lift_per_deg: f64,
+    /// Strokes at 80 to 90 deg, which count.
+    pub(crate) strokes: Vec<Lift>,
+    /// Strokes at other tool angles, or without a measured lift.
+    pub(crate) left_out: Vec<String>,
+}
+
+/// Lift at failure of one stroke.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Lift {
+    pub(crate) stroke_id: String,
+    pub(crate) set_deg: f64,
+    pub(crate) lift_deg: f64,
+    pub(crate) lift_sd_deg: f64,
+    /// Lift over its standard deviation.
+    pub(crate) significance: f64,
+}
+
+/// The check by rubbing a sand-covered plate.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Rubbing {
+    /// Median of the peaks of the friction angle in deg.
+    pub(crate) peak_deg: f64,
+    /// Range that holds two thirds of the peaks in deg.
+    pub(crate) range_deg: [f64; 2],
+    /// How many peaks.
+    pub(crate) peaks: usize,
+    /// Time in s and friction angle in deg, for the figure.
+    #[serde(skip)]
+    pub(crate) course: Vec<(f64, f64)>,
+}
+
+/// Force as a power of depth.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Law {
+    /// Tool angle in deg.
+    pub(crate) alpha_deg: f64,
+    /// Strokes.
+    pub(crate) strokes: usize,
+    /// The power; 2 in soil without cohesion.
+    pub(crate) exponent: f64,
+    /// Ends of its 95 % confidence interval.
+    pub(crate) exponent_95: [f64; 2],
+    /// F/H^2 of the fit through zero in N/m2.
+    pub(crate) quadratic_n_per_m2: f64,
+    /// Whether the interval holds 2.
+    pub(crate) agrees_with_square: bool,
+}
+
+/// Forces at one tool angle.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Group {
+    /// Tool angle in deg.
+    pub(crate) alpha_deg: f64,
+    /// Strokes, outliers included.
+    pub(crate) strokes: usize,
+    /// Mean without outliers in N.
+    pub(crate) mean_n: f64,
+    /// Standard deviation without outliers in N; null of one stroke.
+    pub(crate) sd_n: Option<f64>,
+    /// Standard deviation over mean.
+    pub(crate) coefficient_of_variation: Option<f64>,
+    /// Strokes that do not belong (generalised extreme Studentised deviate test, 5 %).
+    pub(crate) outliers: Vec<String>,
+    /// Force of the model for the given friction angle in N.
+    pub(crate) model_n: Option<f64>,
+    /// Mean over that force, minus 1.
+    pub(crate) model_difference: Option<f64>,
+    /// Friction angle at which the model gives the mean in deg; null if none does.
+    pub(crate) matched_phi_deg: Option<f64>,
+}
+
+/// How forces depend on the arm's configuration.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Effect {
+    /// Relative change of force from the least to the greatest value.
+    pub(crate) effect_rel: f64,
+    /// Its standard error.
+    pub(crate) effect_se: f64,
+    /// Probability of such an effect by chance.
+    pub(crate) p: f64,
+    /// Least and greatest value, in m or deg.
+    pub(crate) range: [f64; 2],
+    /// In words.
+    pub(crate) verdict: String,
+}
+
+/// What model forces are for.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Comparison {
+    /// Name of the model.
+    pub(crate) model: String,
+    /// Density in kg/m3.
+    pub(crate) density_kg_m3: f64,
+    /// Interface friction in deg.
+    pub(crate) delta_deg: f64,
+    /// Friction angle in deg of `model_n`; null without --phi.
+    pub(crate) phi_deg: Option<f64>,
+}
+
+/// Everything that the strokes allow.
+pub(super) fn analyse(
+    args: &AnalysisArgs,
+    strokes: &[StrokeRecord],
+    campaign: &Campaign,
+    rubbing: Option<Rubbing>,
+) -> Result<Analysis, CliError> {
+    let mut analysis = Analysis { slant_m: args.slant, rubbing, ..Analysis::default() };
+    match sweep(strokes) {
+        Ok(friction) => analysis.friction = Some(friction),
+        Err(reason) => analysis.no_friction = Some(reason),
+    }
+    if strokes.is_empty() {
+        return Ok(analysis);
+    }
+    analysis.depth_laws = depth_laws(strokes, campaign)?;
+    statistics(args, strokes, &mut analysis)?;
+    if let Some(density_kg_m3) = args.density {
+        compare(args, density_kg_m3, strokes, &mut analysis)?;
+    }
+    Ok(analysis)
+}
+
+fn sweep(strokes: &[StrokeRecord]) -> Result<Friction, String> {
+    let (mut used, mut names, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
+    for stroke in strokes {
+        match (stroke.delta_set_deg, stroke.lift_deg, stroke.lift_sd_deg) {
+            (Some(set_deg), Some(lift_deg), Some(lift_sd_deg)) => {
+                used.push(SweepStroke { alpha_deg: stroke.alpha_deg, set_deg, lift_deg, lift_sd_deg });
+                names.push(&stroke.stroke_id);
+            }
+            _ => left_out.push(stroke.stroke_id.clone()),
+        }
+    }
+    let found = interface_friction(&used).map_err(|problem| problem.to_string())?;
+    left_out.extend(found.left_out.iter().map(|place| names[*place].clone()));
+    let mut significance = found.significance.iter();
+    let lifts = used.iter().zip(&names).enumerate().filter(|(i, _)| !found.left_out.contains(i));
+    let strokes = lifts.map(|(_, (stroke, name))| Lift {
+        stroke_id: (*name).clone(),
+        set_deg: stroke.set_deg,
+        lift_deg: stroke.lift_deg,
+        lift_sd_deg: stroke.lift_sd_deg,
+        significance: significance.next().copied().unwrap_or_default(),
+    });
+    Ok(Friction {
+        delta_deg: found.delta_deg,
+        sd_deg: found.sd_deg,
+        above_deg: found.above_deg,
+        below_deg: found.below_deg,
+        lift_per_deg: found.lift_per_deg,
+        strokes: strokes.collect(),
+        left_out,
+    })
+}
+
+/// Tool angles, each once.
+fn angles(strokes: &[StrokeRecord]) -> Vec<f64> {
+    let mut all: Vec<f64> = strokes.iter().map(|s| s.alpha_deg).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
+fn depth_laws(strokes: &[StrokeRecord], campaign: &Campaign) -> Result<Vec<Law>, CliError> {
+    let mut laws = Vec::new();
+    for alpha_deg in angles(strokes) {
+        let points: Vec<DepthPoint> = strokes
+            .iter()
+            .filter(|s| s.alpha_deg == alpha_deg)
+            .map(|s| DepthPoint { depth_m: s.depth_m, force_n: s.force_n })
+            .collect();
+        let (low, high) = points
+            .iter()
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), p| (low.min(p.depth_m), high.max(p.depth_m)));
+        if points.len() < 3 || high - low < SAME_DEPTH * 0.5 * (high + low) {
+            continue;
+        }
+        let law = depth_law(&points, campaign.depth_sd_m)?;
+        laws.push(Law {
+            alpha_deg,
+            strokes: points.len(),
+            exponent: law.exponent,
+            exponent_95: law.exponent_95,
+            quadratic_n_per_m2: law.quadratic_n_per_m2,
+            agrees_with_square: law.agrees_with_square,
+        });
+    }
+    Ok(laws)
+}
+
+fn statistics(
+    args: &AnalysisArgs,
+    strokes: &[StrokeRecord],
+    analysis: &mut Analysis,
+) -> Result<(), CliError> {
+    let rows: Vec<CampaignStroke> = strokes
+        .iter()
+        .map(|s| CampaignStroke {
+            alpha_deg: s.alpha_deg,
+            depth_m: s.depth_m,
+            force_n: s.force_n,
+            radius_m: s.radius_m,
+            base_deg: s.base_deg,
+        })
+        .collect();
+    let found = campaign_statistics(&rows, args.slant)?;
+    analysis.groups = found
+        .groups
+        .iter()
+        .map(|group| Group {
+            alpha_deg: group.alpha_deg,
+            strokes: group.strokes.len(),
+            mean_n: group.kept_mean_n,
+            sd_n: group.kept_sd_n,
+            coefficient_of_variation: group.coefficient_of_variation(),
+            outliers: group.outliers.iter().map(|place| strokes[*place].stroke_id.clone()).collect(),
+            model_n: None,
+            model_difference: None,
+            matched_phi_deg: None,
+        })
+        .collect();
+    let effect = |found: &Option<soilctl_process::Dependence>, unit: &str| {
+        found.as_ref().filter(|d| d.effect_se.is_finite() && d.effect_rel.is_finite()).map(|d| Effect {
+            effect_rel: d.effect_rel,
+            effect_se: d.effect_se,
+            p: d.p,
+            range: d.range,
+            verdict: format!(
+                "forces change by {:+.1} ± {:.1} % from {:.3} to {:.3} {unit}, p = {:.3}: {}",
+                d.effect_rel * 100.0,
+                d.effect_se * 100.0,
+                d.range[0],
+                d.range[1],
+                d.p,
+                if d.is_significant() { "significant" } else { "not significant" }
+            ),
+        })
+    };
+    analysis.radius = effect(&found.radius, "m");
+    analysis.base_angle = effect(&found.base, "deg");
+    Ok(())
+}
+
+fn compare(
+    args: &AnalysisArgs,
+    density_kg_m3: f64,
+    strokes: &[StrokeRecord],
+    analysis: &mut Analysis,
+) -> Result<(), CliError> {
+    for (option, value, unit) in [("--density", density_kg_m3, "kg/m3"), ("--gravity", args.gravity, "m/s2")]
+    {
+        if value <= 0.0 {
+            return Err(CliError::Usage(format!("{option} is {value} {unit}, allowed is above 0")));
+        }
+    }
+    let set: Vec<f64> = strokes.iter().filter_map(|s| s.delta_set_deg).collect();
+    let mean_set = (!set.is_empty()).then(|| set.iter().sum::<f64>() / set.len() as f64);
+    let delta_deg =
+        args.delta.or(analysis.friction.as_ref().map(|f| f.delta_deg)).or(mean_set).ok_or_else(|| {
+            CliError::Usage("--delta is missing: the strokes have neither a sweep nor set-points".into())
+        })?;
+    let model = model(&args.model)?;
+    let width_m = strokes.iter().map(|s| s.width_m).sum::<f64>() / strokes.len() as f64;
+    let scale = 0.5 * density_kg_m3 * args.gravity * args.slant * args.slant * width_m;
+    for group in &mut analysis.groups {
+        let force =
+            |phi_deg: f64| force(model.as_ref(), group.alpha_deg, phi_deg, delta_deg).map(|k| k * scale);
+        if let Some(phi_deg) = args.phi {
+            let model_n = force(phi_deg)?;
+            group.model_n = Some(model_n);
+            group.model_difference = Some(group.mean_n / model_n - 1.0);
+        }
+        group.matched_phi_deg = matched(model.as_ref(), &force, delta_deg, group.mean_n);
+    }
+    let model = args.model.clone();
+    analysis.comparison = Some(Comparison { model, density_kg_m3, delta_deg, phi_deg: args.phi });
+    Ok(())
+}
+
+/// Net coefficient per slant length, in the middle of a bracket.
+fn force(model: &dyn ForceModel, alpha_deg: f64, phi_deg: f64, delta_deg: f64) -> Result<f64, CliError> {
+    let found = model.predict(&Case::level_deg(alpha_deg, phi_deg, delta_deg))?;
+    Ok((found.net_lower.0 * found.net_upper.0).sqrt())
+}
+
+/// Friction angle at which the model's force, which grows with it, is `wanted_n`.
+fn matched(
+    model: &dyn ForceModel,
+    force: &dyn Fn(f64) -> Result<f64, CliError>,
+    delta_deg: f64,
+    wanted_n: f64,
+) -> Option<f64> {
+    let (low, high) = model.valid_range().phi_deg;
+    let (mut low, mut high) = (low.max(delta_deg), high);
+    if !(force(low).ok()? <= wanted_n && wanted_n <= force(high).ok()?) {
+        return None;
+    }
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if force(middle).ok()? < wanted_n { low = middle } else { high = middle }
+    }
+    Some(f64::midpoint(low, high))
+}
+
+/// Rubbing logs: peaks of the friction angle while the plate is pressed.
+pub(super) fn rubbing(args: &Args, inputs: &Inputs) -> Result<Option<Rubbing>, CliError> {
+    if args.analysis.rubbing.is_empty() {
+        return Ok(None);
+    }
+    let (mut t_s, mut angle_deg, mut normal_n) = (Vec::new(), Vec::new(), Vec::new());
+    let never = AtomicBool::new(false);
+    for path in &args.analysis.rubbing {
+        // One after the other on one clock, a second apart.
+        let from: f64 = t_s.last().map_or(0.0, |t: &f64| t + 1.0);
+        for contact in read_wrenches(path, &inputs.settings, &never)? {
+            t_s.push(from + contact.t_s);
+            angle_deg.push(contact.tangent_n.atan2(contact.normal_n.abs()).to_degrees());
+            normal_n.push(contact.normal_n.abs());
+        }
+    }
+    let found = rubbing_peak(&t_s, &angle_deg, &normal_n, RUBBING_N)?;
+    let every = t_s.len().div_ceil(4000).max(1);
+    let course = (0..t_s.len()).step_by(every).filter(|i| normal_n[*i] >= RUBBING_N);
+    Ok(Some(Rubbing {
+        peak_deg: found.peak_deg,
+        range_deg: found.range_deg,
+        peaks: found.peaks,
+        course: course.map(|i| (t_s[i], angle_deg[i])).collect(),
+    }))
+}

@@ -1,0 +1,195 @@
+//! What the options ask for: which logs under which names, and how they are read.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use soilctl_process::log::LogSettings;
+
+use super::Args;
+use crate::error::CliError;
+
+/// Most logs of one run.
+const MOST_LOGS: usize = 1_000_000;
+
+/// A log and what its strokes are named after.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Log {
+    pub(super) path: PathBuf,
+    pub(super) name: String,
+}
+
+/// Form of the stroke table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    Csv,
+    Parquet,
+}
+
+#[derive(Debug)]
+pub(super) struct Inputs {
+    pub(super) logs: Vec<Log>,
+    pub(super) settings: LogSettings,
+    pub(super) trace_rate_hz: f64,
+    pub(super) threads: usize,
+    pub(super) out: Option<(PathBuf, Form)>,
+}
+
+impl Inputs {
+    pub(super) fn of(args: &Args) -> Result<Self, CliError> {
+        let mut paths = BTreeSet::new();
+        for given in &args.logs {
+            if given.is_dir() {
+                collect(given, &mut paths)?;
+            } else {
+                paths.insert(given.clone());
+            }
+        }
+        if paths.is_empty() {
+            let folders: Vec<String> = args.logs.iter().map(|path| path.display().to_string()).collect();
+            return Err(CliError::Usage(format!("there is no .mcap file in {}", folders.join(", "))));
+        }
+        let rate = args.trace_rate;
+        if !(rate > 0.0 && rate <= 1e6) {
+            return Err(CliError::Usage(format!(
+                "--trace-rate is {rate} Hz, allowed is above 0, up to 1e6 Hz"
+            )));
+        }
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        Ok(Self {
+            logs: named(paths),
+            settings: settings(args)?,
+            trace_rate_hz: rate,
+            threads: args.threads.map_or(cores, usize::from),
+            out: args
+                .out
+                .as_deref()
+                .map(|path| Ok::<_, CliError>((path.to_owned(), form(path)?)))
+                .transpose()?,
+        })
+    }
+}
+
+/// Every `.mcap` below a folder.
+fn collect(folder: &Path, paths: &mut BTreeSet<PathBuf>) -> Result<(), CliError> {
+    let failed = |problem| CliError::File { path: folder.display().to_string(), problem };
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        let path = entry.path();
+        // Links to folders are not followed, so that a ring of them cannot catch us.
+        if entry.file_type().map_err(failed)?.is_dir() {
+            collect(&path, paths)?;
+        } else if path.extension().is_some_and(|ending| ending == "mcap") {
+            paths.insert(path);
+        }
+        if paths.len() > MOST_LOGS {
+            return Err(CliError::Usage(format!(
+                "{} holds more than {MOST_LOGS} logs; give parts of it",
+                folder.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Logs are named after their files, with as much of the folders as tells them apart.
+fn named(paths: BTreeSet<PathBuf>) -> Vec<Log> {
+    let name = |path: &Path, parts: usize| {
+        let stem = path.with_extension("");
+        let all: Vec<_> = stem.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+        all[all.len().saturating_sub(parts)..].join("/")
+    };
+    let mut depth: BTreeMap<&PathBuf, usize> = paths.iter().map(|path| (path, 1)).collect();
+    // A few rounds do: folders deeper than that have nothing left to add.
+    for _ in 0..32 {
+        let mut users: BTreeMap<String, Vec<&PathBuf>> = BTreeMap::new();
+        for (path, parts) in &depth {
+            users.entry(name(path, *parts)).or_default().push(path);
+        }
+        let same: Vec<&PathBuf> = users.into_values().filter(|all| all.len() > 1).flatten().collect();
+        if same.is_empty() {
+            break;
+        }
+        for path in same {
+            *depth.entry(path).or_insert(1) += 1;
+        }
+    }
+    let names: Vec<String> = depth.iter().map(|(path, parts)| name(path, *parts)).collect();
+    paths.iter().cloned().zip(names).map(|(path, name)| Log { path, name }).collect()
+}
+
+fn form(path: &Path) -> Result<Form, CliError> {
+    match path.extension().and_then(|ending| ending.to_str()) {
+        Some("csv") => Ok(Form::Csv),
+        Some("parquet") => Ok(Form::Parquet),
+        _ => Err(CliError::Usage(format!(
+            "--out is {}; the name must end in .csv or .parquet",
+            path.display()
+        ))),
+    }
+}
+
+fn settings(args: &Args) -> Result<LogSettings, CliError> {
+    let bag = &args.bag;
+    let read = |path: &PathBuf| {
+        std::fs::read_to_string(path)
+            .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+    };
+    let tare = match bag.tare.as_deref() {
+        None => None,
+        Some(&[x, y, z]) => Some([x, y, z, 0.0, 0.0, 0.0]),
+        Some(&[x, y, z, a, b, c]) => Some([x, y, z, a, b, c]),
+        Some(other) => {
+            return Err(CliError::Usage(format!(
+                "--tare has {} numbers; give three forces, or three forces and three moments",
+                other.len()
+            )));
+        }
+    };
+    Ok(LogSettings {
+        joint_topic: bag.joint_topic.clone(),
+        wrench_topic: bag.wrench_topic.clone(),
+        urdf: bag.urdf.as_ref().map(read).transpose()?,
+        plate_frame: bag.plate_frame.clone(),
+        sensor_frame: bag.sensor_frame.clone(),
+        surface_z_m: bag.surface_z,
+        alpha_deg: bag.alpha,
+        width_m: bag.width,
+        delta_set_deg: bag.delta_set,
+        tare,
+        tool_weight_n: bag.tool_weight,
+        windows: bag.strokes.as_ref().map(|path| windows(path, &read(path)?)).transpose()?,
+    })
+}
+
+/// Begin and end of strokes from a CSV with these two columns.
+fn windows(path: &Path, text: &str) -> Result<Vec<[f64; 2]>, CliError> {
+    let wrong =
+        |line: usize, problem: String| CliError::Usage(format!("{}, line {line}: {problem}", path.display()));
+    let mut lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+    let header = lines.next().map_or("", |(_, line)| line);
+    let place = |wanted: &str| header.split(',').position(|name| name.trim() == wanted);
+    let (Some(start), Some(end)) = (place("start"), place("end")) else {
+        return Err(wrong(1, format!("the header is {header:?}; it must have the columns start and end")));
+    };
+    let mut found = Vec::new();
+    for (number, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
+        let cell = |column: usize, name: &str| {
+            let text = line.split(',').nth(column).unwrap_or("").trim();
+            finite(text).map_err(|problem| wrong(number + 1, format!("{name} is {text:?}; {problem}")))
+        };
+        let window = [cell(start, "start")?, cell(end, "end")?];
+        if window[1] <= window[0] {
+            return Err(wrong(
+                number + 1,
+                format!("end is {} s, not after start, {} s", window[1], window[0]),
+            ));
+        }
+        found.push(window);
+    }
+    if found.is_empty() {
+        return Err(wrong(2, "there is no stroke; give one a line, or leave --strokes out".into()));
+    }
+    Ok(found)
+}
+
+use crate::args::finite;

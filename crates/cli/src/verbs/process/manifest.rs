@@ -1,0 +1,197 @@
+//! What was done for each log: `manifest.jsonl` beside the stroke table, a header and one line a log. While logs are
+//! read a line is added for each that is done, so that a run that is broken off goes on from there; in the end it is put in
+//! order. Traces wait in files of their own until all are there.
+
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_process::table::StrokeRecord;
+
+use super::inputs::{Inputs, Log};
+use crate::error::CliError;
+
+const SCHEMA: &str = "soilctl.process-manifest/1";
+
+/// What must be the same for results of an earlier run to count.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Header {
+    schema: String,
+    program_version: String,
+    /// Options that change what is found, in words.
+    settings: String,
+}
+
+/// A part of a log that gave no failure force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub(crate) struct Skipped {
+    /// Name of the stroke; null if it is none.
+    pub(crate) stroke_id: Option<String>,
+    /// Begin on the log's clock in s.
+    pub(crate) from_s: f64,
+    /// End in s.
+    pub(crate) to_s: f64,
+    /// `no_stroke`, or what is indiscernible about the failure: `no_force`, `no_travel`, `no_break`, `incomplete`,
+    /// `uncertain`.
+    pub(crate) outcome: String,
+    /// Why, in words.
+    pub(crate) reason: String,
+}
+
+/// What became of a log.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub(crate) struct Entry {
+    /// The file, as it was named.
+    pub(crate) log: String,
+    /// What its strokes are named after.
+    pub(crate) name: String,
+    /// Size and time of change, by which a change is noticed.
+    bytes: u64,
+    modified_ns: u64,
+    /// Whether soilctl wrote the log.
+    pub(crate) own: bool,
+    /// Why nothing could be made of it.
+    pub(crate) error: Option<String>,
+    pub(crate) strokes: Vec<StrokeRecord>,
+    pub(crate) skipped: Vec<Skipped>,
+    /// Damaged parts, which were left out.
+    pub(crate) damage: Vec<String>,
+    /// Messages that could not be used, in words.
+    pub(crate) unusable: Vec<String>,
+    /// Where its traces are in `traces.csv`: first byte and the one after the last.
+    pub(crate) trace_bytes: Option<[u64; 2]>,
+}
+
+impl Entry {
+    pub(super) fn of(log: &Log) -> Self {
+        let (bytes, modified_ns) = stamp(&log.path);
+        let path = log.path.display().to_string();
+        Self { log: path, name: log.name.clone(), bytes, modified_ns, ..Self::default() }
+    }
+
+    /// Whether the log is still what it was.
+    fn holds(&self, log: &Log) -> bool {
+        let now = Self::of(log);
+        (&now.log, &now.name, now.bytes, now.modified_ns)
+            == (&self.log, &self.name, self.bytes, self.modified_ns)
+    }
+}
+
+fn stamp(path: &Path) -> (u64, u64) {
+    let Ok(known) = std::fs::metadata(path) else { return (0, 0) };
+    let since = known.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+    (known.len(), since.map_or(0, |since| u64::try_from(since.as_nanos()).unwrap_or(u64::MAX)))
+}
+
+/// The manifest of an output folder, open for adding.
+pub(super) struct Manifest {
+    pub(super) folder: PathBuf,
+    header: Header,
+    file: File,
+    /// Logs that are done already, by the place of the log.
+    pub(super) known: BTreeMap<usize, Entry>,
+}
+
+pub(super) fn parts(folder: &Path) -> PathBuf {
+    folder.join("traces.parts")
+}
+
+/// Where the traces of a log wait.
+pub(super) fn part(folder: &Path, log: &Log) -> PathBuf {
+    // FNV-1a: names of logs may hold any character, and be long.
+    let hash = log.path.display().to_string().bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    parts(folder).join(format!("{hash:016x}.csv"))
+}
+
+impl Manifest {
+    /// Opens or begins the manifest beside `out`.
+    pub(super) fn open(inputs: &Inputs, out: &Path) -> Result<Self, CliError> {
+        let folder = out.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let failed = |path: &Path, problem| CliError::File { path: path.display().to_string(), problem };
+        let waiting = parts(folder);
+        std::fs::create_dir_all(&waiting).map_err(|problem| failed(&waiting, problem))?;
+        let header = Header {
+            schema: SCHEMA.into(),
+            program_version: env!("CARGO_PKG_VERSION").into(),
+            settings: format!("{:?}, traces at {} Hz", inputs.settings, inputs.trace_rate_hz),
+        };
+        let path = folder.join("manifest.jsonl");
+        let text = match std::fs::read(&path) {
+            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
+            Err(problem) if problem.kind() == std::io::ErrorKind::NotFound => String::new(),
+            Err(problem) => return Err(failed(&path, problem)),
+        };
+        let mut lines = text.lines();
+        let same =
+            lines.next().and_then(|line| serde_json::from_str::<Header>(line).ok()).as_ref() == Some(&header);
+        let mut by_log: BTreeMap<String, Entry> = BTreeMap::new();
+        if same {
+            // A line that a kill cut in the middle does not parse, and its log is read again.
+            for entry in lines.filter_map(|line| serde_json::from_str::<Entry>(line).ok()) {
+                by_log.insert(entry.log.clone(), entry);
+            }
+        }
+        let traces = folder.join("traces.csv");
+        let mut known = BTreeMap::new();
+        for (place, log) in inputs.logs.iter().enumerate() {
+            let entry = by_log.remove(&log.path.display().to_string());
+            let usable = |entry: &Entry| {
+                let traced = match entry.trace_bytes {
+                    Some([_, to]) => std::fs::metadata(&traces).is_ok_and(|file| file.len() >= to),
+                    None => part(folder, log).exists(),
+                };
+                entry.error.is_none() && entry.holds(log) && traced
+            };
+            if let Some(entry) = entry.filter(usable) {
+                known.insert(place, entry);
+            }
+        }
+        let mut manifest = {
+            // Written anew, so that a cut line does not stay.
+            let file = OpenOptions::new().create(true).write(true).truncate(true).open(&path);
+            let file = file.map_err(|problem| failed(&path, problem))?;
+            Self { folder: folder.to_owned(), header, file, known }
+        };
+        let entries: Vec<Entry> = manifest.known.values().cloned().collect();
+        let header = serde_json::to_string(&manifest.header)? + "\n";
+        manifest.line(&header)?;
+        entries.iter().try_for_each(|entry| manifest.add(entry))?;
+        Ok(manifest)
+    }
+
+    /// Adds a log that is done.
+    pub(super) fn add(&mut self, entry: &Entry) -> Result<(), CliError> {
+        let text = serde_json::to_string(entry)? + "\n";
+        self.line(&text)
+    }
+
+    fn line(&mut self, text: &str) -> Result<(), CliError> {
+        self.file.write_all(text.as_bytes()).and_then(|()| self.file.flush()).map_err(|problem| {
+            CliError::File { path: self.folder.join("manifest.jsonl").display().to_string(), problem }
+        })
+    }
+}
+
+/// Writes the manifest of a run that is done, its logs in order.
+pub(super) fn finish(
+    inputs: &Inputs,
+    folder: &Path,
+    entries: &BTreeMap<usize, Entry>,
+) -> Result<(), CliError> {
+    let header = Header {
+        schema: SCHEMA.into(),
+        program_version: env!("CARGO_PKG_VERSION").into(),
+        settings: format!("{:?}, traces at {} Hz", inputs.settings, inputs.trace_rate_hz),
+    };
+    let mut text = serde_json::to_string(&header)? + "\n";
+    for entry in entries.values() {
+        text += &(serde_json::to_string(entry)? + "\n");
+    }
+    super::outputs::save(&folder.join("manifest.jsonl"), text.as_bytes())
+}

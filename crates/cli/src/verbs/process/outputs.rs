@@ -1,0 +1,103 @@
+//! Files: the stroke table, `campaign.json` and `traces.csv` beside it.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::Path;
+
+use soilctl_process::table::{TRACES_HEADER, write_csv, write_parquet};
+use soilctl_strokes::Campaign;
+
+use super::inputs::{Form, Inputs};
+use super::manifest::{self, Entry};
+use super::work::Done;
+use crate::error::CliError;
+
+fn failed(path: &Path) -> impl Fn(std::io::Error) -> CliError + use<'_> {
+    move |problem| CliError::File { path: path.display().to_string(), problem }
+}
+
+/// Writes a file in one go: whoever reads it sees the old one or the new one.
+pub(super) fn save(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".new");
+    let new = Path::new(&name);
+    std::fs::write(new, bytes).map_err(failed(new))?;
+    std::fs::rename(new, path).map_err(failed(path))
+}
+
+/// What is known of the campaign: the description beside the table or else beside the first log, otherwise the defaults.
+pub(super) fn campaign(inputs: &Inputs) -> Result<Campaign, CliError> {
+    let beside = inputs.out.iter().map(|(path, _)| path).chain(inputs.logs.first().map(|log| &log.path));
+    for path in beside {
+        if let Some(found) = Campaign::read_beside(path)? {
+            return Ok(found);
+        }
+    }
+    Ok(Campaign::default())
+}
+
+/// Writes everything that belongs to the table; what was written.
+pub(super) fn write(inputs: &Inputs, done: &Done, campaign: &Campaign) -> Result<Vec<String>, CliError> {
+    let Some((out, form)) = &inputs.out else { return Ok(Vec::new()) };
+    let folder = out.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut written = Vec::new();
+    let strokes = done.strokes();
+    if !strokes.is_empty() {
+        let mut bytes = Vec::new();
+        match form {
+            Form::Csv => write_csv(&strokes, &mut bytes)?,
+            Form::Parquet => write_parquet(&strokes, &mut bytes)?,
+        }
+        save(out, &bytes)?;
+        written.push(out.display().to_string());
+        // A description that somebody wrote or `simulate` left is not replaced.
+        if Campaign::read_beside(out)?.is_none() {
+            campaign.write_beside(out)?;
+            written.push(out.with_file_name("campaign.json").display().to_string());
+        }
+    }
+    let entries = traces(inputs, folder, &done.entries)?;
+    written.push(folder.join("traces.csv").display().to_string());
+    manifest::finish(inputs, folder, &entries)?;
+    written.push(folder.join("manifest.jsonl").display().to_string());
+    let waiting = manifest::parts(folder);
+    std::fs::remove_dir_all(&waiting).map_err(failed(&waiting))?;
+    Ok(written)
+}
+
+/// Puts the traces of all logs together, in order; the entries with the places of theirs.
+fn traces(
+    inputs: &Inputs,
+    folder: &Path,
+    entries: &BTreeMap<usize, Entry>,
+) -> Result<BTreeMap<usize, Entry>, CliError> {
+    let (path, new) = (folder.join("traces.csv"), folder.join("traces.csv.new"));
+    let mut old = File::open(&path).ok();
+    let mut file = BufWriter::new(File::create(&new).map_err(failed(&new))?);
+    file.write_all(TRACES_HEADER.as_bytes()).map_err(failed(&new))?;
+    let mut at = TRACES_HEADER.len() as u64;
+    let mut placed = entries.clone();
+    for (place, entry) in &mut placed {
+        if entry.error.is_some() {
+            continue;
+        }
+        let bytes = match (entry.trace_bytes, &mut old) {
+            (Some([from, to]), Some(old)) => {
+                old.seek(SeekFrom::Start(from)).map_err(failed(&path))?;
+                let mut part = BufReader::new(old).take(to - from);
+                std::io::copy(&mut part, &mut file).map_err(failed(&new))?
+            }
+            _ => {
+                let part = manifest::part(folder, &inputs.logs[*place]);
+                let mut part_file = BufReader::new(File::open(&part).map_err(failed(&part))?);
+                std::io::copy(&mut part_file, &mut file).map_err(failed(&new))?
+            }
+        };
+        entry.trace_bytes = Some([at, at + bytes]);
+        at += bytes;
+    }
+    file.flush().map_err(failed(&new))?;
+    std::fs::rename(&new, &path).map_err(failed(&path))?;
+    Ok(placed)
+}

@@ -1,0 +1,112 @@
+//! The answer for people.
+
+use super::answer::ProcessAnswer;
+use crate::text::{columns, number};
+
+pub(super) fn text(answer: &ProcessAnswer) -> String {
+    let mut text = String::new();
+    if !answer.strokes.is_empty() {
+        let mut rows = vec![
+            ["stroke", "alpha deg", "depth mm", "force N", "sd N", "failure", "found by", "flags"]
+                .map(str::to_owned)
+                .to_vec(),
+        ];
+        for stroke in &answer.strokes {
+            rows.push(vec![
+                stroke.stroke_id.clone(),
+                number(stroke.alpha_deg),
+                format!("{:.2}", stroke.depth_m * 1e3),
+                format!("{:.3}", stroke.force_n),
+                stroke.force_sd_n.map_or("-".into(), |sd| format!("{sd:.3}")),
+                stroke.failure.clone(),
+                stroke.method.clone(),
+                stroke.flags.clone(),
+            ]);
+        }
+        text += &columns(&rows);
+    }
+    for log in &answer.logs {
+        if let Some(error) = &log.error {
+            text += &format!("left out: {}: {error}\n", log.log);
+        }
+        for skipped in &log.skipped {
+            let name = skipped.stroke_id.as_deref().unwrap_or(&log.log);
+            text += &format!(
+                "no force: {name}, {:.2} to {:.2} s: {}\n",
+                skipped.from_s, skipped.to_s, skipped.reason
+            );
+        }
+        for damage in &log.damage {
+            text += &format!("damaged: {}: {damage}\n", log.log);
+        }
+        for unusable in &log.unusable {
+            text += &format!("not used: {}: {unusable}\n", log.log);
+        }
+        if log.error.is_none() && log.strokes == 0 && log.skipped.is_empty() {
+            text += &format!("no strokes: {}\n", log.log);
+        }
+    }
+    text += &analysis(answer);
+    for file in &answer.written {
+        text += &format!("written: {file}\n");
+    }
+    text
+}
+
+fn analysis(answer: &ProcessAnswer) -> String {
+    let found = &answer.analysis;
+    let mut text = String::new();
+    if let Some(friction) = &found.friction {
+        text += &format!("interface friction: {:.2} ± {:.2} deg, ", friction.delta_deg, friction.sd_deg);
+        text += &match (friction.above_deg, friction.below_deg) {
+            (Some(above), Some(below)) => format!("between {above} and {below} deg\n"),
+            (Some(above), None) => format!("above {above} deg, the highest set-point: sweep further up\n"),
+            (None, Some(below)) => format!("below {below} deg, the lowest set-point: sweep further down\n"),
+            (None, None) => "without a bracket\n".into(),
+        };
+    }
+    if let Some(rubbing) = &found.rubbing {
+        text += &format!(
+            "rubbing: {:.2} deg, range {:.2} to {:.2} deg ({} peaks)\n",
+            rubbing.peak_deg, rubbing.range_deg[0], rubbing.range_deg[1], rubbing.peaks
+        );
+    }
+    for law in &found.depth_laws {
+        let [low, high] = law.exponent_95;
+        text += &format!(
+            "depth law at {} deg: F ~ H^{:.3}, 95 % {low:.3} to {high:.3} ({} strokes)\n",
+            number(law.alpha_deg),
+            law.exponent,
+            law.strokes
+        );
+    }
+    if !found.groups.is_empty() {
+        let mut rows = vec![
+            ["alpha deg", "strokes", "mean N", "sd N", "variation %", "outliers", "matched phi deg"]
+                .map(str::to_owned)
+                .to_vec(),
+        ];
+        for group in &found.groups {
+            let or_dash = |value: Option<f64>, digits: usize| {
+                value.map_or("-".into(), |value| format!("{value:.digits$}"))
+            };
+            rows.push(vec![
+                number(group.alpha_deg),
+                group.strokes.to_string(),
+                format!("{:.3}", group.mean_n),
+                or_dash(group.sd_n, 3),
+                or_dash(group.coefficient_of_variation.map(|v| v * 100.0), 1),
+                group.outliers.join(" "),
+                or_dash(group.matched_phi_deg, 2),
+            ]);
+        }
+        text += &format!("at a slant length of {} mm:\n", number(found.slant_m * 1e3));
+        text += &columns(&rows);
+    }
+    for (name, dependence) in [("radius", &found.radius), ("base angle", &found.base_angle)] {
+        if let Some(d) = dependence {
+            text += &format!("{name}: {}\n", d.verdict);
+        }
+    }
+    text
+}

@@ -1,0 +1,113 @@
+//! All logs, several at a time. What is found does not depend on how many.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc;
+
+use indicatif::ProgressStyle;
+use soilctl_process::table::StrokeRecord;
+
+use super::inputs::Inputs;
+use super::manifest::{self, Entry, Manifest};
+use super::one_log;
+use crate::error::CliError;
+use crate::output::Output;
+
+/// What became of the logs.
+#[derive(Debug)]
+pub(super) struct Done {
+    /// By the place of the log.
+    pub(super) entries: BTreeMap<usize, Entry>,
+    /// Logs taken over from an earlier run.
+    pub(super) reused: usize,
+    /// Whether the user stopped the work.
+    pub(super) stopped: bool,
+}
+
+impl Done {
+    pub(super) fn strokes(&self) -> Vec<StrokeRecord> {
+        self.entries.values().flat_map(|entry| entry.strokes.iter().cloned()).collect()
+    }
+
+    pub(super) fn all_failed(&self) -> bool {
+        !self.stopped && self.entries.values().all(|entry| entry.error.is_some())
+    }
+
+    pub(super) fn is_partial(&self) -> bool {
+        self.stopped || self.entries.values().any(|entry| entry.error.is_some() || !entry.damage.is_empty())
+    }
+}
+
+pub(super) fn process(inputs: &Inputs, output: &Output) -> Result<Done, CliError> {
+    let mut manifest = match &inputs.out {
+        Some((path, _)) => Some(Manifest::open(inputs, path)?),
+        None => None,
+    };
+    let mut entries = manifest.as_mut().map(|m| std::mem::take(&mut m.known)).unwrap_or_default();
+    let reused = entries.len();
+    let left: Vec<usize> = (0..inputs.logs.len()).filter(|place| !entries.contains_key(place)).collect();
+    if reused > 0 {
+        output.note(&format!("{reused} logs are as they were and are not read again"));
+    }
+    let stop = Arc::new(AtomicBool::new(false));
+    if manifest.is_some() {
+        let stop = Arc::clone(&stop);
+        // Without a handler Ctrl-C ends the program, which loses nothing either.
+        let _ = ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed));
+    }
+    let bar = output.progress(inputs.logs.len() as u64);
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} logs, {eta} left") {
+        bar.set_style(style);
+    }
+    bar.set_position(reused as u64);
+    let folder = manifest.as_ref().map(|manifest| manifest.folder.clone());
+    let next = AtomicUsize::new(0);
+    let mut result = Ok(());
+    std::thread::scope(|scope| {
+        let (sender, receiver) = mpsc::channel();
+        for _ in 0..inputs.threads.min(left.len()) {
+            let (sender, left, next, stop, folder) = (sender.clone(), &left, &next, &stop, &folder);
+            scope.spawn(move || {
+                while let Some(&place) = left.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let log = &inputs.logs[place];
+                    let traces = folder.as_ref().map(|folder| manifest::part(folder, log));
+                    let entry = one_log::process(inputs, log, traces.as_deref(), stop).transpose();
+                    // None: stopped.
+                    let Some(entry) = entry else { break };
+                    if sender.send((place, entry)).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        for (place, entry) in receiver {
+            let kept = entry.and_then(|entry| {
+                if let Some(manifest) = &mut manifest {
+                    manifest.add(&entry)?;
+                }
+                Ok(entry)
+            });
+            match kept {
+                Ok(entry) => {
+                    bar.inc(1);
+                    if let Some(problem) = &entry.error {
+                        bar.suspend(|| output.note(&format!("{}: {problem}; left out", entry.log)));
+                    }
+                    entries.insert(place, entry);
+                }
+                // After a failure the others are told to end.
+                Err(problem) => {
+                    stop.store(true, Ordering::Relaxed);
+                    if result.is_ok() {
+                        result = Err(problem);
+                    }
+                }
+            }
+        }
+    });
+    bar.finish_and_clear();
+    result?;
+    Ok(Done { stopped: entries.len() < inputs.logs.len(), entries, reused })
+}

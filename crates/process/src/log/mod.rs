@@ -1,0 +1,233 @@
+//! Strokes out of logs, in one pass and in bounded memory.
+//!
+//! A log of our own controller ([`soilctl_session`]) says itself where strokes are, what arm it was and how the
+//! stroke was meant. Of any other bag only joint states and wrenches are used; [`LogSettings`] tells the rest.
+//! Topics under `/truth` are never looked at.
+
+mod bag;
+mod cdr;
+mod cut;
+mod own;
+mod rub;
+mod step;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use soilctl_session::read::{Item, scan};
+use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD, SessionError};
+
+use self::bag::Bag;
+use self::cdr::{Cursor, stamp};
+use self::own::OwnLog;
+pub use self::rub::{RubSample, read_wrenches};
+use crate::{Evaluated, ProcessError};
+
+/// What a log of another program does not tell, or what shall be taken in place of what a log tells.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LogSettings {
+    /// Topic of the joint states (`sensor_msgs/msg/JointState`); without it `/joint_states`, or the only one.
+    pub joint_topic: Option<String>,
+    /// Topic of the wrenches (`geometry_msgs/msg/WrenchStamped`); without it `/wrench`, or the only one.
+    pub wrench_topic: Option<String>,
+    /// Text of the URDF; without it the one in the log.
+    pub urdf: Option<String>,
+    /// Link at the plate's lower edge, z down along the plate; without it `plate_tip`.
+    pub plate_frame: Option<String>,
+    /// Link of the wrenches; without it the frame that their headers name.
+    pub sensor_frame: Option<String>,
+    /// Height of the soil in the URDF's root frame in m.
+    pub surface_z_m: Option<f64>,
+    /// Tool angle in deg; without it the one of the plate frame.
+    pub alpha_deg: Option<f64>,
+    /// Width of the plate in m.
+    pub width_m: Option<f64>,
+    /// Set-point of the interface friction in deg.
+    pub delta_set_deg: Option<f64>,
+    /// Wrench in free air in N and N m; without it that before each stroke.
+    pub tare: Option<[f64; 6]>,
+    /// Weight in N of what the sensor carries, 0 if it is not known: it turns with the sensor.
+    pub tool_weight_n: f64,
+    /// Begin and end of each stroke in s, on the clock of the stamps; without them strokes are looked for.
+    pub windows: Option<Vec<[f64; 2]>>,
+}
+
+impl LogSettings {
+    /// Whether a log shall be read as a bag of topics, even if it is one of ours.
+    fn wants_bag(&self) -> bool {
+        self.joint_topic.is_some()
+            || self.wrench_topic.is_some()
+            || self.urdf.is_some()
+            || self.windows.is_some()
+    }
+}
+
+/// Displacement of the plate along its stroke by either set of encoders, in m, without any compensation; one value a
+/// sample of the trace.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Course {
+    /// By the external encoders.
+    pub external_m: Vec<f64>,
+    /// By the motors'.
+    pub motor_m: Vec<f64>,
+}
+
+/// A stroke of a log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LogStroke {
+    /// Row, curve and failure. Whoever knows the log gives the stroke its name.
+    pub evaluated: Evaluated,
+    /// The two encoders' readings; `None` of bags, which have one.
+    pub course: Option<Course>,
+    /// How the controller says it ended.
+    pub finish: Option<String>,
+    /// What to keep in mind: words such as `encoder_jump`.
+    pub flags: Vec<&'static str>,
+    /// When it began, in s on the log's clock.
+    pub start_s: f64,
+    /// When it ended.
+    pub end_s: f64,
+}
+
+/// A part of a log that looked like a stroke.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NoStroke {
+    /// Begin in s.
+    pub from_s: f64,
+    /// End in s.
+    pub to_s: f64,
+    /// Why it is none, or can't be used.
+    pub reason: String,
+}
+
+/// What a log gives.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Found {
+    /// A stroke.
+    Stroke(Box<LogStroke>),
+    /// Not one.
+    Nothing(NoStroke),
+}
+
+/// What is said of a log as a whole.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LogSummary {
+    /// Whether our own controller wrote it.
+    pub own: bool,
+    /// Bytes of the file.
+    pub bytes: u64,
+    /// What is damaged; it was left out.
+    pub damage: Vec<String>,
+    /// Messages that could not be used: late, repeated, malformed, or without joints around them.
+    pub unusable: Vec<String>,
+    /// The log's notes on its campaign: entries of its configuration beside arm, controller and plan.
+    pub notes: BTreeMap<String, String>,
+}
+
+/// How a log is taken, once that is clear.
+enum Taken {
+    Unclear { session: BTreeMap<String, String> },
+    Own(Box<OwnLog>),
+    Bag(Box<Bag>),
+}
+
+/// Reads a log from beginning to end and hands over each stroke as soon as it is complete.
+///
+/// Memory is bounded by the longest stroke. `stop` ends the reading.
+///
+/// # Errors
+/// [`ProcessError::Log`] if the file can't be read or is no log; [`ProcessError::Missing`], [`ProcessError::Topic`],
+/// [`ProcessError::Joints`], [`ProcessError::Urdf`] or [`ProcessError::NoFrame`] if something is missing in a bag;
+/// [`ProcessError::Stopped`]. A stroke that can't be evaluated is no error, but a [`Found::Nothing`].
+pub fn read_log(
+    path: &Path,
+    settings: &LogSettings,
+    stop: &AtomicBool,
+    found: &mut dyn FnMut(Found),
+) -> Result<LogSummary, ProcessError> {
+    let mut summary = LogSummary::default();
+    let mut taken = Taken::Unclear { session: BTreeMap::new() };
+    let mut failure = None;
+    let mut visit = |item: Item<'_>| -> Result<(), ProcessError> {
+        if stop.load(Ordering::Relaxed) {
+            return Err(ProcessError::Stopped);
+        }
+        match (&mut taken, item) {
+            (Taken::Unclear { session }, Item::Metadata { name: SESSION_RECORD, content }) => {
+                session.clone_from(content);
+            }
+            (Taken::Unclear { session }, Item::Metadata { name: CONFIGURATION_RECORD, content })
+                if !settings.wants_bag() =>
+            {
+                summary.own = true;
+                let known = ["arm", "controller", "plan"];
+                let notes = content.iter().filter(|(key, _)| !known.contains(&key.as_str()));
+                summary.notes = notes.map(|(key, value)| (key.clone(), value.clone())).collect();
+                taken = Taken::Own(Box::new(OwnLog::new(content, session, settings.tool_weight_n)?));
+            }
+            (Taken::Own(log), Item::Metadata { name, content }) => log.record(name, content),
+            (Taken::Own(log), Item::Message(message)) => {
+                log.message(&message)?;
+                let (strokes, refused) = log.take();
+                hand_over(strokes, refused, found);
+            }
+            (Taken::Unclear { .. }, Item::Message(message)) => {
+                let mut bag = Bag::new(path, settings)?;
+                bag.message(&message, found)?;
+                taken = Taken::Bag(Box::new(bag));
+            }
+            (Taken::Bag(bag), Item::Message(message)) => bag.message(&message, found)?,
+            _ => {}
+        }
+        Ok(())
+    };
+    let ending = scan(path, &mut |item| {
+        visit(item).map_err(|error| {
+            // Only to end the scan: the caller gets the error itself.
+            let end = SessionError::Thread(std::io::Error::other("ended by the visitor"));
+            failure = Some(error);
+            end
+        })
+    });
+    if let Some(error) = failure {
+        return Err(error);
+    }
+    let ending = ending.map_err(|error| ProcessError::Log(error.to_string()))?;
+    summary.bytes = ending.bytes;
+    summary.damage = ending.damage;
+    match taken {
+        Taken::Own(mut log) => {
+            log.end();
+            let (strokes, refused) = log.take();
+            hand_over(strokes, refused, found);
+            if log.unreadable > 0 {
+                summary.unusable.push(format!("{} steps cannot be read", log.unreadable));
+            }
+        }
+        Taken::Bag(bag) => summary.unusable = bag.end(found)?,
+        Taken::Unclear { .. } => return Err(ProcessError::Log("it has no messages".into())),
+    }
+    Ok(summary)
+}
+
+fn hand_over(strokes: Vec<LogStroke>, refused: Vec<NoStroke>, found: &mut dyn FnMut(Found)) {
+    strokes.into_iter().for_each(|stroke| found(Found::Stroke(Box::new(stroke))));
+    refused.into_iter().for_each(|refused| found(Found::Nothing(refused)));
+}
+
+/// Height of the frame `soil_surface` in a `tf2_msgs/msg/TFMessage`, in m.
+fn surface_in(message: &[u8]) -> Option<f64> {
+    let mut c = Cursor::new(message)?;
+    let mut found = None;
+    for _ in 0..c.u32()? {
+        stamp(&mut c)?;
+        c.text()?;
+        let child = c.text()?;
+        let [_, _, z, ..] = c.f64s::<7>()?;
+        if child == "soil_surface" && z.is_finite() {
+            found = Some(z);
+        }
+    }
+    found
+}

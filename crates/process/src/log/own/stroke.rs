@@ -1,0 +1,216 @@
+//! One stroke of our own arm, from its samples to a row.
+
+use std::collections::BTreeMap;
+
+use soilctl_kinematics::{Arm, JointAngles, JointTorques};
+
+use super::joints::{flexed, half_steps, joined, mean_gap};
+use super::sample::{Phase, Sample, mean_wrench, tip_and_sensor};
+use super::surface::touched;
+use crate::log::{Course, LogStroke};
+use crate::robust::median;
+use crate::{Outcome, ProcessError, Recorded, RobotSample, Setting, evaluate};
+
+/// Over this time in s at the end of an insertion both encoders are compared.
+const COMPARED_S: f64 = 3.0;
+/// Two steps further apart than this, in s, leave a gap.
+const MOST_GAP_S: f64 = 0.05;
+/// The plate is in free air from this height above the surface on, in m.
+const AIR_M: f64 = 0.01;
+/// Over this time in s before failure readings are averaged.
+const BEFORE_S: f64 = 0.5;
+
+/// All that was logged of a stroke.
+#[derive(Debug, Default)]
+pub(super) struct Logged {
+    pub(super) approach: Vec<Sample>,
+    pub(super) stroke: Vec<Sample>,
+    pub(super) after: Vec<Sample>,
+    /// The log's record of it.
+    pub(super) record: BTreeMap<String, String>,
+    /// Height of the surface that the log states, in m.
+    pub(super) stated_surface_m: Option<f64>,
+}
+
+impl Logged {
+    fn number(&self, key: &str) -> Option<f64> {
+        self.record.get(key)?.parse().ok().filter(|value: &f64| value.is_finite())
+    }
+}
+
+/// Degrees that went through radians, rounded so that equal set-points stay equal.
+fn degrees(value: f64) -> f64 {
+    (value * 1e9).round() / 1e9
+}
+
+pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<LogStroke, ProcessError> {
+    let mut flags = Vec::new();
+    for pair in logged.stroke.windows(2) {
+        if pair[1].t_s - pair[0].t_s > MOST_GAP_S {
+            let (from_s, to_s) = (pair[0].t_s, pair[1].t_s);
+            return Err(ProcessError::Log(format!("the log lacks {from_s:.3} to {to_s:.3} s of the stroke")));
+        }
+    }
+    let first = logged.stroke.first().ok_or(ProcessError::TooFew {
+        what: "samples of the stroke",
+        found: 0,
+        least: crate::FEWEST_SAMPLES,
+    })?;
+    let air = |samples: &[Sample]| mean_wrench(samples.iter().filter(|s| s.phase == Phase::Bias));
+    let tare = air(&logged.approach).or_else(|| {
+        flags.push("tare_from_approach");
+        mean_wrench(logged.approach.iter().take(250))
+    });
+    let Some(tare) = tare else {
+        return Err(ProcessError::Log(
+            "there are no readings in free air before it, so the tare is unknown".into(),
+        ));
+    };
+    // The tool's weight turns with the sensor.
+    let upright =
+        |sample: &Sample| tip_and_sensor(arm, &sample.external).map(|(_, sensor)| sensor.rotation[2]);
+    let air_sample = logged.approach.iter().find(|s| s.phase == Phase::Bias).or(logged.approach.first());
+    let air_up = air_sample.map_or(Ok([0.0; 3]), &upright)?;
+    let loads = logged.stroke.iter().map(|sample| {
+        let up = upright(sample)?;
+        let mut load: [f64; 6] = std::array::from_fn(|i| sample.wrench[i] - tare[i]);
+        for axis in 0..3 {
+            load[axis] += tool_weight_n * (up[axis] - air_up[axis]);
+        }
+        Ok(load)
+    });
+    let loads: Vec<[f64; 6]> = loads.collect::<Result<_, ProcessError>>()?;
+    let sizes: Vec<f64> = loads.iter().map(|[x, _, z, ..]| x.hypot(*z)).collect();
+    let (joints, jumped) = joined(&logged.stroke, &sizes, &half_steps(arm)?);
+    if jumped {
+        flags.push("encoder_jump");
+    }
+    let mut samples = Vec::with_capacity(joints.len());
+    let mut tips: [Vec<[f64; 3]>; 2] = Default::default();
+    for ((sample, load), joints) in logged.stroke.iter().zip(&loads).zip(&joints) {
+        let (_, sensor) = tip_and_sensor(arm, joints)?;
+        let force = sensor.direction([load[0], load[1], load[2]]);
+        let (tip, sensor) = tip_and_sensor(arm, &flexed(arm, joints, force)?)?;
+        samples.push(RobotSample {
+            t_s: sample.t_s,
+            tip_m: tip.origin_m,
+            down_plate: tip.direction([0.0, 0.0, 1.0]),
+            wrench: *load,
+            to_root: sensor.rotation,
+        });
+        tips[0].push(tip_and_sensor(arm, &sample.external)?.0.origin_m);
+        tips[1].push(tip_and_sensor(arm, &sample.motor)?.0.origin_m);
+    }
+    let surface = touched(arm, &logged.approach, &tare)?.or_else(|| {
+        flags.push("surface_as_stated");
+        logged.stated_surface_m
+    });
+    let Some(surface_z_m) = surface else {
+        return Err(ProcessError::Log("neither a touch nor the log says where the surface is".into()));
+    };
+    let radius = samples[0].tip_m[0].hypot(samples[0].tip_m[1]).max(1e-9);
+    let direction = [-samples[0].tip_m[0] / radius, -samples[0].tip_m[1] / radius];
+    let early = &samples[..(samples.len() / 50).max(1)];
+    let seen = median(&mut early.iter().map(|s| s.tip_m[2]).collect::<Vec<_>>());
+    let start_z_m = start_height(arm, logged, &samples[0])?.unwrap_or(seen);
+    let recorded = Recorded {
+        samples,
+        direction,
+        tare_before: Some(tare),
+        tare_after: tare_after(arm, logged, surface_z_m)?,
+    };
+    let setting = Setting {
+        // `evaluate` takes the depth from the first samples; the insertion tells it more exactly.
+        surface_z_m: surface_z_m - start_z_m + seen,
+        width_m: arm.config().plate.width_m,
+        alpha_deg: logged.number("alpha_deg").map(degrees),
+        batch: logged.record.get("batch").cloned(),
+        delta_set_deg: logged.number("delta_set_deg").map(degrees),
+        ..Setting::default()
+    };
+    let mut evaluated = evaluate(&recorded, &setting)?;
+    let along = |tips: &[[f64; 3]]| -> Vec<f64> {
+        let from = tips.first().copied().unwrap_or_default();
+        tips.iter().map(|p| (p[0] - from[0]) * direction[0] + (p[1] - from[1]) * direction[1]).collect()
+    };
+    let course = Course { external_m: along(&tips[0]), motor_m: along(&tips[1]) };
+    let row = &mut evaluated.row;
+    row.radius_m = logged.number("radius_m").or(row.radius_m);
+    row.base_deg = logged.number("base_deg").map(degrees).or(row.base_deg);
+    row.x_step_m = encoder_step(&course.external_m);
+    if let Outcome::Found(point) = &evaluated.analysis.outcome {
+        let before = |s: &Sample| s.t_s <= point.time_s && s.t_s > point.time_s - BEFORE_S;
+        let near: Vec<usize> = (0..logged.stroke.len()).filter(|i| before(&logged.stroke[*i])).collect();
+        let mean = |value: &dyn Fn(usize) -> Option<f64>| -> Option<f64> {
+            let values: Vec<f64> = near.iter().filter_map(|i| value(*i)).collect();
+            (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+        };
+        row.motor_ext_gap_m = mean(&|i| Some(course.motor_m[i] - course.external_m[i]));
+        row.cmd_minus_force_n = mean(&|i| {
+            let commanded = commanded_n(arm, &logged.stroke[i], direction)?;
+            Some(commanded - evaluated.trace.force_n()[i])
+        });
+    }
+    if logged.record.is_empty() {
+        flags.push("no_stroke_record");
+    }
+    Ok(LogStroke {
+        evaluated,
+        course: Some(course),
+        finish: logged.record.get("finish").cloned(),
+        flags,
+        start_s: first.t_s,
+        end_s: logged.stroke.last().map_or(first.t_s, |s| s.t_s),
+    })
+}
+
+/// Height of the edge when the stroke begins, in m, by the motors with the shift that the insertion shows.
+fn start_height(arm: &Arm, logged: &Logged, begin: &RobotSample) -> Result<Option<f64>, ProcessError> {
+    let inserting =
+        logged.approach.iter().filter(|s| s.phase == Phase::Insert && s.t_s > begin.t_s - COMPARED_S);
+    let (Some(gap), Some(last)) = (mean_gap(inserting), logged.stroke.first()) else { return Ok(None) };
+    let joints: [f64; 5] = std::array::from_fn(|i| last.motor[i] + gap[i]);
+    let joints = flexed(arm, &joints, begin.force_n())?;
+    Ok(Some(tip_and_sensor(arm, &joints)?.0.origin_m[2]))
+}
+
+/// Mean reading in free air after the stroke.
+fn tare_after(arm: &Arm, logged: &Logged, surface_z_m: f64) -> Result<Option<[f64; 6]>, ProcessError> {
+    let mut air = Vec::new();
+    for sample in logged.after.iter().rev().take(150) {
+        if tip_and_sensor(arm, &sample.external)?.0.origin_m[2] > surface_z_m + AIR_M {
+            air.push(*sample);
+        }
+    }
+    Ok(mean_wrench(air.iter()))
+}
+
+/// In-plane force of the plate by the motors' torques, in N; `None` where the arm is singular.
+fn commanded_n(arm: &Arm, sample: &Sample, direction: [f64; 2]) -> Option<f64> {
+    let joints = JointAngles(sample.external);
+    let weight = arm.gravity_torques(&joints).ok()?;
+    let torques = JointTorques(std::array::from_fn(|i| sample.torques[i] - weight.0[i]));
+    let [x, y, z] = arm.tip_force(&joints, &torques).ok()?;
+    Some((x * direction[0] + y * direction[1]).hypot(z))
+}
+
+/// Usual step of a displacement that comes in steps, in m: the median of the plateaus' distances.
+fn encoder_step(displacement_m: &[f64]) -> Option<f64> {
+    // The readings are smoothed over some hundredths of a second, so a step takes some samples.
+    const STILL_M: f64 = 2e-6;
+    let mut steps = Vec::new();
+    let mut plateau: Option<f64> = None;
+    let mut still = 0;
+    for pair in displacement_m.windows(2) {
+        still = if (pair[1] - pair[0]).abs() < STILL_M { still + 1 } else { 0 };
+        if still == 10 {
+            if let Some(before) = plateau
+                && (pair[1] - before).abs() > 20.0 * STILL_M
+            {
+                steps.push((pair[1] - before).abs());
+            }
+            plateau = Some(pair[1]);
+        }
+    }
+    (steps.len() >= 3).then(|| median(&mut steps))
+}
