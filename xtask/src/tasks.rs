@@ -10,6 +10,14 @@ use crate::{chromium, python};
 /// Cases of each property test in `verify`; an ordinary test run takes proptest's 256.
 const VERIFY_CASES: &str = "20000";
 
+/// Tests that are ignored because what they ask for is not met yet; the others only take long.
+const NOT_MET: [&str; 4] = [
+    "accommodation_lowers_the_lateral_force_tenfold",
+    "so_do_soft_glass_beads",
+    "force_feedback_tracks_the_angle_at_all_tool_angles",
+    "stiffness_error",
+];
+
 /// What xtask can be asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Task {
@@ -26,7 +34,7 @@ const TASKS: [(Task, &str, &str); 4] = [
     (
         Task::Verify,
         "verify",
-        "property tests of the numerical crates with 20000 cases each (optimised build)",
+        "property tests with 20000 cases each, known collapse loads, tests that take minutes (optimised build)",
     ),
 ];
 
@@ -129,6 +137,13 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
     cargo(workspace, "exact problems")
         .args(["test", "--release", "--locked", "-p", "soilctl-limit-analysis", "--"])
         .args(["--ignored", "exact", "--nocapture"])
+        .run()?;
+    // Millions of steps, and many killed processes.
+    let skipped = NOT_MET.iter().flat_map(|name| ["--skip", name]);
+    cargo(workspace, "long tests of the arm")
+        .args(["test", "--release", "--locked", "-p", "soilctl-controller", "-p", "soilctl-plant"])
+        .args(["-p", "soilctl-session", "-p", "soilctl-live", "--tests", "--", "--ignored"])
+        .args(skipped)
         .run()
 }
 

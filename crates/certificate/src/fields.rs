@@ -127,13 +127,15 @@ pub struct LowerField {
     pub copies: Vec<VertexCopy>,
     /// One affine function for each run of free or loaded boundary, in the order of the least index of its sides in
     /// [`Statement::boundaries`](crate::Statement::boundaries). Along the run the stress function equals it plus what the
-    /// loads demand. The first is zero.
+    /// loads demand. The first is zero. Any number of *branches* may follow: what the function has beyond itself on the way
+    /// around a body that carries a force.
     pub chains: Vec<Chain>,
     /// For each line of the statement, the slope `grad f . n` at its start, `n` being `to - from` turned left. Only
     /// used for lines of given shear on which no vertex copy belongs to a chain, and of a run of such lines that follow
     /// each other in one direction only for the first, by its index in the statement's boundaries.
     pub lines: Vec<f64>,
-    /// For each triangle edge, the slope across its middle, along the edge vector turned left (into the triangle).
+    /// For each triangle edge, the slope across its middle, along the edge vector turned left (into the triangle); that
+    /// beyond the chain of its ends where these are relative to other chains in the triangle beyond.
     pub slopes: Vec<[f64; 3]>,
     /// Horizontal normal stress, beyond the reference, in the soil below the level far lines.
     pub far_stress: f64,
@@ -187,7 +189,7 @@ pub enum Gradient {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Jet {
-    /// Those of a chain at this place, loads included, exactly.
+    /// Those of a chain at this place, loads included, exactly: the chain of the run, or a branch.
     Chain {
         /// Index of the chain.
         chain: usize,
@@ -241,4 +243,30 @@ pub enum Jet {
         /// Value.
         f: f64,
     },
+}
+
+impl Jet {
+    /// The chain that the values are relative to; none where the slope across a line of given shear is part of them.
+    pub(crate) fn base(self) -> Option<usize> {
+        match self {
+            Self::Chain { chain: base }
+            | Self::Free { base, .. }
+            | Self::OneApex { base, .. }
+            | Self::ManyApexes { base, .. }
+            | Self::Zero { base } => Some(base),
+            Self::OneLine { .. } | Self::TwoLines { .. } => None,
+        }
+    }
+
+    /// The same relative to another chain, and next to another apex if next to one.
+    pub(crate) fn on(self, base: usize, apex: usize) -> Self {
+        match self {
+            Self::Chain { .. } => Self::Chain { chain: base },
+            Self::Free { f, fx, fy, .. } => Self::Free { base, f, fx, fy },
+            Self::OneApex { f, turn, .. } => Self::OneApex { base, apex, f, turn },
+            Self::ManyApexes { f, .. } => Self::ManyApexes { base, f },
+            Self::Zero { .. } => Self::Zero { base },
+            other @ (Self::OneLine { .. } | Self::TwoLines { .. }) => other,
+        }
+    }
 }

@@ -114,6 +114,11 @@
 //!   starts and whose slopes change by the integral of `T` turned left. It is a cubic on each side: value and slopes at both
 //!   ends of an edge and the slope across its middle carry it over exactly. It goes on from side to side in one way, and a
 //!   vertex copy is at one place of one run only, so all edges at a copy take the same value and slopes from it.
+//! - *Branches.* A function that is one function all around a body carries no force on it. So an edge inside the soil may
+//!   have other vertex copies on its two sides: alike, but relative to two chains, the same two at both ends. Then the
+//!   function beyond the edge, with its slopes, differs by no more than the affine function between these chains, which
+//!   carries no stress, so tractions are the same on both sides. A run of free or loaded sides goes on with another chain
+//!   beyond a copy where such edges end: there both copies are at one place of the run.
 //! - *Lines of given shear.* With `n = to - from` turned left, the slope across `g = grad f . n` has `g' = t . ref n` (no
 //!   shear stress) or `g' = 0` (far lines: that of the reference). This makes it a known quadratic polynomial but for a
 //!   constant, which comes from the first chain that the line touches or from [`LowerField::lines`]. The slope across an

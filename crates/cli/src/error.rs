@@ -1,3 +1,4 @@
+use soilctl_campaign::CampaignError;
 use soilctl_certificate::CertificateError;
 use soilctl_diagnosis::DiagnosisError;
 use soilctl_direct_shear::DirectShearError;
@@ -6,6 +7,7 @@ use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
 use soilctl_limit_analysis::LimitError;
+use soilctl_live::LiveError;
 use soilctl_process::ProcessError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
@@ -55,6 +57,12 @@ pub(crate) enum CliError {
     /// Recorded strokes.
     #[error(transparent)]
     Process(#[from] ProcessError),
+    /// A live session, or the operator's end of one.
+    #[error(transparent)]
+    Live(#[from] LiveError),
+    /// A simulated campaign.
+    #[error(transparent)]
+    Campaign(#[from] CampaignError),
     /// A diagnosis.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),

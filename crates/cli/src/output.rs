@@ -68,12 +68,22 @@ impl Output {
         Ok(stdout.flush()?)
     }
 
+    /// Whether answers are for programs.
+    pub(crate) fn is_json(&self) -> bool {
+        self.format == Format::Json
+    }
+
     /// Tells the user something beside the answer.
     pub(crate) fn note(&self, text: &str) {
         if !self.quiet {
             // A closed stderr must not change the answer.
             let _ = writeln!(std::io::stderr(), "{text}");
         }
+    }
+
+    /// Tells the user what went wrong in the middle of an answer.
+    pub(crate) fn problem(&self, text: &str) {
+        let _ = writeln!(std::io::stderr(), "error: {text}");
     }
 
     /// Tells the user why there is no answer.
@@ -96,10 +106,15 @@ impl Output {
 
     /// A progress bar on stderr; hidden if that is no terminal, or nobody wants to see it.
     pub(crate) fn progress(&self, steps: u64) -> ProgressBar {
+        self.progress_of(steps, "cells")
+    }
+
+    /// The same for steps that are called something else.
+    pub(crate) fn progress_of(&self, steps: u64, name: &str) -> ProgressBar {
         if self.quiet || !std::io::stderr().is_terminal() {
             return ProgressBar::hidden();
         }
-        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} cells, {eta} left");
+        let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {name}, {{eta}} left"));
         let bar = ProgressBar::new(steps);
         match style {
             Ok(style) => bar.with_style(style),

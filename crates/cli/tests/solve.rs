@@ -178,7 +178,6 @@ fn examples_are_bounded() {
 const ROUGHLY: [&str; 6] = ["--max-gap", "0.3", "--max-elements", "4000", "--max-seconds", "600"];
 
 #[test]
-#[ignore = "the lower bound of a buried block in clay stays that of the ground at rest"]
 fn a_buried_block_is_bounded() {
     let (code, _, stderr) = soilctl(&[&["solve", &example("anchor.toml")][..], &ROUGHLY].concat());
     assert_eq!(code, 0, "{stderr}");

@@ -48,24 +48,25 @@ pub struct StrokePlan {
     strokes: Vec<StrokeSpec>,
 }
 
-/// A plan as it stands in a TOML file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// The strokes of a campaign plan as they stand in a TOML file. What else a campaign needs (soil, model, seed) stands in
+/// keys beside them, which are not for the controller.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 struct PlanFile {
     version: u32,
     batches: Vec<BatchFile>,
 }
 
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct BatchFile {
+    radius_m: Option<f64>,
     strokes: Vec<StrokeFile>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StrokeFile {
-    radius_m: f64,
+    radius_m: Option<f64>,
     base_deg: f64,
     alpha_deg: f64,
     depth_m: f64,
@@ -73,8 +74,8 @@ struct StrokeFile {
 }
 
 impl StrokePlan {
-    /// A plan from the text of a TOML file; `file` is named in messages. Tables 6.2 and 6.3 of the thesis are in
-    /// `data/controller/`.
+    /// The strokes of a campaign plan from the text of its TOML file; `file` is named in messages. Tables 6.2 and 6.3 of
+    /// the thesis are in `data/plans/`. Keys other than `version` and `batches` are left to others.
     ///
     /// # Errors
     /// [`ControllerError::Syntax`] if the text is not such a file, or [`ControllerError::Config`] if a value is not
@@ -90,14 +91,21 @@ impl StrokePlan {
         for (number, batch) in (0..).zip(&plan.batches) {
             for (i, stroke) in batch.strokes.iter().enumerate() {
                 let key = |field: &str| format!("batches[{number}].strokes[{i}].{field}");
-                rules.positive(&key("radius_m"), stroke.radius_m, "m", 10.0)?;
+                let radius_m = stroke.radius_m.or(batch.radius_m).ok_or_else(|| ControllerError::Syntax {
+                    file: file.to_owned(),
+                    problem: format!(
+                        "`{}` is missing; give it to the stroke or to its batch",
+                        key("radius_m")
+                    ),
+                })?;
+                rules.positive(&key("radius_m"), radius_m, "m", 10.0)?;
                 rules.range(&key("base_deg"), stroke.base_deg, "deg", -180.0, 180.0)?;
                 rules.range(&key("alpha_deg"), stroke.alpha_deg, "deg", 45.0, 135.0)?;
                 rules.positive(&key("depth_m"), stroke.depth_m, "m", 1.0)?;
                 rules.range(&key("delta_set_deg"), stroke.delta_set_deg, "deg", 0.0, 60.0)?;
                 strokes.push(StrokeSpec {
                     batch: number,
-                    radius_m: stroke.radius_m,
+                    radius_m,
                     base_rad: stroke.base_deg.to_radians(),
                     tool_angle_rad: stroke.alpha_deg.to_radians(),
                     depth_m: stroke.depth_m,

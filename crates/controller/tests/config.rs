@@ -22,8 +22,8 @@ fn what_ships_is_valid() {
     let params = Params::thesis();
     assert!((params.config().safety.joint_margin_deg - 2.0).abs() < 1e-12);
     for (text, strokes, batches) in [
-        (include_str!("../../../data/controller/table_6_2.toml"), 48, 8),
-        (include_str!("../../../data/controller/table_6_3.toml"), 48, 12),
+        (include_str!("../../../data/plans/table_6_2.toml"), 48, 8),
+        (include_str!("../../../data/plans/table_6_3.toml"), 48, 12),
     ] {
         let plan = StrokePlan::from_toml(text, "plan").unwrap();
         assert_eq!(plan.strokes().len(), strokes);

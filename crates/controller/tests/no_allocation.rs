@@ -57,8 +57,7 @@ fn a_million_steps() {
 
 /// Runs the campaign; an allocation in a step aborts. Says at which stroke it is in the end.
 fn steps(ticks: u32) -> u16 {
-    let plan =
-        StrokePlan::from_toml(include_str!("../../../data/controller/table_6_2.toml"), "plan").unwrap();
+    let plan = StrokePlan::from_toml(include_str!("../../../data/plans/table_6_2.toml"), "plan").unwrap();
     let params = Params::from_toml(Arm::thesis(), soilctl_controller::DEFAULT, "default", plan).unwrap();
     let pose = TaskPose::digging(0.4, 0.0, -0.2, 1.4).unwrap();
     let start = params.arm().inverse(&pose).unwrap();

@@ -22,6 +22,8 @@ mod error;
 mod fields;
 mod form;
 mod gap;
+#[cfg(test)]
+mod known;
 mod lower;
 pub mod mesh;
 mod plate;

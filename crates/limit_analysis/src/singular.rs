@@ -1,6 +1,6 @@
 //! Where stresses are singular, and how large a problem is.
 
-use soilctl_certificate::{Condition, Objective};
+use soilctl_certificate::{Boundary, Condition, Objective};
 
 use crate::problem::Problem;
 
@@ -39,8 +39,35 @@ pub(crate) fn typical_length(problem: &Problem) -> f64 {
     }
 }
 
+/// Whether a point is where bare soil without cohesion meets a smooth line, and the weight is not vertical. The stress
+/// vanishes there, and the shear stress of the reference along the line must be taken back by a function that no other
+/// point of the surface restricts: elements next to the point need a corner inside.
+fn is_sheared(problem: &Problem, point: usize) -> bool {
+    let s = problem.statement();
+    let live = match s.objective {
+        Objective::Body { gravity } => gravity[0],
+        _ => 0.0,
+    };
+    if s.surcharge != 0.0 || (s.gravity[0] == 0.0 && live == 0.0) {
+        return false;
+    }
+    let there = |b: &&Boundary| {
+        let line = s.lines[b.line];
+        line.from == point || line.to == point
+    };
+    let touching = || s.boundaries.iter().filter(there);
+    let bare = |b: &Boundary| {
+        let cohesionless = problem.owner(b.side()).is_some_and(|r| problem.soils[r].cohesion.is_zero());
+        b.condition == Condition::Free && cohesionless
+    };
+    let smooth = |b: &Boundary| {
+        matches!(b.condition, Condition::Smooth | Condition::Face { delta_deg: 0.0, adhesion: 0.0 })
+    };
+    touching().any(bare) && touching().any(smooth)
+}
+
 /// Points at which two sides that are free, loaded or faces meet in a notch of the soil's rim, or in line with different
-/// loads.
+/// loads; and those that need elements of their own.
 pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
     let statement = problem.statement();
     let is_open =
@@ -77,5 +104,5 @@ pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
         let differ = at_end(a, true) != at_end(b, false) || is_live(a.2) != is_live(b.2);
         turn < -straight || (turn <= straight && differ)
     };
-    (0..statement.points.len()).filter(is_singular).collect()
+    (0..statement.points.len()).filter(|p| is_singular(p) || is_sheared(problem, *p)).collect()
 }

@@ -11,7 +11,7 @@ pub struct Contact {
     pub tip_m: [f64; 3],
     /// Depth of the lower edge in m.
     pub depth_m: f64,
-    /// The surface ahead of the plate above the level of the last preparation in m.
+    /// Mean height of what is heaped ahead of the plate in m.
     pub heap_m: f64,
     /// Tool angle in rad.
     pub tool_angle_rad: f64,

@@ -1,6 +1,7 @@
 use soilctl_earth_pressure::EarthPressureError;
 use soilctl_kinematics::KinematicsError;
 use soilctl_soil::{Rounded, SoilError};
+use soilctl_terrain::TerrainError;
 use thiserror::Error;
 
 /// What can be wrong with a plant.
@@ -78,6 +79,9 @@ pub enum PlantError {
     /// A soil that does not exist.
     #[error(transparent)]
     Soil(#[from] SoilError),
+    /// A box that has no surface.
+    #[error(transparent)]
+    Terrain(#[from] TerrainError),
     /// A force model has no answer for this soil.
     #[error(transparent)]
     Force(#[from] EarthPressureError),

@@ -1,5 +1,5 @@
 use soilctl_controller::Sensed;
-use soilctl_kinematics::{Frame, JointAngles};
+use soilctl_kinematics::{Frame, JointAngles, JointVelocities};
 
 use crate::bodies::{Bodies, PointForce};
 use crate::drives::Drives;
@@ -68,11 +68,9 @@ impl Plant {
         Ok(plant)
     }
 
-    /// The same plant with effects that change its soil and its readings.
-    #[must_use]
-    pub fn with_effects(mut self, effects: Box<dyn Effects>) -> Self {
+    /// From now on these effects change the soil and the readings.
+    pub fn set_effects(&mut self, effects: Box<dyn Effects>) {
         self.effects = effects;
-        self
     }
 
     /// What no sensor tells, as of the last tick.
@@ -149,6 +147,7 @@ impl Plant {
         }
         self.truth = Truth {
             joints: JointAngles(joints),
+            joint_rates: JointVelocities(self.bodies.rates()),
             tip_m: tip,
             wrench: self.sensor.load,
             soil: self.ground.as_ref().map(Ground::truth).unwrap_or_default(),

@@ -1,11 +1,13 @@
 use serde::{Deserialize, Serialize};
-use soilctl_kinematics::JointAngles;
+use soilctl_kinematics::{JointAngles, JointVelocities};
 
 /// What a simulated run knows and no sensor tells.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Truth {
     /// Joint angles.
     pub joints: JointAngles,
+    /// Their speeds.
+    pub joint_rates: JointVelocities,
     /// Middle of the plate's lower edge in m, base frame.
     pub tip_m: [f64; 3],
     /// Load of the force sensor in its frame in N and N m, without bias and noise; the plate's weight is part of it.
@@ -17,9 +19,9 @@ pub struct Truth {
 /// The soil at the plate; all zero outside it.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SoilTruth {
-    /// Depth of the plate's lower edge below the surface ahead of it in m; negative above it.
+    /// Depth of the plate's lower edge below the surface that it went into in m; negative above it.
     pub depth_m: f64,
-    /// The surface ahead of the plate above the level of the last preparation in m.
+    /// Mean height of what is heaped ahead of the plate above that surface in m.
     pub heap_m: f64,
     /// Tool angle in rad.
     pub tool_angle_rad: f64,
@@ -27,6 +29,8 @@ pub struct SoilTruth {
     pub limit_force_n: f64,
     /// The same with the present force along the plate, and what is left of the strength after the peak.
     pub limit_force_now_n: f64,
+    /// Force of the soil on the plate in N, base frame.
+    pub force_n: [f64; 3],
     /// Force across the plate in N, positive when the plate presses towards the base.
     pub normal_n: f64,
     /// Force of the soil along the plate in N, positive upwards.

@@ -1,8 +1,9 @@
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -18,8 +19,8 @@ const REAL_TIME_PLACES: usize = 4096;
 const SIMULATED_PLACES: usize = 1024;
 /// How long either side sleeps when it has nothing to do. A step takes 2 ms.
 const NAP: Duration = Duration::from_micros(200);
-/// Longest time between two flushes in real time.
-const FLUSH_INTERVAL: Duration = Duration::from_secs(1);
+/// Time between two flushes in real time: a little less than the second that may be lost, since a flush takes time too.
+const FLUSH_INTERVAL: Duration = Duration::from_millis(800);
 
 /// Who waits for whom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,6 +52,8 @@ struct Shared {
     failed: AtomicBool,
     /// Steps that did not fit into the ring.
     dropped: AtomicU64,
+    /// What the end record says beside the numbers of steps. Nobody waits for it: it is set once, at the end.
+    notes: Mutex<BTreeMap<String, String>>,
 }
 
 /// The control thread's end: takes steps.
@@ -116,6 +119,16 @@ impl Logger {
     /// # Errors
     /// [`SessionError::Write`] if the log could not be written to its end.
     pub fn finish(self) -> Result<LogReport, SessionError> {
+        self.finish_with(BTreeMap::new())
+    }
+
+    /// As [`Logger::finish`], with texts of one's own by name in the end record, such as the jitter of a run in real
+    /// time. Here the [`Recorder`] is to be dropped afterwards: a log whose recorder is gone does not wait for texts.
+    ///
+    /// # Errors
+    /// As [`Logger::finish`].
+    pub fn finish_with(self, notes: BTreeMap<String, String>) -> Result<LogReport, SessionError> {
+        *self.shared.notes.lock().unwrap_or_else(PoisonError::into_inner) = notes;
         self.shared.closed.store(true, Ordering::Release);
         let lost = || SessionError::Write { steps: 0, reason: "its thread ended unexpectedly".to_owned() };
         let steps = self.thread.join().map_err(|_| lost())??;
@@ -169,6 +182,12 @@ impl Recorder {
             self.shared.dropped.fetch_add(1, Ordering::AcqRel);
         }
         sent || self.pace == Pace::RealTime
+    }
+
+    /// Steps lost so far.
+    #[must_use]
+    pub fn dropped_steps(&self) -> u64 {
+        self.shared.dropped.load(Ordering::Relaxed)
     }
 
     /// Steps recorded or lost.
@@ -246,6 +265,7 @@ fn write<W: Write>(
         }
     }
     let steps = writer.steps();
-    writer.finish(shared.dropped.load(Ordering::Acquire))?;
+    let notes = std::mem::take(&mut *shared.notes.lock().unwrap_or_else(PoisonError::into_inner));
+    writer.finish_with(shared.dropped.load(Ordering::Acquire), notes)?;
     Ok(steps)
 }

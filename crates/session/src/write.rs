@@ -178,13 +178,28 @@ impl<W: Write> LogWriter<W> {
     ///
     /// # Errors
     /// [`SessionError::Write`] if the sink fails.
-    pub fn finish(mut self, dropped_steps: u64) -> Result<(), SessionError> {
+    pub fn finish(self, dropped_steps: u64) -> Result<(), SessionError> {
+        self.finish_with(dropped_steps, BTreeMap::new())
+    }
+
+    /// As [`LogWriter::finish`], with texts of one's own by name in the end record. Names of its own keys are not to be
+    /// used.
+    ///
+    /// # Errors
+    /// [`SessionError::Write`] if the sink fails.
+    pub fn finish_with(
+        mut self,
+        dropped_steps: u64,
+        notes: BTreeMap<String, String>,
+    ) -> Result<(), SessionError> {
         if let Some(stroke) = self.strokes.finish("end of log") {
             self.metadata(STROKE_RECORD, stroke)?;
         }
-        let end = [("steps", self.steps), ("dropped_steps", dropped_steps)]
-            .map(|(key, value)| (key.to_owned(), value.to_string()));
-        self.metadata(END_RECORD, end.into())?;
+        let mut end = notes;
+        for (key, value) in [("steps", self.steps), ("dropped_steps", dropped_steps)] {
+            end.insert(key.to_owned(), value.to_string());
+        }
+        self.metadata(END_RECORD, end)?;
         self.file.finish().map(|_| ()).map_err(|error| self.failed(&error))
     }
 

@@ -24,24 +24,27 @@ pub(super) fn check(
             return Err(bad(format!("triangle {i}"), "its vertex copies are not copies of its corners"));
         }
     }
+    let stations = loads.stations(tiling, field)?;
     let mut apexes = vec![false; field.copies.len()];
     for side in tiling.sides() {
         let here = ends(field, side);
         match tiling.beyond(side) {
             Beyond::Soil(other) => {
                 let [end, start] = ends(field, other);
-                if here != [start, end] {
+                if here != [start, end] && !are_branches(field, &stations, here, [start, end]) {
                     let problem =
                         "the triangle beyond it has other vertex copies, but there is no boundary between";
                     return Err(bad(side.to_string(), problem));
                 }
             }
             Beyond::Boundary(on, condition) if is_loaded(condition) => {
-                let of_run = |copy: usize| match field.copies[copy].jet {
-                    Jet::Chain { chain } => loads.run(on.side) == Some(chain),
-                    _ => false,
+                let chain = |copy: usize| match field.copies[copy].jet {
+                    Jet::Chain { chain } => Some(chain),
+                    _ => None,
                 };
-                if !here.into_iter().all(of_run) {
+                // That of the run, or a branch.
+                let suits = |chain: usize| loads.run(on.side) == Some(chain) || chain >= loads.count();
+                if chain(here[0]) != chain(here[1]) || !chain(here[0]).is_some_and(suits) {
                     let problem = "both ends of a free or loaded edge must belong to the chain of its run";
                     return Err(bad(side.to_string(), problem));
                 }
@@ -53,10 +56,9 @@ pub(super) fn check(
             Beyond::Boundary(..) => {}
         }
     }
-    let stations = loads.stations(tiling, field)?;
     for (i, (copy, station)) in field.copies.iter().zip(&stations).enumerate() {
         if let Jet::Chain { chain } = copy.jet
-            && station.is_none_or(|s| s.run != chain)
+            && station.is_none_or(|s| s.run != chain && chain < loads.count())
         {
             return Err(bad(format!("vertex copy {i}"), "it belongs to a chain, but is not on its run"));
         }
@@ -66,6 +68,53 @@ pub(super) fn check(
         check_apexes(field, *copies, &apexes, at_rest, || format!("triangle {i}"))?;
     }
     Ok((stations, apexes))
+}
+
+/// Whether the function beyond an edge differs by no more than an affine function, that of one chain beyond that of
+/// another: at both ends the copies are alike but for these chains.
+fn are_branches(
+    field: &LowerField,
+    stations: &[Option<Station>],
+    here: [usize; 2],
+    there: [usize; 2],
+) -> bool {
+    let bases = |copies: [usize; 2]| {
+        let [a, b] = copies.map(|copy| field.copies[copy].jet.base());
+        a.filter(|_| a == b)
+    };
+    let alike = |(a, b): (usize, usize)| {
+        let [p, q] = [a, b].map(|copy| field.copies[copy]);
+        p.vertex == q.vertex
+            && match (p.jet, q.jet) {
+                (Jet::Chain { .. }, Jet::Chain { .. }) => stations[a].is_some() && stations[a] == stations[b],
+                (Jet::OneApex { apex, .. }, Jet::OneApex { apex: other, .. }) => {
+                    let same = field.copies[apex].vertex == field.copies[other].vertex;
+                    same && p.jet.on(0, apex) == q.jet.on(0, apex)
+                }
+                _ => p.jet.on(0, 0) == q.jet.on(0, 0),
+            }
+    };
+    bases(here).is_some() && bases(there).is_some() && here.into_iter().zip(there).all(alike)
+}
+
+/// Checks that between branches no copy is next to an apex on a line of given shear: what its numbers mean may then differ
+/// between its twins.
+pub(super) fn check_branches(
+    tiling: &Tiling,
+    field: &LowerField,
+    is_on_line: impl Fn(usize) -> bool,
+) -> Result<(), CertificateError> {
+    for side in tiling.sides() {
+        let Beyond::Soil(other) = tiling.beyond(side) else { continue };
+        let [end, start] = ends(field, other);
+        let here = ends(field, side);
+        let depends = |copy: usize| matches!(field.copies[copy].jet, Jet::OneApex { .. }) && is_on_line(copy);
+        if here != [start, end] && here.into_iter().any(depends) {
+            let what = "branches that part at a line of given shear next to a free surface";
+            return Err(CertificateError::NotCovered { place: side.to_string(), what });
+        }
+    }
+    Ok(())
 }
 
 /// Whether the function of the chain is affine to first order at a place.

@@ -51,8 +51,15 @@ impl StressFunction<'_> {
         let stored = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
         let absolute = |slope: Interval| slope + self.chains.gradient(0, frame).dot(turned);
         match self.tiling.beyond(side) {
-            Beyond::Soil(other) if other < side => absolute(-stored(other)),
-            Beyond::Soil(_) => absolute(stored(side)),
+            Beyond::Soil(other) => {
+                let slope = if other < side { -stored(other) } else { stored(side) };
+                let [start, end] = self.ends(side);
+                if [end, start] == self.ends(other) {
+                    return absolute(slope);
+                }
+                // Between branches: each side has its own.
+                slope + self.chains.gradient(self.jets[start].base, frame).dot(turned)
+            }
             Beyond::Boundary(on, condition) if is_loaded(condition) => {
                 let base = self.jets[self.ends(side)[0]].base;
                 (self.chains.gradient(base, frame) + self.loads.middle_slopes(on)).dot(turned)

@@ -140,6 +140,7 @@ impl<'a> StressFunction<'a> {
         let maker =
             Maker { problem, tiling, field, loads, stations: &stations, chains: &chains, given: &given };
         let jets = maker.jets()?;
+        glue::check_branches(tiling, field, |copy| !given.at(copy).is_empty())?;
         given.check(field, &chains, &stations, &apexes, &jets)?;
         Ok(Self { problem, references, loads, overburden, tiling, field, chains, given, jets, apexes })
     }

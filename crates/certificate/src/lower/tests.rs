@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::examples::{Plate, fill, pushed_field, rankine_field, wall};
-use crate::{Gradient, Jet, LineUse, Linear, Place};
+use crate::{Gradient, Jet, LineUse, Linear, Place, VertexCopy};
 
 fn plates() -> impl Strategy<Value = Plate> {
     let tilted = prop_oneof![Just([0.0, -1.0]), Just([0.1, -0.9])];
@@ -91,7 +91,7 @@ fn refused(change: impl Fn(&mut Statement, &mut LowerField)) -> CertificateError
 fn rules_of_construction_are_checked() {
     // Triangle 0 has the top left corner of the wall, vertices 0, 5, 6.
     let other_copy = refused(|_, f| {
-        f.copies.push(f.copies[6]);
+        f.copies.push(VertexCopy { jet: Jet::Zero { base: 0 }, ..f.copies[6] });
         f.corners[0][2] = 15;
     });
     assert!(matches!(other_copy, CertificateError::BadField { .. }), "{other_copy}");

@@ -138,8 +138,9 @@ fn follow(
     let count = run.sides.len();
     let mut sides = Vec::with_capacity(count);
     let mut start = Interval::ZERO;
-    // How often each point is the end of a part of the wall that carries something, less how often the start.
-    let mut ends: BTreeMap<usize, i32> = BTreeMap::new();
+    // How often each point is the end of a part of the wall that carries something, less how often the start; and the same
+    // for all of it that moves. If either is zero everywhere, what is carried adds up to nothing.
+    let mut ends: [BTreeMap<usize, i32>; 2] = [BTreeMap::new(), BTreeMap::new()];
     for (at, side) in run.sides.iter().enumerate() {
         let moves = matches!(problem.condition(*side), Some(Condition::Face { .. }));
         let velocity =
@@ -147,14 +148,16 @@ fn follow(
         let next = if at + 1 < count { Some(at + 1) } else { run.closed.then_some(0) };
         let here = WallSide { wall, side: *side, velocity, start, at, next };
         let [from, to] = here.ends(problem);
-        if !here.flow(problem).is_zero() {
+        let counts = [!here.flow(problem).is_zero(), moves];
+        for (ends, _) in ends.iter_mut().zip(counts).filter(|(_, counts)| *counts) {
             *ends.entry(from).or_default() -= 1;
             *ends.entry(to).or_default() += 1;
         }
         start = here.value(problem, if side.forward { 1.0 } else { 0.0 });
         sides.push(here);
     }
-    if streams && run.closed && ends.values().any(|count| *count != 0) {
+    let carries = ends.iter().all(|ends| ends.values().any(|count| *count != 0));
+    if streams && run.closed && carries {
         let what = "a closed wall around soil without friction of which only a part moves";
         return Err(CertificateError::NotCovered { place: format!("wall {wall}"), what });
     }

@@ -4,6 +4,7 @@
 mod bound;
 mod certify;
 mod completions;
+mod console;
 mod diagnose;
 mod estimate;
 mod limits;
@@ -12,8 +13,10 @@ mod predict;
 mod process;
 mod replay;
 mod report;
+mod run;
 mod schemas;
 mod shear;
+mod simulate;
 mod solve;
 mod table;
 
@@ -44,6 +47,8 @@ pub(crate) enum Verb {
     Report(Box<report::Args>),
     /// Friction angle against normal stress from direct-shear tests
     Shear(Box<shear::Args>),
+    /// Runs a campaign on the simulated arm and soil, a log for each batch
+    Simulate(simulate::Args),
     /// Shows, builds and checks prediction tables
     Table(table::Args),
     /// Looks into, checks, repairs and exports logs
@@ -52,6 +57,10 @@ pub(crate) enum Verb {
     Process(Box<process::Args>),
     /// Runs the controller again on a log's inputs and compares every output bit
     Replay(replay::Args),
+    /// Hosts a live session: the 500 Hz controller on the simulated arm or on a driver of one's own
+    Run(run::Args),
+    /// Operates a live session, or plays a log
+    Console(console::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
     #[command(hide = true)]
@@ -81,10 +90,13 @@ impl Verb {
             Self::Diagnose(args) => diagnose::run(&args, output),
             Self::Report(args) => report::run(&args, output),
             Self::Shear(args) => shear::run(&args, output),
+            Self::Simulate(args) => simulate::run(&args, output),
             Self::Table(args) => table::run(&args, output),
             Self::Log(args) => log::run(&args, output),
             Self::Process(args) => process::run(&args, output),
             Self::Replay(args) => replay::run(&args, output),
+            Self::Run(args) => run::run(&args, output),
+            Self::Console(args) => console::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),
         }

@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Value, json};
+use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
 use super::{
-    Outcome, bound, certify, diagnose, estimate, log, predict, process, replay, report, shear, solve, table,
+    Outcome, bound, certify, diagnose, estimate, log, predict, process, replay, report, run as run_verb,
+    shear, simulate, solve, table,
 };
 use crate::error::CliError;
 use crate::output::{Answer, Document};
@@ -31,11 +33,14 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<diagnose::SelfTestAnswer>(&args.dir)?;
     write::<report::ReportAnswer>(&args.dir)?;
     write::<shear::ShearAnswer>(&args.dir)?;
+    write::<simulate::SimulateAnswer>(&args.dir)?;
     write::<table::TableAnswer>(&args.dir)?;
     write::<log::LogAnswer>(&args.dir)?;
     write::<process::ProcessAnswer>(&args.dir)?;
     write::<replay::ReplayAnswer>(&args.dir)?;
-    write_problem(&args.dir)?;
+    write_file::<Description>(&args.dir, PROBLEM_SCHEMA)?;
+    write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
+    write::<run_verb::RunAnswer>(&args.dir)?;
     Ok(Outcome::Done)
 }
 
@@ -51,14 +56,14 @@ fn write<A: Answer + JsonSchema + 'static>(dir: &Path) -> Result<(), CliError> {
     save(dir, A::SCHEMA, &schema)
 }
 
-/// The schema of problem files.
-fn write_problem(dir: &Path) -> Result<(), CliError> {
+/// The schema of files that a verb reads.
+fn write_file<F: JsonSchema>(dir: &Path, id: &str) -> Result<(), CliError> {
     let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = serde_json::to_value(generator.into_root_schema_for::<Description>())?;
+    let mut schema = serde_json::to_value(generator.into_root_schema_for::<F>())?;
     if let Some(keys) = schema.as_object_mut() {
-        keys.insert("title".into(), Value::from(PROBLEM_SCHEMA));
+        keys.insert("title".into(), Value::from(id));
     }
-    save(dir, PROBLEM_SCHEMA, &schema)
+    save(dir, id, &schema)
 }
 
 fn save(dir: &Path, id: &str, schema: &Value) -> Result<(), CliError> {

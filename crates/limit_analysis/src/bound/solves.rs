@@ -15,14 +15,6 @@ use crate::solver::{self, Accuracy, Answer, Status};
 use crate::topology::Topology;
 use crate::upper::Upper;
 
-/// Solver accuracies. The gap shows in the bound; what a stress field misses its cones by costs much of the bound, so
-/// lower bounds need more. Their systems are also much worse conditioned (fourth order against second): with the
-/// regularisation that is best for flows, programs of 5,000 elements at 45 degrees of friction stall.
-const UPPER_ACCURACY: Accuracy =
-    Accuracy { gap: 1e-5, feasibility: 1e-8, steps: 1e-10, regularisation: 1e-10 };
-const LOWER_ACCURACY: Accuracy =
-    Accuracy { gap: 1e-6, feasibility: 1e-8, steps: 1e-8, regularisation: 1e-13 };
-
 /// What stays clear of all cones of an upper bound, in units of the structure's velocity; more if the proof fails.
 const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
 
@@ -50,7 +42,7 @@ impl Run<'_> {
         let mut spent = 0.0;
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let answer = self.solve(&upper.program, UPPER_ACCURACY, "upper")?;
+            let answer = self.solve(&upper.program, Accuracy::FLOW, "upper")?;
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proven = prove_upper(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
@@ -81,7 +73,7 @@ impl Run<'_> {
         let mut spent = 0.0;
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
-            let answer = self.solve(&lower.program, LOWER_ACCURACY, "lower")?;
+            let answer = self.solve(&lower.program, Accuracy::STRESS, "lower")?;
             spent += answer.seconds;
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);

@@ -2,6 +2,7 @@
 
 use soilctl_certificate::{Condition, LineUse};
 
+use super::branches::{Branches, Ways, walked};
 use super::given::{Across, shear_is_given};
 use super::loads::{Loads, is_loaded};
 use super::macro_element::turned;
@@ -47,6 +48,11 @@ pub(super) struct Copies<'a> {
     length: Vec<f64>,
     /// For each line of given shear, the chains that meet it.
     pub(super) meetings: Vec<Vec<Meeting>>,
+    pub(super) branches: Branches,
+    /// For copies on ways from bodies to the rim, the chain that values there are relative to.
+    pub(super) branch_of: Vec<Option<usize>>,
+    /// For one of the two copies at each vertex of a way, the other one, which has the same unknowns.
+    pub(super) twin_of: Vec<Option<usize>>,
 }
 
 impl<'a> Copies<'a> {
@@ -56,8 +62,11 @@ impl<'a> Copies<'a> {
         topology: &'a Topology,
         reference: &Reference,
     ) -> Self {
-        let cut =
-            |s: Side| topology.line[s.triangle][s.corner].is_some_and(|l| problem.condition(l).is_some());
+        let ways = Ways::new(problem, mesh, topology);
+        let cut = |s: Side| {
+            let line = topology.line[s.triangle][s.corner];
+            line.is_some_and(|l| problem.condition(l).is_some()) || ways.holds(mesh, s)
+        };
         let (corners, vertex_of) = topology.split(mesh, cut);
         let count = vertex_of.len();
         let mut region = vec![0; count];
@@ -80,8 +89,13 @@ impl<'a> Copies<'a> {
             apexes: vec![Vec::new(); count],
             length: vec![0.0; count],
             meetings: vec![Vec::new(); mesh.lines.len()],
+            branches: Branches::default(),
+            branch_of: vec![None; count],
+            twin_of: vec![None; count],
         };
+        copies.find_branches(&ways);
         copies.find_chains();
+        copies.follow(&ways);
         copies.find_neighbours();
         copies.find_given();
         copies
@@ -117,16 +131,72 @@ impl<'a> Copies<'a> {
         }
     }
 
+    /// Finds on which runs ways end, and where.
+    fn find_branches(&mut self, ways: &Ways) {
+        let mut on_runs = Vec::new();
+        for (number, way) in ways.all.iter().enumerate() {
+            let at = self.sides().find_map(|s| {
+                let (side, _) = self.boundary(s)?;
+                let run = self.loads.run(side)?;
+                let end = self.ends(s).1;
+                let sides = &self.loads.runs[run].sides;
+                let place = sides.iter().position(|other| *other == side)?;
+                let here = self.vertex_of[end] == way[0];
+                here.then(|| (run, (place, walked(side, self.fraction(end, side.line))), number))
+            });
+            on_runs.extend(at);
+        }
+        self.branches = Branches::new(self.loads.runs.len(), ways.all.len(), on_runs);
+    }
+
+    /// Goes along the ways and finds which copies are on which side of them.
+    fn follow(&mut self, ways: &Ways) {
+        for (number, way) in ways.all.iter().enumerate() {
+            for (i, step) in way.windows(2).enumerate() {
+                let on_step = |s: &Side| {
+                    let (a, b) = self.ends(*s);
+                    let ends = [self.vertex_of[a], self.vertex_of[b]];
+                    ends == [step[0], step[1]] || ends == [step[1], step[0]]
+                };
+                let sides: Vec<Side> = self.sides().filter(on_step).collect();
+                let mut pairs: Vec<[usize; 2]> = sides
+                    .iter()
+                    .map(|s| {
+                        let (a, b) = self.ends(*s);
+                        if self.vertex_of[a] == step[0] { [a, b] } else { [b, a] }
+                    })
+                    .collect();
+                if i == 0 {
+                    let chain = |copy: usize| self.chain_of[copy].as_ref().map(|c| c.0);
+                    let [low, high] = self.branches.around(number);
+                    for (pair, else_chain) in pairs.iter().zip([low, high]) {
+                        self.branch_of[pair[0]] = chain(pair[0]).or(Some(else_chain));
+                    }
+                }
+                pairs.sort_by_key(|p| self.branch_of[p[0]]);
+                if let [[a, b], [c, d]] = pairs[..] {
+                    (self.branch_of[b], self.branch_of[d]) = (self.branch_of[a], self.branch_of[c]);
+                    (self.twin_of[c], self.twin_of[d]) = (Some(a), Some(b));
+                }
+            }
+        }
+    }
+
     fn find_chains(&mut self) {
         for s in self.sides() {
             let Some((side, condition)) = self.boundary(s).filter(|b| is_loaded(b.1)) else { continue };
             let strengthless = condition == Condition::Free
                 && self.problem.statement().surcharge == 0.0
                 && self.problem.soils[self.mesh.triangles[s.triangle].region].cohesion.is_zero();
-            for copy in <[usize; 2]>::from(self.ends(s)) {
+            let ends = <[usize; 2]>::from(self.ends(s));
+            let middle = 0.5 * ends.map(|c| walked(side, self.fraction(c, side.line))).iter().sum::<f64>();
+            let sides = self.loads.run(side).map(|run| &self.loads.runs[run].sides);
+            let place = sides.and_then(|sides| sides.iter().position(|other| *other == side)).unwrap_or(0);
+            for copy in ends {
                 self.apex[copy] |= strengthless;
                 if let Some(run) = self.loads.run(side).filter(|_| self.chain_of[copy].is_none()) {
-                    self.chain_of[copy] = Some((run, self.loads.at(side, self.fraction(copy, side.line))));
+                    let chain = self.branches.chain(run, (place, middle));
+                    self.chain_of[copy] = Some((chain, self.loads.at(side, self.fraction(copy, side.line))));
                 }
             }
         }
@@ -146,6 +216,16 @@ impl<'a> Copies<'a> {
             }
         }
         self.length.iter_mut().zip(count).for_each(|(sum, n)| *sum /= n);
+        // What is next to an apex on one side of a way is so on the other one too.
+        for (copy, twin) in self.twin_of.iter().enumerate() {
+            let Some(twin) = *twin else { continue };
+            for apex in self.apexes[copy].clone() {
+                let known = |other: &usize| self.vertex_of[*other] == self.vertex_of[apex];
+                if !self.apexes[twin].iter().any(known) {
+                    self.apexes[twin].push(apex);
+                }
+            }
+        }
     }
 
     fn find_given(&mut self) {
@@ -169,8 +249,38 @@ impl<'a> Copies<'a> {
         }
     }
 
+    /// What is known and unknown at all copies.
+    pub(super) fn shapes(
+        &self,
+        across: &[Option<Across>],
+        chains: &[[Form; 3]],
+        program: &mut Program,
+    ) -> Vec<Shape> {
+        let mut shapes: Vec<Shape> = (0..self.vertex_of.len())
+            .map(|copy| match self.twin_of[copy] {
+                None => self.shape(copy, across, chains, program),
+                Some(_) => Shape::Zero { base: 0 },
+            })
+            .collect();
+        for (copy, twin) in self.twin_of.iter().enumerate() {
+            let (Some(twin), Some(base)) = (*twin, self.branch_of[copy]) else { continue };
+            let vertex = |apex: usize| self.vertex_of[apex];
+            let same =
+                |apex: usize| self.apexes[copy].iter().copied().find(|own| vertex(*own) == vertex(apex));
+            shapes[copy] = shapes[twin].on(base, same);
+        }
+        shapes
+    }
+
+    /// The chain that values along an edge of a way are relative to.
+    pub(super) fn way(&self, s: Side) -> Option<usize> {
+        let other = self.topology.across[s.triangle][s.corner]?;
+        let ((a, b), (d, c)) = (self.ends(s), self.ends(other));
+        ((a, b) != (c, d)).then_some(self.branch_of[a]).flatten()
+    }
+
     /// What is known and unknown at a copy.
-    pub(super) fn shape(
+    fn shape(
         &self,
         copy: usize,
         across: &[Option<Across>],
@@ -215,7 +325,10 @@ impl<'a> Copies<'a> {
         }
         let f = unknown(h * h);
         match lines.as_slice() {
-            [] => Shape::Free { f, fx: unknown(h), fy: unknown(h) },
+            [] => {
+                let base = self.branch_of[copy].unwrap_or(0);
+                Shape::Free { base, f, fx: unknown(h), fy: unknown(h) }
+            }
             [(a, line, s)] => {
                 let along = unknown(h / a.n[0].hypot(a.n[1]));
                 Shape::OneLine { line: *line, n: a.n, across: a.at(*s), f, along }

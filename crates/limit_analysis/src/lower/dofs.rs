@@ -52,7 +52,7 @@ fn chains(problem: &Problem, copies: &Copies, program: &mut Program) -> (Vec<[Fo
     // A smooth line that joins two chains carries no force along itself: the second chain's gradient is along it.
     let mut chains: Vec<[Form; 3]> = Vec::new();
     let mut gradients = Vec::new();
-    for chain in 0..copies.loads.runs.len().max(1) {
+    for chain in 0..copies.branches.chains() {
         if chain == 0 {
             chains.push([Form::default(), Form::default(), Form::default()]);
             gradients.push(Slopes::Zero);
@@ -105,8 +105,8 @@ fn slopes(
             _ if copies.apex[a] || copies.apex[b] => continue,
             Some((side, c)) if is_loaded(c) => {
                 let at = (copies.fraction(a, side.line) + copies.fraction(b, side.line)) / 2.0;
-                let run = copies.chain_of[a].as_ref().map_or(0, |c| c.0);
-                (run, loads::across([q[0] - p[0], q[1] - p[1]], &copies.loads.at(side, at)))
+                let chain = copies.chain_of[a].as_ref().map_or(0, |c| c.0);
+                (chain, loads::across([q[0] - p[0], q[1] - p[1]], &copies.loads.at(side, at)))
             }
             Some((side, c)) if shear_is_given(c) => {
                 let Some(line) = &across[side.line] else { continue };
@@ -116,11 +116,12 @@ fn slopes(
             Some(_) => (0, own()),
             None => {
                 let Some(other) = topology.across[s.triangle][s.corner] else { continue };
+                let base = copies.way(s).unwrap_or(0);
                 if (other.triangle, other.corner) < (s.triangle, s.corner) {
-                    let (base, form) = &slopes[other.triangle][other.corner];
-                    (*base, Form::default().plus(-1.0, form))
+                    let (_, form) = &slopes[other.triangle][other.corner];
+                    (base, Form::default().plus(-1.0, form))
                 } else {
-                    (0, own())
+                    (base, own())
                 }
             }
         };
@@ -151,8 +152,7 @@ impl StressFunction {
             .map(|line| line.iter().map(|m| (m.chain, slopes_at(m), m.at)).collect())
             .collect();
         let across = slopes_across(problem, reference, &touching, program);
-        let shapes: Vec<Shape> =
-            (0..copies.vertex_of.len()).map(|copy| copies.shape(copy, &across, &chains, program)).collect();
+        let shapes = copies.shapes(&across, &chains, program);
         let slopes = slopes(problem, mesh, topology, &copies, &across, program);
         let far = problem.statement().boundaries.iter().any(|b| b.condition == Condition::Far);
         let far_stress = far.then(|| program.unknown());

@@ -3,6 +3,7 @@
 //! Stresses are second derivatives of a stress function with continuous slopes, so that equilibrium holds whatever the
 //! unknowns are, and only yield is left to the cones of the program.
 
+mod branches;
 mod copies;
 pub(crate) mod dofs;
 mod far;
@@ -12,7 +13,7 @@ pub(crate) mod macro_element;
 mod reference;
 mod shape;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use soilctl_certificate::{Condition, LineUse};
 

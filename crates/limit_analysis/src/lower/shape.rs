@@ -30,7 +30,7 @@ pub(crate) enum Shape {
     /// The affine function of the chain `base`.
     Zero { base: usize },
     /// No condition.
-    Free { f: Unknown, fx: Unknown, fy: Unknown },
+    Free { base: usize, f: Unknown, fx: Unknown, fy: Unknown },
     /// Next to one apex, at `r` from it. `turn` is unknown or follows from a line of given shear.
     OneApex { base: usize, apex: usize, r: [f64; 2], f: Unknown, turn: Turn },
     /// Next to several apexes, at depth `depth` below all of them.
@@ -53,9 +53,26 @@ impl Shape {
     pub(crate) fn base(&self) -> usize {
         match self {
             Self::Chain { chain, .. } => *chain,
-            Self::Zero { base } | Self::OneApex { base, .. } | Self::ManyApexes { base, .. } => *base,
-            Self::Free { .. } | Self::OneLine { .. } | Self::TwoLines { .. } => 0,
+            Self::Zero { base }
+            | Self::OneApex { base, .. }
+            | Self::ManyApexes { base, .. }
+            | Self::Free { base, .. } => *base,
+            Self::OneLine { .. } | Self::TwoLines { .. } => 0,
         }
+    }
+
+    /// The same unknowns relative to another chain; `same` finds the apex with the same vertex.
+    pub(crate) fn on(&self, base: usize, same: impl Fn(usize) -> Option<usize>) -> Self {
+        let mut shape = self.clone();
+        match &mut shape {
+            Self::Chain { chain: b, .. }
+            | Self::Zero { base: b }
+            | Self::ManyApexes { base: b, .. }
+            | Self::Free { base: b, .. } => *b = base,
+            Self::OneApex { base: b, apex, .. } => (*b, *apex) = (base, same(*apex).unwrap_or(*apex)),
+            Self::OneLine { .. } | Self::TwoLines { .. } => {}
+        }
+        shape
     }
 
     /// Value and slopes relative to [`Self::base`].
@@ -64,7 +81,7 @@ impl Shape {
         match self {
             Self::Chain { demanded, .. } => demanded.clone(),
             Self::Zero { .. } => [zero(), zero(), zero()],
-            Self::Free { f, fx, fy } => [f.form(), fx.form(), fy.form()],
+            Self::Free { f, fx, fy, .. } => [f.form(), fx.form(), fy.form()],
             Self::OneApex { r, f, turn, .. } => {
                 let f = f.form();
                 let turn = match turn {
@@ -102,8 +119,8 @@ impl Shape {
         match self {
             Self::Chain { chain, .. } => Jet::Chain { chain: *chain },
             Self::Zero { base } => Jet::Zero { base: *base },
-            Self::Free { f, fx, fy } => {
-                Jet::Free { base: 0, f: f.value(x), fx: fx.value(x), fy: fy.value(x) }
+            Self::Free { base, f, fx, fy } => {
+                Jet::Free { base: *base, f: f.value(x), fx: fx.value(x), fy: fy.value(x) }
             }
             Self::OneApex { base, apex, f, turn, .. } => Jet::OneApex {
                 base: *base,

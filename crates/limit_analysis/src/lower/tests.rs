@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use soilctl_certificate::{Condition, Linear, Material, Objective, Statement, prove_lower};
 
 #[path = "../../tests/common/mod.rs"]
-mod common;
+pub(crate) mod common;
 
 use common::{soil, statement};
 
@@ -21,7 +21,7 @@ fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f
         Request { outline: &problem.outline, guides: &[], fans: &fans, size: &size, max_triangles: 20_000 };
     let mesh = generate(&request).unwrap();
     let topology = Topology::new(&mesh);
-    let accuracy = Accuracy { gap: 1e-7, feasibility: 1e-8 };
+    let accuracy = Accuracy { gap: 1e-7, ..Accuracy::STRESS };
     let attempt = |tightening: f64| {
         let lower = Lower::new(&problem, &mesh, &topology, tightening);
         let answer = solve(&lower.program, accuracy, 60.0, &Arc::new(AtomicBool::new(false)), None).unwrap();

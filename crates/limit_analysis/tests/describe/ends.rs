@@ -163,3 +163,14 @@ fn a_dead_load_beside_a_live_one_adds_its_bearing_capacity() {
     let (factor, _) = solve(&d, 1500);
     encloses(factor, 5.0 + 10.0 * (2.0 + std::f64::consts::PI), 0.05);
 }
+
+/// A buried block in clay: its force, beyond the weight of the soil in whose place it is, is that of the soil all around.
+#[test]
+fn a_buried_block_in_clay_is_held_by_it() {
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/problems/anchor.toml");
+    let (kn, _) = solve(&Description::read(&file).unwrap(), 600);
+    // At rest the soil lifts the block. Columns of soil on two sides bear 2 c each.
+    let at_rest = -17.0 * 0.8 / 5.0_f64.sqrt();
+    assert!(kn[0] > at_rest + 4.0 * 30.0 * 0.8, "{kn:?}");
+    assert!(kn[0] <= kn[1] && kn[1] <= 1.12 * kn[0], "{kn:?}");
+}

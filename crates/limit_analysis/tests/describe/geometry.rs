@@ -203,3 +203,14 @@ fn a_sheet_pile_has_one_face_above_the_dredge_line_and_two_below() {
     assert!(refusals.iter().all(|e| matches!(e, soilctl_certificate::CertificateError::NotCovered { .. })));
     assert!((length(&found.statement, is_face) * found.length_m - 9.0).abs() < 1e-12);
 }
+
+/// Where the zero of heights is makes no difference, to the last bit where it does not round.
+#[test]
+fn a_problem_lifted_is_the_same_statement() {
+    let it = Description::strip_footing(soil("sand", 30.0, 1.0), 2.0, 20.0, 0.5);
+    let mut lifted = it.clone();
+    let points = lifted.regions.iter_mut().flat_map(|r| &mut r.polygon);
+    let edges = lifted.structures.iter_mut().flat_map(|s| &mut s.edge);
+    points.chain(edges).for_each(|p| p[1] += 4.0);
+    assert_eq!(described(&it).statement, described(&lifted).statement);
+}

@@ -2,7 +2,7 @@
 
 use soilctl_certificate::{Condition, Material, Objective, Statement};
 
-use crate::common::statement;
+use super::common::statement;
 
 pub(crate) fn pressed(pressure: f64, live: bool) -> Condition {
     Condition::Loaded { pressure: [pressure; 2], shear: [0.0; 2], live }

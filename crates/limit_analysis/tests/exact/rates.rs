@@ -6,7 +6,7 @@ use soilctl_certificate::Statement;
 
 use crate::common::soil;
 use crate::grounds::{footing, heavy, slope, strip};
-use crate::{solve, strips};
+use crate::{prandtl, solve};
 
 /// The power of `h` with which errors fall, by least squares through all levels.
 fn order(points: &[(usize, f64)]) -> f64 {
@@ -50,7 +50,7 @@ fn bounds_of_a_strip_on_clay_converge() {
 fn exact_problems_converge_at_more_than_first_order() {
     let problems = [
         ("Nc 0", strip(soil(0.0, 1.0), 0.0, [4.0, 2.0]), 2.0 + std::f64::consts::PI),
-        ("Nq 30", strip(soil(30.0, 0.0), 1.0, [8.0, 4.0]), strips::nq(30.0)),
+        ("Nq 30", strip(soil(30.0, 0.0), 1.0, [8.0, 4.0]), prandtl::nq(30.0)),
         ("N_gamma 30", footing(heavy(soil(30.0, 0.0)), 30.0, 0.0, [8.0, 4.0]), 14.754_3),
         ("cut", slope(soil(0.0, 1.0), 90.0), 3.777),
     ];

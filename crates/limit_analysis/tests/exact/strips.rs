@@ -1,27 +1,9 @@
 //! Strip loads on weightless soil: the solutions of Prandtl (1920) and Reissner (1924).
 
-use std::f64::consts::PI;
-
 use crate::common::soil;
-use crate::grounds::strip;
+use crate::grounds::{footing, strip};
+use crate::prandtl::{nc, nq, size};
 use crate::{brackets, solve};
-
-/// Half of the ground that is modelled, in half-widths: slip lines reach further at high friction angles.
-fn size(phi_deg: f64) -> [f64; 2] {
-    let phi = phi_deg.to_radians();
-    // The spiral's radius grows to this much of the side of the wedge under the strip.
-    let reach = (PI / 2.0 * phi.tan()).exp() * (PI / 4.0 + phi / 2.0).tan();
-    [2.0 + 2.6 * reach, 1.0 + 1.6 * reach]
-}
-
-pub(crate) fn nq(phi_deg: f64) -> f64 {
-    let phi = phi_deg.to_radians();
-    (PI * phi.tan()).exp() * (1.0 + phi.sin()) / (1.0 - phi.sin())
-}
-
-fn nc(phi_deg: f64) -> f64 {
-    if phi_deg == 0.0 { 2.0 + PI } else { (nq(phi_deg) - 1.0) / phi_deg.to_radians().tan() }
-}
 
 fn check_nq(phi_deg: f64, elements: usize, gap: f64) {
     let bounds = solve(strip(soil(phi_deg, 0.0), 1.0, size(phi_deg)), elements);
@@ -52,4 +34,12 @@ fn exact_strips_from_10_to_40_degrees() {
         check_nq(phi_deg, 3000, 0.04);
         check_nc(phi_deg, 3000, 0.04);
     }
+}
+
+/// A rough footing on a layer half as deep as it is wide, on a rough base: Mandel & Salencon (1972) print 1.02 times
+/// Prandtl's load.
+#[test]
+fn a_rough_footing_on_a_shallow_layer_carries_more() {
+    let bounds = solve(footing(soil(0.0, 1.0), 0.0, 1.0, [4.0, 1.0]), 900);
+    brackets("shallow layer", &bounds, [1.015, 1.025].map(|f| f * nc(0.0)), 0.04);
 }

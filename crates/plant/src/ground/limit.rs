@@ -16,7 +16,7 @@ const SHARES: usize = 17;
 /// of a table it follows the shape of Chen and Liu's model, scaled to the table's last value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LimitCoefficients {
-    /// Net factors of weight, surcharge and cohesion, by angle and share.
+    /// Net factors of weight and cohesion and the passive one of surcharge, by angle and share.
     nodes: Vec<[LoadFactors; SHARES]>,
 }
 
@@ -50,10 +50,13 @@ impl LimitCoefficients {
                 let weight =
                     prediction.net_lower.0 + fraction * (prediction.net_upper.0 - prediction.net_lower.0);
                 let mut found = LoadFactors { weight, ..prediction.net };
+                let (here, nearest) = (ChenLiu.predict(&case(alpha_deg))?, ChenLiu.predict(&case(inside))?);
                 if inside != alpha_deg {
-                    let shape = |alpha_deg| ChenLiu.predict(&case(alpha_deg)).map(|p| p.net.weight);
-                    found.weight *= shape(alpha_deg)? / shape(inside)?;
+                    found.weight *= here.net.weight / nearest.net.weight;
                 }
+                // A heap loads the soil ahead only.
+                let passive = here.passive.map_or(0.0, |side| side.surcharge);
+                found.surcharge = found.weight * passive / here.net.weight;
                 *factors = rounded(found);
             }
             nodes.push(row);

@@ -20,12 +20,17 @@ use crate::truth::SoilTruth;
 use crate::{PlantError, PlantParams};
 use plate::Plate;
 use strength::Strength;
-use surface::{Strip, Surface};
+use surface::Surface;
+
+/// Ticks between two looks at the surface ahead: the plate moves by less than a millimetre.
+const SURVEY_TICKS: u64 = 10;
+/// Depths ahead over which the surface loads the failing wedge.
+const WEDGE_LENGTH: f64 = 2.5;
 
 /// The sand in the box.
 ///
-/// The limit force is that of a force model at the plate's true depth below the surface ahead of it, heap included, and so
-/// goes with the square of the depth; what is mobilised of it follows the way of the plate. Passive and active side are both
+/// The limit force is that of a force model at the plate's true depth below the surface, and so goes with the square of
+/// the depth, with the heap ahead as a surcharge; what is mobilised of it follows the way of the plate. Passive and active side are both
 /// in the model's net force. The force's inclination is limited by friction on the plate, which slips along it otherwise.
 pub struct Ground {
     config: GroundConfig,
@@ -41,8 +46,9 @@ pub struct Ground {
     noise: Noise,
     preparations: u32,
     change: SoilChange,
-    /// Height of the surface ahead of the plate in m, once a tick.
-    ahead_z_m: f64,
+    /// Height of the surface that the plate is in, and of the heap above it, in m.
+    level_z_m: f64,
+    heap_m: f64,
     plate: Plate,
 }
 
@@ -64,7 +70,7 @@ impl Ground {
         let rules = crate::rules::Rules { file: "ground" };
         rules.range("surface_z_m", surface_z_m, "m", sandbox.floor_z_m, sandbox.top_z_m)?;
         let shape = &params.arm().config().plate;
-        let surface = Surface::level(sandbox.x_m, sandbox.y_m, config.cell_m, surface_z_m);
+        let surface = Surface::new(&sandbox, config.cell_m, surface_z_m, &soil)?;
         Ok(Self {
             strength: Strength::new(&config, preset, model, &soil, &interface)?,
             width_m: shape.width_m,
@@ -72,7 +78,8 @@ impl Ground {
             noise: Noise::new(seed),
             preparations: 0,
             change: SoilChange::default(),
-            ahead_z_m: surface_z_m,
+            level_z_m: surface_z_m,
+            heap_m: 0.0,
             plate: Plate::default(),
             preset: preset.clone(),
             config,
@@ -86,7 +93,8 @@ impl Ground {
 
     /// Level sand again, with a density that scatters as the preset says. To be called while the plate is out of it.
     pub fn prepare(&mut self) {
-        self.surface.rake(self.surface_z_m);
+        self.surface.rake();
+        (self.level_z_m, self.heap_m) = (self.surface_z_m, 0.0);
         self.preparations = self.preparations.saturating_add(1);
         let scatter = 1.0 + self.preset.density_sd_rel * self.noise.normal();
         let density = self.preset.density_kg_m3 * scatter.max(0.5);
@@ -127,43 +135,39 @@ impl Ground {
     /// Failure force in N at full friction for a plate at a tool angle (rad) and depth (m), without effects.
     #[must_use]
     pub fn limit_force_n(&self, tool_angle_rad: f64, depth_m: f64) -> f64 {
-        self.strength.limit_n(tool_angle_rad, depth_m, self.width_m, 1.0)
+        self.strength.limit_n(tool_angle_rad, depth_m, 0.0, self.width_m, 1.0)
     }
 
     pub(crate) const fn truth(&self) -> SoilTruth {
         self.plate.truth
     }
 
-    /// Once a tick: the surface ahead, what the last tick has moved, and effects.
+    /// Once a tick: the surface ahead, what the last ticks have moved, and effects.
     pub(crate) fn survey(&mut self, hand: &Frame, tip_m: [f64; 3], tick: u64, effects: &mut dyn Effects) {
         let ahead = [hand.rotation[0][0], hand.rotation[1][0]];
         let length = libm::hypot(ahead[0], ahead[1]);
         // A plate that lies flat has nothing ahead.
         if length < 0.1 {
-            self.ahead_z_m = self.surface_z_m;
             return;
         }
         let ahead = ahead.map(|part| part / length);
-        let deep_m = (self.ahead_z_m - tip_m[2]).max(0.005);
-        let strip = |half_width_m: f64, near: f64, far: f64| Strip {
-            middle_m: [tip_m[0], tip_m[1]],
-            ahead,
-            half_width_m,
-            along_m: [near, far],
-        };
-        let (half, cell_m) = (0.5 * self.width_m, self.config.cell_m);
-        if self.plate.moved_m > 0.0 {
-            let volume = self.plate.moved_m * deep_m * self.width_m;
-            // A cell's distance, so that the plate's own cell is neither.
-            let behind = strip(half, -2.0 * cell_m, -cell_m);
-            // The heap spills over the plate's ends.
-            let heap = strip(half + deep_m, cell_m, cell_m + self.config.heap_length * deep_m);
-            self.surface.shift(&behind, &heap, volume, tip_m[2]);
+        let inside = self.plate.truth.depth_m > 0.0;
+        if inside && self.plate.moved_m >= self.config.cell_m {
+            let heap_m = self.config.heap_length * self.plate.truth.depth_m;
+            self.surface.push(tip_m, ahead, self.plate.moved_m, self.width_m, heap_m);
             self.plate.moved_m = 0.0;
         }
-        self.ahead_z_m = self.surface.mean_height_m(&strip(half, cell_m, cell_m + deep_m));
-        self.plate.truth.heap_m = self.ahead_z_m - self.surface_z_m;
-        if self.plate.truth.depth_m > 0.0 {
+        if !inside {
+            self.surface.come_to_rest();
+        }
+        if tick.is_multiple_of(SURVEY_TICKS) {
+            let wedge_m = WEDGE_LENGTH * self.plate.truth.depth_m.max(self.config.cell_m);
+            let height_m = self.surface.ahead_m(tip_m, ahead, wedge_m, self.width_m);
+            // What lies above the surface that the plate has met is a heap; where it is lower, the plate is less deep.
+            self.level_z_m = if inside { self.level_z_m.min(height_m) } else { height_m };
+            self.heap_m = height_m - self.level_z_m;
+        }
+        if inside {
             let mut change = SoilChange::default();
             effects.soil(&self.contact(hand, tip_m, tick), &mut change);
             self.change = change;
@@ -195,9 +199,9 @@ impl Ground {
         velocity_m_s: [f64; 3],
         dt_s: f64,
     ) -> PointForce {
-        let depth_m = self.ahead_z_m - tip_m[2];
+        let place = [self.level_z_m - tip_m[2], self.heap_m];
         let size = [self.width_m, self.thickness_m];
-        self.plate.press(&self.config, &self.strength, &self.change, size, hand, depth_m, velocity_m_s, dt_s);
+        self.plate.press(&self.config, &self.strength, &self.change, size, hand, place, velocity_m_s, dt_s);
         let force_n = self.plate.force_n(hand);
         // Pressure grows with depth, so that its resultant lies a third of the way up.
         let up_m = -self.plate.slant_m / 3.0;

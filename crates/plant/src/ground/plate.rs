@@ -42,7 +42,7 @@ impl Plate {
         change: &SoilChange,
         [width_m, thickness_m]: [f64; 2],
         hand: &Frame,
-        depth_m: f64,
+        [depth_m, heap_m]: [f64; 2],
         velocity_m_s: [f64; 3],
         dt_s: f64,
     ) {
@@ -53,12 +53,7 @@ impl Plate {
         let alpha = libm::atan2(-hand.rotation[2][2], hand.rotation[2][0]);
         if depth_m <= 0.0 || alpha <= 0.2 || alpha >= std::f64::consts::PI - 0.2 {
             *self = Self {
-                truth: SoilTruth {
-                    depth_m,
-                    tool_angle_rad: alpha,
-                    heap_m: self.truth.heap_m,
-                    ..SoilTruth::default()
-                },
+                truth: SoilTruth { depth_m, tool_angle_rad: alpha, heap_m, ..SoilTruth::default() },
                 ..Self::default()
             };
             return;
@@ -79,7 +74,7 @@ impl Plate {
         let share = if delta > 0.0 { libm::atan2(tangent, normal.abs().max(1e-6)) / delta } else { 1.0 };
         let share = share.clamp(0.0, 1.0);
         let facing = if self.mobilised < 0.0 { std::f64::consts::PI - alpha } else { alpha };
-        let limit = change.limit_force * strength.limit_n(facing, depth_m, width_m, share);
+        let limit = change.limit_force * strength.limit_n(facing, depth_m, heap_m, width_m, share);
         let residual = self.residual(config, strength);
         let most_normal = limit * libm::cos(share * delta) * residual;
         let failing = self.mobilise(config, strength, change, alpha, depth_m, way);
@@ -108,10 +103,11 @@ impl Plate {
         ];
         self.truth = SoilTruth {
             depth_m,
-            heap_m: self.truth.heap_m,
+            heap_m,
             tool_angle_rad: alpha,
-            limit_force_n: change.limit_force * strength.limit_n(alpha, depth_m, width_m, 1.0),
+            limit_force_n: change.limit_force * strength.limit_n(alpha, depth_m, heap_m, width_m, 1.0),
             limit_force_now_n: libm::hypot(most_normal, tangent),
+            force_n: self.force_n(hand),
             normal_n: self.forces_n[0],
             tangent_n: self.forces_n[1],
             lateral_n: self.forces_n[2],

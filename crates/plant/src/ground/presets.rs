@@ -2,7 +2,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_soil::{Angle, Interface, Soil};
 
 use crate::PlantError;
-use crate::rules::{Checked, Rules};
+use crate::rules::Rules;
 
 const SOILS: &str = include_str!("../../../../data/plant/soils.toml");
 const FILE: &str = "data/plant/soils.toml";
@@ -88,7 +88,11 @@ impl SoilPreset {
         Ok((soil, interface))
     }
 
-    fn check(&self, file: &str) -> Checked {
+    /// Whether all numbers are in their range; `file` is named in messages.
+    ///
+    /// # Errors
+    /// [`PlantError::Config`] naming the first key that is not allowed.
+    pub fn check(&self, file: &str) -> Result<(), PlantError> {
         let rules = Rules { file };
         rules.range("phi_deg", self.phi_deg, "deg", 1.0, 60.0)?;
         rules.range("delta_deg", self.delta_deg, "deg", 0.0, self.phi_deg)?;

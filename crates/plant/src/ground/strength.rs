@@ -55,13 +55,20 @@ impl Strength {
         self.density_kg_m3 * self.gravity_m_s2
     }
 
-    /// Failure force in N on a plate, with a share of the friction mobilised.
-    pub(crate) fn limit_n(&self, tool_angle_rad: f64, depth_m: f64, width_m: f64, share: f64) -> f64 {
+    /// Failure force in N on a plate with a heap ahead of it, with a share of the friction mobilised.
+    pub(crate) fn limit_n(
+        &self,
+        tool_angle_rad: f64,
+        depth_m: f64,
+        heap_m: f64,
+        width_m: f64,
+        share: f64,
+    ) -> f64 {
         let slant_m = depth_m / libm::sin(tool_angle_rad);
         let factors = self.limits.at(tool_angle_rad, share);
         let per_length = slant_m * width_m;
-        per_length
-            * (0.5 * self.unit_weight_n_m3() * slant_m * factors.weight + self.cohesion_pa * factors.cohesion)
+        let weight = self.unit_weight_n_m3() * (0.5 * slant_m * factors.weight + heap_m * factors.surcharge);
+        per_length * (weight + self.cohesion_pa * factors.cohesion)
     }
 
     /// Force in N of both faces at rest, across the plate: one of them.

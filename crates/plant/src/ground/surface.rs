@@ -1,151 +1,125 @@
-/// Heights of the soil's surface on a grid of square cells, in the base frame.
-///
-/// What is dug in one place is heaped in another, so that the volume stays the same but for rounding.
+use soilctl_soil::Soil;
+use soilctl_terrain::{HeightField, Repose, Sweep, TerrainError};
+
+use crate::config::BoxConfig;
+
+/// Steepest slope in rad at which cohesive soil stands, for as low as furrows are.
+const COHESIVE_RAD: f64 = 1.4;
+/// Most steps in which the surface comes to rest after a stroke, and the slope that may be too much then.
+const REST: (usize, f64) = (400, 0.02);
+
+/// The soil's surface in the box, in the base frame: a plate pushes soil ahead of itself, and when it has left, slopes run
+/// off. Volume is kept.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Surface {
     origin_m: [f64; 2],
-    cell_m: f64,
-    count: [usize; 2],
-    height_m: Vec<f64>,
+    level_z_m: f64,
+    field: HeightField,
+    level: HeightField,
+    repose: Repose,
+    restless: bool,
 }
-
-/// A rectangle seen from above: from a middle, half a width to both sides, and from one distance ahead to another.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Strip {
-    pub(crate) middle_m: [f64; 2],
-    /// Unit vector ahead.
-    pub(crate) ahead: [f64; 2],
-    pub(crate) half_width_m: f64,
-    /// Nearest and farthest distance ahead in m.
-    pub(crate) along_m: [f64; 2],
-}
-
-/// Points of a strip across and along.
-const ACROSS: usize = 32;
-const ALONG: usize = 16;
 
 impl Surface {
-    /// A level surface between walls across x and y.
-    pub(crate) fn level([x_low, x_high]: [f64; 2], [y_low, y_high]: [f64; 2], cell_m: f64, z_m: f64) -> Self {
-        let cells = |low: f64, high: f64| {
+    /// A level surface at `level_z_m`.
+    pub(crate) fn new(
+        sandbox: &BoxConfig,
+        cell_m: f64,
+        level_z_m: f64,
+        soil: &Soil,
+    ) -> Result<Self, TerrainError> {
+        let cells = |[low, high]: [f64; 2]| {
             let count = ((high - low) / cell_m).ceil().clamp(1.0, 1e4);
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 1e4")]
             let count = count as usize;
             count
         };
-        let count = [cells(x_low, x_high), cells(y_low, y_high)];
-        Self { origin_m: [x_low, y_low], cell_m, count, height_m: vec![z_m; count[0] * count[1]] }
+        let field = HeightField::level(cells(sandbox.x_m), cells(sandbox.y_m), cell_m, level_z_m)?;
+        let angle_rad = if soil.cohesion_pa() > 0.0 { COHESIVE_RAD } else { soil.friction().radians() };
+        Ok(Self {
+            origin_m: [sandbox.x_m[0], sandbox.y_m[0]],
+            level_z_m,
+            level: field.clone(),
+            field,
+            repose: Repose::from_radians(angle_rad)?,
+            restless: false,
+        })
     }
 
-    /// Level again, at this height.
-    pub(crate) fn rake(&mut self, z_m: f64) {
-        self.height_m.fill(z_m);
+    /// Level again.
+    pub(crate) fn rake(&mut self) {
+        self.field.clone_from(&self.level);
+        self.restless = false;
     }
 
-    /// Volume of soil above the height 0 in m3; differences are what matters.
+    /// Volume of soil above the table's height in m3; differences are what matters.
     pub(crate) fn volume_m3(&self) -> f64 {
-        self.height_m.iter().sum::<f64>() * self.cell_m * self.cell_m
+        self.field.volume_m3()
     }
 
-    /// Mean height in a strip in m; at the walls the nearest cell counts.
-    pub(crate) fn mean_height_m(&self, strip: &Strip) -> f64 {
-        let mut sum = 0.0;
-        strip.points(|point| sum += self.height_m[self.cell(point)]);
-        #[allow(clippy::cast_precision_loss, reason = "small integers")]
-        let count = (ACROSS * ALONG) as f64;
-        sum / count
+    /// Mean height in m ahead of the plate at `tip_m` over a length in m; beyond the walls it is level.
+    pub(crate) fn ahead_m(&self, tip_m: [f64; 3], ahead: [f64; 2], length_m: f64, width_m: f64) -> f64 {
+        let cell_m = self.field.cell_m();
+        let place = self.place(tip_m);
+        // From the next cell on: the plate's own is half furrow.
+        let from_m = [place[0] + cell_m * ahead[0], place[1] + cell_m * ahead[1]];
+        self.field.mean_height_m(from_m, ahead, length_m, width_m).unwrap_or(self.level_z_m)
     }
 
-    /// Moves a volume in m3 out of one strip into another; no cell is dug below `floor_m`. Says how much was moved.
-    pub(crate) fn shift(&mut self, from: &Strip, to: &Strip, volume_m3: f64, floor_m: f64) -> f64 {
-        #[allow(clippy::cast_precision_loss, reason = "small integers")]
-        let count = (ACROSS * ALONG) as f64;
-        let step_m = volume_m3 / (self.cell_m * self.cell_m) / count;
-        let mut dug_m = 0.0;
-        from.points(|point| {
-            let cell = self.cell(point);
-            let way_m = step_m.min(self.height_m[cell] - floor_m).max(0.0);
-            self.height_m[cell] -= way_m;
-            dug_m += way_m;
-        });
-        to.points(|point| {
-            let cell = self.cell(point);
-            self.height_m[cell] += dug_m / count;
-        });
-        dug_m * self.cell_m * self.cell_m
+    /// The plate has come by `way_m` to `tip_m` and has moved what was above its edge to within `heap_m` ahead.
+    pub(crate) fn push(&mut self, tip_m: [f64; 3], ahead: [f64; 2], way_m: f64, width_m: f64, heap_m: f64) {
+        let to_m = self.place(tip_m);
+        let from_m = [to_m[0] - way_m * ahead[0], to_m[1] - way_m * ahead[1]];
+        let sweep = Sweep { from_m, to_m, width_m, bottom_m: tip_m[2], ahead_m: heap_m };
+        // A place that is no number is reported as a lost arm in the same tick.
+        self.restless |= self.field.push(&sweep).is_ok_and(|moved_m3| moved_m3 > 0.0);
     }
 
-    fn cell(&self, point_m: [f64; 2]) -> usize {
-        let index: [usize; 2] = std::array::from_fn(|axis| {
-            let at = ((point_m[axis] - self.origin_m[axis]) / self.cell_m).floor();
-            #[allow(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "saturates; NaN gives 0"
-            )]
-            let at = at.max(0.0) as usize;
-            at.min(self.count[axis] - 1)
-        });
-        index[0] * self.count[1] + index[1]
-    }
-}
-
-impl Strip {
-    fn points(&self, mut visit: impl FnMut([f64; 2])) {
-        #[allow(clippy::cast_precision_loss, reason = "small integers")]
-        let share = |i: usize, count: usize| (i as f64 + 0.5) / count as f64;
-        let [near, far] = self.along_m;
-        for i in 0..ALONG {
-            let along = near + share(i, ALONG) * (far - near);
-            for k in 0..ACROSS {
-                let across = (2.0 * share(k, ACROSS) - 1.0) * self.half_width_m;
-                visit([
-                    self.middle_m[0] + along * self.ahead[0] - across * self.ahead[1],
-                    self.middle_m[1] + along * self.ahead[1] + across * self.ahead[0],
-                ]);
-            }
+    /// Slopes run off, once after each stroke: while the plate is in it, it holds its heap back.
+    pub(crate) fn come_to_rest(&mut self) {
+        if std::mem::take(&mut self.restless) {
+            let (steps, excess) = REST;
+            self.field.settle(&self.repose, steps, excess);
         }
+    }
+
+    fn place(&self, tip_m: [f64; 3]) -> [f64; 2] {
+        [tip_m[0] - self.origin_m[0], tip_m[1] - self.origin_m[1]]
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use soilctl_soil::Angle;
 
-    proptest! {
-        #[test]
-        fn volume_is_kept(
-            x in 0.0..0.6_f64, y in -0.3..0.3_f64, turn in 0.0..6.3_f64, volume in 0.0..1e-4_f64,
-        ) {
-            let mut surface = Surface::level([0.0, 0.6], [-0.3, 0.3], 0.01, -0.33);
-            let before = surface.volume_m3();
-            let strip = |near, far| Strip {
-                middle_m: [x, y],
-                ahead: [libm::cos(turn), libm::sin(turn)],
-                half_width_m: 0.06,
-                along_m: [near, far],
-            };
-            let moved = surface.shift(&strip(-0.02, 0.0), &strip(0.0, 0.06), volume, -0.36);
-            prop_assert!(moved <= volume * (1.0 + 1e-12));
-            prop_assert!((surface.volume_m3() - before).abs() < 1e-12);
-            prop_assert!(surface.height_m.iter().all(|z| *z >= -0.36));
-        }
+    fn surface() -> Surface {
+        let sandbox = BoxConfig { x_m: [0.1, 0.7], y_m: [-0.3, 0.3], floor_z_m: -0.5, top_z_m: 0.0 };
+        let soil = Soil::new(Angle::from_degrees(35.0), 1500.0).unwrap();
+        Surface::new(&sandbox, 0.005, -0.33, &soil).unwrap()
     }
 
+    /// A stroke towards the base leaves a furrow and a heap; slopes run off to repose; not a grain is lost.
     #[test]
-    fn a_heap_stands_where_it_was_put() {
-        let mut surface = Surface::level([0.0, 0.6], [-0.3, 0.3], 0.01, 0.0);
-        let strip = |near, far| Strip {
-            middle_m: [0.3, 0.0],
-            ahead: [-1.0, 0.0],
-            half_width_m: 0.06,
-            along_m: [near, far],
-        };
-        // 0.12 m x 0.06 m x 5 mm.
-        surface.shift(&strip(-0.06, 0.0), &strip(0.0, 0.06), 3.6e-5, -1.0);
-        assert!((surface.mean_height_m(&strip(0.0, 0.06)) - 0.005).abs() < 0.002);
-        assert!((surface.mean_height_m(&strip(-0.06, 0.0)) + 0.005).abs() < 0.002);
-        assert_eq!(surface.mean_height_m(&strip(0.1, 0.2)), 0.0);
+    fn a_stroke() {
+        let mut surface = surface();
+        let before = surface.volume_m3();
+        for step in 1..=5 {
+            let x = 0.4 - 0.005 * f64::from(step);
+            surface.push([x, 0.0, -0.355], [-1.0, 0.0], 0.005, 0.12, 0.05);
+        }
+        let heap = |surface: &Surface| surface.ahead_m([0.375, 0.0, -0.355], [-1.0, 0.0], 0.05, 0.12) + 0.33;
+        let steep = surface.field.steepest_slope();
+        // At most 25 mm x 25 mm over 50 mm.
+        assert!(heap(&surface) > 0.004 && heap(&surface) < 0.0125 + 1e-9, "{}", heap(&surface));
+        surface.come_to_rest();
+        let limit = libm::tan(35f64.to_radians());
+        assert!(steep > limit && surface.field.steepest_slope() < limit + 0.1, "{steep}");
+        assert!((surface.volume_m3() - before).abs() < 1e-12);
+        let settled = surface.clone();
+        surface.come_to_rest();
+        assert!(surface == settled);
+        surface.rake();
+        assert_eq!(surface.ahead_m([0.375, 0.0, -0.355], [-1.0, 0.0], 0.05, 0.12), -0.33);
     }
 }

@@ -4,7 +4,7 @@ mod csv_file;
 mod parquet_file;
 mod rows;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::fields::Cell;
 use crate::read::{Ending, Item, scan};
@@ -51,11 +51,18 @@ trait Table {
 /// # Errors
 /// [`SessionError::NoTable`] for another topic, [`SessionError::Missing`] if the log has none of its messages,
 /// [`SessionError::Message`] for a malformed message, [`SessionError::File`] if the table cannot be written, and those
-/// of [`scan`].
+/// of [`scan`]. After an error there is no table, and one that was there before is as it was.
 pub fn export(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
     if !TABLES.contains(&topic) {
         return Err(SessionError::NoTable { topic: topic.to_owned(), known: TABLES.join(", ") });
     }
+    let beside = Beside::new(out);
+    let exported = write(path, topic, &beside.path, form)?;
+    beside.keep()?;
+    Ok(exported)
+}
+
+fn write(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
     let mut table: Option<Box<dyn Table>> = None;
     let (mut rows, mut columns) = (0, 0);
     let ending = scan(path, &mut |item| {
@@ -89,4 +96,38 @@ pub fn export(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<E
         }
     }
     Ok(Export { rows, columns, ending })
+}
+
+/// A file in the making beside the one that it becomes; it goes away unless it is kept.
+struct Beside<'a> {
+    path: PathBuf,
+    out: &'a Path,
+}
+
+impl<'a> Beside<'a> {
+    /// A device or pipe is written to as it is.
+    fn new(out: &'a Path) -> Self {
+        let special = out.metadata().is_ok_and(|found| !found.is_file());
+        let mut name = out.as_os_str().to_owned();
+        if !special {
+            name.push(".part");
+        }
+        Self { path: name.into(), out }
+    }
+
+    fn keep(&self) -> Result<(), SessionError> {
+        if self.path == self.out {
+            return Ok(());
+        }
+        std::fs::rename(&self.path, self.out).map_err(|error| SessionError::file(self.out, &error))
+    }
+}
+
+impl Drop for Beside<'_> {
+    fn drop(&mut self) {
+        if self.path != self.out {
+            // After `keep` there is nothing left to remove.
+            let _ = std::fs::remove_file(&self.path);
+        }
+    }
 }

@@ -12,4 +12,4 @@ pub use ros::{
     Header, JointState, Quaternion, StringMessage, TfMessage, Time, Transform, TransformStamped, Vector3,
     Wrench, WrenchStamped,
 };
-pub(crate) use words::word;
+pub use words::{variant, word};

@@ -6,8 +6,10 @@ use serde::de::value::{Error, StrDeserializer};
 use serde::de::{Deserialize, IntoDeserializer};
 use serde_json::Value;
 
-/// The name of a variant, with the names of variants inside it.
-pub(crate) fn word<T: Serialize>(value: &T) -> String {
+/// The name of a variant, with the names of variants inside it: `TrajectoryEnded(Stroke, Contact)` is
+/// `trajectory_ended/stroke/contact`.
+#[must_use]
+pub fn word<T: Serialize>(value: &T) -> String {
     serde_json::to_value(value).map_or_else(|_| String::new(), |value| path(&value))
 }
 
@@ -34,7 +36,8 @@ fn snake(name: &str) -> String {
 }
 
 /// The variant without content of this name; the type may call its variants in either style.
-pub(super) fn variant<'a, T: Deserialize<'a>>(name: &'a str) -> Option<T> {
+#[must_use]
+pub fn variant<'a, T: Deserialize<'a>>(name: &'a str) -> Option<T> {
     let read = |name: &str| {
         let text: StrDeserializer<'_, Error> = name.into_deserializer();
         T::deserialize(text).ok()

@@ -20,7 +20,7 @@ use soilctl_kinematics::{JointAngles, JointVelocities, TaskPose};
 use soilctl_session::messages::SoilTruth;
 use soilctl_session::{Logger, Pace, Recorder, SessionError, Setup, StepRecord, Truth};
 
-const PLAN: &str = include_str!("../../../../data/controller/table_6_2.toml");
+const PLAN: &str = include_str!("../../../../data/plans/table_6_2.toml");
 
 /// Ticks of one insertion, stroke and pull-out with their rests, and the way back.
 pub const STROKE_TICKS: u64 = 18_000;

@@ -40,7 +40,7 @@ fn check_with(statement: &Statement, of: impl Fn([f64; 2]) -> [f64; 3]) {
     let guides = [Guide { points: vec![[1.0, 0.0], [2.0, -0.7], [3.0, 0.0]] }];
     let (fine, topology) = mesh(&problem, 0.35, &guides);
     let upper = Upper::new(&problem, &fine, &topology, &[], 0.0);
-    let accuracy = Accuracy { gap: 1e-5, feasibility: 1e-8 };
+    let accuracy = Accuracy::FLOW;
     let answer =
         solver::solve(&upper.program, accuracy, 1e9, &Arc::new(AtomicBool::new(false)), None).unwrap();
     let velocity = VelocityField::new(&upper, &answer.x);

@@ -60,7 +60,7 @@ fn bounds(statement: &Statement, targets: &[usize]) -> Vec<Found> {
         let topology = Topology::new(&mesh);
         for tightening in [1e-6, 1e-5, 1e-4] {
             let upper = Upper::new(&problem, &mesh, &topology, &bowl.still(&mesh), tightening);
-            let accuracy = Accuracy { gap: 1e-5, feasibility: 1e-8 };
+            let accuracy = Accuracy::FLOW;
             let stop = Arc::new(AtomicBool::new(false));
             let answer = solver::solve(&upper.program, accuracy, 1e9, &stop, None).unwrap();
             let field = upper.saved(&mesh, &answer.x);

@@ -1,0 +1,101 @@
+//! Effects on readings.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use soilctl_controller::Sensed;
+use soilctl_effects::EffectEntry;
+use soilctl_kinematics::Joint;
+
+use super::amplitude;
+use crate::Plan;
+
+/// What the readings get wrong, by the sums of all effects.
+pub(super) struct Sensors {
+    scale: f64,
+    bias_n: f64,
+    drift_n: f64,
+    crosstalk: f64,
+    wrist_counts: [i32; 2],
+    quantum_counts: i32,
+    strokes: usize,
+    stroke: Arc<AtomicUsize>,
+}
+
+impl Sensors {
+    pub(super) fn new<'a>(
+        entries: impl Iterator<Item = &'a EffectEntry>,
+        plan: &Plan,
+        stroke: Arc<AtomicUsize>,
+    ) -> Self {
+        let encoders = &plan.plant().config().encoders;
+        let wrist = Joint::Wrist.index();
+        let strokes = plan.strokes().strokes();
+        let mut sensors = Self {
+            scale: 1.0,
+            bias_n: 0.0,
+            drift_n: 0.0,
+            crosstalk: 0.0,
+            wrist_counts: [0; 2],
+            quantum_counts: 1,
+            strokes: strokes.len(),
+            stroke,
+        };
+        for entry in entries {
+            let value = amplitude(entry);
+            match entry.id.as_str() {
+                "force_scale" => sensors.scale *= value,
+                "force_bias" => sensors.bias_n += value,
+                "force_drift" => sensors.drift_n += value,
+                "ft_crosstalk" => sensors.crosstalk += value,
+                "tool_angle_offset" => {
+                    // The wrist bends towards the base with a falling tool angle: what is read is set, what is true is off.
+                    let turns = value / 360.0;
+                    for (counts, per_turn) in sensors.wrist_counts.iter_mut().zip([
+                        encoders.motor_counts_per_turn[wrist],
+                        encoders.external_counts_per_turn[wrist],
+                    ]) {
+                        *counts = rounded(turns * per_turn);
+                    }
+                }
+                "encoder_quantisation" => {
+                    let radius_m = strokes.first().map_or(0.4318, |stroke| stroke.radius_m);
+                    let per_turn = encoders.external_counts_per_turn[Joint::Shoulder.index()].abs();
+                    let count_m = std::f64::consts::TAU * radius_m / per_turn;
+                    sensors.quantum_counts = rounded(value / count_m).max(1);
+                }
+                _ => {}
+            }
+        }
+        sensors
+    }
+
+    pub(super) fn change(&self, sensed: &mut Sensed) {
+        let last = self.strokes.saturating_sub(1).max(1);
+        #[allow(clippy::cast_precision_loss, reason = "at most 1024 strokes")]
+        let time = self.stroke.load(Ordering::Relaxed).min(last) as f64 / last as f64;
+        let [x, _, z, ..] = sensed.wrench;
+        // The plate's force along itself points downwards where x points to the tip, the soil's upwards.
+        sensed.wrench[0] = x - self.crosstalk * z;
+        for value in &mut sensed.wrench {
+            *value *= self.scale;
+        }
+        sensed.wrench[2] += self.bias_n + self.drift_n * time;
+        let wrist = Joint::Wrist.index();
+        let [motor, external] = self.wrist_counts;
+        sensed.motor_counts[wrist] = sensed.motor_counts[wrist].saturating_add(motor);
+        sensed.external_counts[wrist] = sensed.external_counts[wrist].saturating_add(external);
+        if self.quantum_counts > 1 {
+            for joint in [Joint::Shoulder.index(), Joint::Elbow.index(), Joint::Twist.index()] {
+                let count = &mut sensed.external_counts[joint];
+                *count -= count.rem_euclid(self.quantum_counts);
+            }
+        }
+    }
+}
+
+fn rounded(counts: f64) -> i32 {
+    #[allow(clippy::cast_possible_truncation, reason = "saturates, as a counter does")]
+    let counts = counts.round() as i32;
+    counts
+}

@@ -1,0 +1,14 @@
+#![doc = include_str!("../README.md")]
+
+mod describe;
+mod effects;
+mod error;
+mod journal;
+mod plan;
+mod run;
+mod seed;
+
+pub use error::CampaignError;
+pub use journal::BatchReport;
+pub use plan::{Plan, file};
+pub use run::{Notice, Options, Report, simulate};

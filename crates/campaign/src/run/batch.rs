@@ -1,0 +1,123 @@
+//! One batch: a fresh preparation, its strokes, its log.
+
+use std::path::Path;
+use std::sync::atomic::Ordering;
+
+use soilctl_controller::{Commands, EventKind};
+use soilctl_plant::Simulation;
+use soilctl_session::messages::SoilTruth;
+use soilctl_session::{Logger, Pace, Recorder, Setup, Truth};
+
+use super::script::Script;
+use super::{Job, Notice};
+use crate::CampaignError;
+use crate::journal::BatchReport;
+
+/// Runs a batch and logs it; `None` if it was stopped before its end, and nothing is left of it then.
+pub(super) fn run(
+    job: &Job<'_>,
+    batch: usize,
+    halt: &dyn Fn() -> bool,
+    notice: &(dyn Fn(Notice<'_>) + Sync),
+) -> Result<Option<BatchReport>, CampaignError> {
+    let log = log_name(batch);
+    let path = job.out.join(&log);
+    let part = job.out.join(format!("{log}.part"));
+    notice(Notice::Began { batch });
+    let (mut simulation, setup, stroke_number) = job.prepare(batch)?;
+    let (logger, mut recorder) = Logger::create(&part, &setup, Pace::Simulated)?;
+    let strokes = job.plan.strokes_of(batch);
+    let mut script = Script::new(strokes.start, strokes.end, job.plan.file().homing);
+    let mut goes_on = true;
+    while goes_on && !script.is_done() {
+        if halt() {
+            drop(recorder);
+            // What it says of the log does not matter any more.
+            let _ = logger.finish();
+            std::fs::remove_file(&part).map_err(|error| CampaignError::file(&part, &error))?;
+            return Ok(None);
+        }
+        stroke_number.store(script.stroke(), Ordering::Relaxed);
+        goes_on = tick(&mut simulation, &mut script, &mut recorder, &mut |stroke| {
+            notice(Notice::Stroke { batch, stroke });
+        })?;
+    }
+    drop(recorder);
+    let steps = logger.finish()?.steps;
+    std::fs::rename(&part, &path).map_err(|error| CampaignError::file(&path, &error))?;
+    let report = BatchReport {
+        batch,
+        log,
+        strokes: strokes.len(),
+        strokes_done: script.done,
+        steps,
+        failures: script.failures,
+    };
+    notice(Notice::Finished { batch, report: &report });
+    Ok(Some(report))
+}
+
+/// Name of a batch's log.
+fn log_name(batch: usize) -> String {
+    format!("batch_{batch:03}.mcap")
+}
+
+/// One tick, logged; says whether the log goes on.
+fn tick(
+    simulation: &mut Simulation,
+    script: &mut Script,
+    recorder: &mut Recorder,
+    ended: &mut dyn FnMut(usize),
+) -> Result<bool, CampaignError> {
+    let heartbeat = simulation.state().tick.wrapping_add(1);
+    #[allow(clippy::cast_possible_truncation, reason = "a heartbeat wraps")]
+    let commands = Commands { heartbeat: heartbeat as u32, emergency_stop: false, request: script.request() };
+    let mut goes_on = recorder.before(simulation.state());
+    simulation.tick_with(&commands, |_| {}, &mut |tick| {
+        let truth = truth(tick.truth);
+        goes_on &= recorder.after(tick.sensed, tick.commands, tick.outputs, tick.state, Some(truth));
+        for event in tick.outputs.events.as_slice() {
+            if event.kind == EventKind::StrokeEnded {
+                ended(usize::from(event.index));
+            }
+        }
+    })?;
+    script.note(simulation.outputs(), simulation.state());
+    Ok(goes_on)
+}
+
+/// What the log's topics of truth hold: forces turned to where the tip is.
+fn truth(truth: &soilctl_plant::Truth) -> Truth {
+    let [x, y, z] = truth.soil.force_n;
+    let length = libm::hypot(truth.tip_m[0], truth.tip_m[1]);
+    let (cos, sin) =
+        if length > 0.0 { (truth.tip_m[0] / length, truth.tip_m[1] / length) } else { (1.0, 0.0) };
+    Truth {
+        joints: truth.joints,
+        joint_rates: truth.joint_rates,
+        soil: SoilTruth {
+            depth_m: truth.soil.depth_m,
+            limit_force_n: truth.soil.limit_force_n,
+            force_rtz_n: [cos * x + sin * y, cos * y - sin * x, z],
+        },
+    }
+}
+
+/// The log's record of where it stands in the campaign.
+pub(super) fn notes(setup: &mut Setup, batch: usize, density_kg_m3: f64) {
+    setup.notes.insert("batch".to_owned(), batch.to_string());
+    setup.notes.insert("density_kg_m3".to_owned(), density_kg_m3.to_string());
+}
+
+/// Removes the log of a batch that was not finished, so that a folder holds nothing half-done.
+pub(super) fn remove_parts(out: &Path, batches: usize) -> Result<(), CampaignError> {
+    for batch in 0..batches {
+        let part = out.join(format!("{}.part", log_name(batch)));
+        match std::fs::remove_file(&part) {
+            Ok(()) => {}
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
+            Err(error) => return Err(CampaignError::file(&part, &error)),
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,114 @@
+//! Campaigns: the same bytes whatever the threads, resumed after an interruption, replayed.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use soilctl_campaign::{CampaignError, Notice, Options, Plan, Report, simulate};
+use soilctl_effects::ModelFile;
+
+const PLAN: &str = r#"
+version = 1
+soil = "ticino_loose"
+model = "chen"
+[[batches]]
+radius_m = 0.4318
+strokes = [{ base_deg = -15.0, alpha_deg = 80.0, depth_m = 0.012, delta_set_deg = 23.0 }]
+[[batches]]
+radius_m = 0.4318
+strokes = [{ base_deg = 15.0, alpha_deg = 90.0, depth_m = 0.012, delta_set_deg = 23.0 }]
+"#;
+
+fn plan() -> Plan {
+    Plan::from_toml(PLAN, "plan.toml", Path::new("")).unwrap()
+}
+
+fn run(out: &Path, seed: u64, threads: usize) -> Result<Report, CampaignError> {
+    let options = Options { out, seed, threads };
+    simulate(&plan(), None, &options, &AtomicBool::new(false), &|_| {})
+}
+
+fn files(dir: &Path) -> BTreeMap<String, Vec<u8>> {
+    std::fs::read_dir(dir)
+        .unwrap()
+        .map(|entry| {
+            let path = entry.unwrap().path();
+            (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap())
+        })
+        .collect()
+}
+
+/// One thread, two threads, and an interruption after the first batch: not a byte differs. The logs are whole and replay.
+#[test]
+fn the_same_bytes_however_it_is_run() {
+    let (one, two, resumed) =
+        (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let report = run(one.path(), 3, 1).unwrap();
+    assert!(report.complete);
+    for batch in &report.batches {
+        assert_eq!((batch.strokes_done, batch.failures.len()), (1, 0), "{:?}", batch.failures);
+    }
+    let expected = files(one.path());
+    assert_eq!(
+        expected.keys().collect::<Vec<_>>(),
+        ["batch_000.mcap", "batch_001.mcap", "campaign.json", "simulation.json"]
+    );
+    assert_eq!(run(two.path(), 3, 2).unwrap(), report);
+    assert!(files(two.path()) == expected);
+
+    let (stop, options) = (AtomicBool::new(false), Options { out: resumed.path(), seed: 3, threads: 1 });
+    let first = simulate(&plan(), None, &options, &stop, &|notice| {
+        if matches!(notice, Notice::Finished { .. }) {
+            stop.store(true, Ordering::Relaxed);
+        }
+    })
+    .unwrap();
+    assert_eq!((first.complete, first.batches.len()), (false, 1));
+    // What a killed run leaves behind.
+    std::fs::write(resumed.path().join("batch_001.mcap.part"), b"half a log").unwrap();
+    let rest = run(resumed.path(), 3, 1).unwrap();
+    assert_eq!((rest.complete, rest.resumed), (true, 1));
+    assert!(files(resumed.path()) == expected);
+
+    for batch in &report.batches {
+        let log = one.path().join(&batch.log);
+        let replay = soilctl_session::replay(&log, 0).unwrap();
+        assert!(replay.is_identical() && replay.ending.is_whole(), "{:?}", replay.first_difference);
+        assert_eq!(replay.steps, batch.steps);
+    }
+    let message = run(one.path(), 4, 1).unwrap_err().to_string();
+    assert!(message.contains("another seed (3; this one: 4)"), "{message}");
+}
+
+fn patch(effects: &str) -> ModelFile {
+    let value = |value: f64, unit: &str| format!(r#"{{"value": {value}, "sd": 0.0, "unit": "{unit}"}}"#);
+    let text = format!(
+        r#"{{"schema": "soilctl.model-file/1", "model": "chen", "status": "hand", "soil": {{"phi_deg": {}, "delta_deg": {},
+        "delta_offset_deg": {}, "density_kg_m3": {}, "gravity_m_s2": 9.80665}}, "effects": [{effects}],
+        "reference": {{"depth_m": 0.012, "alpha_deg": 85.0, "delta_set_deg": 23.0, "speed_mps": null, "time_s": null,
+        "base_deg": null, "batches": []}}}}"#,
+        value(42.0, "deg"),
+        value(23.0, "deg"),
+        value(0.0, "deg"),
+        value(1450.0, "kg/m3"),
+    );
+    ModelFile::parse(&text, "patch.json").unwrap()
+}
+
+fn effect(id: &str, parameter: &str, value: f64) -> String {
+    format!(
+        r#"{{"id": "{id}", "parameters": {{"{parameter}": {{"value": {value}, "sd": 0.0, "unit": "1"}}}}}}"#
+    )
+}
+
+#[test]
+fn an_effect_that_the_plant_cannot_show_is_named() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = patch(&effect("rate_effect", "n", 0.05));
+    let options = Options { out: dir.path(), seed: 1, threads: 1 };
+    let error = simulate(&plan(), Some((&file, "patch.json")), &options, &AtomicBool::new(true), &|_| {});
+    let message = error.unwrap_err().to_string();
+    assert!(message.starts_with("patch.json: the effect `rate_effect` cannot be simulated: "), "{message}");
+    assert!(files(dir.path()).is_empty());
+}

@@ -1,0 +1,21 @@
+#![doc = include_str!("../README.md")]
+
+mod client;
+mod clock;
+pub mod driver;
+mod error;
+mod host;
+mod links;
+mod playback;
+pub mod protocol;
+mod rig;
+mod server;
+mod servo;
+mod timing;
+
+pub use client::{Client, Commander};
+pub use error::LiveError;
+pub use host::{Ending, Host, Report, Session, Stopper};
+pub use playback::{Playback, Played};
+pub use rig::Rig;
+pub use timing::{BIN_ENDS_US, Histogram, Timing};

@@ -1,0 +1,77 @@
+use soilctl_controller::Sensed;
+use soilctl_plant::{Drive, Hardware, Plant};
+use soilctl_session::Truth;
+use soilctl_session::messages::SoilTruth;
+
+use crate::LiveError;
+use crate::driver::SocketDriver;
+
+/// What a session drives.
+pub enum Rig {
+    /// The simulated plant.
+    Plant(Box<Plant>),
+    /// A driver of one's own behind a socket.
+    Driver(Box<SocketDriver>),
+}
+
+impl Rig {
+    pub(crate) const fn is_simulated(&self) -> bool {
+        matches!(self, Self::Plant(_))
+    }
+
+    /// Prepares the soil anew; a real soil was prepared by somebody.
+    pub(crate) fn prepare_soil(&mut self) {
+        if let Self::Plant(plant) = self
+            && let Some(ground) = plant.ground_mut()
+        {
+            ground.prepare();
+        }
+    }
+
+    /// What a simulation knows, now.
+    pub(crate) fn truth(&self) -> Option<Truth> {
+        let Self::Plant(plant) = self else { return None };
+        let truth = plant.truth();
+        let [x, y, z] = truth.soil.force_n;
+        // Where the tip is: along its radius and across it.
+        let length = libm::hypot(truth.tip_m[0], truth.tip_m[1]);
+        let [cos, sin] =
+            if length > 0.0 { [truth.tip_m[0] / length, truth.tip_m[1] / length] } else { [1.0, 0.0] };
+        Some(Truth {
+            joints: truth.joints,
+            joint_rates: truth.joint_rates,
+            soil: SoilTruth {
+                depth_m: truth.soil.depth_m,
+                limit_force_n: truth.soil.limit_force_n,
+                force_rtz_n: [cos * x + sin * y, cos * y - sin * x, z],
+            },
+        })
+    }
+
+    /// Whether there will be no more readings. Allocates nothing.
+    pub(crate) const fn is_gone(&self) -> bool {
+        match self {
+            Self::Plant(_) => false,
+            Self::Driver(driver) => driver.is_gone(),
+        }
+    }
+
+    /// Why the rig is of no use any more, if it is not.
+    pub(crate) fn gone(&self) -> Option<LiveError> {
+        match self {
+            Self::Plant(_) => None,
+            Self::Driver(driver) => driver.gone(),
+        }
+    }
+}
+
+impl Hardware for Rig {
+    type Error = LiveError;
+
+    fn exchange(&mut self, drive: &Drive) -> Result<Sensed, LiveError> {
+        match self {
+            Self::Plant(plant) => Ok(plant.exchange(drive)?),
+            Self::Driver(driver) => driver.exchange(drive),
+        }
+    }
+}
