@@ -29,6 +29,10 @@ class Operator:
         self.id = 0
         self.hello = self.next()
 
+    def __del__(self):
+        for end in [self.file, self.socket]:
+            end.close()
+
     def next(self):
         line = self.file.readline()
         assert line, "the session is gone"
@@ -212,6 +216,7 @@ def test_kill_9_in_real_time_loses_at_most_a_second(soilctl, start, tmp_path):
     assert content["steps"] >= last["tick"] - 500
     assert soilctl.json("replay", fixed)["identical"]
     # The socket of a dead session is replaced.
+    session.log.rename(tmp_path / "killed.mcap")
     again = start("--seconds", 0.1)
     again.end()
 
@@ -273,7 +278,7 @@ def test_a_played_log_tells_what_the_session_told(soilctl, start):
     if same is not None:
         for key in ["mode", "homed", "joints_deg", "plate", "force_rtz_n", "trajectory"]:
             assert same[key] == live[key], key
-    text = soilctl("console", "--play", session.log, stdin="seek 0.5\nstep 3\nplay 1\nstate\nquit\n", code=0).stdout
+    text = soilctl("console", "--play", session.log, stdin="seek 0.2\nstep 3\nplay 1\nstate\nquit\n", code=0).stdout
     assert "shoulder" in text and "force" in text
     soilctl("console", "--play", session.log, stdin="fly\n", code=1)
     soilctl.refuses("console", "--play", session.log.with_name("none.mcap"), mentions=["none.mcap"])

@@ -9,6 +9,7 @@ mod error;
 mod python;
 mod run;
 mod tasks;
+mod wheel;
 mod workspace;
 
 use std::process::ExitCode;

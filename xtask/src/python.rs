@@ -1,11 +1,10 @@
-//! The virtual environment of the Python tests.
+//! Virtual environments of the Python tests.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::apt;
 use crate::error::XtaskError;
 use crate::run::Step;
-use crate::workspace::Workspace;
 
 /// Lives inside the environment; holds the requirements that are installed in it.
 const STAMP: &str = "installed-requirements.txt";
@@ -14,37 +13,62 @@ const INTERPRETERS: [&str; 3] = ["python3.11", "python3", "/usr/bin/python3"];
 /// The pinned packages need this version, and a venv needs ensurepip.
 const PROBE: &str = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))";
 
-/// Makes sure that `.venv` holds exactly the pinned requirements.
-pub(crate) fn ensure(workspace: &Workspace) -> Result<(), XtaskError> {
-    let file = workspace.requirements();
-    let read = std::fs::read_to_string(&file);
-    let requirements = read.map_err(|problem| file_error("read the requirements", &file, problem))?;
-    let stamp = workspace.venv().join(STAMP);
-    if up_to_date(&requirements, &stamp) && works(workspace) {
-        return Ok(());
+/// A folder with an interpreter and packages of its own.
+#[derive(Debug)]
+pub(crate) struct Environment {
+    folder: PathBuf,
+}
+
+impl Environment {
+    /// The environment in a folder, whether it is there yet or not.
+    pub(crate) const fn new(folder: PathBuf) -> Self {
+        Self { folder }
     }
-    // Cleared first: a package that is no longer required must not stay, nor the stamp of a half-done install.
-    let create = Step::new("create .venv", interpreter()?).args(["-m", "venv", "--clear"]);
-    create.args([workspace.venv()]).run()?;
-    let pip = |name: &str| {
-        Step::new(name, workspace.venv_python()).args(["-m", "pip", "--disable-pip-version-check"])
-    };
-    // Every package is pinned, also those that others need, so nothing may be added to the list.
-    pip("install the Python requirements")
-        .args(["install", "--quiet", "--no-input", "--no-deps", "--requirement"])
-        .args([&file])
-        .run()?;
-    pip("check the Python requirements").args(["check"]).run()?;
-    std::fs::write(&stamp, requirements).map_err(|problem| file_error("stamp .venv", &stamp, problem))
+
+    /// Its Python.
+    pub(crate) fn python(&self) -> PathBuf {
+        self.folder.join("bin/python")
+    }
+
+    /// A call of its pip.
+    pub(crate) fn pip(&self, name: &str) -> Step {
+        Step::new(name, self.python()).args(["-m", "pip", "--disable-pip-version-check", "--no-input"])
+    }
+
+    /// Makes it anew, empty.
+    pub(crate) fn create(&self) -> Result<(), XtaskError> {
+        let create = Step::new("create an environment", interpreter()?).args(["-m", "venv", "--clear"]);
+        create.args([&self.folder]).run()
+    }
+
+    /// Makes sure that it holds the pinned requirements of a file, and no other ones.
+    pub(crate) fn ensure(&self, file: &Path) -> Result<(), XtaskError> {
+        let read = std::fs::read_to_string(file);
+        let requirements = read.map_err(|problem| file_error("read the requirements", file, problem))?;
+        let stamp = self.folder.join(STAMP);
+        if up_to_date(&requirements, &stamp) && self.works() {
+            return Ok(());
+        }
+        // Cleared first: a package that is no longer required must not stay, nor the stamp of a half-done install.
+        self.create()?;
+        // Every package is pinned, also those that others need, so nothing may be added to the list.
+        self.pip("install the Python requirements")
+            .args(["install", "--quiet", "--no-deps", "--requirement"])
+            .args([file])
+            .run()?;
+        self.pip("check the Python requirements").args(["check"]).run()?;
+        std::fs::write(&stamp, requirements)
+            .map_err(|problem| file_error("stamp the environment", &stamp, problem))
+    }
+
+    /// False if, for instance, the interpreter behind the environment was removed.
+    fn works(&self) -> bool {
+        Step::new("try the environment", self.python()).args(["-c", "import pytest"]).succeeds()
+    }
 }
 
 fn up_to_date(requirements: &str, stamp: &Path) -> bool {
     std::fs::read_to_string(stamp).is_ok_and(|installed| installed == requirements)
-}
-
-/// False if, for instance, the interpreter behind the environment was removed.
-fn works(workspace: &Workspace) -> bool {
-    Step::new("try .venv", workspace.venv_python()).args(["-c", "import pytest"]).succeeds()
 }
 
 fn interpreter() -> Result<&'static str, XtaskError> {

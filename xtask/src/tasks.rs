@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use crate::error::XtaskError;
+use crate::python::Environment;
 use crate::run::Step;
 use crate::workspace::Workspace;
-use crate::{chromium, python};
+use crate::{chromium, wheel};
 
 /// Cases of each property test in `verify`; an ordinary test run takes proptest's 256.
 const VERIFY_CASES: &str = "20000";
@@ -28,8 +29,12 @@ pub(crate) enum Task {
 }
 
 const TASKS: [(Task, &str, &str); 4] = [
-    (Task::Setup, "setup", "create .venv with the pinned Python packages, install chromium if there is none"),
-    (Task::Test, "test", "setup, then all tests: Rust, command line, report in the browser"),
+    (
+        Task::Setup,
+        "setup",
+        "make the two environments with the pinned Python packages, install chromium if there is none",
+    ),
+    (Task::Test, "test", "setup, then all tests: Rust, Python package, command line, report in the browser"),
     (Task::Lint, "lint", "format, clippy and documentation, warnings are errors"),
     (
         Task::Verify,
@@ -76,7 +81,8 @@ fn cargo(workspace: &Workspace, name: &str) -> Step {
 }
 
 fn setup(workspace: &Workspace) -> Result<(), XtaskError> {
-    python::ensure(workspace)?;
+    Environment::new(workspace.venv()).ensure(&workspace.requirements())?;
+    wheel::ensure(workspace)?;
     chromium::ensure()
 }
 
@@ -84,9 +90,10 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     setup(workspace)?;
     cargo(workspace, "Rust tests").args(["test", "--workspace", "--locked"]).run()?;
     let soilctl = build_soilctl(workspace)?;
+    wheel::test(workspace)?;
     // Last, so that a log ends with pytest's summary.
     Step::new("Python tests", workspace.venv_python())
-        .args(["-m", "pytest", "tests/python"])
+        .args(["-m", "pytest", "tests/python", "--ignore", "tests/python/wheel"])
         .dir(workspace.root())
         .env("SOILCTL", soilctl)
         .run()

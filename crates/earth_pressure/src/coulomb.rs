@@ -9,11 +9,10 @@
 //! minimised over theta for the weight W. Writing `y = sin(alpha+delta+theta+phi) / sin(theta-beta)`, P is
 //! `a y + b + c/y`, which gives the critical plane in closed form.
 
-use std::f64::consts::PI;
-
 use soilctl_soil::Angle;
 
 use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRange};
+use crate::turn::Turn;
 use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
 const ID: &str = "coulomb";
@@ -42,12 +41,11 @@ impl ForceModel for Coulomb {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        let passive = wedge_factors(case, passive_plane(case)?, 1.0);
-        let active = match active_plane(case) {
-            Some(theta) => wedge_factors(&case.mirrored(), theta, -1.0),
-            None => LoadFactors::default(),
-        };
-        Ok(Prediction::from_sides(passive, active))
+        let ahead = Wedge::ahead(case)?;
+        // The soil behind an overhanging plate (alpha <= phi) stands by itself and pushes with no force.
+        let stands = case.tool_angle.radians() <= case.friction.radians();
+        let active = if stands { LoadFactors::default() } else { ahead.behind().critical() };
+        Ok(Prediction::from_sides(ahead.critical(), active))
     }
 
     fn at(
@@ -61,65 +59,88 @@ impl ForceModel for Coulomb {
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        let theta = passive_plane(case)?;
-        let (alpha, beta) = (case.tool_angle.radians(), case.surface_slope.radians());
-        let reach = (alpha + beta).sin() / (theta - beta).sin();
+        let wedge = Wedge::ahead(case)?;
+        let above_surface = wedge.critical_plane();
+        let theta = wedge.beta + above_surface;
+        let reach = (wedge.alpha + wedge.beta).sin / above_surface.sin;
         let tip = (0.0, 0.0);
-        Ok(Some(FailureSurface::from_tip(case, vec![tip, (reach * theta.cos(), reach * theta.sin())])))
+        Ok(Some(FailureSurface::from_tip(case, vec![tip, (reach * theta.cos, reach * theta.sin)])))
     }
 }
 
-/// Slope of the critical passive plane.
-fn passive_plane(case: &Case) -> Result<f64, EarthPressureError> {
-    let (alpha, beta, phi, delta) = radians(case);
-    let q =
-        ((phi + delta).sin() * (phi + beta).sin() / ((alpha + delta).sin() * (alpha + beta).sin())).sqrt();
-    if q.is_nan() || q >= 1.0 || (alpha + beta).sin() <= 0.0 {
-        return Err(case.singular(
-            ID,
-            "a plane failure surface can carry any force here (Coulomb's q reaches 1); use chen or log-spiral",
-        ));
+/// The four angles, as the sliding wedge sees them.
+#[derive(Debug, Clone, Copy)]
+struct Wedge {
+    alpha: Turn,
+    beta: Turn,
+    phi: Turn,
+    delta: Turn,
+}
+
+impl Wedge {
+    fn of(case: &Case) -> Self {
+        let turn = |angle: Angle| Turn::of(angle.radians());
+        Self {
+            alpha: turn(case.tool_angle),
+            beta: turn(case.surface_slope),
+            phi: turn(case.friction),
+            delta: turn(case.interface),
+        }
     }
-    Ok(critical_plane(alpha, beta, phi, delta))
-}
 
-/// Slope of the critical active plane, or `None` where the soil behind an overhanging plate stands by itself
-/// (alpha <= phi) and pushes with no force.
-fn active_plane(case: &Case) -> Option<f64> {
-    let (alpha, beta, phi, delta) = radians(&case.mirrored());
-    (alpha + phi < PI).then(|| critical_plane(alpha, beta, -phi, -delta))
-}
-
-/// The stationary plane; negative friction angles give the active one.
-fn critical_plane(alpha: f64, beta: f64, phi: f64, delta: f64) -> f64 {
-    let (a, b, c) = (alpha + beta, phi + beta, alpha + delta + phi + beta);
-    // y = cos(c) + cot(theta - beta) sin(c), stationary at the positive root on both sides.
-    let y = (((phi + delta).sin() * (alpha + delta).sin()) / (a.sin() * b.sin())).max(0.0).sqrt();
-    // A smooth plate (phi + delta -> 0) or sin(c) = 0 leaves the closed form; both are limits, reached from
-    // a neighbouring angle well below the accuracy of any use.
-    let c = if c.sin().abs() < 1e-9 { c + 1e-9 } else { c };
-    let cotangent = (y - c.cos()) / c.sin();
-    beta + (1.0_f64).atan2(cotangent)
-}
-
-/// Load factors on one plane; `sign` is 1 ahead of the plate and -1 behind it.
-fn wedge_factors(case: &Case, theta: f64, sign: f64) -> LoadFactors {
-    let (alpha, beta, phi, delta) = radians(case);
-    let (phi, delta) = (sign * phi, sign * delta);
-    let surface = (alpha + theta).sin() / (theta - beta).sin();
-    let plane = (alpha + beta).sin() / (theta - beta).sin();
-    let scale = 1.0 / (alpha + delta + theta + phi).sin();
-    LoadFactors {
-        weight: plane * (alpha + theta).sin() * (theta + phi).sin() * scale,
-        surcharge: surface * (theta + phi).sin() * scale,
-        cohesion: plane * phi.cos() * scale,
-        adhesion: -(alpha + theta + phi).cos() * scale,
+    /// The passive wedge, if a plane has a finite force.
+    fn ahead(case: &Case) -> Result<Self, EarthPressureError> {
+        let wedge = Self::of(case);
+        let Self { alpha, beta, phi, delta } = wedge;
+        let a = (alpha + beta).sin;
+        let q = ((phi + delta).sin * (phi + beta).sin / ((alpha + delta).sin * a)).sqrt();
+        // What rounding makes of 1, where the force is infinite, is 1.
+        if q.is_nan() || q > 1.0 - 1e-9 || a <= 0.0 {
+            return Err(case.singular(
+                ID,
+                "a plane failure surface can carry any force here (Coulomb's q reaches 1); use chen or log-spiral",
+            ));
+        }
+        Ok(wedge)
     }
-}
 
-fn radians(case: &Case) -> (f64, f64, f64, f64) {
-    let r = Angle::radians;
-    (r(case.tool_angle), r(case.surface_slope), r(case.friction), r(case.interface))
+    /// The active wedge: mirrored, and friction acts the other way.
+    fn behind(self) -> Self {
+        Self { alpha: self.alpha.supplement(), beta: -self.beta, phi: -self.phi, delta: -self.delta }
+    }
+
+    /// The stationary plane, less the slope of the surface.
+    fn critical_plane(&self) -> Turn {
+        let Self { alpha, beta, phi, delta } = *self;
+        let (a, b, plate) = (alpha + beta, phi + beta, alpha + delta);
+        // y = cos(c) + cot(theta - beta) sin(c), stationary at the positive root on both sides.
+        let y = (((phi + delta).sin * plate.sin) / (a.sin * b.sin)).max(0.0).sqrt();
+        // A smooth plate (phi + delta -> 0) or sin(c) = 0 leaves the closed form; both are limits, reached from
+        // a neighbouring angle well below the accuracy of any use.
+        let c = plate + b;
+        let c = if c.sin.abs() < 1e-9 { c + Turn { sin: 1e-9, cos: 1.0 } } else { c };
+        Turn::with_cotangent((y - c.cos) / c.sin)
+    }
+
+    fn critical(&self) -> LoadFactors {
+        self.factors(self.critical_plane())
+    }
+
+    /// Load factors on the plane that is this much steeper than the surface.
+    fn factors(&self, above_surface: Turn) -> LoadFactors {
+        let Self { alpha, beta, phi, delta } = *self;
+        let theta = beta + above_surface;
+        let (sum, rise) = (alpha + theta, theta + phi);
+        let surface = sum.sin / above_surface.sin;
+        let plane = (alpha + beta).sin / above_surface.sin;
+        let scale = 1.0 / (alpha + delta + rise).sin;
+        LoadFactors {
+            weight: plane * sum.sin * rise.sin * scale,
+            surcharge: surface * rise.sin * scale,
+            cohesion: plane * phi.cos * scale,
+            adhesion: -(sum + phi).cos * scale,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -127,6 +148,12 @@ mod tests {
     use super::*;
     use crate::test_support::rel;
     use proptest::prelude::*;
+    use std::f64::consts::PI;
+
+    fn radians(case: &Case) -> (f64, f64, f64, f64) {
+        let r = Angle::radians;
+        (r(case.tool_angle), r(case.surface_slope), r(case.friction), r(case.interface))
+    }
 
     /// The published closed form, as an independent check of the wedge.
     fn published_slant(case: &Case, active: bool) -> f64 {
@@ -156,7 +183,7 @@ mod tests {
                 let (a, b, f, d) = radians(&case);
                 let theta = b + t * (PI - a - d - f - b);
                 if theta > b {
-                    prop_assert!(wedge_factors(&case, theta, 1.0).weight >= p.passive.unwrap().weight * (1.0 - 1e-9));
+                    prop_assert!(Wedge::of(&case).factors(Turn::of(theta - b)).weight >= p.passive.unwrap().weight * (1.0 - 1e-9));
                 }
             }
         }

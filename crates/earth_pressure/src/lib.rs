@@ -33,6 +33,7 @@ mod plate_bounds;
 mod sensitivity;
 pub mod table;
 pub mod thesis;
+mod turn;
 
 pub use caquot::Caquot;
 pub use case::{Case, LoadFactors, Loads, Prediction};

@@ -120,6 +120,6 @@ mod tests {
         surface.come_to_rest();
         assert!(surface == settled);
         surface.rake();
-        assert_eq!(surface.ahead_m([0.375, 0.0, -0.355], [-1.0, 0.0], 0.05, 0.12), -0.33);
+        assert!(heap(&surface).abs() < 1e-12);
     }
 }

@@ -58,7 +58,7 @@ pub(crate) struct Args {
     log: PathBuf,
 
     /// End after so long (s), in the session's time
-    #[arg(long, value_name = "N", value_parser = finite)]
+    #[arg(long, value_name = "N", value_parser = finite, allow_negative_numbers = true)]
     seconds: Option<f64>,
 
     /// Seed of noise and scatter, in place of the plan's

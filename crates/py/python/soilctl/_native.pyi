@@ -1,0 +1,93 @@
+"""Types of the compiled part; `stubtest` compares them with it."""
+
+import os
+from typing import Any, Final, TypeAlias, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+_Floats: TypeAlias = float | NDArray[np.float64]
+_Path: TypeAlias = str | os.PathLike[str]
+
+__all__ = ["MODELS", "Arm", "Prediction", "failure_surface", "predict", "valid_range"]
+
+MODELS: Final[list[str]]
+
+@final
+class Prediction:
+    @property
+    def model(self) -> str: ...
+    @property
+    def reference(self) -> str: ...
+    @property
+    def coefficient(self) -> _Floats: ...
+    @property
+    def lower(self) -> _Floats: ...
+    @property
+    def upper(self) -> _Floats: ...
+    @property
+    def interpolation_margin(self) -> _Floats | None: ...
+    @property
+    def force_n(self) -> _Floats | None: ...
+    @property
+    def force_lower_n(self) -> _Floats | None: ...
+    @property
+    def force_upper_n(self) -> _Floats | None: ...
+    def to_dict(self) -> dict[str, Any]: ...
+
+def predict(
+    model: str = "chen",
+    *,
+    tool_angle_deg: ArrayLike,
+    friction_angle_deg: ArrayLike,
+    interface_friction_deg: ArrayLike,
+    surface_slope_deg: ArrayLike | None = None,
+    density_kg_m3: ArrayLike | None = None,
+    depth_m: ArrayLike | None = None,
+    width_m: ArrayLike | None = None,
+    cohesion_pa: ArrayLike | None = None,
+    adhesion_pa: ArrayLike | None = None,
+    surcharge_pa: ArrayLike | None = None,
+    gravity_m_s2: ArrayLike | None = None,
+) -> Prediction: ...
+def valid_range(model: str) -> dict[str, tuple[float, float]]: ...
+def failure_surface(
+    model: str = "chen",
+    *,
+    tool_angle_deg: float,
+    friction_angle_deg: float,
+    interface_friction_deg: float,
+    surface_slope_deg: float = 0.0,
+) -> NDArray[np.float64] | None: ...
+
+@final
+class Arm:
+    def __new__(cls, file: _Path | None = None) -> Arm: ...
+    @staticmethod
+    def from_toml(text: str) -> Arm: ...
+    @property
+    def limits_rad(self) -> NDArray[np.float64]: ...
+    def forward(self, joint_angles_rad: ArrayLike) -> NDArray[np.float64]: ...
+    def inverse(self, pose: ArrayLike) -> NDArray[np.float64]: ...
+    def jacobian(self, joint_angles_rad: ArrayLike) -> NDArray[np.float64]: ...
+    def velocity(
+        self, joint_angles_rad: ArrayLike, joint_velocities_rad_s: ArrayLike
+    ) -> NDArray[np.float64]: ...
+    def joint_torques(self, joint_angles_rad: ArrayLike, force: ArrayLike) -> NDArray[np.float64]: ...
+    def stiffness_torques(
+        self,
+        joint_angles_rad: ArrayLike,
+        displacement: ArrayLike,
+        *,
+        stiffness: ArrayLike,
+        wrist_locked: bool = False,
+    ) -> NDArray[np.float64]: ...
+    def gravity_torques(self, joint_angles_rad: ArrayLike) -> NDArray[np.float64]: ...
+    def motor_angles(self, joint_angles_rad: ArrayLike) -> NDArray[np.float64]: ...
+    def joint_angles(self, motor_angles_rad: ArrayLike) -> NDArray[np.float64]: ...
+    @staticmethod
+    def digging_pose(
+        *, radius_m: float, height_m: float, tool_angle_deg: float, base_angle_deg: float = 0.0
+    ) -> NDArray[np.float64]: ...
+    def check_limits(self, joint_angles_rad: ArrayLike) -> None: ...
+    def urdf(self) -> str: ...

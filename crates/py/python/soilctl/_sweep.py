@@ -1,0 +1,293 @@
+"""Many cells, any executor, one store."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    wait,
+)
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any
+
+from ._canonical import decode, encode
+from ._store import Store
+from .errors import InputError, InputTypeError, SweepError
+
+Cell = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A cell that failed."""
+
+    #: Place of the cell among those given.
+    index: int
+    #: The cell.
+    cell: dict[str, Any]
+    #: Type and message of the exception.
+    error: str
+
+
+@dataclass(frozen=True)
+class SweepResult:
+    """What a sweep did. Results are read from the store when they are asked for.
+
+    Indexing gives the result of a cell, in the order in which cells were given; iterating gives those that there are.
+    """
+
+    #: The cells, in the order given.
+    cells: list[dict[str, Any]]
+    #: Addresses of their results in the store.
+    keys: list[str]
+    #: Where the results are.
+    store: Store
+    #: Cells that failed, in the order given. They are tried again the next time.
+    failures: list[Failure] = field(default_factory=list)
+    #: Cells that were handed to the executor in this run.
+    submitted: int = 0
+
+    def __len__(self) -> int:
+        """Number of cells."""
+        return len(self.cells)
+
+    def __getitem__(self, index: int) -> Any:
+        """The result of the cell at this place.
+
+        Raises:
+            SweepError: If it failed.
+        """
+        cell = self.cells[index]
+        for failure in self.failures:
+            if failure.index == index % len(self.cells):
+                raise SweepError(f"cell {cell} failed: {failure.error}")
+        return self.store.read(self.keys[index])
+
+    def __iter__(self) -> Iterator[Any]:
+        """The results of all cells that did not fail, in the order given."""
+        failed = {failure.index for failure in self.failures}
+        return (self.store.read(key) for index, key in enumerate(self.keys) if index not in failed)
+
+    def raise_for_failures(self) -> None:
+        """Raises if a cell failed.
+
+        Raises:
+            SweepError: Names the failed cells with their errors.
+        """
+        if self.failures:
+            lines = [f"  {failure.cell}: {failure.error}" for failure in self.failures]
+            raise SweepError(f"{len(lines)} of {len(self)} cells failed:\n" + "\n".join(lines))
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame``: one row a cell that did not fail, its parameters and then its result.
+
+        A result that is a dict becomes several columns, any other one the column ``result``.
+        """
+        import pandas
+
+        failed = {failure.index for failure in self.failures}
+        rows = []
+        for index, cell in enumerate(self.cells):
+            if index not in failed:
+                result = self[index]
+                rows.append({**cell, **(result if isinstance(result, dict) else {"result": result})})
+        return pandas.DataFrame(rows)
+
+    def _repr_html_(self) -> str:
+        done = len(self) - len(self.failures)
+        lines = [f"<p>Sweep: {done} of {len(self)} cells done, {self.submitted} run now.</p>"]
+        if self.failures:
+            rows = "".join(
+                f"<tr><td>{escape(str(f.cell))}</td><td>{escape(f.error)}</td></tr>" for f in self.failures
+            )
+            lines.append(f"<table><tr><th>failed cell</th><th>error</th></tr>{rows}</table>")
+        return "".join(lines)
+
+
+def sweep(
+    function: Callable[..., Any],
+    cells: Iterable[Cell],
+    *,
+    store: str | os.PathLike[str],
+    executor: Executor | None = None,
+    name: str | None = None,
+    version: str = "",
+    progress: Callable[[int, int], object] | None = None,
+) -> SweepResult:
+    """Calls ``function(**cell)`` for every cell whose result is not in the store yet.
+
+    A sweep that was broken off, by Ctrl-C, an error or a killed worker, goes on where it was when it is called again.
+    Results are stored in a canonical form, so the files are the same bytes whatever executor made them.
+
+    Args:
+        function: What to call. It must be importable by workers (no lambda), and its result must consist of finite
+            numbers, text, lists, dicts and numpy arrays, or have ``to_dict()``.
+        cells: Keyword arguments, one mapping a cell, of the same kinds of values.
+        store: Folder for the results; made if it is not there.
+        executor: Any ``concurrent.futures.Executor``; by default one process a core. For a cluster give
+            ``dask.distributed.Client(...).get_executor()``.
+        name: Name under which results are stored; by default the function's module and qualified name.
+        version: Change it when the function changes its answers; older results then no longer count.
+        progress: Called with the number of cells that are done and of all cells, after each.
+
+    Returns:
+        The results, with the failures by name. Nothing is raised because of a failed cell; see
+        :meth:`SweepResult.raise_for_failures`.
+
+    Raises:
+        InputError: If a cell is no mapping or has values without a canonical form.
+        FileError: If the store cannot be written.
+    """
+    name = _name(function, name)
+    plain = [_cell(cell, index) for index, cell in enumerate(cells)]
+    shelf = Store(store)
+    keys = [shelf.key(name, version, cell) for cell in plain]
+    # The first cell of each key; a dict keeps their order.
+    first: dict[str, int] = {}
+    for index, key in enumerate(keys):
+        first.setdefault(key, index)
+    todo = {key: plain[index] for key, index in first.items() if not shelf.has(key)}
+    run = _Run(function, name, version, shelf, len(first) - len(todo), len(first), progress)
+    if todo:
+        run.go(todo, executor)
+    failures = [
+        Failure(index, plain[index], run.errors[key]) for index, key in enumerate(keys) if key in run.errors
+    ]
+    return SweepResult(plain, keys, shelf, failures, len(todo))
+
+
+def _name(function: Callable[..., Any], name: str | None) -> str:
+    if not callable(function):
+        raise InputTypeError(f"function is of type {type(function).__name__}; it must be callable")
+    if name is not None:
+        return name
+    found = getattr(function, "__qualname__", None)
+    if found is None or "<" in found:
+        raise InputError(
+            f"{function!r} has no name that stands for it alone; give name=, or use a function at the top of a module"
+        )
+    return f"{function.__module__}.{found}"
+
+
+def _cell(cell: Cell, index: int) -> dict[str, Any]:
+    if not isinstance(cell, Mapping):
+        raise InputTypeError(f"cell {index} is of type {type(cell).__name__}; it must be a mapping of keyword arguments")
+    return dict(cell)
+
+
+def _call(function: Callable[..., Any], cell: bytes) -> tuple[bool, bytes]:
+    """Runs in the worker. Errors come back as text: not every exception survives the way."""
+    try:
+        return True, encode(function(**decode(cell)), "the result")
+    except Exception as problem:
+        text = str(problem)
+        kind = type(problem).__name__
+        return False, (f"{kind}: {text}" if text else kind).encode("utf-8", "replace")
+
+
+class _Run:
+    """One run of a sweep: cells in flight, results to the store, errors by key."""
+
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        name: str,
+        version: str,
+        store: Store,
+        done: int,
+        total: int,
+        progress: Callable[[int, int], object] | None,
+    ) -> None:
+        self.function = function
+        self.name = name
+        self.version = version
+        self.store = store
+        self.done = done
+        self.total = total
+        self.progress = progress
+        self.errors: dict[str, str] = {}
+
+    def go(self, todo: dict[str, dict[str, Any]], executor: Executor | None) -> None:
+        if executor is not None:
+            if self.through(executor, todo, in_flight=1024):
+                for key in [key for key in todo if not self.settled(key)]:
+                    self.failed(key, todo[key], "the executor broke before it was done")
+            return
+        workers = os.cpu_count() or 1
+        left = todo
+        while left:
+            with ProcessPoolExecutor(min(workers, len(left))) as pool:
+                suspects = self.through(pool, left, in_flight=2 * workers)
+            # A worker died, and took the pool along. Whose fault it was shows when each is alone.
+            for key in suspects:
+                with ProcessPoolExecutor(1) as alone:
+                    if self.through(alone, {key: todo[key]}, in_flight=1):
+                        self.failed(key, todo[key], "its process died (killed, out of memory, or crashed)")
+            left = {} if not suspects else {k: c for k, c in left.items() if not self.settled(k)}
+
+    def settled(self, key: str) -> bool:
+        return key in self.errors or self.store.has(key)
+
+    def through(self, executor: Executor, todo: dict[str, dict[str, Any]], in_flight: int) -> list[str]:
+        """Runs cells until all are done or the executor breaks; what was in flight then."""
+        waiting = deque(todo)
+        running: dict[Future[tuple[bool, bytes]], str] = {}
+        broken: list[str] = []
+        try:
+            while running or (waiting and not broken):
+                while waiting and len(running) < in_flight and not broken:
+                    key = waiting.popleft()
+                    try:
+                        future = executor.submit(_call, self.function, encode(todo[key], "the cell"))
+                    except BrokenExecutor:
+                        broken.append(key)
+                        break
+                    running[future] = key
+                finished, _ = wait(running, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    key = running.pop(future)
+                    if not self.take(key, todo[key], future):
+                        broken.append(key)
+        finally:
+            # After Ctrl-C or a full disk nothing more is started.
+            for future in running:
+                future.cancel()
+        return broken
+
+    def take(self, key: str, cell: dict[str, Any], future: Future[tuple[bool, bytes]]) -> bool:
+        """False if the executor broke, which says nothing about the cell."""
+        try:
+            problem = future.exception()
+        except CancelledError as cancelled:
+            problem = cancelled
+        if isinstance(problem, BrokenExecutor):
+            return False
+        if problem is not None:
+            # The cell could not be sent, or the executor gave it up.
+            self.failed(key, cell, f"{type(problem).__name__}: {problem}")
+            return True
+        fine, data = future.result()
+        if not fine:
+            self.failed(key, cell, data.decode("utf-8"))
+            return True
+        self.store.publish(key, self.name, self.version, cell, data)
+        self.step()
+        return True
+
+    def failed(self, key: str, cell: dict[str, Any], error: str) -> None:
+        self.errors[key] = error
+        self.store.note_failure(key, self.name, self.version, cell, error)
+        self.step()
+
+    def step(self) -> None:
+        self.done += 1
+        if self.progress is not None:
+            self.progress(self.done, self.total)

@@ -1,0 +1,329 @@
+//! Force models: coefficients and forces of plates, vectorised.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use soilctl_earth_pressure::{Case, EarthPressureError, ForceModel, Loads, MODEL_IDS, check_loads, model};
+use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
+
+use crate::array::{Array, Column, common_shape, shaped};
+use crate::error::{Answer, Fail, file, input, no_answer};
+use crate::work::in_blocks;
+
+/// Models by id, made once: tables take a while to read.
+pub(crate) fn known(id: &str) -> Result<Arc<dyn ForceModel>, EarthPressureError> {
+    static MODELS: OnceLock<Mutex<BTreeMap<String, Arc<dyn ForceModel>>>> = OnceLock::new();
+    let models = MODELS.get_or_init(Mutex::default);
+    let mut models = models.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = models.get(id) {
+        return Ok(Arc::clone(found));
+    }
+    let made: Arc<dyn ForceModel> = Arc::from(model(id)?);
+    models.insert(id.to_owned(), Arc::clone(&made));
+    Ok(made)
+}
+
+/// Coefficients of a plate, and its failure force if all that it needs was given.
+///
+/// Attributes are floats if all arguments were numbers, and otherwise arrays of their common shape. Coefficients are
+/// normalised by the slant length L: ``F = 1/2 gamma L^2 w K``.
+#[pyclass(module = "soilctl", frozen)]
+pub(crate) struct Prediction {
+    /// Id of the model.
+    #[pyo3(get)]
+    model: String,
+    /// Where the model comes from.
+    #[pyo3(get)]
+    reference: String,
+    /// Net coefficient (passive minus active); the geometric mean of the ends of a bracket.
+    #[pyo3(get)]
+    coefficient: Py<PyAny>,
+    /// Lower end of the bracket on the net coefficient; that itself for a point model.
+    #[pyo3(get)]
+    lower: Py<PyAny>,
+    /// Upper end of it.
+    #[pyo3(get)]
+    upper: Py<PyAny>,
+    /// By how much, relatively, interpolation in a table may be wrong; None for a formula.
+    #[pyo3(get)]
+    interpolation_margin: Option<Py<PyAny>>,
+    /// Failure force in N with all loads; None without density, depth and width.
+    #[pyo3(get)]
+    force_n: Option<Py<PyAny>>,
+    /// Lower end of the bracket on the force in N.
+    #[pyo3(get)]
+    force_lower_n: Option<Py<PyAny>>,
+    /// Upper end of it.
+    #[pyo3(get)]
+    force_upper_n: Option<Py<PyAny>>,
+}
+
+#[pymethods]
+impl Prediction {
+    /// Everything as a dict of numbers and arrays.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        dict.set_item("model", &self.model)?;
+        dict.set_item("coefficient", &self.coefficient)?;
+        dict.set_item("lower", &self.lower)?;
+        dict.set_item("upper", &self.upper)?;
+        for (key, value) in [
+            ("interpolation_margin", &self.interpolation_margin),
+            ("force_n", &self.force_n),
+            ("force_lower_n", &self.force_lower_n),
+            ("force_upper_n", &self.force_upper_n),
+        ] {
+            if let Some(value) = value {
+                dict.set_item(key, value)?;
+            }
+        }
+        Ok(dict)
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let coefficient = self.coefficient.bind(py).repr()?;
+        let force = match &self.force_n {
+            Some(force) => format!(", force_n={}", force.bind(py).repr()?),
+            None => String::new(),
+        };
+        Ok(format!("Prediction(model={:?}, coefficient={coefficient}{force})", self.model))
+    }
+}
+
+/// What is kept of each element.
+#[derive(Clone, Copy)]
+struct Point {
+    net: f64,
+    ends: [f64; 2],
+    margin: f64,
+    /// Force per coefficient, and the force of the other loads, in N.
+    newtons: Option<[f64; 2]>,
+}
+
+/// Arguments of `predict` with their names.
+struct Given<'a> {
+    alpha: Column<'a>,
+    phi: Column<'a>,
+    delta: Column<'a>,
+    beta: Column<'a>,
+    gravity: Column<'a>,
+    loads: [Column<'a>; 3],
+    /// Density, depth and width.
+    sizes: Option<[Column<'a>; 3]>,
+}
+
+impl Given<'_> {
+    fn point(&self, model: &dyn ForceModel, i: usize) -> Result<Point, EarthPressureError> {
+        let case = Case::from_deg(self.alpha.at(i), self.beta.at(i), self.phi.at(i), self.delta.at(i));
+        let [cohesion_pa, adhesion_pa, surcharge_pa] = [0, 1, 2].map(|k| self.loads[k].at(i));
+        let loads = Loads { cohesion_pa, adhesion_pa, surcharge_pa };
+        check_loads(model, &case, &loads)?;
+        let found = model.predict(&case)?;
+        let newtons = match &self.sizes {
+            None => None,
+            Some([density, depth, width]) => {
+                let plate = Plate::new(case.tool_angle, case.surface_slope, depth.at(i), width.at(i))?;
+                let soil = Soil::new(case.friction, density.at(i))?
+                    .with_cohesion(cohesion_pa)?
+                    .with_gravity(self.gravity.at(i))?;
+                Interface::new(case.interface, adhesion_pa)?;
+                let scale = plate.weight_scale_n(&soil);
+                Some([scale, found.force_n(&plate, &soil, &loads) - scale * found.net.weight])
+            }
+        };
+        let ends = [found.net_lower.0, found.net_upper.0];
+        Ok(Point { net: found.net.weight, ends, margin: found.interpolation_margin, newtons })
+    }
+}
+
+/// Coefficients and forces of a flat plate that fails soil, by a named model.
+///
+/// All numbers may be arrays; they are broadcast against each other. The work is done without the interpreter's lock, on all
+/// cores, and Ctrl-C ends it.
+///
+/// Args:
+///     model: One of ``soilctl.MODELS``.
+///     tool_angle_deg: Plate from the horizontal.
+///     friction_angle_deg: Internal friction of the soil.
+///     interface_friction_deg: Friction between soil and plate, at most that of the soil.
+///     surface_slope_deg: Slope of the ground, positive when it rises ahead of the plate.
+///     density_kg_m3: Bulk density; for forces, with depth and width.
+///     depth_m: Vertical depth of the plate's lower edge.
+///     width_m: Width of the plate.
+///     cohesion_pa: Cohesion of the soil.
+///     adhesion_pa: Adhesion between soil and plate.
+///     surcharge_pa: Vertical pressure on the surface.
+///     gravity_m_s2: Gravity.
+///
+/// Raises:
+///     InputError: If a number is out of the model's range, not finite, or a shape does not go with the others.
+///     NoAnswerError: If there is no finite answer. The message names the first element that has none.
+#[pyfunction]
+#[pyo3(signature = (
+    model = "chen", *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = None,
+    density_kg_m3 = None, depth_m = None, width_m = None, cohesion_pa = None, adhesion_pa = None, surcharge_pa = None,
+    gravity_m_s2 = None,
+))]
+#[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
+pub(crate) fn predict<'py>(
+    py: Python<'py>,
+    model: &str,
+    tool_angle_deg: &Bound<'py, PyAny>,
+    friction_angle_deg: &Bound<'py, PyAny>,
+    interface_friction_deg: &Bound<'py, PyAny>,
+    surface_slope_deg: Option<&Bound<'py, PyAny>>,
+    density_kg_m3: Option<&Bound<'py, PyAny>>,
+    depth_m: Option<&Bound<'py, PyAny>>,
+    width_m: Option<&Bound<'py, PyAny>>,
+    cohesion_pa: Option<&Bound<'py, PyAny>>,
+    adhesion_pa: Option<&Bound<'py, PyAny>>,
+    surcharge_pa: Option<&Bound<'py, PyAny>>,
+    gravity_m_s2: Option<&Bound<'py, PyAny>>,
+) -> Answer<Prediction> {
+    let alpha = Array::new("tool_angle_deg", tool_angle_deg)?;
+    let phi = Array::new("friction_angle_deg", friction_angle_deg)?;
+    let delta = Array::new("interface_friction_deg", interface_friction_deg)?;
+    let beta = Array::or(py, "surface_slope_deg", surface_slope_deg, 0.0)?;
+    let gravity = Array::or(py, "gravity_m_s2", gravity_m_s2, STANDARD_GRAVITY_M_S2)?;
+    let cohesion = Array::or(py, "cohesion_pa", cohesion_pa, 0.0)?;
+    let adhesion = Array::or(py, "adhesion_pa", adhesion_pa, 0.0)?;
+    let surcharge = Array::or(py, "surcharge_pa", surcharge_pa, 0.0)?;
+    let sizes = match (density_kg_m3, depth_m, width_m) {
+        (None, None, None) => None,
+        (Some(density), Some(depth), Some(width)) => Some([
+            Array::new("density_kg_m3", density)?,
+            Array::new("depth_m", depth)?,
+            Array::new("width_m", width)?,
+        ]),
+        _ => return Err(input("a force needs density_kg_m3, depth_m and width_m; give all or none")),
+    };
+    let mut arrays = vec![&alpha, &phi, &delta, &beta, &gravity, &cohesion, &adhesion, &surcharge];
+    arrays.extend(sizes.iter().flatten());
+    let shape = common_shape(&arrays)?;
+    let column = |array| Column::new(array, &shape);
+    let given = Given {
+        alpha: column(&alpha)?,
+        phi: column(&phi)?,
+        delta: column(&delta)?,
+        beta: column(&beta)?,
+        gravity: column(&gravity)?,
+        loads: [column(&cohesion)?, column(&adhesion)?, column(&surcharge)?],
+        sizes: match &sizes {
+            Some([density, depth, width]) => Some([column(density)?, column(depth)?, column(width)?]),
+            None => None,
+        },
+    };
+    let model = known(model)?;
+    let mut columns = Columns::default();
+    in_blocks(py, &shape, |i| given.point(model.as_ref(), i), |points| columns.take(&points))?;
+    columns.answer(py, model.as_ref(), &shape)
+}
+
+/// What is kept of all elements.
+#[derive(Default)]
+struct Columns {
+    net: Vec<f64>,
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    margin: Vec<f64>,
+    /// Force per coefficient, and of the other loads; empty if no force was asked for.
+    newtons: Vec<[f64; 2]>,
+}
+
+impl Columns {
+    fn take(&mut self, points: &[Point]) {
+        self.net.extend(points.iter().map(|point| point.net));
+        self.lower.extend(points.iter().map(|point| point.ends[0]));
+        self.upper.extend(points.iter().map(|point| point.ends[1]));
+        self.margin.extend(points.iter().map(|point| point.margin));
+        self.newtons.extend(points.iter().filter_map(|point| point.newtons));
+    }
+
+    fn answer(self, py: Python<'_>, model: &dyn ForceModel, shape: &[usize]) -> Answer<Prediction> {
+        let array = |values: Vec<f64>| -> Answer<Py<PyAny>> { Ok(shaped(py, values, shape)?.unbind()) };
+        let force = |of: &[f64]| -> Answer<Option<Py<PyAny>>> {
+            let all = || of.iter().zip(&self.newtons).map(|(k, [scale, rest])| scale * k + rest).collect();
+            (!self.newtons.is_empty()).then(|| array(all())).transpose()
+        };
+        let copy = |value: &Option<Py<PyAny>>| value.as_ref().map(|value| value.clone_ref(py));
+        let force_n = force(&self.net)?;
+        let bracket = self.lower != self.net || self.upper != self.net;
+        let [force_lower_n, force_upper_n] = if bracket {
+            [force(&self.lower)?, force(&self.upper)?]
+        } else {
+            [copy(&force_n), copy(&force_n)]
+        };
+        let table = self.margin.iter().any(|&margin| margin != 0.0);
+        let interpolation_margin = if table { Some(array(self.margin)?) } else { None };
+        let coefficient = array(self.net)?;
+        Ok(Prediction {
+            model: model.id().to_owned(),
+            reference: model.reference().to_owned(),
+            lower: if bracket { array(self.lower)? } else { coefficient.clone_ref(py) },
+            upper: if bracket { array(self.upper)? } else { coefficient.clone_ref(py) },
+            interpolation_margin,
+            coefficient,
+            force_n,
+            force_lower_n,
+            force_upper_n,
+        })
+    }
+}
+
+/// Angles in degrees for which a model answers, ends included, by the name of the argument of ``predict``.
+///
+/// Raises:
+///     InputError: If there is no such model.
+#[pyfunction]
+pub(crate) fn valid_range<'py>(py: Python<'py>, model: &str) -> Answer<Bound<'py, PyDict>> {
+    let range = known(model)?.valid_range();
+    let dict = PyDict::new(py);
+    dict.set_item("tool_angle_deg", range.alpha_deg)?;
+    dict.set_item("surface_slope_deg", range.beta_deg)?;
+    dict.set_item("friction_angle_deg", range.phi_deg)?;
+    dict.set_item("interface_friction_deg", range.delta_deg)?;
+    Ok(dict)
+}
+
+/// Failure surface ahead of a plate of unit slant length: points of shape (n, 2) from the tip to the ground.
+///
+/// The tip is the origin, x points ahead and y up. None for tables, which know no surface.
+///
+/// Raises:
+///     InputError, NoAnswerError: As ``predict``.
+#[pyfunction]
+#[pyo3(signature = (
+    model = "chen", *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = 0.0
+))]
+pub(crate) fn failure_surface<'py>(
+    py: Python<'py>,
+    model: &str,
+    tool_angle_deg: f64,
+    friction_angle_deg: f64,
+    interface_friction_deg: f64,
+    surface_slope_deg: f64,
+) -> Answer<Option<Bound<'py, PyAny>>> {
+    let case = Case {
+        tool_angle: Angle::from_degrees(tool_angle_deg),
+        surface_slope: Angle::from_degrees(surface_slope_deg),
+        friction: Angle::from_degrees(friction_angle_deg),
+        interface: Angle::from_degrees(interface_friction_deg),
+    };
+    let Some(found) = known(model)?.failure_surface(&case)? else { return Ok(None) };
+    let shape = [found.points.len(), 2];
+    Ok(Some(shaped(py, found.points.into_iter().flat_map(|(x, y)| [x, y]).collect(), &shape)?))
+}
+
+pub(crate) const MODELS: [&str; 8] = MODEL_IDS;
+
+impl From<EarthPressureError> for Fail {
+    fn from(problem: EarthPressureError) -> Self {
+        match problem {
+            EarthPressureError::Singular { .. } | EarthPressureError::EmptyCell { .. } => no_answer(problem),
+            EarthPressureError::File { .. } => file(problem),
+            _ => input(problem),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+"""Sweeps: resume, name failures, same bytes whatever runs them."""
+
+import os
+import signal
+import threading
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cells import deadly, fails_without_words, healed, not_finite, poisoned, square
+
+import soilctl
+
+
+class Serial(Executor):
+    """Runs everything at once, in this process, and counts."""
+
+    def __init__(self):
+        self.submitted = 0
+
+    def submit(self, function, /, *args, **kwargs):
+        self.submitted += 1
+        future = Future()
+        try:
+            future.set_result(function(*args, **kwargs))
+        except Exception as problem:
+            future.set_exception(problem)
+        return future
+
+
+def files(store):
+    """Bytes of all results by name; nothing else may lie beside them."""
+    results = Path(store) / "results"
+    found = {str(path.relative_to(results)): path.read_bytes() for path in results.rglob("*") if path.is_file()}
+    assert all(name.endswith(".json") and "/." not in name for name in found)
+    return found
+
+
+def test_results_come_in_the_order_of_the_cells(tmp_path):
+    cells = [{"number": n} for n in (3, 1, 2, 3)]
+    calls = []
+    found = soilctl.sweep(square, cells, store=tmp_path, executor=Serial(), progress=lambda *at: calls.append(at))
+    assert [result["square"] for result in found] == [9, 1, 4, 9]
+    np.testing.assert_array_equal(found[2]["values"], [0.0, 2.0, 4.0])
+    assert found.submitted == 3, "equal cells are run once"
+    assert calls == [(1, 3), (2, 3), (3, 3)]
+    assert "4 of 4 cells done" in found._repr_html_()
+
+
+def test_nothing_is_run_twice(tmp_path):
+    first, second = Serial(), Serial()
+    soilctl.sweep(square, [{"number": 1}], store=tmp_path, executor=first)
+    again = soilctl.sweep(square, [{"number": 1}, {"number": 2}], store=tmp_path, executor=second)
+    assert (first.submitted, second.submitted) == (1, 1)
+    assert again[0]["square"] == 1 and again[1]["square"] == 4
+
+
+def test_version_name_and_parameters_make_other_results(tmp_path):
+    store = soilctl.Store
+    keys = {
+        store.key("a", "", {"number": 1}),
+        store.key("b", "", {"number": 1}),
+        store.key("a", "2", {"number": 1}),
+        store.key("a", "", {"number": 1.0}),
+        store.key("a", "", {"number": [1]}),
+    }
+    assert len(keys) == 5
+    assert store.key("a", "", {"x": 1, "y": 2}) == store.key("a", "", {"y": 2, "x": 1})
+    serial = Serial()
+    for version in ("1", "2", "1"):
+        soilctl.sweep(square, [{"number": 1}], store=tmp_path, executor=serial, version=version)
+    assert serial.submitted == 2
+
+
+def test_failures_are_named_and_tried_again(tmp_path):
+    cells = [{"number": n} for n in range(60)]
+    found = soilctl.sweep(poisoned, cells, store=tmp_path, executor=ThreadPoolExecutor(4), name="n")
+    assert [f.cell for f in found.failures] == [{"number": 7}, {"number": 37}]
+    assert found.failures[1].error == "ValueError: poison 37"
+    assert len(list(found)) == 58
+    with pytest.raises(soilctl.SweepError, match="poison 37"):
+        found.raise_for_failures()
+    with pytest.raises(soilctl.SweepError, match="poison 7"):
+        found[7]
+    assert len(list((tmp_path / "failed").iterdir())) == 2
+    again = Serial()
+    healthy = soilctl.sweep(healed, cells, store=tmp_path, executor=again, name="n")
+    assert again.submitted == 2 and healthy.submitted == 2 and not healthy.failures
+    assert not list((tmp_path / "failed").iterdir())
+
+
+def test_all_executors_leave_the_same_bytes(tmp_path):
+    cells = [{"number": n, "offset": 0.1 * n} for n in range(20)]
+    executors = {"serial": Serial(), "threads": ThreadPoolExecutor(3), "processes": None}
+    stores = []
+    for name, executor in executors.items():
+        soilctl.sweep(square, cells, store=tmp_path / name, executor=executor).raise_for_failures()
+        stores.append(files(tmp_path / name))
+    assert len(stores[0]) == 20
+    assert stores[0] == stores[1] == stores[2]
+
+
+def test_a_cell_that_kills_its_process_is_named(tmp_path):
+    cells = [{"number": n} for n in range(12)]
+    found = soilctl.sweep(deadly, cells, store=tmp_path)
+    assert [f.cell for f in found.failures] == [{"number": 5}]
+    assert "process died" in found.failures[0].error
+    assert list(found) == [n for n in range(12) if n != 5]
+
+
+def test_damaged_results_are_made_again(tmp_path):
+    found = soilctl.sweep(square, [{"number": 2}], store=tmp_path, executor=Serial())
+    path = found.store.path(found.keys[0])
+    path.write_bytes(path.read_bytes().replace(b'\\"square\\":4', b'\\"square\\":5'))
+    with pytest.raises(soilctl.FileError, match="damaged"):
+        found[0]
+    again = soilctl.sweep(square, [{"number": 2}], store=tmp_path, executor=Serial())
+    assert again.submitted == 1 and again[0]["square"] == 4
+
+
+def test_an_interrupted_sweep_goes_on(tmp_path):
+    cells = [{"number": n} for n in range(10)]
+
+    def stop(done, total):
+        if done == 4:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        soilctl.sweep(square, cells, store=tmp_path, executor=Serial(), progress=stop)
+    assert len(files(tmp_path)) == 4
+    rest = soilctl.sweep(square, cells, store=tmp_path, executor=Serial())
+    assert rest.submitted == 6 and [r["square"] for r in rest] == [n**2 for n in range(10)]
+
+
+def test_what_cannot_be_stored_is_a_failure(tmp_path):
+    found = soilctl.sweep(not_finite, [{"number": 1}], store=tmp_path, executor=Serial())
+    assert "only finite numbers" in found.failures[0].error
+    silent = soilctl.sweep(fails_without_words, [{"number": 1}], store=tmp_path, executor=Serial())
+    assert silent.failures[0].error == "RuntimeError"
+
+
+@pytest.mark.parametrize(
+    ("cells", "error"),
+    [
+        ([3], soilctl.InputTypeError),
+        ([{"number": object()}], soilctl.InputTypeError),
+        ([{"number": float("inf")}], soilctl.InputError),
+        ([{"number": {1: 2}}], soilctl.InputTypeError),
+        ([{"number": np.array([1j])}], soilctl.InputTypeError),
+    ],
+)
+def test_bad_cells_are_refused(tmp_path, cells, error):
+    with pytest.raises(error):
+        soilctl.sweep(square, cells, store=tmp_path)
+
+
+def test_a_function_without_a_name_needs_one(tmp_path):
+    with pytest.raises(soilctl.InputError, match="name="):
+        soilctl.sweep(lambda number: number, [{"number": 1}], store=tmp_path)
+    with pytest.raises(soilctl.InputTypeError):
+        soilctl.sweep(3, [{"number": 1}], store=tmp_path)
+
+
+def test_a_store_that_cannot_be_written_is_an_error(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(soilctl.FileError):
+        soilctl.sweep(square, [{"number": 1}], store=tmp_path / "file", executor=Serial())
+
+
+def test_a_dask_cluster_loses_a_worker_and_no_result(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    cells = [{"number": n} for n in range(300)]
+    soilctl.sweep(poisoned, cells, store=tmp_path / "serial", executor=ThreadPoolExecutor(8))
+    options = {"n_workers": 3, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    folder = str(Path(__file__).parent)
+    with distributed.LocalCluster(**options, local_directory=str(tmp_path)) as cluster:
+        with distributed.Client(cluster) as client:
+            client.run(__import__("sys").path.insert, 0, folder)
+            victim = min(client.run(os.getpid).values())
+            killed = threading.Event()
+
+            def progress(done, total):
+                if done >= 100 and not killed.is_set():
+                    os.kill(victim, signal.SIGKILL)
+                    killed.set()
+
+            executor = client.get_executor()
+            store = tmp_path / "dask"
+            found = soilctl.sweep(poisoned, cells, store=store, executor=executor, progress=progress)
+            assert killed.is_set()
+            assert found.submitted == 300
+            assert [f.cell["number"] for f in found.failures] == list(range(7, 300, 30))
+            assert all(f.error == f"ValueError: poison {f.cell['number']}" for f in found.failures)
+            again = soilctl.sweep(poisoned, cells, store=store, executor=executor)
+            assert again.submitted == 10 and len(again.failures) == 10
+    assert len(files(store)) == 290
+    assert files(store) == files(tmp_path / "serial")

@@ -1,0 +1,91 @@
+//! The Python package: built as a wheel, installed where nothing else is, and tested there.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::XtaskError;
+use crate::python::Environment;
+use crate::run::Step;
+use crate::workspace::Workspace;
+
+/// What must work with the wheel and what it requires, and nothing else.
+const BARE: &str =
+    "import soilctl; soilctl.predict(tool_angle_deg=80, friction_angle_deg=40, interface_friction_deg=25)";
+
+/// Makes sure that the packages that the tests of the wheel import are there.
+pub(crate) fn ensure(workspace: &Workspace) -> Result<(), XtaskError> {
+    environment(workspace).ensure(&requirements(workspace))
+}
+
+/// Builds the wheel and tests it.
+pub(crate) fn test(workspace: &Workspace) -> Result<(), XtaskError> {
+    let wheel = build(workspace)?;
+    bare(workspace, &wheel)?;
+    let environment = environment(workspace);
+    environment
+        .pip("install the wheel")
+        .args(["install", "--quiet", "--no-deps", "--force-reinstall"])
+        .args([&wheel])
+        .run()?;
+    Step::new("Python tests of the wheel", environment.python())
+        .args(["-m", "pytest", "tests/python/wheel"])
+        .dir(workspace.root())
+        .run()
+}
+
+/// In the profile of the tests: a release build would compile everything once more.
+fn build(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
+    let step = "build the wheel";
+    let out = target(workspace).join("wheels");
+    // So that there is one wheel afterwards.
+    match std::fs::remove_dir_all(&out) {
+        Err(problem) if problem.kind() != std::io::ErrorKind::NotFound => {
+            return Err(file_error(step, &out, problem));
+        }
+        _ => {}
+    }
+    Step::new(step, workspace.venv_python())
+        .args(["-m", "maturin", "build", "--profile", "dev", "--locked", "--compatibility", "linux"])
+        .args(["--manifest-path", "crates/py/Cargo.toml", "--out"])
+        .args([&out])
+        .dir(workspace.root())
+        .env("CARGO", workspace.cargo())
+        .run()?;
+    let entries = std::fs::read_dir(&out).map_err(|problem| file_error(step, &out, problem))?;
+    let mut files = entries.filter_map(|entry| Some(entry.ok()?.path()));
+    let wheel = files.find(|path| path.extension().is_some_and(|ending| ending == "whl"));
+    wheel.ok_or_else(|| XtaskError::Missing {
+        step: step.to_owned(),
+        what: format!("there is no wheel in {}", out.display()),
+        remedy: "see what maturin said above".into(),
+    })
+}
+
+/// The wheel in an empty environment, with what it requires itself.
+fn bare(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskError> {
+    let environment = Environment::new(target(workspace).join("wheel-bare"));
+    environment.create()?;
+    environment
+        .pip("install the wheel alone")
+        .args(["install", "--quiet", "--constraint"])
+        .args([requirements(workspace).as_path(), wheel])
+        .run()?;
+    Step::new("import the package", environment.python()).args(["-c", BARE]).run()
+}
+
+fn environment(workspace: &Workspace) -> Environment {
+    Environment::new(target(workspace).join("wheel-venv"))
+}
+
+fn requirements(workspace: &Workspace) -> PathBuf {
+    workspace.root().join("tests/python/wheel/requirements.txt")
+}
+
+/// Where cargo builds, too.
+fn target(workspace: &Workspace) -> PathBuf {
+    let configured = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    workspace.root().join(configured.unwrap_or_else(|| "target".into()))
+}
+
+fn file_error(step: &str, file: &Path, problem: std::io::Error) -> XtaskError {
+    XtaskError::File { step: step.to_owned(), file: file.display().to_string(), problem }
+}
