@@ -3,16 +3,14 @@
 import csv
 import json
 import math
-import os
-import subprocess
-from pathlib import Path
 
+import mcap.writer
 import numpy as np
 import pytest
+from mcap.reader import make_reader
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
-ROOT = Path(__file__).resolve().parents[2]
 STORE = get_typestore(Stores.ROS2_HUMBLE)
 TYPES = STORE.types
 SURFACE_M = 0.40
@@ -222,28 +220,52 @@ def test_parquet_has_the_same_rows(soilctl, tmp_path, urdf):
         assert (answer["strokes"][0].get(key) or None) == (value or None), key
 
 
-def simulated(path, truth_scale):
-    """The log of one stroke of the simulated arm; what is logged as truth is multiplied."""
-    words = ["cargo", "run", "--quiet", "-p", "soilctl-process", "--example", "simulated_batch", "--"]
-    example = os.environ.get("SOILCTL_SIMULATED_BATCH")
-    words = [example] if example else words
-    stroke = "0,80,0.0254,23"
-    subprocess.run([*words, path, "ticino_rained", "0.4318", "1", str(truth_scale), stroke], cwd=ROOT, check=True,
-                   timeout=1200, capture_output=True)
+PLAN = """
+version = 1
+soil = "ticino_rained"
+model = "chen"
+[[batches]]
+strokes = [{ radius_m = 0.4318, base_deg = 0.0, alpha_deg = 80.0, depth_m = 0.02, delta_set_deg = 23.0 }]
+"""
+
+
+def copied(log, path, change_truth):
+    """The log, written anew by another library; what is logged as truth is reversed if wanted."""
+    with log.open("rb") as source, path.open("wb") as target:
+        reader, writer = make_reader(source), mcap.writer.Writer(target)
+        writer.start(profile="ros2", library="copy")
+        for attachment in reader.iter_attachments():
+            writer.add_attachment(
+                attachment.create_time, attachment.log_time, attachment.name, attachment.media_type, attachment.data
+            )
+        for metadata in reader.iter_metadata():
+            writer.add_metadata(metadata.name, metadata.metadata)
+        channels = {}
+        for schema, channel, message in reader.iter_messages(log_time_order=False):
+            if channel.id not in channels:
+                schema_id = writer.register_schema(schema.name, schema.encoding, schema.data)
+                channels[channel.id] = writer.register_channel(
+                    channel.topic, channel.message_encoding, schema_id, channel.metadata
+                )
+            changes = change_truth and channel.topic.startswith("/truth/")
+            # The first four bytes say how the rest is encoded.
+            data = message.data[:4] + message.data[:3:-1] if changes else message.data
+            writer.add_message(channels[channel.id], message.log_time, data, message.publish_time, message.sequence)
+        writer.finish()
 
 
 def test_own_log_is_processed_and_its_truth_is_never_read(soilctl, tmp_path):
+    (tmp_path / "plan.toml").write_text(PLAN)
+    soilctl("simulate", "plan.toml", "--out", "runs", code=0, cwd=tmp_path)
     outputs = []
-    for name, scale in (("true", 1.0), ("false", 3.0)):
+    for name in ["true", "false"]:
         folder = tmp_path / name
         folder.mkdir()
-        simulated(folder / "batch.mcap", scale)
+        copied(tmp_path / "runs" / "batch_000.mcap", folder / "batch.mcap", change_truth=name == "false")
         done = soilctl("process", "--format", "json", "--out", "strokes.csv", "batch.mcap", cwd=folder)
         assert done.returncode in (0, 1), done.stderr
-        files = [(folder / file).read_bytes() for file in ("traces.csv",)]
-        outputs.append((done.stdout, files))
-        answer = json.loads(done.stdout)
-        log = answer["logs"][0]
+        outputs.append((done.stdout, (folder / "traces.csv").read_bytes()))
+        log = json.loads(done.stdout)["logs"][0]
         assert log["own"] and log["strokes"] + len(log["skipped"]) == 1
     assert (tmp_path / "true" / "batch.mcap").read_bytes() != (tmp_path / "false" / "batch.mcap").read_bytes()
     assert outputs[0] == outputs[1]

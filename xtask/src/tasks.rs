@@ -89,7 +89,7 @@ fn setup(workspace: &Workspace) -> Result<(), XtaskError> {
 fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     setup(workspace)?;
     cargo(workspace, "Rust tests").args(["test", "--workspace", "--locked"]).run()?;
-    let soilctl = build_soilctl(workspace)?;
+    let soilctl = find_soilctl(workspace)?;
     wheel::test(workspace)?;
     // Last, so that a log ends with pytest's summary.
     Step::new("Python tests", workspace.venv_python())
@@ -99,11 +99,12 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
         .run()
 }
 
-/// Builds the command-line tool and asks cargo where it is, which a configured target folder decides.
-fn build_soilctl(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
-    let name = "build soilctl";
+/// Asks cargo where the command-line tool is, which a configured target folder decides. It was built for the Rust tests; with
+/// other arguments much would be compiled once more.
+fn find_soilctl(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
+    let name = "find soilctl";
     let messages = cargo(workspace, name)
-        .args(["build", "--locked", "-p", "soilctl", "--message-format=json-render-diagnostics"])
+        .args(["test", "--workspace", "--locked", "--no-run", "--message-format=json-render-diagnostics"])
         .output()?;
     executable(&messages, "soilctl").ok_or_else(|| XtaskError::Missing {
         step: name.to_owned(),
@@ -112,11 +113,11 @@ fn build_soilctl(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
     })
 }
 
-/// The file of a program, from cargo's messages (one JSON object a line).
+/// The file of a program, from cargo's messages (one JSON object a line); that of its own unit tests has the same name.
 fn executable(messages: &str, program: &str) -> Option<PathBuf> {
     messages.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok()).find_map(
         |message| {
-            let of_program = message["target"]["name"] == program;
+            let of_program = message["target"]["name"] == program && message["profile"]["test"] != true;
             message["executable"].as_str().filter(|_| of_program).map(PathBuf::from)
         },
     )
@@ -173,7 +174,8 @@ mod tests {
         let messages = r#"{"reason":"compiler-artifact","target":{"name":"xtask"},"executable":"/t/xtask"}
 not json
 {"reason":"compiler-artifact","target":{"name":"soilctl"},"executable":null}
-{"reason":"compiler-artifact","target":{"name":"soilctl"},"executable":"/t/debug/soilctl"}
+{"reason":"compiler-artifact","target":{"name":"soilctl"},"profile":{"test":true},"executable":"/t/debug/deps/soilctl-1"}
+{"reason":"compiler-artifact","target":{"name":"soilctl"},"profile":{"test":false},"executable":"/t/debug/soilctl"}
 {"reason":"build-finished","success":true}"#;
         assert_eq!(executable(messages, "soilctl"), Some(PathBuf::from("/t/debug/soilctl")));
         assert_eq!(executable(messages, "other"), None);

@@ -32,18 +32,13 @@ impl Rig {
     pub(crate) fn truth(&self) -> Option<Truth> {
         let Self::Plant(plant) = self else { return None };
         let truth = plant.truth();
-        let [x, y, z] = truth.soil.force_n;
-        // Where the tip is: along its radius and across it.
-        let length = libm::hypot(truth.tip_m[0], truth.tip_m[1]);
-        let [cos, sin] =
-            if length > 0.0 { [truth.tip_m[0] / length, truth.tip_m[1] / length] } else { [1.0, 0.0] };
         Some(Truth {
             joints: truth.joints,
             joint_rates: truth.joint_rates,
             soil: SoilTruth {
                 depth_m: truth.soil.depth_m,
                 limit_force_n: truth.soil.limit_force_n,
-                force_rtz_n: [cos * x + sin * y, cos * y - sin * x, z],
+                force_rtz_n: truth.force_rtz_n(),
             },
         })
     }

@@ -16,6 +16,18 @@ pub struct Truth {
     pub soil: SoilTruth,
 }
 
+impl Truth {
+    /// Force of the soil on the plate in N along the tip's radius, along its tangent (counter-clockwise) and upwards. On the
+    /// vertical axis, where no radius has a direction, along x and y.
+    #[must_use]
+    pub fn force_rtz_n(&self) -> [f64; 3] {
+        let [[tip_x, tip_y, _], [x, y, z]] = [self.tip_m, self.soil.force_n];
+        let radius = libm::hypot(tip_x, tip_y);
+        let [cos, sin] = if radius > 0.0 { [tip_x / radius, tip_y / radius] } else { [1.0, 0.0] };
+        [cos * x + sin * y, cos * y - sin * x, z]
+    }
+}
+
 /// The soil at the plate; all zero outside it.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SoilTruth {

@@ -86,19 +86,15 @@ fn tick(
     Ok(goes_on)
 }
 
-/// What the log's topics of truth hold: forces turned to where the tip is.
+/// What the log's topics of truth hold.
 fn truth(truth: &soilctl_plant::Truth) -> Truth {
-    let [x, y, z] = truth.soil.force_n;
-    let length = libm::hypot(truth.tip_m[0], truth.tip_m[1]);
-    let (cos, sin) =
-        if length > 0.0 { (truth.tip_m[0] / length, truth.tip_m[1] / length) } else { (1.0, 0.0) };
     Truth {
         joints: truth.joints,
         joint_rates: truth.joint_rates,
         soil: SoilTruth {
             depth_m: truth.soil.depth_m,
             limit_force_n: truth.soil.limit_force_n,
-            force_rtz_n: [cos * x + sin * y, cos * y - sin * x, z],
+            force_rtz_n: truth.force_rtz_n(),
         },
     }
 }

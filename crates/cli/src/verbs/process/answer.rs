@@ -2,7 +2,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_process::table::StrokeRecord;
 
-use super::analysis::Analysis;
+use super::findings::Analysis;
 use super::manifest::{Entry, Skipped};
 use super::words;
 use super::work::Done;

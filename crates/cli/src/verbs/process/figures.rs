@@ -4,7 +4,7 @@ use soilctl_figure::{Axis, Figure, Line, Points, RefLine, Span};
 use soilctl_process::table::StrokeRecord;
 
 use super::PlotKind;
-use super::analysis::Analysis;
+use super::findings::Analysis;
 use crate::error::CliError;
 
 /// The figure that was asked for.

@@ -3,6 +3,7 @@
 mod analysis;
 mod answer;
 mod figures;
+mod findings;
 mod inputs;
 mod manifest;
 mod one_log;

@@ -2,8 +2,8 @@
 
 use soilctl_figure::{Align, CalloutKind, Figure, HtmlReport, Size, Table};
 
-use super::analysis::{Analysis, Friction};
 use super::figures;
+use super::findings::{Analysis, Friction};
 use super::work::Done;
 use crate::error::CliError;
 use crate::text::number;
