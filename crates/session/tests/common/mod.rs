@@ -118,6 +118,8 @@ pub struct Content {
     pub room: Option<usize>,
     /// Whether writing waits.
     pub stuck: bool,
+    /// Whether somebody has waited.
+    pub waited: bool,
 }
 
 impl Write for Shelf {
@@ -125,6 +127,7 @@ impl Write for Shelf {
         loop {
             let mut content = self.0.lock().unwrap();
             if content.stuck {
+                content.waited = true;
                 drop(content);
                 std::thread::sleep(std::time::Duration::from_millis(1));
                 continue;
