@@ -3,7 +3,7 @@ use std::sync::mpsc::{Receiver, sync_channel};
 use std::thread::JoinHandle;
 
 use soilctl_session::messages::ControllerStep;
-use soilctl_session::read::{Item, scan};
+use soilctl_session::read::{Early, Item, scan};
 use soilctl_session::{SessionError, topics};
 
 use crate::LiveError;
@@ -77,16 +77,14 @@ fn play(path: &Path, from_s: f64, take: &dyn Fn(Played) -> bool) -> Result<(), S
     let mut memory = Memory::default();
     let mut steps = 0_u64;
     let mut last = None;
-    let mut wanted = true;
-    scan(path, &mut |item| {
+    let scanned = scan(path, &mut |item| {
         let Item::Message(message) = item else { return Ok(()) };
-        if message.channel.topic != topics::STEP || !wanted {
+        if message.channel.topic != topics::STEP {
             return Ok(());
         }
-        let step = ControllerStep::decode(message.data).map_err(|reason| SessionError::Message {
-            topic: topics::STEP.to_owned(),
-            number: steps,
-            reason,
+        let take = |played| if take(played) { Ok(()) } else { Err(Early::Enough) };
+        let step = soilctl_session::messages::decode::<ControllerStep>(message.data).map_err(|reason| {
+            SessionError::Message { topic: topics::STEP.to_owned(), number: steps, reason }
         })?;
         memory.step(&step);
         let due = steps.is_multiple_of(STATE_STEPS);
@@ -95,17 +93,22 @@ fn play(path: &Path, from_s: f64, take: &dyn Fn(Played) -> bool) -> Result<(), S
             return Ok(());
         }
         for event in &step.events {
-            wanted &= take(Played::Event(Event::new(step.tick, event)));
+            take(Played::Event(Event::new(step.tick, event)))?;
         }
         if due {
-            wanted &= take(Played::State(Box::new(StateMessage::new(&step, &memory))));
+            take(Played::State(Box::new(StateMessage::new(&step, &memory))))?;
             last = None;
         } else {
             last = Some(step);
         }
         Ok(())
-    })?;
-    if let Some(step) = last.filter(|_| wanted) {
+    });
+    match scanned {
+        Ok(_) => {}
+        Err(Early::Enough) => return Ok(()),
+        Err(Early::Failed(error)) => return Err(error),
+    }
+    if let Some(step) = last {
         // The last state, whether it is due or not.
         take(Played::State(Box::new(StateMessage::new(&step, &memory))));
     }

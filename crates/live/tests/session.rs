@@ -258,7 +258,7 @@ fn in_real_time_the_end_record_tells_about_time() {
     let report = running.host.take().unwrap().wait().unwrap();
     assert_eq!(report.ending, Ending::TimeIsUp);
     let mut end = None;
-    soilctl_session::read::scan(&running.log_file(), &mut |item| {
+    soilctl_session::read::scan::<soilctl_session::SessionError>(&running.log_file(), &mut |item| {
         if let soilctl_session::read::Item::Metadata { name: "soilctl.end", content } = item {
             end = Some(content.clone());
         }

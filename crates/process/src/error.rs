@@ -120,3 +120,9 @@ pub(crate) fn positive(what: &'static str, value: f64, unit: &'static str) -> Re
         Err(ProcessError::OutOfRange { what, value, unit, allowed: "a finite number above 0" })
     }
 }
+
+impl From<soilctl_session::SessionError> for ProcessError {
+    fn from(error: soilctl_session::SessionError) -> Self {
+        Self::Log(error.to_string())
+    }
+}

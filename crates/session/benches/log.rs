@@ -47,7 +47,9 @@ fn main() {
     group.sampling_mode(SamplingMode::Flat).sample_size(10);
     group.throughput(Throughput::Elements(STROKE_TICKS));
     group.bench_function("write, steps", |b| b.iter(|| write(&state, black_box(&records))));
-    group.bench_function("read, steps", |b| b.iter(|| scan(black_box(&path), &mut |_| Ok(())).unwrap()));
+    group.bench_function("read, steps", |b| {
+        b.iter(|| scan::<soilctl_session::SessionError>(black_box(&path), &mut |_| Ok(())).unwrap())
+    });
     group.bench_function("replay, steps", |b| b.iter(|| replay(black_box(&path), 0).unwrap()));
     group.throughput(Throughput::Bytes(bytes.len() as u64));
     group.bench_function("write, bytes of the file", |b| b.iter(|| write(&state, black_box(&records))));

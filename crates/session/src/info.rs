@@ -49,7 +49,7 @@ pub struct TopicInfo {
 /// Those of [`scan`]; damage and odd content are part of the answer.
 pub fn info(path: &Path) -> Result<Info, SessionError> {
     let mut check = Check::default();
-    let ending = scan(path, &mut |item| {
+    let ending = scan::<SessionError>(path, &mut |item| {
         check.item(item);
         Ok(())
     })?;

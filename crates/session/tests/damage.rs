@@ -26,7 +26,7 @@ static LOG: LazyLock<Vec<u8>> = LazyLock::new(|| {
 fn steps(bytes: &[u8]) -> Result<(Vec<Vec<u8>>, bool), SessionError> {
     let mut found = Vec::new();
     let mut source = bytes;
-    let ending = scan_from(&mut source, Path::new("bytes"), &mut |item| {
+    let ending = scan_from::<SessionError>(&mut source, Path::new("bytes"), &mut |item| {
         if let Item::Message(message) = item
             && message.channel.topic == topics::STEP
         {
@@ -148,7 +148,7 @@ fn read_all(bytes: &[u8]) {
     }
     let fixed = dir.path().join("fixed.mcap");
     if recover(&path, &fixed).is_ok() {
-        assert!(scan(&fixed, &mut |_| Ok(())).unwrap().is_whole());
+        assert!(scan::<SessionError>(&fixed, &mut |_| Ok(())).unwrap().is_whole());
     }
     let _ = replay(&path, 0);
 }

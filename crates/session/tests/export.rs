@@ -14,7 +14,7 @@ use soilctl_session::{SessionError, TableForm, export, topics};
 /// A log with one good step and one that is none.
 fn half_good(good: &Path, out: &Path) {
     let mut message = None;
-    scan(good, &mut |item| {
+    scan::<SessionError>(good, &mut |item| {
         if let Item::Message(found) = item
             && found.channel.topic == topics::STEP
             && message.is_none()

@@ -29,7 +29,7 @@ fn a_full_disk_ends_a_simulated_run_with_a_reason() {
         let content = shelf.0.lock().unwrap();
         let mut source = &content.bytes[..];
         let mut messages = 0_u64;
-        let scanned = scan_from(&mut source, Path::new("full"), &mut |_| {
+        let scanned = scan_from::<soilctl_session::SessionError>(&mut source, Path::new("full"), &mut |_| {
             messages += 1;
             Ok(())
         });

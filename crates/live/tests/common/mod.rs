@@ -90,11 +90,11 @@ impl Running {
     /// Every step in the log.
     pub fn steps(&self) -> Vec<ControllerStep> {
         let mut steps = Vec::new();
-        let ending = scan(&self.log_file(), &mut |item| {
+        let ending = scan::<soilctl_session::SessionError>(&self.log_file(), &mut |item| {
             if let Item::Message(message) = item
                 && message.channel.topic == "/controller/step"
             {
-                steps.push(ControllerStep::decode(message.data).unwrap());
+                steps.push(soilctl_session::messages::decode::<ControllerStep>(message.data).unwrap());
             }
             Ok(())
         })

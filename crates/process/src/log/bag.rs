@@ -3,10 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::path::Path;
 
-use soilctl_session::SessionError;
-use soilctl_session::read::{Item, RawMessage, scan};
+use soilctl_session::messages::{Header, JointState, StringMessage, WrenchStamped, decode};
+use soilctl_session::read::{Early, Item, RawMessage, scan};
 
-use super::cdr::{Cursor, stamp};
 use super::cut::Cutter;
 use super::{Found, LogSettings};
 use crate::{Aligner, ProcessError, Robot};
@@ -63,12 +62,12 @@ impl Bag {
             let named = |name: &Option<String>| name.as_ref().is_none_or(|name| topics.contains_key(name));
             if both && urdf.is_some() && named(&settings.joint_topic) && named(&settings.wrench_topic) {
                 // All is known; the rest comes in the second pass.
-                return Err(SessionError::Thread(std::io::Error::other("enough was seen")));
+                return Err(Early::Enough);
             }
             Ok(())
         });
-        if !both {
-            scanned.map_err(|error| ProcessError::Log(error.to_string()))?;
+        if let Err(Early::Failed(error)) = scanned {
+            return Err(error.into());
         }
         let joint_topic = choose(&topics, settings.joint_topic.as_deref(), "/joint_states", JOINT_STATE)?;
         let wrench_topic = choose(&topics, settings.wrench_topic.as_deref(), "/wrench", WRENCH)?;
@@ -106,8 +105,8 @@ impl Bag {
     }
 
     /// The stamp, or else the log's time, from the first one on, in s.
-    fn time_s(&mut self, stamp_ns: Option<i64>, message: &RawMessage<'_>) -> f64 {
-        let ns = stamp_ns.unwrap_or_else(|| i64::try_from(message.log_time_ns).unwrap_or(i64::MAX));
+    fn time_s(&mut self, header: &Header, message: &RawMessage<'_>) -> f64 {
+        let ns = header.stamp.ns().unwrap_or_else(|| i64::try_from(message.log_time_ns).unwrap_or(i64::MAX));
         // Whole seconds, so that times stay as they were stamped but for the origin.
         let wall = ns / 1_000_000_000 >= WALL_CLOCK_S as i64;
         let origin = *self.origin_ns.get_or_insert(if wall { ns - ns % 1_000_000_000 } else { 0 });
@@ -115,29 +114,24 @@ impl Bag {
     }
 
     fn joints(&mut self, message: &RawMessage<'_>) -> Option<()> {
-        let mut c = Cursor::new(message.data)?;
-        let stamp_ns = stamp(&mut c)?;
-        c.text()?;
-        let count = c.u32()?;
-        let mut names = Vec::new();
-        for _ in 0..count {
-            names.push(c.text()?);
-        }
-        let positions = c.list()?;
+        let state: JointState = decode(message.data).ok()?;
         // Positions may be left out altogether, as ROS allows.
-        if positions.clone().count() != names.len() {
+        if state.position.len() != state.name.len() {
             return None;
         }
-        let t_s = self.time_s(stamp_ns, message);
-        for name in &names {
-            if !self.named.contains(*name) {
-                self.named.insert((*name).to_owned());
+        let t_s = self.time_s(&state.header, message);
+        for name in &state.name {
+            if !self.named.contains(name) {
+                self.named.insert(name.clone());
             }
         }
         match &mut self.aligner {
-            Some(aligner) => aligner.joints(t_s, names.into_iter().zip(positions)),
+            Some(aligner) => {
+                aligner
+                    .joints(t_s, state.name.iter().map(String::as_str).zip(state.position.iter().copied()));
+            }
             None => {
-                let all = names.into_iter().map(str::to_owned).zip(positions).collect();
+                let all = state.name.into_iter().zip(state.position).collect();
                 self.early.push_back((t_s, all));
                 // Wrenches of so long ago could not be joined anyway.
                 if self.early.len() > 100_000 {
@@ -149,10 +143,10 @@ impl Bag {
     }
 
     fn wrench(&mut self, message: &RawMessage<'_>) -> Result<Option<()>, ProcessError> {
-        let Some((stamp_ns, frame, wrench)) = read_wrench(message.data) else { return Ok(None) };
-        let t_s = self.time_s(stamp_ns, message);
+        let Some((header, wrench)) = read_wrench(message.data) else { return Ok(None) };
+        let t_s = self.time_s(&header, message);
         if self.aligner.is_none() {
-            self.begin(frame)?;
+            self.begin(&header.frame_id)?;
         }
         if let Some(aligner) = &mut self.aligner {
             aligner.wrench(t_s, wrench);
@@ -258,13 +252,11 @@ fn listed<T: AsRef<str>>(names: impl Iterator<Item = T>) -> String {
     if names.is_empty() { "none".into() } else { names.join(", ") }
 }
 
-/// Stamp in ns, frame, and wrench of a message.
-pub(super) fn read_wrench(message: &[u8]) -> Option<(Option<i64>, &str, [f64; 6])> {
-    let mut c = Cursor::new(message)?;
-    let stamp_ns = stamp(&mut c)?;
-    let frame = c.text()?;
-    let wrench = c.f64s()?;
-    c.is_done().then_some((stamp_ns, frame, wrench))
+/// Header and wrench of a message.
+pub(super) fn read_wrench(message: &[u8]) -> Option<(Header, [f64; 6])> {
+    let WrenchStamped { header, wrench } = decode(message).ok()?;
+    let [f, t] = [wrench.force, wrench.torque];
+    Some((header, [f.x, f.y, f.z, t.x, t.y, t.z]))
 }
 
 fn is_urdf(text: &str) -> bool {
@@ -272,6 +264,6 @@ fn is_urdf(text: &str) -> bool {
 }
 
 fn description(message: &[u8]) -> Option<String> {
-    let text = Cursor::new(message)?.text()?;
-    is_urdf(text).then(|| text.to_owned())
+    let StringMessage { data } = decode(message).ok()?;
+    is_urdf(&data).then_some(data)
 }

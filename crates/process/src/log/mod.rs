@@ -5,21 +5,19 @@
 //! Topics under `/truth` are never looked at.
 
 mod bag;
-mod cdr;
 mod cut;
 mod own;
 mod rub;
-mod step;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use soilctl_session::messages::{TfMessage, decode};
 use soilctl_session::read::{Item, scan};
-use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD, SessionError};
+use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD};
 
 use self::bag::Bag;
-use self::cdr::{Cursor, stamp};
 use self::own::OwnLog;
 pub use self::rub::{RubSample, read_wrenches};
 use crate::{Evaluated, ProcessError};
@@ -148,7 +146,6 @@ pub fn read_log(
 ) -> Result<LogSummary, ProcessError> {
     let mut summary = LogSummary::default();
     let mut taken = Taken::Unclear { session: BTreeMap::new() };
-    let mut failure = None;
     let mut visit = |item: Item<'_>| -> Result<(), ProcessError> {
         if stop.load(Ordering::Relaxed) {
             return Err(ProcessError::Stopped);
@@ -182,18 +179,7 @@ pub fn read_log(
         }
         Ok(())
     };
-    let ending = scan(path, &mut |item| {
-        visit(item).map_err(|error| {
-            // Only to end the scan: the caller gets the error itself.
-            let end = SessionError::Thread(std::io::Error::other("ended by the visitor"));
-            failure = Some(error);
-            end
-        })
-    });
-    if let Some(error) = failure {
-        return Err(error);
-    }
-    let ending = ending.map_err(|error| ProcessError::Log(error.to_string()))?;
+    let ending = scan(path, &mut visit)?;
     summary.bytes = ending.bytes;
     summary.damage = ending.damage;
     match taken {
@@ -218,16 +204,7 @@ fn hand_over(strokes: Vec<LogStroke>, refused: Vec<NoStroke>, found: &mut dyn Fn
 
 /// Height of the frame `soil_surface` in a `tf2_msgs/msg/TFMessage`, in m.
 fn surface_in(message: &[u8]) -> Option<f64> {
-    let mut c = Cursor::new(message)?;
-    let mut found = None;
-    for _ in 0..c.u32()? {
-        stamp(&mut c)?;
-        c.text()?;
-        let child = c.text()?;
-        let [_, _, z, ..] = c.f64s::<7>()?;
-        if child == "soil_surface" && z.is_finite() {
-            found = Some(z);
-        }
-    }
-    found
+    let frames: TfMessage = decode(message).ok()?;
+    let found = frames.transforms.iter().rev().find(|frame| frame.child_frame_id == "soil_surface")?;
+    Some(found.transform.translation.z).filter(|z| z.is_finite())
 }

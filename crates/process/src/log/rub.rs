@@ -3,7 +3,6 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use soilctl_session::SessionError;
 use soilctl_session::read::{Item, scan};
 
 use super::LogSettings;
@@ -36,27 +35,21 @@ pub fn read_wrenches(
 ) -> Result<Vec<RubSample>, ProcessError> {
     let wanted = settings.wrench_topic.as_deref().unwrap_or("/wrench");
     let mut readings: Vec<(i64, [f64; 6])> = Vec::new();
-    let mut stopped = false;
-    let scanned = scan(path, &mut |item| {
+    scan(path, &mut |item| {
         if stop.load(Ordering::Relaxed) {
-            stopped = true;
-            return Err(SessionError::Thread(std::io::Error::other("ended by the visitor")));
+            return Err(ProcessError::Stopped);
         }
         if let Item::Message(message) = item
             && message.channel.topic == wanted
             && message.channel.message_type == WRENCH
-            && let Some((stamp_ns, _, wrench)) = read_wrench(message.data)
+            && let Some((header, wrench)) = read_wrench(message.data)
             && wrench.iter().all(|part| part.is_finite())
         {
             let logged = i64::try_from(message.log_time_ns).unwrap_or(i64::MAX);
-            readings.push((stamp_ns.unwrap_or(logged), wrench));
+            readings.push((header.stamp.ns().unwrap_or(logged), wrench));
         }
         Ok(())
-    });
-    if stopped {
-        return Err(ProcessError::Stopped);
-    }
-    scanned.map_err(|error| ProcessError::Log(error.to_string()))?;
+    })?;
     readings.sort_by_key(|reading| reading.0);
     let Some(&(origin, _)) = readings.first() else {
         let (wanted, known) = (wanted.to_owned(), "no wrenches there".to_owned());

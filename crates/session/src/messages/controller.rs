@@ -173,14 +173,6 @@ impl ControllerStep {
         }
     }
 
-    /// The message in the bytes of a log.
-    ///
-    /// # Errors
-    /// In words, if they are not such a message.
-    pub fn decode(bytes: &[u8]) -> Result<Self, String> {
-        crate::cdr::decode(bytes)
-    }
-
     /// What the hardware reported.
     #[must_use]
     pub fn sensed(&self) -> Sensed {

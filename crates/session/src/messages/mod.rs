@@ -6,6 +6,8 @@ mod request;
 mod ros;
 mod words;
 
+use serde::de::DeserializeOwned;
+
 pub use controller::{ControllerStep, EventMessage, Keyframe, SoilTruth};
 pub(crate) use definitions::definition;
 pub use ros::{
@@ -13,3 +15,11 @@ pub use ros::{
     Wrench, WrenchStamped,
 };
 pub use words::{variant, word};
+
+/// The message in the bytes of a log: CDR, little endian.
+///
+/// # Errors
+/// In words, if they are not such a message.
+pub fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, String> {
+    crate::cdr::decode(bytes)
+}

@@ -10,6 +10,15 @@ pub struct Time {
     pub nanosec: u32,
 }
 
+impl Time {
+    /// The time in ns; `None` if it was not set.
+    #[must_use]
+    pub fn ns(self) -> Option<i64> {
+        let ns = i64::from(self.sec) * 1_000_000_000 + i64::from(self.nanosec);
+        (ns != 0).then_some(ns)
+    }
+}
+
 /// `std_msgs/msg/Header`.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Header {

@@ -104,16 +104,31 @@ impl Ending {
     }
 }
 
-/// Shows every item of a log to `visit`. A damaged chunk is left out and noted; what comes after a broken record cannot
+/// Why a visitor ends a scan before the end of the file.
+#[derive(Debug)]
+pub enum Early {
+    /// It has seen enough.
+    Enough,
+    /// The scan failed.
+    Failed(SessionError),
+}
+
+impl From<SessionError> for Early {
+    fn from(error: SessionError) -> Self {
+        Self::Failed(error)
+    }
+}
+
+/// Shows every item of a log to `visit`, which ends the scan by an error of its own, such as [`Early::Enough`]. A damaged chunk is left out and noted; what comes after a broken record cannot
 /// be found and is lost. Items are only shown once their checksums were compared, where they have one of their own.
 ///
 /// # Errors
 /// [`SessionError::File`] if the file cannot be read, [`SessionError::NotALog`] if it does not begin like a log, or what
 /// `visit` returns.
-pub fn scan(
+pub fn scan<E: From<SessionError>>(
     path: &Path,
-    visit: &mut dyn FnMut(Item<'_>) -> Result<(), SessionError>,
-) -> Result<Ending, SessionError> {
+    visit: &mut dyn FnMut(Item<'_>) -> Result<(), E>,
+) -> Result<Ending, E> {
     let mut file = File::open(path).map_err(|error| SessionError::file(path, &error))?;
     scan_from(&mut file, path, visit)
 }
@@ -122,11 +137,11 @@ pub fn scan(
 ///
 /// # Errors
 /// Those of [`scan`].
-pub fn scan_from(
+pub fn scan_from<E: From<SessionError>>(
     source: &mut dyn Read,
     path: &Path,
-    visit: &mut dyn FnMut(Item<'_>) -> Result<(), SessionError>,
-) -> Result<Ending, SessionError> {
+    visit: &mut dyn FnMut(Item<'_>) -> Result<(), E>,
+) -> Result<Ending, E> {
     let not_a_log = |reason: String| SessionError::NotALog { file: path.display().to_string(), reason };
     let options = LinearReaderOptions::default()
         .with_emit_chunks(true)
@@ -148,16 +163,16 @@ pub fn scan_from(
             }
             Ok(LinearReadEvent::Record { opcode, data }) => {
                 if !log.has_header && opcode != op::HEADER {
-                    return Err(not_a_log("it does not begin with a header".to_owned()));
+                    return Err(not_a_log("it does not begin with a header".to_owned()).into());
                 }
                 let before = ending.damage.len();
                 log.record(opcode, data, &mut ending.damage, visit)?;
                 if !log.has_header {
                     let reason = ending.damage.get(before).cloned().unwrap_or_default();
-                    return Err(not_a_log(reason));
+                    return Err(not_a_log(reason).into());
                 }
             }
-            Err(error) if !log.has_header => return Err(not_a_log(reason(&error))),
+            Err(error) if !log.has_header => return Err(not_a_log(reason(&error)).into()),
             Err(error) => {
                 ending.damage.push(match error {
                     mcap::McapError::UnexpectedEof => {

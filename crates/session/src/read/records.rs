@@ -3,7 +3,6 @@ use std::collections::BTreeMap;
 use mcap::records::{self, Record};
 
 use super::{Channel, Item, RawMessage, chunk, parse};
-use crate::SessionError;
 
 /// What a scan remembers: schemas and channels by their number.
 #[derive(Debug, Default)]
@@ -18,13 +17,13 @@ impl Log {
     ///
     /// # Errors
     /// What `visit` returns.
-    pub(super) fn record(
+    pub(super) fn record<E>(
         &mut self,
         opcode: u8,
         data: &[u8],
         damage: &mut Vec<String>,
-        visit: &mut dyn FnMut(Item<'_>) -> Result<(), SessionError>,
-    ) -> Result<(), SessionError> {
+        visit: &mut dyn FnMut(Item<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
         match parse(opcode, data) {
             Ok(Record::Header(header)) => {
                 self.has_header = true;
@@ -49,13 +48,13 @@ impl Log {
         }
     }
 
-    fn chunk(
+    fn chunk<E>(
         &mut self,
         header: &records::ChunkHeader,
         data: &[u8],
         damage: &mut Vec<String>,
-        visit: &mut dyn FnMut(Item<'_>) -> Result<(), SessionError>,
-    ) -> Result<(), SessionError> {
+        visit: &mut dyn FnMut(Item<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
         let content = match chunk::unpack(header, data) {
             Ok(content) => content,
             Err(problem) => {
@@ -81,12 +80,12 @@ impl Log {
     }
 
     /// Schemas, channels and messages, inside chunks or not. Indexes, statistics and unknown records are passed over.
-    fn content(
+    fn content<E>(
         &mut self,
         record: Record<'_>,
         damage: &mut Vec<String>,
-        visit: &mut dyn FnMut(Item<'_>) -> Result<(), SessionError>,
-    ) -> Result<(), SessionError> {
+        visit: &mut dyn FnMut(Item<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
         match record {
             Record::Schema { header, data } => {
                 self.schemas.insert(header.id, (header.name, header.encoding, data.into_owned()));

@@ -9,13 +9,13 @@ mod surface;
 use std::collections::{BTreeMap, VecDeque};
 
 use soilctl_kinematics::Arm;
+use soilctl_session::messages::{ControllerStep, decode};
 use soilctl_session::read::RawMessage;
 use soilctl_session::{CONFIGURATION_RECORD, STROKE_RECORD, topics};
 
 use self::geometry::Edge;
 use self::sample::{Phase, Sample, tip_and_sensor};
 use self::stroke::{Logged, process};
-use super::step::Step;
 use super::{LogStroke, NoStroke};
 use crate::ProcessError;
 
@@ -82,9 +82,9 @@ impl OwnLog {
 
     pub(super) fn message(&mut self, message: &RawMessage<'_>) -> Result<(), ProcessError> {
         match message.channel.topic.as_str() {
-            topics::STEP => match Step::read(message.data) {
-                Some(step) => self.step(&step),
-                None => {
+            topics::STEP => match decode(message.data) {
+                Ok(step) => self.step(&step),
+                Err(_) => {
                     self.unreadable += 1;
                     Ok(())
                 }
@@ -106,14 +106,14 @@ impl OwnLog {
         }
     }
 
-    fn step(&mut self, step: &Step<'_>) -> Result<(), ProcessError> {
+    fn step(&mut self, step: &ControllerStep) -> Result<(), ProcessError> {
         let sample = Sample::new(step, self.tick_s);
         if !sample.is_finite() {
             self.unreadable += 1;
             return Ok(());
         }
-        if let Some((number, _)) = step.wall {
-            self.wall(number, &sample)?;
+        for found in step.events.iter().filter(|event| event.kind == "wall_found") {
+            self.wall(found.index, &sample)?;
         }
         if sample.phase == Phase::Stroke {
             self.finish();

@@ -1,7 +1,7 @@
 use soilctl_kinematics::{Arm, Frame, JointAngles};
+use soilctl_session::messages::ControllerStep;
 
 use crate::ProcessError;
-use crate::log::step::Step;
 
 /// One step of our own controller, as far as strokes need it.
 #[derive(Debug, Clone, Copy)]
@@ -33,8 +33,8 @@ pub(super) enum Phase {
 }
 
 impl Sample {
-    pub(super) fn new(step: &Step<'_>, tick_s: f64) -> Self {
-        let phase = match (step.trajectory, step.sequence, step.sequence_step) {
+    pub(super) fn new(step: &ControllerStep, tick_s: f64) -> Self {
+        let phase = match (step.trajectory.as_str(), step.sequence.as_str(), step.sequence_step) {
             ("stroke", ..) => Phase::Stroke,
             (_, "insert_stroke_pullout", 0) => Phase::Bias,
             (_, "insert_stroke_pullout", 1) => Phase::Touch,
@@ -45,9 +45,9 @@ impl Sample {
         Self {
             t_s: step.tick as f64 * tick_s,
             wrench: step.wrench,
-            motor: step.motor_joints,
-            external: step.external_joints,
-            torques: step.joint_torques,
+            motor: step.motor_joints_rad,
+            external: step.external_joints_rad,
+            torques: step.joint_torques_nm,
             phase,
         }
     }
