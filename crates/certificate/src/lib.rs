@@ -26,6 +26,7 @@
 //!   bear.
 //! - [`Objective::Loads`]: the largest factor `m` on all live loads for which there is such a stress field.
 //! - [`Objective::Body`]: the same for a body force that is added to gravity.
+//! - [`Objective::Everything`]: the largest factor on gravity, pore pressure, surcharge and all loads together.
 //!
 //! Strength is one of the effective stress, the stress plus the pore pressure `u` in both normal parts. With its mean
 //! `p = (xx + yy)/2 + u` and `r = sqrt(((xx - yy)/2)^2 + xy^2)`, a soil bears `c cos(phi) - sin(phi) p >= r` and, where its
@@ -55,7 +56,8 @@
 //! For a stress field as above and a flow `v` that is zero far away, virtual work says that `F` and the power of all other
 //! loads add up to the power of the stresses on the strain rate, on the jumps of `v`, and on `v - V` at the faces. With `D`
 //! not below the latter and `W` the power of weight, surcharge and given tractions, `F <= D - W`. If a factor is bounded,
-//! `V` is zero, `P > 0` the power of the loads that it multiplies and `W` that of the others: it is at most `(D - W)/P`.
+//! `V` is zero, `P > 0` the power of the loads that it multiplies and `W` that of the others: it is at most `(D - W)/P`. With
+//! [`Objective::Everything`] water is one of these loads, so `P` has the `u e` and `u o` that are said below to lessen `D`.
 //! Integrals of polynomials are exact but for rounding.
 //!
 //! *Soil with friction* has a velocity quadratic on each triangle. Its strain rate must be in the cone that is dual to
@@ -96,7 +98,10 @@
 //! *So equilibrium holds by construction*: both sides of an edge take value and slopes at its ends from the same vertex
 //! copies and the slope across its middle from the same number; a cubic and its quadratic slope across are determined by
 //! these. What is proven is the force on the structure, or, for the other objectives, [`LowerField::multiplier`]: it only
-//! enters by the reference and the loads. Affine functions carry no stress; chains name some, so that values near them can
+//! enters by the reference and the loads. With [`Objective::Everything`] the field is the `m`-th part of the stress that goes
+//! with the factor `m`: in equilibrium with what acts, and within the strength of soils and faces with the `m`-th part of their
+//! cohesion, adhesion and greatest tension; `m` times that is in equilibrium with `m` times all that acts, and within the
+//! strength. Affine functions carry no stress; chains name some, so that values near them can
 //! be stored without loss.
 //!
 //! - *Reference.* All regions have the base, made with the unit weight `w` of the first: with depth `d` below the datum,

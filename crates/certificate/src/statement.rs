@@ -43,6 +43,9 @@ pub enum Objective {
         /// The body force where the unit weight is one.
         gravity: [f64; 2],
     },
+    /// The factor on everything that acts: gravity, water, surcharge and loads. Cohesion, adhesion and tension divided by
+    /// it just suffice. Structures do not move.
+    Everything,
 }
 
 impl Objective {
@@ -51,7 +54,7 @@ impl Objective {
     pub fn velocity(&self) -> [f64; 2] {
         match self {
             Self::Structure { velocity } => *velocity,
-            Self::Loads | Self::Body { .. } => [0.0; 2],
+            Self::Loads | Self::Body { .. } | Self::Everything => [0.0; 2],
         }
     }
 }

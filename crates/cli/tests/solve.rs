@@ -139,18 +139,19 @@ fn bad_files_are_refused_in_words() {
 }
 
 #[test]
-#[ignore = "no pair of bounds is proven for the slope"]
 fn the_factor_of_safety_of_a_slope_is_bounded_and_each_side_saved() {
     let dir = tempfile::tempdir().unwrap();
     let file = dir.path().join("slope.json");
-    let args = ["--max-gap", "0.1", "--max-elements", "6000", "--max-seconds", "600", "--save"];
+    let args = ["--max-gap", "0.1", "--max-elements", "4000", "--max-seconds", "600", "--save"];
     let slope = example("slope.toml");
     let (code, answer, stderr) =
         soilctl(&[&["solve", &slope][..], &args, &[file.to_str().unwrap()]].concat());
     assert_eq!(code, 0, "{stderr}");
     assert_eq!(answer["quantity"], "factor_of_safety");
-    assert!(answer["lower"].as_f64().unwrap() > 1.0 && answer["upper"].as_f64().unwrap() < 2.5);
-    for part in ["lower", "upper", "at_rest"] {
+    let [lower, upper] = ["lower", "upper"].map(|side| answer[side].as_f64().unwrap());
+    // The least of Bishop's simplified method over all circles: not exact, but near.
+    assert!(lower < 1.782 * 1.02 && upper > 1.782 * 0.97, "{lower} {upper}");
+    for part in ["lower", "upper"] {
         let saved = dir.path().join(format!("slope.{part}.json"));
         let (code, _, _) = soilctl(&["certify", saved.to_str().unwrap()]);
         assert_eq!(code, 0, "{part}");

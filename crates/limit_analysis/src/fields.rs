@@ -14,6 +14,8 @@ pub(crate) struct StressField {
     pub(crate) corners: Vec<[Point; 3]>,
     pub(crate) across: Vec<[Option<Side>; 3]>,
     pub(crate) parts: Vec<[[[f64; 3]; 3]; 3]>,
+    /// The part of cohesion, adhesion and tension that it needs; one unless that is what is bounded.
+    pub(crate) part: f64,
 }
 
 /// A velocity field.
@@ -46,7 +48,7 @@ impl StressField {
                     .map(|part| part.map(|s| s.map_or([0.0; 3], |s| s.map(|f| f.value(x)))))
             })
             .collect();
-        Self { corners, across: topology.across.clone(), parts }
+        Self { corners, across: topology.across.clone(), parts, part: lower.part(x) }
     }
 
     pub(crate) fn centre(&self, t: usize) -> Point {

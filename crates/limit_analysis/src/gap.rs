@@ -49,6 +49,7 @@ pub(crate) fn shares(
     stress: &StressField,
 ) -> Vec<f64> {
     let ground = &Ground { problem, mesh, topology };
+    let soils: Vec<Soil> = problem.soils.iter().map(|soil| soil.part(stress.part)).collect();
     let mut shares = vec![0.0; mesh.triangles.len()];
     let mut seen = vec![usize::MAX; stress.corners.len()];
     let mut found = 0;
@@ -56,9 +57,9 @@ pub(crate) fn shares(
     for (triangle, t) in mesh.triangles.iter().enumerate() {
         let v = t.corners.map(|c| mesh.vertices[c].position);
         let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
-        let soil = &problem.soils[t.region];
+        let soil = &soils[t.region];
         let limit = velocity.limits[triangle];
-        let jumps = jumps(ground, velocity, triangle);
+        let jumps = jumps(ground, &soils, stress.part, velocity, triangle);
         found = near(&stress.corners, &stress.across, centre, found);
         let mut open = vec![found];
         seen[found] = triangle;
@@ -106,7 +107,7 @@ pub(crate) fn shares(
                 }
             }
         }
-        shares[triangle] /= velocity.live;
+        shares[triangle] /= velocity.live * stress.part;
     }
     shares
 }
@@ -114,7 +115,7 @@ pub(crate) fn shares(
 /// What soil dissipates for each unit of dilation, and of the shear rate in [`Piece`](crate::fields::Piece).
 fn strength(soil: &Soil, limit: Limit, p: Point) -> [f64; 2] {
     if soil.has_friction() {
-        [limit.tension(soil, p), limit.radius(soil, p)]
+        [limit.tension(soil, p) - value(&soil.pore_pressure, p), limit.radius(soil, p)]
     } else {
         [0.0, value(&soil.cohesion, p).max(0.0)]
     }
@@ -149,7 +150,13 @@ struct Jump {
     factor: f64,
 }
 
-fn jumps(ground: &Ground, velocity: &VelocityField, triangle: usize) -> [Option<Jump>; 3] {
+fn jumps(
+    ground: &Ground,
+    soils: &[Soil],
+    part: f64,
+    velocity: &VelocityField,
+    triangle: usize,
+) -> [Option<Jump>; 3] {
     std::array::from_fn(|k| {
         let side = Side { triangle, corner: k };
         let (a, b) = ((k + 1) % 3, (k + 2) % 3);
@@ -158,17 +165,19 @@ fn jumps(ground: &Ground, velocity: &VelocityField, triangle: usize) -> [Option<
         let water = ends.map(|p| value(&ground.soil(triangle).pore_pressure, p));
         let (there, tension, radius, factor) = match ground.edge(side) {
             Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
+                let adhesion = part * adhesion;
                 let tension = if delta_deg > 0.0 { adhesion / delta_deg.to_radians().tan() } else { 0.0 };
                 let radius = if delta_deg > 0.0 { 0.0 } else { adhesion };
                 ([ground.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0)
             }
             Edge::Jump { other: o, region } => {
                 let on = |n: usize| velocity.control[o.triangle][n];
-                let soil = &ground.problem.soils[region];
+                let soil = &soils[region];
                 let limit = Limit::around(soil, &ends);
                 let there = [on((o.corner + 2) % 3), on(3 + o.corner), on((o.corner + 1) % 3)];
                 // Both sides see the jump; each takes half.
-                (there, ends.map(|p| limit.tension(soil, p)), ends.map(|p| limit.radius(soil, p)), 0.5)
+                let tension = |p| limit.tension(soil, p) - value(&soil.pore_pressure, p);
+                (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5)
             }
             _ => return None,
         };

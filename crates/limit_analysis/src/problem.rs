@@ -44,9 +44,16 @@ impl Soil {
         self.tan > 0.0
     }
 
-    /// Total tension at the apex of the yield cone: what is between it and zero stress. For soil with friction.
+    /// Effective tension at the apex of the yield cone. For soil with friction.
     pub(crate) fn tension(&self, p: [f64; 2]) -> f64 {
-        value(&self.cohesion, p) / self.tan - value(&self.pore_pressure, p)
+        value(&self.cohesion, p) / self.tan
+    }
+
+    /// The same soil with a part of the cohesion and the greatest tension.
+    pub(crate) fn part(&self, part: f64) -> Self {
+        let Linear { at_origin, gradient } = self.cohesion;
+        let cohesion = Linear { at_origin: part * at_origin, gradient: gradient.map(|g| part * g) };
+        Self { cohesion, cut_off: self.cut_off.map(|t| part * t), ..self.clone() }
     }
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn typical_length(problem: &Problem) -> f64 {
     let statement = problem.statement();
     match statement.objective {
         Objective::Structure { .. } => 1.0,
-        Objective::Body { .. } => open_height(problem),
+        Objective::Body { .. } | Objective::Everything => open_height(problem),
         Objective::Loads => {
             let is_live = |c: Condition| matches!(c, Condition::Loaded { live: true, .. });
             let live = statement.boundaries.iter().filter(|b| is_live(b.condition));

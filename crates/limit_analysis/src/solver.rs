@@ -67,13 +67,13 @@ impl Accuracy {
 /// Factor on the objective: multipliers of some thousand elements then are of the order of one.
 const OBJECTIVE: f64 = 100.0;
 
-/// Solves a program on one thread. One that ends in numerical trouble is written to `dump`, as a file from which
-/// Clarabel itself can solve it again.
+/// Solves a program on one thread, until one of the flags is set. One that ends in numerical trouble is written to `dump`,
+/// as a file from which Clarabel itself can solve it again.
 pub(crate) fn solve(
     program: &Program,
     accuracy: Accuracy,
     seconds: f64,
-    stop: &Arc<AtomicBool>,
+    stops: [&Arc<AtomicBool>; 2],
     dump: Option<&Path>,
 ) -> Result<Answer, LimitError> {
     let (m, n) = (program.rows.len(), program.unknowns);
@@ -103,8 +103,8 @@ pub(crate) fn solve(
     let refused = |message: String| LimitError::Solver { message };
     let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones(program), settings(accuracy, seconds))
         .map_err(|e| refused(e.to_string()))?;
-    let stop = Arc::clone(stop);
-    solver.set_termination_callback(move |_: &_| stop.load(Ordering::Relaxed));
+    let stops = stops.map(Arc::clone);
+    solver.set_termination_callback(move |_: &_| stops.iter().any(|stop| stop.load(Ordering::Relaxed)));
     solver.solve();
     let solution = &solver.solution;
     let status = match solution.status {
@@ -181,7 +181,7 @@ mod tests {
         let path = std::env::temp_dir().join(format!("soilctl-dump-{}.json", std::process::id()));
         let accuracy = Accuracy { gap: 1e-8, regularisation: 1e-8, ..Accuracy::FLOW };
         let stop = Arc::new(AtomicBool::new(false));
-        let answer = solve(&program, accuracy, 10.0, &stop, Some(&path)).unwrap();
+        let answer = solve(&program, accuracy, 10.0, [&stop; 2], Some(&path)).unwrap();
         assert_eq!(answer.status, Status::Failed);
         let mut file = File::open(&path).unwrap();
         let mut again: DefaultSolver<f64> = DefaultSolver::load_from_file(&mut file, None).unwrap();

@@ -25,7 +25,8 @@ impl StressFunction<'_> {
             let spares = if delta_deg == 0.0 && adhesion == 0.0 {
                 [-normal; 2]
             } else {
-                let hold = Interval::point(adhesion) * t.square() - angle(delta_deg).tan() * normal;
+                let hold = self.divisor.part(Interval::point(adhesion)) * t.square()
+                    - angle(delta_deg).tan() * normal;
                 [hold - shear, hold + shear]
             };
             if let Some(spare) = spares.into_iter().find(|s| !s.is_at_least_zero()) {

@@ -31,6 +31,7 @@ use jets::{LocalJet, Maker};
 use loads::Loads;
 use overburden::Overburden;
 use references::References;
+use strength::Divisor;
 use weight::Pull;
 
 /// Proves a lower bound: on the force that the soil can resist times the structure's velocity, or on the factor of the
@@ -62,7 +63,7 @@ pub fn prove_lower(statement: &Statement, field: &LowerField) -> Result<f64, Cer
     }
     let bound = match statement.objective {
         Objective::Structure { .. } => function.power().lo(),
-        Objective::Loads | Objective::Body { .. } => field.multiplier,
+        Objective::Loads | Objective::Body { .. } | Objective::Everything => field.multiplier,
     };
     if bound > f64::NEG_INFINITY {
         Ok(bound)
@@ -95,6 +96,7 @@ struct Setting {
     references: References,
     loads: Loads,
     overburden: Overburden,
+    divisor: Divisor,
 }
 
 impl Setting {
@@ -104,7 +106,8 @@ impl Setting {
         let loads = Loads::new(problem, &references, field)?;
         covered::check(problem, &loads)?;
         let overburden = Overburden::new(problem, &references, &pull)?;
-        Ok(Self { references, loads, overburden })
+        let divisor = Divisor::new(problem.statement, field)?;
+        Ok(Self { references, loads, overburden, divisor })
     }
 }
 
@@ -114,6 +117,7 @@ struct StressFunction<'a> {
     references: &'a References,
     loads: &'a Loads,
     overburden: &'a Overburden,
+    divisor: Divisor,
     tiling: &'a Tiling<'a>,
     field: &'a LowerField,
     chains: Chains<'a>,
@@ -131,7 +135,7 @@ impl<'a> StressFunction<'a> {
         tiling: &'a Tiling<'a>,
         field: &'a LowerField,
     ) -> Result<Self, CertificateError> {
-        let Setting { references, loads, overburden } = setting;
+        let Setting { references, loads, overburden, divisor } = setting;
         jets::check_numbers(problem, field, loads.count())?;
         let chains = Chains::new(problem, field)?;
         let (stations, apexes) = glue::check(problem, tiling, field, loads)?;
@@ -142,7 +146,20 @@ impl<'a> StressFunction<'a> {
         let jets = maker.jets()?;
         glue::check_branches(tiling, field, |copy| !given.at(copy).is_empty())?;
         given.check(field, &chains, &stations, &apexes, &jets)?;
-        Ok(Self { problem, references, loads, overburden, tiling, field, chains, given, jets, apexes })
+        let divisor = *divisor;
+        Ok(Self {
+            problem,
+            references,
+            loads,
+            overburden,
+            divisor,
+            tiling,
+            field,
+            chains,
+            given,
+            jets,
+            apexes,
+        })
     }
 
     /// Vertex copies at the start and end of an edge.

@@ -1,9 +1,38 @@
 use super::StressFunction;
 use super::element::NodeStresses;
 use crate::CertificateError;
+use crate::fields::LowerField;
 use crate::interval::{Angle, Interval, Vector};
 use crate::problem::{Strength, Stress};
+use crate::statement::{Objective, Statement};
 use crate::tiling::after;
+
+/// What cohesion, adhesion and tension are divided by. A factor `m` on everything that acts is proven by the `m`-th part of
+/// such stresses: in equilibrium with what acts, and within the strength of the same friction and the `m`-th part of the
+/// rest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Divisor(Option<Interval>);
+
+impl Divisor {
+    pub(super) fn new(statement: &Statement, field: &LowerField) -> Result<Self, CertificateError> {
+        if statement.objective != Objective::Everything {
+            return Ok(Self(None));
+        }
+        if field.multiplier > 0.0 && field.multiplier < f64::INFINITY {
+            return Ok(Self(Some(Interval::point(field.multiplier))));
+        }
+        let problem = "its factor on everything that acts must be above zero";
+        Err(CertificateError::BadField { place: "the field".into(), problem })
+    }
+
+    /// The part of a stress. None of nothing is nothing.
+    pub(super) fn part(self, stress: Interval) -> Interval {
+        match self.0 {
+            Some(factor) if !stress.is_zero() => stress / factor,
+            _ => stress,
+        }
+    }
+}
 
 /// The strength at one point.
 #[derive(Debug, Clone, Copy)]
@@ -15,10 +44,10 @@ pub(super) struct Limit {
 }
 
 impl Limit {
-    pub(super) fn at(strength: &Strength, p: Vector) -> Self {
+    pub(super) fn at(strength: &Strength, divisor: Divisor, p: Vector) -> Self {
         let Strength { friction, cohesion, pore_pressure, tension } = strength;
-        let (cohesion, pore_pressure) = (cohesion.at(p), pore_pressure.at(p));
-        Self { friction: *friction, cohesion, pore_pressure, tension: *tension }
+        let (cohesion, pore_pressure) = (divisor.part(cohesion.at(p)), pore_pressure.at(p));
+        Self { friction: *friction, cohesion, pore_pressure, tension: tension.map(|t| divisor.part(t)) }
     }
 
     /// What a change of stress must be within so that any multiple of it can be added to a state within strength, where the
@@ -78,7 +107,7 @@ impl Limit {
 impl StressFunction<'_> {
     /// The strength in a triangle at a point.
     pub(super) fn limit(&self, triangle: usize, p: Vector) -> Limit {
-        Limit::at(&self.problem.strengths[self.tiling.region(triangle)], p)
+        Limit::at(&self.problem.strengths[self.tiling.region(triangle)], self.divisor, p)
     }
 
     /// Positions of the nodes of a part of a triangle.

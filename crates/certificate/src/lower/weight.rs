@@ -14,7 +14,7 @@ impl Pull {
     pub(super) fn new(statement: &Statement, field: &LowerField) -> Self {
         let live = match statement.objective {
             Objective::Body { gravity } => Some((gravity, Interval::point(field.multiplier))),
-            Objective::Structure { .. } | Objective::Loads => None,
+            Objective::Structure { .. } | Objective::Loads | Objective::Everything => None,
         };
         Self { gravity: statement.gravity, live }
     }

@@ -35,8 +35,8 @@ impl Motion<'_> {
             self.layer(side, &strength, jump)
         });
         match (first, second) {
-            (Ok(a), Ok(b)) => Ok(Power::dissipated(a.or_lesser(b))),
-            (Ok(a), Err(_)) | (Err(_), Ok(a)) => Ok(Power::dissipated(a)),
+            (Ok(a), Ok(b)) => Ok(a.or_lesser(b)),
+            (Ok(a), Err(_)) | (Err(_), Ok(a)) => Ok(a),
             (Err(e), Err(_)) => Err(e),
         }
     }
@@ -44,11 +44,12 @@ impl Motion<'_> {
     /// What a triangle adds to the power at a boundary.
     fn boundary(&self, side: Side, on: OnLine, condition: Condition) -> Result<Power, CertificateError> {
         let statement = self.problem.statement;
+        let all = statement.objective == Objective::Everything;
         let bad = |problem| Err(CertificateError::BadField { place: side.to_string(), problem });
         match condition {
-            Condition::Free => Ok(self.load(side, on, [statement.surcharge; 2], [0.0; 2], false)),
+            Condition::Free => Ok(self.load(side, on, [statement.surcharge; 2], [0.0; 2], all)),
             Condition::Loaded { pressure, shear, live } => {
-                let live = live && statement.objective == Objective::Loads;
+                let live = all || (live && statement.objective == Objective::Loads);
                 Ok(self.load(side, on, pressure, shear, live))
             }
             Condition::Fixed | Condition::Far if !self.is_at_rest(side) => {
@@ -129,13 +130,13 @@ impl Motion<'_> {
             pore_pressure: soil.pore_pressure,
             tension: bears_pressure_only.then_some(Interval::ZERO),
         };
-        Ok(Power::dissipated(self.layer(side, &strength, relative)?))
+        self.layer(side, &strength, relative)
     }
 
     /// What sliding along an edge dissipates. Checks that it opens as much as the friction demands: since Bernstein
     /// polynomials are not negative and add up to one, it does so between the control points too. Without friction it may
     /// open only if the tension is limited.
-    fn layer(&self, side: Side, strength: &Strength, slide: Slide) -> Result<Interval, CertificateError> {
+    fn layer(&self, side: Side, strength: &Strength, slide: Slide) -> Result<Power, CertificateError> {
         let tan = strength.friction.tan();
         let may_open = !strength.friction.sin.is_zero() || strength.tension.is_some();
         for (i, (open, slip)) in slide.opening.into_iter().zip(slide.slip).enumerate() {
@@ -149,6 +150,7 @@ impl Motion<'_> {
             }
         }
         let resistance = Resistance::new(strength, self.ends(side));
-        Ok(resistance.of_layer(slide.opening, slide.slip))
+        let resisted = resistance.of_layer(slide.opening, slide.slip);
+        Ok(Power::resisted(resisted, &self.problem.statement.objective))
     }
 }

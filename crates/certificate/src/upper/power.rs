@@ -1,6 +1,7 @@
 use std::ops::Add;
 
 use super::Motion;
+use super::resistance::Resisted;
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
 use crate::statement::Objective;
@@ -22,6 +23,23 @@ impl Power {
         Self { net, ..Self::ZERO }
     }
 
+    /// Power that soil takes up, where the water in its pores is a load like others.
+    pub(super) fn resisted(resisted: Resisted, objective: &Objective) -> Self {
+        match objective {
+            Objective::Everything => Self { net: resisted.strength, live: resisted.water },
+            _ => Self::dissipated(resisted.all()),
+        }
+    }
+
+    /// One of two, either of which proves a bound: that which does so with more to spare.
+    pub(super) fn or_lesser(self, other: Self) -> Self {
+        if self.live.is_zero() && other.live.is_zero() {
+            return Self::dissipated(self.net.or_lesser(other.net));
+        }
+        let spare = |p: &Self| (p.net - p.live).hi();
+        if spare(&other) < spare(&self) { other } else { self }
+    }
+
     /// Power of a load.
     pub(super) fn of_load(power: Interval, live: bool) -> Self {
         if live { Self { live: power, ..Self::ZERO } } else { Self::dissipated(-power) }
@@ -32,8 +50,10 @@ impl Power {
         let place = || "the whole flow".to_owned();
         let bound = match objective {
             Objective::Structure { .. } => self.net,
-            Objective::Loads | Objective::Body { .. } if self.live.is_positive() => self.net / self.live,
-            Objective::Loads | Objective::Body { .. } => {
+            Objective::Loads | Objective::Body { .. } | Objective::Everything if self.live.is_positive() => {
+                self.net / self.live
+            }
+            Objective::Loads | Objective::Body { .. } | Objective::Everything => {
                 let problem = "the load whose factor is bounded is not proven to do work on it";
                 return Err(CertificateError::BadField { place: place(), problem });
             }
@@ -64,10 +84,11 @@ impl Motion<'_> {
         let statement = self.problem.statement;
         let weight = statement.regions[self.tiling.region(triangle)].material.unit_weight;
         let force = |gravity: [f64; 2]| (Vector::point(gravity) * Interval::point(weight)).dot(flow);
-        let dead = Power::of_load(force(statement.gravity), false);
+        let all = statement.objective == Objective::Everything;
+        let dead = Power::of_load(force(statement.gravity), all);
         match statement.objective {
             Objective::Body { gravity } => dead + Power::of_load(force(gravity), true),
-            Objective::Structure { .. } | Objective::Loads => dead,
+            Objective::Structure { .. } | Objective::Loads | Objective::Everything => dead,
         }
     }
 }

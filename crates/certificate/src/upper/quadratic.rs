@@ -58,10 +58,11 @@ impl Motion<'_> {
             (dilation[k], shearing[k]) = (volume, rate_square.sqrt());
         }
         let resistance = Resistance::new(&strength, self.tiling.corners(triangle));
-        let dissipation = resistance.of_triangle(dilation, shearing);
+        let resisted = resistance.of_triangle(dilation, shearing);
         // The mean of a quadratic polynomial in Bernstein form is that of its coefficients.
         let sum = nodes.iter().fold(Vector::ZERO, |sum, node| sum + self.velocities[*node]);
         let area_by_6 = self.tiling.double_area(triangle) / Interval::point(12.0);
-        Ok(Power::dissipated(dissipation) + self.body(triangle, sum * area_by_6))
+        let resisted = Power::resisted(resisted, &self.problem.statement.objective);
+        Ok(resisted + self.body(triangle, sum * area_by_6))
     }
 }

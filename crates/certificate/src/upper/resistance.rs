@@ -18,6 +18,22 @@ use super::means;
 use crate::interval::{Angle, Interval, Vector};
 use crate::problem::Strength;
 
+/// Power of the stresses in soil that flows.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Resisted {
+    /// At most that of the effective stress.
+    pub(super) strength: Interval,
+    /// That of the water in the pores, which helps the flow.
+    pub(super) water: Interval,
+}
+
+impl Resisted {
+    /// At most all of it.
+    pub(super) fn all(self) -> Interval {
+        self.strength - self.water
+    }
+}
+
 /// Strength at the `N` corners of something over which it is linear.
 pub(super) struct Resistance<const N: usize> {
     friction: Angle,
@@ -59,27 +75,27 @@ impl<const N: usize> Resistance<N> {
         self.cohesion.map(|c| if c.is_zero() { c } else { c * self.friction.cot() })
     }
 
-    /// The lesser of the two bounds, of those that there are, less what the water does.
+    /// The lesser of the two bounds, of those that there are, and what the water does.
     fn least(
         &self,
         apex: impl Fn([Interval; N]) -> Interval,
         cut: impl Fn(Interval, [Interval; N]) -> Interval,
         water: Interval,
-    ) -> Interval {
+    ) -> Resisted {
         let cut = self.cut_off().map(|tension| cut(tension, self.radius(tension)));
         let apex = (!self.is_frictionless()).then(|| apex(self.apex()));
-        let least = match (apex, cut) {
+        let strength = match (apex, cut) {
             (Some(a), Some(b)) => a.or_lesser(b),
             (Some(a), None) | (None, Some(a)) => a,
             (None, None) => Interval::ZERO,
         };
-        least - water
+        Resisted { strength, water }
     }
 }
 
 impl Resistance<3> {
     /// What a triangle dissipates, from dilation and shear rate at the corners, times the area. The flow rule holds.
-    pub(super) fn of_triangle(&self, dilation: [Interval; 3], shearing: [Interval; 3]) -> Interval {
+    pub(super) fn of_triangle(&self, dilation: [Interval; 3], shearing: [Interval; 3]) -> Resisted {
         let mean = means::over_triangle;
         let one = [Interval::ONE; 3];
         let beyond = [0, 1, 2].map(|i| (shearing[i] - dilation[i]).or_zero());
@@ -95,7 +111,7 @@ impl Resistance<2> {
     /// What a layer dissipates, from opening and slip at the control points, times the length. The flow rule holds, and
     /// without friction nor a limit to tension the opening is zero. The dilation of a layer is its opening, its shear rate
     /// the length of the vector of opening and slip.
-    pub(super) fn of_layer(&self, opening: [Interval; 3], slip: [Interval; 3]) -> Interval {
+    pub(super) fn of_layer(&self, opening: [Interval; 3], slip: [Interval; 3]) -> Resisted {
         let mean = means::over_edge;
         let one = [Interval::ONE; 2];
         let beyond = [0, 1, 2].map(|i| {

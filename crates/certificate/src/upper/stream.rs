@@ -25,7 +25,7 @@ impl Motion<'_> {
                 (stretch.square() + shear.square()).sqrt()
             });
             let points = [local.corners[after(k, 1)], local.corners[after(k, 2)], centroid];
-            let part = Resistance::new(strength, points).of_triangle([Interval::ZERO; 3], rates);
+            let part = Resistance::new(strength, points).of_triangle([Interval::ZERO; 3], rates).all();
             dissipation = dissipation + part * area.third();
         }
         Power::dissipated(dissipation) + self.body(triangle, rigid * area + self.integral(triangle, &local))

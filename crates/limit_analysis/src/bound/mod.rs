@@ -164,6 +164,16 @@ fn relative_gap(lower: f64, upper: f64) -> f64 {
     2.0 * (upper - lower) / (upper + lower).abs()
 }
 
+/// What a run has proven: both sides, one, or none.
+#[derive(Debug, Clone)]
+pub(crate) struct Sides {
+    pub(crate) lower: Option<Bound<LowerField>>,
+    pub(crate) upper: Option<Bound<UpperField>>,
+    pub(crate) levels: Vec<Level>,
+    pub(crate) ended: Ended,
+    pub(crate) seconds: f64,
+}
+
 /// Bounds the load of a problem, calling `progress` after each level.
 ///
 /// # Errors
@@ -174,6 +184,21 @@ pub fn bound(
     options: &Options,
     progress: &mut dyn FnMut(&Level, Option<f64>),
 ) -> Result<Bounds, LimitError> {
+    let Sides { lower, upper, levels, ended, seconds } = sides(problem, options, &|_, _| false, progress)?;
+    match (lower, upper) {
+        (Some(lower), Some(upper)) => Ok(Bounds { lower, upper, levels, ended, seconds }),
+        _ => Err(LimitError::NothingProven { spent: format!("{} levels, {seconds:.1} s", levels.len()) }),
+    }
+}
+
+/// As [`bound`], for those to whom one side may be enough: `is_enough` is asked after each level, with the bounds proven so
+/// far.
+pub(crate) fn sides(
+    problem: &Problem,
+    options: &Options,
+    is_enough: &dyn Fn(&[Level], [Option<f64>; 2]) -> bool,
+    progress: &mut dyn FnMut(&Level, Option<f64>),
+) -> Result<Sides, LimitError> {
     problem.covered()?;
     let mut run = Run::new(problem, options);
     let ended = loop {
@@ -183,13 +208,11 @@ pub fn bound(
             }
             break ended;
         }
-    };
-    match (run.lower, run.upper) {
-        (Some(lower), Some(upper)) => {
-            Ok(Bounds { lower, upper, levels: run.levels, ended, seconds: run.start.elapsed().as_secs_f64() })
+        let proven = [run.lower.as_ref().map(|b| b.value), run.upper.as_ref().map(|b| b.value)];
+        if is_enough(&run.levels, proven) {
+            break Ended::Stopped;
         }
-        _ => Err(LimitError::NothingProven {
-            spent: format!("{} levels, {:.1} s", run.levels.len(), run.start.elapsed().as_secs_f64()),
-        }),
-    }
+    };
+    let seconds = run.start.elapsed().as_secs_f64();
+    Ok(Sides { lower: run.lower, upper: run.upper, levels: run.levels, ended, seconds })
 }

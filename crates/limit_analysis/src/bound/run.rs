@@ -1,6 +1,7 @@
 //! The levels of a run.
 
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use soilctl_certificate::{LowerField, UpperField};
@@ -151,16 +152,28 @@ impl<'a> Run<'a> {
         let own = lower_mesh.map(|m| self.lower_mesh(m)).transpose()?.flatten();
         let run = &*self;
         let lower_mesh = lower_mesh.map(|m| own.as_ref().unwrap_or(&run.meshes[m]));
+        // With one thread or two, a lower bound counts only if the upper one alone does not bring the gap asked for.
+        let needless = Arc::new(AtomicBool::new(false));
+        let solve_upper = || {
+            let upper = run.solve_upper(number);
+            let proven = upper.as_ref().ok().and_then(|solved| solved.1.proven);
+            needless.store(proven.is_some_and(|value| run.is_enough(value)), Ordering::Relaxed);
+            upper
+        };
+        let is_needed = || !needless.load(Ordering::Relaxed);
+        let solve_lower =
+            || lower_mesh.filter(|_| is_needed()).map(|m| run.solve_lower(m, &needless)).transpose();
         let (upper, lower) = if self.options.threads > 1 {
             std::thread::scope(|scope| {
-                let lower = scope.spawn(|| lower_mesh.map(|m| run.solve_lower(m)).transpose());
-                let upper = run.solve_upper(number);
+                let lower = scope.spawn(solve_lower);
+                let upper = solve_upper();
                 let lower = lower.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
                 (upper, lower)
             })
         } else {
-            (run.solve_upper(number), lower_mesh.map(|m| run.solve_lower(m)).transpose())
+            (solve_upper(), solve_lower())
         };
+        let lower = if is_needed() { lower } else { Ok(None) };
         let (tightening, upper_solve, upper_field, velocity, objective) = upper?;
         self.tightening = tightening;
         let mut level = Level { upper: upper_solve, lower: None, identity: None };
@@ -240,7 +253,7 @@ impl<'a> Run<'a> {
         let Some(number) = (0..self.meshes.len()).rev().find(fits) else { return Ok(()) };
         let own = self.lower_mesh(number)?;
         let mesh = own.as_ref().unwrap_or(&self.meshes[number]);
-        let (solve, field, stress, objective) = self.solve_lower(mesh)?;
+        let (solve, field, stress, objective) = self.solve_lower(mesh, &Arc::default())?;
         self.keep_lower(&solve, field, stress, objective);
         let gap = self.gap();
         if let Some(level) = self.levels.last_mut().filter(|l| l.lower.is_none()) {
@@ -256,6 +269,11 @@ impl<'a> Run<'a> {
             self.lower = Some(Bound { value, elements: solve.elements, field });
             self.stress = Some((stress, objective));
         }
+    }
+
+    /// Whether an upper bound of this value ends the run, with the lower bound there is.
+    fn is_enough(&self, upper: f64) -> bool {
+        self.lower.as_ref().is_some_and(|lower| relative_gap(lower.value, upper) <= self.options.max_gap)
     }
 
     fn gap(&self) -> Option<f64> {

@@ -1,5 +1,7 @@
 //! One solve, and the proof of what comes out.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use soilctl_certificate::{LowerField, UpperField, prove_lower, prove_upper};
@@ -24,13 +26,20 @@ const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
 const LEFT: f64 = 0.5;
 
 impl Run<'_> {
-    /// Solves a program, as cones or linearised, in the time that is left.
-    fn solve(&self, program: &Program, accuracy: Accuracy, name: &str) -> Result<Answer, LimitError> {
+    /// Solves a program, as cones or linearised, in the time that is left, unless it becomes needless.
+    fn solve(
+        &self,
+        program: &Program,
+        accuracy: Accuracy,
+        name: &str,
+        needless: &Arc<AtomicBool>,
+    ) -> Result<Answer, LimitError> {
         let file = format!("{name}-{}-unknowns.json", program.unknowns);
         let dump = self.options.dump.as_ref().map(|folder| folder.join(file));
         let linear = self.options.segments.map(|p| program.linearised(p.max(3)));
         let program = linear.as_ref().unwrap_or(program);
-        solver::solve(program, accuracy, self.remaining().max(0.0), &self.options.stop, dump.as_deref())
+        let stops = [&self.options.stop, needless];
+        solver::solve(program, accuracy, self.remaining().max(0.0), stops, dump.as_deref())
     }
 
     pub(super) fn solve_upper(
@@ -42,7 +51,7 @@ impl Run<'_> {
         let mut spent = 0.0;
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let answer = self.solve(&upper.program, Accuracy::FLOW, "upper")?;
+            let answer = self.solve(&upper.program, Accuracy::FLOW, "upper", &Arc::default())?;
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proven = prove_upper(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
@@ -69,15 +78,16 @@ impl Run<'_> {
     pub(super) fn solve_lower(
         &self,
         (mesh, topology): &(Mesh, Topology),
+        needless: &Arc<AtomicBool>,
     ) -> Result<(Solve, LowerField, StressField, f64), LimitError> {
         let mut spent = 0.0;
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
-            let answer = self.solve(&lower.program, Accuracy::STRESS, "lower")?;
+            let answer = self.solve(&lower.program, Accuracy::STRESS, "lower", needless)?;
             spent += answer.seconds;
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);
-            let field = lower.function.saved(mesh, topology, self.problem, &x);
+            let field = lower.saved(self.problem, mesh, topology, &x);
             let proven = prove_lower(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
             let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
             if proven.is_some() || hopeless || attempt + 1 == LOWER_TIGHTENING.len() {
@@ -89,7 +99,7 @@ impl Run<'_> {
                     proof_seconds: start.elapsed().as_secs_f64(),
                     proven,
                 };
-                let objective = lower.force.value(&x);
+                let objective = lower.claim(&x);
                 let stress = StressField::new(mesh, topology, &lower, &x);
                 return Ok((solve, field, stress, objective));
             }

@@ -218,7 +218,8 @@ impl Description {
                 (gravity, Objective::Structure { velocity: direction.map(|x| x / long) })
             }
             Aim::Load {} => (gravity, Objective::Loads),
-            Aim::UnitWeight {} | Aim::StrengthReduction {} => ([0.0; 2], Objective::Body { gravity }),
+            Aim::UnitWeight {} => ([0.0; 2], Objective::Body { gravity }),
+            Aim::StrengthReduction {} => (gravity, Objective::Everything),
             Aim::Seismic { leftwards } => {
                 (gravity, Objective::Body { gravity: [if leftwards { -1.0 } else { 1.0 }, 0.0] })
             }

@@ -1,14 +1,13 @@
 //! The same problem with weaker soil.
 
-use super::input::{Aim, Description};
+use super::input::Description;
 
 impl Description {
-    /// The problem with cohesion, adhesion, tension and the tangents of all friction angles divided by a factor; its
-    /// objective is the factor on the unit weights.
+    /// The problem with cohesion, adhesion, tension and the tangents of all friction angles divided by a factor.
     #[must_use]
     pub fn reduced(&self, factor: f64) -> Self {
         let angle = |deg: &mut f64| *deg = (deg.to_radians().tan() / factor).atan().to_degrees();
-        let mut weaker = Self { objective: Aim::UnitWeight {}, ..self.clone() };
+        let mut weaker = self.clone();
         for s in &mut weaker.soils {
             angle(&mut s.phi_deg);
             s.cohesion_kpa /= factor;

@@ -55,7 +55,7 @@ fn bounds(statement: Statement) -> [Option<f64>; 2] {
     .unwrap();
     let topology = Topology::new(&mesh);
     let solved = |program: &Program, accuracy| {
-        solve(program, accuracy, 1e9, &Arc::new(AtomicBool::new(false)), None).unwrap()
+        solve(program, accuracy, 1e9, [&Arc::new(AtomicBool::new(false)); 2], None).unwrap()
     };
     let lower = LOWER_TIGHTENING.into_iter().find_map(|tightening| {
         let lower = Lower::new(&problem, &mesh, &topology, tightening);

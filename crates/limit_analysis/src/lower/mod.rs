@@ -15,7 +15,7 @@ mod shape;
 #[cfg(test)]
 pub(crate) mod tests;
 
-use soilctl_certificate::{Condition, LineUse};
+use soilctl_certificate::{Condition, LineUse, LowerField, Objective};
 
 use dofs::StressFunction;
 use given::shear_is_given;
@@ -30,6 +30,9 @@ use crate::topology::Topology;
 
 type Point = [f64; 2];
 
+/// The least part of the strength that is looked for: soil that needs no more bears anything.
+const LEAST_PART: f64 = 1e-3;
+
 /// A stress `[xx, yy, xy]`.
 pub(crate) type Stress = [Form; 3];
 
@@ -41,6 +44,8 @@ pub(crate) struct Lower {
     pub(crate) reference: Reference,
     /// The force or factor to be made large.
     pub(crate) force: Form,
+    /// The unknown part of cohesion, adhesion and tension that is enough for everything that acts, if that is bounded.
+    part: Option<usize>,
 }
 
 fn stress(c: &Curvature, local: &[Form; 12], reference: &Stress) -> Stress {
@@ -55,22 +60,27 @@ fn stress(c: &Curvature, local: &[Form; 12], reference: &Stress) -> Stress {
 }
 
 /// The cone of Mohr and Coulomb for the effective stress at a point, scaled.
-fn mohr_coulomb(soil: &Soil, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
+///
+/// Of cohesion and tension there is the given part.
+fn mohr_coulomb(soil: &Soil, part: &Form, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
     let mean = -0.5 * soil.sin * scale;
     let cohesion = value(&soil.cohesion, at).max(0.0);
     let water = value(&soil.pore_pressure, at);
     [
-        Form::constant(scale * (cohesion * soil.cos - soil.sin * water)).plus(mean, xx).plus(mean, yy),
+        Form::constant(-scale * soil.sin * water)
+            .plus(scale * (cohesion * soil.cos), part)
+            .plus(mean, xx)
+            .plus(mean, yy),
         Form::default().plus(0.5 * scale, xx).plus(-0.5 * scale, yy),
         Form::default().plus(scale, xy),
     ]
 }
 
 /// The cone of the greatest effective tension at a point, scaled.
-fn cut_off(soil: &Soil, tension: f64, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
+fn cut_off(soil: &Soil, tension: &Form, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
     let water = value(&soil.pore_pressure, at);
     [
-        Form::constant(scale * (tension - water)).plus(-0.5 * scale, xx).plus(-0.5 * scale, yy),
+        Form::constant(-scale * water).plus(scale, tension).plus(-0.5 * scale, xx).plus(-0.5 * scale, yy),
         Form::default().plus(0.5 * scale, xx).plus(-0.5 * scale, yy),
         Form::default().plus(scale, xy),
     ]
@@ -116,11 +126,18 @@ fn traction([xx, yy, xy]: &Stress, t: Point) -> (Form, Form) {
 impl Lower {
     pub(crate) fn new(problem: &Problem, mesh: &Mesh, topology: &Topology, tighten: f64) -> Self {
         let mut program = Program::default();
-        let multiplier = problem.has_factor().then(|| program.unknown());
+        let factor = problem.has_factor().then(|| program.unknown());
+        let all = problem.statement().objective == Objective::Everything;
+        let (part, multiplier) = if all { (factor, None) } else { (None, factor) };
         let reference = Reference::new(problem, multiplier);
         let function = StressFunction::new(problem, mesh, topology, &reference, &mut program);
-        let force = multiplier.map_or(Form::default(), |m| Form::unknown(m, 1.0));
-        let mut lower = Self { program, function, reference, force };
+        // The factor on everything is one over the part of the strength, which is made small.
+        let sign = if all { -1.0 } else { 1.0 };
+        let force = factor.map_or(Form::default(), |m| Form::unknown(m, sign));
+        if let Some(part) = part {
+            program.non_negative(Form::unknown(part, 1.0).plus(-LEAST_PART, &Form::constant(1.0)));
+        }
+        let mut lower = Self { program, function, reference, force, part };
         for triangle in 0..mesh.triangles.len() {
             lower.add_triangle(problem, mesh, topology, triangle);
         }
@@ -181,9 +198,11 @@ impl Lower {
     }
 
     fn add_strength(&mut self, soil: &Soil, s: &Stress, at: Point, scale: &impl Fn(Point) -> f64) {
-        self.program.second_order(mohr_coulomb(soil, s, at, scale(at)));
+        let part = self.strength();
+        self.program.second_order(mohr_coulomb(soil, &part, s, at, scale(at)));
         if let Some(tension) = soil.cut_off {
-            self.program.second_order(cut_off(soil, tension, s, at, scale(at)));
+            let tension = Form::default().plus(tension, &part);
+            self.program.second_order(cut_off(soil, &tension, s, at, scale(at)));
         }
     }
 
@@ -194,7 +213,9 @@ impl Lower {
             return self.program.non_negative(Form::constant(-scale * water).plus(-scale, &normal));
         }
         let tan = delta_deg.to_radians().tan();
-        let hold = Form::constant(scale * (adhesion - tan * water)).plus(-scale * tan, &normal);
+        let hold = Form::constant(-scale * tan * water)
+            .plus(scale * adhesion, &self.strength())
+            .plus(-scale * tan, &normal);
         self.program.non_negative(hold.clone().plus(scale, &shear));
         self.program.non_negative(hold.plus(-scale, &shear));
     }
@@ -223,11 +244,40 @@ impl Lower {
         }
     }
 
+    /// The part of cohesion, adhesion and tension that there is.
+    fn strength(&self) -> Form {
+        self.part.map_or(Form::constant(1.0), |part| Form::unknown(part, 1.0))
+    }
+
+    /// The same in a solution.
+    pub(crate) fn part(&self, x: &[f64]) -> f64 {
+        self.part.map_or(1.0, |part| x[part].max(LEAST_PART))
+    }
+
+    /// The bound that a solution claims.
+    pub(crate) fn claim(&self, x: &[f64]) -> f64 {
+        if self.part.is_some() { 1.0 / self.part(x) } else { self.force.value(x) }
+    }
+
+    /// The stress field of a solution, as a certificate stores it.
+    pub(crate) fn saved(&self, problem: &Problem, mesh: &Mesh, topology: &Topology, x: &[f64]) -> LowerField {
+        let mut field = self.function.saved(mesh, topology, problem, x);
+        if self.part.is_some() {
+            field.multiplier = self.claim(x);
+        }
+        field
+    }
+
     /// Moves a solution towards the state at rest until it is inside all cones by `margin`.
     ///
-    /// At rest all unknowns are zero, which is strictly inside unless the ground itself is at its limit.
+    /// At rest all unknowns are zero, which is strictly inside unless the ground itself is at its limit. Where that is looked
+    /// for, more strength does as well.
     pub(crate) fn drawn_inside(&self, x: &[f64], margin: f64) -> Vec<f64> {
-        let rest = vec![0.0; x.len()];
+        let mut rest = vec![0.0; x.len()];
+        if let Some(part) = self.part {
+            rest.copy_from_slice(x);
+            rest[part] = 2.0 * self.part(x);
+        }
         let mut share: f64 = 0.0;
         let mut row = 0;
         for cone in &self.program.cones {
@@ -237,6 +287,7 @@ impl Lower {
             }
             row += cone.rows();
         }
-        x.iter().map(|v| v * (1.0 - share.min(1.0))).collect()
+        let share = share.min(1.0);
+        x.iter().zip(&rest).map(|(v, r)| v * (1.0 - share) + r * share).collect()
     }
 }

@@ -24,7 +24,8 @@ fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f
     let accuracy = Accuracy { gap: 1e-7, ..Accuracy::STRESS };
     let attempt = |tightening: f64| {
         let lower = Lower::new(&problem, &mesh, &topology, tightening);
-        let answer = solve(&lower.program, accuracy, 60.0, &Arc::new(AtomicBool::new(false)), None).unwrap();
+        let answer =
+            solve(&lower.program, accuracy, 60.0, [&Arc::new(AtomicBool::new(false)); 2], None).unwrap();
         let x = lower.drawn_inside(&answer.x, -0.5 * tightening);
         let field = lower.function.saved(&mesh, &topology, &problem, &x);
         prove_lower(problem.statement(), &field).ok()

@@ -18,7 +18,8 @@ pub struct Power {
     pub by_weight: f64,
     /// What surcharge and other dead loads do.
     pub by_loads: f64,
-    /// What the loads or the body force do whose factor is bounded; zero if a structure's force is.
+    /// What the loads or the body force do whose factor is bounded; zero if a structure's force or the factor on all that
+    /// acts is.
     pub live: f64,
 }
 
@@ -26,10 +27,13 @@ impl Power {
     /// The upper bound that follows; none if a factor is bounded and the load does no work.
     #[must_use]
     pub fn bound(&self, objective: &Objective) -> Option<f64> {
-        let net = self.in_soil + self.along_jumps - self.by_water - self.by_weight - self.by_loads;
+        let dissipated = self.in_soil + self.along_jumps;
+        let acts = self.by_water + self.by_weight + self.by_loads;
+        let net = dissipated - acts;
         match objective {
             Objective::Structure { .. } => Some(net),
             Objective::Loads | Objective::Body { .. } => (self.live > 0.0).then_some(net / self.live),
+            Objective::Everything => (acts > 0.0).then_some(dissipated / acts),
         }
     }
 }

@@ -5,9 +5,9 @@ mod search;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use soilctl_certificate::{Condition, LowerField, Objective, UpperField};
+use soilctl_certificate::{LowerField, UpperField};
 
-use crate::bound::{Bound, Bounds, Ended, Level, Options, bound};
+use crate::bound::{Bound, Ended, Level, Options, Sides, sides};
 use crate::describe::{Described, Description};
 use crate::error::LimitError;
 use search::Search;
@@ -18,7 +18,7 @@ pub use search::Trial;
 pub struct SafetyProof<F> {
     /// The proven factor.
     pub factor: f64,
-    /// The problem with strength divided by it; its objective is the factor on the weight.
+    /// The problem with strength divided by it; its objective is the factor on everything that acts.
     pub described: Described,
     /// The bound on that: at least one for the lower side, below one for the upper side.
     pub bound: Bound<F>,
@@ -31,9 +31,6 @@ pub struct SafetyBounds {
     pub lower: SafetyProof<LowerField>,
     /// With strength divided by this much it cannot stand.
     pub upper: SafetyProof<UpperField>,
-    /// Proof that some weight not above the given one can be borne at the lower factor too; none where that is plain since
-    /// neither water nor loads act. A weight of at least the given one can be, so the given one can.
-    pub at_rest: Option<SafetyProof<LowerField>>,
     /// All factors that were tried.
     pub trials: Vec<Trial>,
     /// Why there are no more.
@@ -57,11 +54,16 @@ const MAX_TRIALS: usize = 60;
 /// Part of the remaining time that one trial may take.
 const SHARE: f64 = 0.4;
 
+/// After so many levels with only one of the bounds, it is enough if it is so far on its side of one.
+const PLAIN_LEVELS: usize = 2;
+const PLAIN: f64 = 1.5;
+
 /// Rounding of reduced angles and cohesions, made good in the factors.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Bounds the factor of safety: what cohesion and the tangents of all friction angles, of soils and faces, can be divided
-/// by. For each factor that is tried, the factor on the weight is bounded; `progress` is told the trial's factor, each
+/// by. For each factor that is tried, the factor on everything that acts (weight, water, loads) is bounded: it is one where the soil
+/// is at its limit, and bounded well even where the soil is far from that. `progress` is told the trial's factor, each
 /// level, and what gap of the factor of safety is proven.
 ///
 /// # Errors
@@ -101,16 +103,28 @@ pub fn factor_of_safety(
     };
     let (trials, seconds) = (run.search.trials, start.elapsed().as_secs_f64());
     match (run.found.lower, run.found.upper) {
-        (Some((lower, at_rest)), Some(upper)) => {
-            Ok(SafetyBounds { lower, upper, at_rest, trials, ended, seconds })
-        }
-        _ => Err(LimitError::NothingProven { spent: format!("{} factors, {seconds:.1} s", trials.len()) }),
+        (Some(lower), Some(upper)) => Ok(SafetyBounds { lower, upper, trials, ended, seconds }),
+        _ => Err(nothing(trials.len(), seconds)),
     }
+}
+
+fn nothing(trials: usize, seconds: f64) -> LimitError {
+    LimitError::NothingProven { spent: format!("{trials} factors, {seconds:.1} s") }
+}
+
+/// Whether the first meshes leave no doubt: the other bound would take long and tell little.
+fn is_plain(levels: &[Level], proven: [Option<f64>; 2]) -> bool {
+    levels.len() >= PLAIN_LEVELS
+        && match proven {
+            [Some(lower), None] => lower > PLAIN,
+            [None, Some(upper)] => upper < 1.0 / PLAIN,
+            _ => false,
+        }
 }
 
 #[derive(Default)]
 struct Found {
-    lower: Option<(SafetyProof<LowerField>, Option<SafetyProof<LowerField>>)>,
+    lower: Option<SafetyProof<LowerField>>,
     upper: Option<SafetyProof<UpperField>>,
 }
 
@@ -142,31 +156,38 @@ impl Run<'_> {
             max_seconds: SHARE * self.remaining(),
             ..self.options.clone()
         };
-        let solved = bound(&described.problem()?, &options, &mut |level, _| progress(factor, level, proven));
-        let bounds = match solved {
-            Ok(bounds) => bounds,
-            // Any weight is borne: too strong to tell, and no proof either.
-            Err(LimitError::NoCollapse { .. }) if factor < 1e3 => {
-                self.search.add(Trial { factor, lower: f64::INFINITY, upper: f64::INFINITY }, false);
-                return Ok(None);
-            }
-            // What is proven already counts.
-            Err(LimitError::NothingProven { .. })
-                if self.found.lower.is_some() && self.found.upper.is_some() =>
-            {
-                return Ok(Some(Ended::Time));
-            }
+        let solved = sides(&described.problem()?, &options, &is_plain, &mut |level, _| {
+            progress(factor, level, proven);
+        });
+        let Sides { lower, upper, ended, .. } = match solved {
+            Ok(sides) => sides,
             Err(error) => return Err(error),
         };
-        let trial = Trial { factor, lower: bounds.lower.value, upper: bounds.upper.value };
-        let ended = bounds.ended;
-        let unsharp = bounds.gap().abs() > self.search.trial_gap;
-        let stands = trial.lower >= 1.0 && self.keep_lower(factor, &described, &bounds, &options)?;
-        if trial.upper < 1.0 && self.found.upper.as_ref().is_none_or(|u| factor < u.factor) {
-            let factor = factor * (1.0 + ROUNDING);
-            self.found.upper = Some(SafetyProof { factor, described, bound: bounds.upper });
+        let both = self.found.lower.is_some() && self.found.upper.is_some();
+        if lower.is_none() && upper.is_none() {
+            // What is proven already counts.
+            return if both {
+                Ok(Some(Ended::Time))
+            } else {
+                Err(nothing(self.search.trials.len(), self.start.elapsed().as_secs_f64()))
+            };
         }
-        self.search.add(trial, stands);
+        let trial = Trial {
+            factor,
+            lower: lower.as_ref().map_or(0.0, |b| b.value),
+            upper: upper.as_ref().map_or(f64::INFINITY, |b| b.value),
+        };
+        let unsharp = !(trial.gap() <= self.search.trial_gap);
+        if let Some(bound) = lower.filter(|l| l.value >= 1.0) {
+            self.keep_lower(factor, &described, bound);
+        }
+        if let Some(bound) = upper.filter(|u| u.value < 1.0)
+            && self.found.upper.as_ref().is_none_or(|u| factor < u.factor)
+        {
+            let factor = factor * (1.0 + ROUNDING);
+            self.found.upper = Some(SafetyProof { factor, described, bound });
+        }
+        self.search.add(trial);
         if unsharp && matches!(ended, Ended::Elements | Ended::Memory) {
             // What is as fine as is allowed and still not sharp will not be so the next time either. But there may be
             // something to gain from its two bounds.
@@ -174,57 +195,15 @@ impl Run<'_> {
             self.limit = ended;
             return Ok(None);
         }
-        let both = self.found.lower.is_some() && self.found.upper.is_some();
-        Ok((unsharp && both && !self.search.is_done()).then_some(ended))
+        let is_over = unsharp && both && ended != Ended::Stopped && !self.search.is_done();
+        Ok(is_over.then_some(ended))
     }
 
-    /// Takes over a proof that the soil stands, if it is complete.
-    fn keep_lower(
-        &mut self,
-        factor: f64,
-        described: &Described,
-        bounds: &Bounds,
-        options: &Options,
-    ) -> Result<bool, LimitError> {
-        let exact = factor * (1.0 - ROUNDING);
-        let proof = |described: Described, bound| SafetyProof { factor: exact, described, bound };
-        let at_rest = if rests(described) {
-            None
-        } else {
-            match at_rest(described, options)? {
-                Some((problem, bound)) => Some(proof(problem, bound)),
-                None => return Ok(false),
-            }
-        };
-        if self.found.lower.as_ref().is_none_or(|(l, _)| exact > l.factor) {
-            self.found.lower = Some((proof(described.clone(), bounds.lower.clone()), at_rest));
+    /// Takes over a proof that the soil stands.
+    fn keep_lower(&mut self, factor: f64, described: &Described, bound: Bound<LowerField>) {
+        let factor = factor * (1.0 - ROUNDING);
+        if self.found.lower.as_ref().is_none_or(|l| factor > l.factor) {
+            self.found.lower = Some(SafetyProof { factor, described: described.clone(), bound });
         }
-        Ok(true)
-    }
-}
-
-/// Whether the soil plainly bears no weight at all: then the surcharge, as a pressure all over, balances with no shear.
-fn rests(described: &Described) -> bool {
-    let s = &described.statement;
-    let dry = s.regions.iter().all(|r| r.material.pore_pressure.is_zero());
-    dry && !s.boundaries.iter().any(|b| matches!(b.condition, Condition::Loaded { .. }))
-}
-
-/// Proof that some weight not above the given one is borne. Weights that are form an interval, so with one that is not
-/// below it the given one is borne.
-fn at_rest(
-    described: &Described,
-    options: &Options,
-) -> Result<Option<(Described, Bound<LowerField>)>, LimitError> {
-    let mut lighter = described.clone();
-    let Objective::Body { gravity } = lighter.statement.objective else { return Ok(None) };
-    lighter.statement.gravity = gravity;
-    lighter.statement.objective = Objective::Body { gravity: gravity.map(|g| -g) };
-    // Any pair of bounds will do, the first one too.
-    let options = Options { max_gap: f64::MAX, ..options.clone() };
-    match bound(&lighter.problem()?, &options, &mut |_, _| {}) {
-        Ok(bounds) if bounds.lower.value >= 0.0 => Ok(Some((lighter, bounds.lower))),
-        Ok(_) | Err(LimitError::NoCollapse { .. } | LimitError::NothingProven { .. }) => Ok(None),
-        Err(error) => Err(error),
     }
 }

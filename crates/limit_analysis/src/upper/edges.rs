@@ -20,6 +20,8 @@ struct Layer {
     tan: f64,
     /// Cost of opening.
     tension: Ends,
+    /// Pressure of the water that opens it.
+    water: Ends,
     /// Cost of what slip and opening together are more than the opening.
     radius: Option<Ends>,
 }
@@ -34,10 +36,11 @@ impl Builder<'_> {
                 self.add_face(side, delta_deg, adhesion)
             }
             Edge::Boundary(Condition::Free) => {
-                self.add_load(side, [self.ground.problem.statement().surcharge; 2], [0.0; 2], false)
+                self.add_load(side, [self.ground.problem.statement().surcharge; 2], [0.0; 2], self.all)
             }
             Edge::Boundary(Condition::Loaded { pressure, shear, live }) => {
-                let live = live && self.ground.problem.statement().objective == Objective::Loads;
+                let live =
+                    self.all || (live && self.ground.problem.statement().objective == Objective::Loads);
                 let [pressure, shear] = [pressure, shear].map(|at_ends| self.between(side, at_ends));
                 self.add_load(side, pressure, shear, live);
             }
@@ -83,7 +86,8 @@ impl Builder<'_> {
         let ends = self.ground.ends(side);
         let limit = Limit::around(soil, &ends);
         let radius = matches!(limit, Limit::Tension(_)).then(|| ends.map(|p| limit.radius(soil, p)));
-        let layer = Layer { tan: soil.tan, tension: ends.map(|p| limit.tension(soil, p)), radius };
+        let water = ends.map(|p| value(&soil.pore_pressure, p));
+        let layer = Layer { tan: soil.tan, tension: ends.map(|p| limit.tension(soil, p)), water, radius };
         self.add_layer(&layer, &jump, length);
     }
 
@@ -108,7 +112,7 @@ impl Builder<'_> {
             return self.add_adhesion(&relative, adhesion * length / 3.0);
         }
         let water = self.ground.ends(side).map(|p| value(&self.ground.soil(side.triangle).pore_pressure, p));
-        let layer = Layer { tan, tension: water.map(|u| tension - u), radius: None };
+        let layer = Layer { tan, tension: [tension; 2], water, radius: None };
         self.add_layer(&layer, &relative, length);
     }
 
@@ -128,8 +132,10 @@ impl Builder<'_> {
 
     /// Where the coefficients of a quadratic keep a sign, it does.
     fn add_layer(&mut self, layer: &Layer, slide: &Slide, length: f64) {
-        for (cost, n) in over_edge(layer.tension).iter().zip(&slide.opening) {
-            self.power.dissipate(cost * length / 3.0, n);
+        let (tension, water) = (over_edge(layer.tension), over_edge(layer.water));
+        for (i, n) in slide.opening.iter().enumerate() {
+            self.power.dissipate(tension[i] * length / 3.0, n);
+            self.power.load(water[i] * length / 3.0, n, self.all);
         }
         let radius = layer.radius.map(over_edge);
         for (i, (n, s)) in slide.opening.iter().zip(&slide.slip).enumerate() {

@@ -18,7 +18,7 @@ mod strength;
 mod tests;
 mod walls;
 
-use soilctl_certificate::{Flow, UpperField, Velocity as Saved};
+use soilctl_certificate::{Flow, Objective, UpperField, Velocity as Saved};
 
 pub(crate) use clay::shear_rates;
 pub(crate) use ground::{Edge, Ground};
@@ -68,6 +68,8 @@ struct Builder<'a> {
     program: Program,
     power: Power,
     tighten: f64,
+    /// Whether the factor on everything that acts is bounded.
+    all: bool,
 }
 
 impl Upper {
@@ -85,7 +87,8 @@ impl Upper {
         let velocities: Vec<Velocity> = motions.iter().map(|m| m.velocity(problem)).collect();
         let stream = StreamFunction::new(&ground, &elements, copies, &mut program);
         let power = Power::default();
-        let mut builder = Builder { ground, elements, velocities, stream, program, power, tighten };
+        let all = problem.statement().objective == Objective::Everything;
+        let mut builder = Builder { ground, elements, velocities, stream, program, power, tighten, all };
         for triangle in 0..mesh.triangles.len() {
             builder.add_triangle(triangle);
             for corner in 0..3 {

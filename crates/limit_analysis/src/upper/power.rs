@@ -73,7 +73,11 @@ pub(super) fn live_size(problem: &Problem) -> f64 {
             };
             statement.boundaries.iter().map(on).sum()
         }
-        Objective::Body { gravity } => {
+        Objective::Body { .. } | Objective::Everything => {
+            let gravity = match statement.objective {
+                Objective::Body { gravity } => gravity,
+                _ => statement.gravity,
+            };
             let heaviest = problem.soils.iter().map(|s| s.unit_weight).fold(0.0, f64::max);
             let height = open_height(problem);
             0.5 * heaviest * gravity[0].hypot(gravity[1]) * height * height
@@ -95,7 +99,7 @@ pub(super) fn objective_unit(problem: &Problem, live: f64) -> f64 {
     let at_corners = |material: &soilctl_certificate::Material| {
         statement.points.iter().map(|p| value(&material.cohesion, *p)).fold(0.0, f64::max)
     };
-    let dead = |c: Condition| match c {
+    let on_side = |c: Condition| match c {
         Condition::Loaded { pressure, live, .. } if !(live && statement.objective == Objective::Loads) => {
             pressure[0].abs().max(pressure[1].abs())
         }
@@ -103,8 +107,12 @@ pub(super) fn objective_unit(problem: &Problem, live: f64) -> f64 {
     };
     let cohesion = statement.regions.iter().map(|r| at_corners(&r.material)).fold(0.0, f64::max);
     let weight = problem.soils.iter().map(|s| s.unit_weight).fold(0.0, f64::max);
-    let load = statement.boundaries.iter().map(|b| dead(b.condition)).fold(statement.surcharge, f64::max);
-    let stress = cohesion + load - statement.gravity[1] * weight * length;
+    let load = statement.boundaries.iter().map(|b| on_side(b.condition)).fold(statement.surcharge, f64::max);
+    let dead = match statement.objective {
+        Objective::Everything => 0.0,
+        _ => load - statement.gravity[1] * weight * length,
+    };
+    let stress = cohesion + dead;
     let factor = stress * length / live;
     let unit = if problem.soils.iter().all(Soil::has_friction) { IN_SAND } else { IN_CLAY };
     if factor > 0.0 { unit / factor } else { unit }

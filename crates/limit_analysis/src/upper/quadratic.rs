@@ -4,6 +4,7 @@ use super::nodes::Element;
 use super::strength::{Limit, over_triangle};
 use super::{Builder, Velocity};
 use crate::form::Form;
+use crate::problem::value;
 
 /// Gradients at corner `k` of the Bernstein polynomials that belong to the control points.
 pub(crate) fn gradients(v: &[[f64; 2]; 3], k: usize) -> [[f64; 2]; 6] {
@@ -33,6 +34,7 @@ impl Builder<'_> {
         let limit = Limit::around(soil, &v);
         let tension = over_triangle(v.map(|p| limit.tension(soil, p)));
         let radius = over_triangle(v.map(|p| limit.radius(soil, p)));
+        let water = over_triangle(v.map(|p| value(&soil.pore_pressure, p)));
         for k in 0..3 {
             let g = gradients(&v, k);
             let [mut volume, mut difference, mut shear] = [Form::default(), Form::default(), Form::default()];
@@ -49,6 +51,7 @@ impl Builder<'_> {
                 continue;
             }
             self.power.dissipate(tension[k] * area / 3.0 / h, &volume);
+            self.power.load(water[k] * area / 3.0 / h, &volume, self.all);
             if matches!(limit, Limit::Tension(_)) {
                 let beyond = Form::unknown(self.program.unknown(), 1.0);
                 self.power.dissipate(radius[k] * area / 3.0 / h, &beyond);
@@ -82,7 +85,7 @@ impl Builder<'_> {
             _ => None,
         };
         let dead = Some(statement.gravity);
-        for (gravity, is_live) in [(dead, false), (live, true)] {
+        for (gravity, is_live) in [(dead, self.all), (live, true)] {
             for axis in 0..2 {
                 let force = gravity.map_or(0.0, |g| g[axis]) * weight * times / by;
                 self.power.load(force, &flow[axis], is_live);

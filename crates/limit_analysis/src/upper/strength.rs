@@ -25,11 +25,11 @@ impl Limit {
         }
     }
 
-    /// Factor on the dilation.
+    /// Factor on the dilation, without what the water does.
     pub(crate) fn tension(self, soil: &Soil, p: Point) -> f64 {
         match self {
             Self::Apex => soil.tension(p),
-            Self::Tension(t) => t - value(&soil.pore_pressure, p),
+            Self::Tension(t) => t,
         }
     }
 

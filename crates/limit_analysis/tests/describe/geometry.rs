@@ -179,8 +179,8 @@ fn lines_take_precedence_over_sides_and_sides_over_the_default() {
     assert_eq!(described.length_m, 4.0);
     assert!((length(s, |c| *c == Condition::Smooth) - 0.75).abs() < 1e-12);
     assert!((length(s, is_free) - (3.0 + 2.0_f64.sqrt() + 4.0)).abs() < 1e-12);
-    assert_eq!(s.gravity, [0.0; 2]);
-    assert_eq!(s.objective, Objective::Body { gravity: [0.0, -1.0] });
+    assert_eq!(s.gravity, [0.0, -1.0]);
+    assert_eq!(s.objective, Objective::Everything);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Cuts and slopes of one soil.
 
+use soilctl_certificate::{Condition, Linear, Objective, Statement};
+
 use crate::common::soil;
 use crate::grounds::slope;
 use crate::{brackets, solve};
@@ -30,6 +32,42 @@ fn a_vertical_cut_in_clay_has_its_critical_height() {
 #[test]
 fn a_slope_with_friction_is_as_high_as_rotating_blocks_say() {
     check(45.0, 20.0, 16.16, 1000, 0.05);
+}
+
+/// The slope with its own weight as a dead load; the factor on all that acts is bounded.
+fn standing(phi_deg: f64, angle_deg: f64, unit_weight: f64) -> Statement {
+    let mut it = slope(soil(phi_deg, 1.0), angle_deg);
+    (it.gravity, it.objective) = ([0.0, -1.0], Objective::Everything);
+    it.regions[0].material.unit_weight = unit_weight;
+    it
+}
+
+#[test]
+fn the_factor_on_all_that_acts_is_that_on_the_weight_if_nothing_else_does() {
+    for (angle_deg, phi_deg, numbers) in [(90.0, 0.0, [3.7764, 3.7776]), (45.0, 20.0, [0.97 * 16.16, 16.17])]
+    {
+        let all = solve(standing(phi_deg, angle_deg, 1.0), 1000);
+        brackets(&format!("slope {angle_deg} {phi_deg}"), &all, numbers, 0.06);
+    }
+}
+
+#[test]
+fn a_slope_under_water_stands_as_one_of_soil_that_is_lighter_by_the_water() {
+    let (water, surface) = (0.4, 2.0);
+    let lighter = solve(standing(10.0, 60.0, 0.6), 800);
+    let mut under = standing(10.0, 60.0, 1.0);
+    under.regions[0].material.pore_pressure = Linear { at_origin: water * surface, gradient: [0.0, -water] };
+    for b in under.boundaries.iter_mut().filter(|b| b.condition == Condition::Free) {
+        let line = under.lines[b.line];
+        let pressure = [line.from, line.to].map(|p| water * (surface - under.points[p][1]));
+        b.condition = Condition::Loaded { pressure, shear: [0.0; 2], live: false };
+    }
+    let under = solve(under, 800);
+    brackets("under water", &under, [0.97 * 7.26 / 0.6, 7.27 / 0.6], 0.08);
+    // The stresses differ by the water's only, the flows do not.
+    let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 2e-3, "{a} {b}");
+    near(under.lower.value, lighter.lower.value);
+    near(under.upper.value, lighter.upper.value);
 }
 
 #[test]

@@ -74,6 +74,23 @@ fn cohesion_and_pore_pressure_may_be_linear() {
 }
 
 #[test]
+fn everything_that_acts_has_one_factor() {
+    let area = 12.0_f64.sqrt();
+    let (weight, hold) = (area * sin(THETA - PHI), 0.5 * 4.0 * cos(PHI));
+    near(cut(Objective::Everything, |_| {}), hold / weight);
+    let pressed = 0.1 * (area * sin(THETA - PHI) - 2.0 * cos(THETA - PHI));
+    near(cut(Objective::Everything, |s| s.surcharge = 0.1), hold / (weight + pressed));
+    // Water lifts the wedge off its slip line, and a load that is dead for other objectives pushes its top.
+    let water = 4.0 * 0.7 * sin(PHI);
+    let pushed = Condition::Loaded { pressure: [0.3; 2], shear: [0.0; 2], live: false };
+    let all = cut(Objective::Everything, |s| {
+        s.regions[0].material.pore_pressure = Linear::uniform(0.7);
+        s.boundaries[3].condition = pushed;
+    });
+    near(all, hold / (weight + water + 0.3 * weight));
+}
+
+#[test]
 fn loads_may_be_linear_and_live() {
     let load = |pressure, live| Condition::Loaded { pressure, shear: [0.0; 2], live };
     let hold = 2.0 * cos(PHI) - 12.0_f64.sqrt() * sin(THETA - PHI);

@@ -37,11 +37,11 @@ fn strength_with_a_limit_to_tension_is_its_support_function() {
             tension: Some(point(t)),
         };
         let at = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Vector::point);
-        let bound = Resistance::new(&strength, at).of_triangle([point(e); 3], [point(g); 3]);
+        let bound = Resistance::new(&strength, at).of_triangle([point(e); 3], [point(g); 3]).all();
         let slip = (g * g - e * e).max(0.0).sqrt();
         if e <= g {
             let layer = Resistance::new(&strength, [at[0], at[1]]);
-            let layer = layer.of_layer([point(e); 3], [point(slip); 3]);
+            let layer = layer.of_layer([point(e); 3], [point(slip); 3]).all();
             assert!((layer.hi() - bound.hi()).abs() < 1e-6, "{layer:?} {bound:?}");
         }
         let best = tried(phi, c, t, e, g);
@@ -85,7 +85,7 @@ fn what_is_bounded_is_above_sums_and_not_by_much() {
         let dilation = rates.map(|r| r[0].hypot(r[1]) * sin + 0.3 * next().abs());
         let shearing = rates.map(|r| point(r[0].hypot(r[1])));
         let bound =
-            Resistance::new(&strength, p.map(Vector::point)).of_triangle(dilation.map(point), shearing);
+            Resistance::new(&strength, p.map(Vector::point)).of_triangle(dilation.map(point), shearing).all();
         let weights = |q: [f64; 2]| {
             let cross = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]) / (2.0 * area);
             let to = |i: usize| [p[i][0] - q[0], p[i][1] - q[1]];
@@ -102,7 +102,7 @@ fn what_is_bounded_is_above_sums_and_not_by_much() {
         let slip = [next(), next(), next()];
         let opening = slip.map(|s| s.abs() * tan + 0.3 * next().abs());
         let layer = Resistance::new(&strength, [p[0], p[1]].map(Vector::point));
-        let bound = layer.of_layer(opening.map(point), slip.map(point));
+        let bound = layer.of_layer(opening.map(point), slip.map(point)).all();
         let count = 3000;
         let sum: f64 = (0..count)
             .map(|i| {

@@ -41,15 +41,15 @@ pub(crate) struct SolveAnswer {
     results: ResultsAnswer,
 }
 
-/// A factor that strength was divided by, and bounds on the factor on the weight that the soil then bears.
+/// A factor that strength was divided by, and bounds on the factor on all that acts that the soil then bears.
 #[derive(Debug, Serialize, JsonSchema)]
 struct TrialAnswer {
     /// The factor.
     factor: f64,
-    /// Lower bound on the factor on the weight; null if any is borne.
-    weight_lower: Option<f64>,
+    /// Lower bound on that; null if none is proven.
+    borne_lower: Option<f64>,
     /// Upper bound on it; null likewise.
-    weight_upper: Option<f64>,
+    borne_upper: Option<f64>,
 }
 
 /// The name of a quantity in JSON, and what it is in words.
@@ -100,8 +100,8 @@ impl SolveAnswer {
         let finite = |x: f64| x.is_finite().then_some(x);
         let trials = safety.trials.iter().map(|t| TrialAnswer {
             factor: t.factor,
-            weight_lower: finite(t.lower),
-            weight_upper: finite(t.upper),
+            borne_lower: finite(t.lower).filter(|l| *l > 0.0),
+            borne_upper: finite(t.upper),
         });
         Self {
             title: title.cloned(),
@@ -149,10 +149,10 @@ impl Answer for SolveAnswer {
         if self.trials.is_empty() {
             return text + &level_table(&self.levels) + "\n" + &self.results.text();
         }
-        let mut rows = vec![["strength over", "weight borne", ""].map(str::to_owned).to_vec()];
-        let any = |x: Option<f64>| x.map_or_else(|| "any".to_owned(), number);
+        let mut rows = vec![["strength over", "times all that acts", ""].map(str::to_owned).to_vec()];
+        let known = |x: Option<f64>| x.map_or_else(|| "?".to_owned(), number);
         for t in &self.trials {
-            rows.push(vec![number(t.factor), any(t.weight_lower), any(t.weight_upper)]);
+            rows.push(vec![number(t.factor), known(t.borne_lower), known(t.borne_upper)]);
         }
         text + &columns(&rows) + "\n" + &self.results.text()
     }

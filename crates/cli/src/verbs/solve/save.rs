@@ -15,13 +15,9 @@ pub(super) fn both(path: &Path, described: &Described, bounds: &Bounds) -> Resul
 /// Bounds on a factor of safety are of problems of different strength: each has a file of its own. Returns their names.
 pub(super) fn safety(path: &Path, safety: &SafetyBounds) -> Result<Vec<PathBuf>, CliError> {
     let named = |part: &str| path.with_extension(format!("{part}.json"));
-    let mut files = vec![named("lower"), named("upper")];
+    let files = vec![named("lower"), named("upper")];
     write(&files[0], &safety.lower.described, Some(&safety.lower.bound), None)?;
     write(&files[1], &safety.upper.described, None, Some(&safety.upper.bound))?;
-    if let Some(proof) = &safety.at_rest {
-        files.push(named("at_rest"));
-        write(&files[2], &proof.described, Some(&proof.bound), None)?;
-    }
     Ok(files)
 }
 

@@ -42,13 +42,13 @@ fn check_with(statement: &Statement, of: impl Fn([f64; 2]) -> [f64; 3]) {
     let upper = Upper::new(&problem, &fine, &topology, &[], 0.0);
     let accuracy = Accuracy::FLOW;
     let answer =
-        solver::solve(&upper.program, accuracy, 1e9, &Arc::new(AtomicBool::new(false)), None).unwrap();
+        solver::solve(&upper.program, accuracy, 1e9, [&Arc::new(AtomicBool::new(false)); 2], None).unwrap();
     let velocity = VelocityField::new(&upper, &answer.x);
 
     let (coarse, across) = mesh(&problem, 0.8, &[]);
     let corners: Vec<[[f64; 2]; 3]> =
         coarse.triangles.iter().map(|t| t.corners.map(|c| coarse.vertices[c].position)).collect();
-    let mut stress = StressField { corners, across: across.across.clone(), parts: Vec::new() };
+    let mut stress = StressField { corners, across: across.across.clone(), parts: Vec::new(), part: 1.0 };
     stress.parts = (0..coarse.triangles.len())
         .map(|t| {
             let (v, c) = (stress.corners[t], stress.centre(t));

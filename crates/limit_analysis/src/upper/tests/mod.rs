@@ -62,7 +62,7 @@ fn bounds(statement: &Statement, targets: &[usize]) -> Vec<Found> {
             let upper = Upper::new(&problem, &mesh, &topology, &bowl.still(&mesh), tightening);
             let accuracy = Accuracy::FLOW;
             let stop = Arc::new(AtomicBool::new(false));
-            let answer = solver::solve(&upper.program, accuracy, 1e9, &stop, None).unwrap();
+            let answer = solver::solve(&upper.program, accuracy, 1e9, [&stop; 2], None).unwrap();
             let field = upper.saved(&mesh, &answer.x);
             let (elements, objective) = (mesh.triangles.len(), upper.force.value(&answer.x));
             let proven = prove_upper(statement, &field);

@@ -90,3 +90,31 @@ fn tension_may_be_limited() {
     };
     is_the_limit(0.1, &wet);
 }
+
+#[test]
+fn a_pillar_bears_all_that_acts() {
+    // The field for what acts, with a claim of how often that could act.
+    let often = |pillar: Pillar, claim| {
+        let (mut statement, mut field) = pillar.problem(1.0);
+        if statement.objective == BODY {
+            statement.gravity = [0.0, -1.0];
+        }
+        statement.objective = Objective::Everything;
+        field.multiplier = claim;
+        (statement, field)
+    };
+    let limit = 2.0 * 1.3 * (45.0_f64 + 12.5).to_radians().tan() / (2.0 * 3.0);
+    let heavy = |claim| often(Pillar { material: material(25.0, 1.3, 2.0), datum: 3.0, load: None }, claim);
+    is_the_limit(limit, &heavy);
+    for none in [0.0, -1.0] {
+        let (statement, field) = heavy(none);
+        assert!(matches!(prove_lower(&statement, &field), Err(CertificateError::BadField { .. })), "{none}");
+    }
+    // Water pulls as the load does: there is 0.4 for 1.3 times the factor.
+    let pulled = |claim| {
+        let mut material = Material { tension: Some(0.4), ..material(20.0, 1.0, 0.0) };
+        material.pore_pressure = Linear::uniform(0.3);
+        often(Pillar { material, datum: 3.0, load: Some(-1.0) }, claim)
+    };
+    is_the_limit(0.4 / 1.3, &pulled);
+}
