@@ -217,6 +217,16 @@ fn the_factor_of_safety_of_a_cut_is_bounded_saved_and_shown() {
 }
 
 #[test]
+fn a_slope_hardly_steeper_than_its_friction_angle_is_not_taken_for_one_that_cannot_fail() {
+    let dir = tempfile::tempdir().unwrap();
+    let slope = std::fs::read_to_string(example("slope.toml")).unwrap();
+    let path = write(dir.path(), "slope.toml", &slope.replace("strength-reduction", "unit-weight"));
+    let (code, answer, stderr) = soilctl(&[&["solve", path.to_str().unwrap()][..], &ROUGHLY].concat());
+    assert!(code == 0 || code == 3, "{stderr}");
+    assert!(answer["lower"].as_f64().unwrap() > 20.0 && answer["upper"].as_f64().unwrap() < 200.0);
+}
+
+#[test]
 fn what_has_no_collapse_load_is_said_in_physical_words() {
     let dir = tempfile::tempdir().unwrap();
     let wall = std::fs::read_to_string(example("wall_passive.toml")).unwrap();
