@@ -53,7 +53,7 @@ impl Soil {
     pub(crate) fn part(&self, part: f64) -> Self {
         let Linear { at_origin, gradient } = self.cohesion;
         let cohesion = Linear { at_origin: part * at_origin, gradient: gradient.map(|g| part * g) };
-        Self { cohesion, cut_off: self.cut_off.map(|t| part * t), ..self.clone() }
+        Self { cohesion, cut_off: self.cut_off.map(|t| part * t), ..*self }
     }
 }
 

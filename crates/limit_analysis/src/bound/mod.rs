@@ -78,6 +78,8 @@ pub struct Solve {
     pub proof_seconds: f64,
     /// The proven bound, if there is one.
     pub proven: Option<f64>,
+    /// What the checker does not cover, if that is why nothing is proven.
+    pub uncovered: Option<&'static str>,
 }
 
 /// One mesh and what was solved after it was made.
@@ -191,18 +193,26 @@ pub fn bound(
     }
 }
 
+/// Whether the levels so far, and the lower and upper bound proven, are enough.
+pub(crate) type Enough = dyn Fn(&[Level], [Option<f64>; 2]) -> bool;
+
 /// As [`bound`], for those to whom one side may be enough: `is_enough` is asked after each level, with the bounds proven so
 /// far.
 pub(crate) fn sides(
     problem: &Problem,
     options: &Options,
-    is_enough: &dyn Fn(&[Level], [Option<f64>; 2]) -> bool,
+    is_enough: &Enough,
     progress: &mut dyn FnMut(&Level, Option<f64>),
 ) -> Result<Sides, LimitError> {
     problem.covered()?;
     let mut run = Run::new(problem, options);
     let ended = loop {
-        if let Some(ended) = run.level(progress)? {
+        let ended = run.level(progress)?;
+        if let Some(what) = uncovered(&run.levels) {
+            let advice = "change that; where soil has no cohesion, a little of it often helps";
+            return Err(LimitError::NotCovered { what, advice });
+        }
+        if let Some(ended) = ended {
             if matches!(ended, Ended::Time | Ended::Elements | Ended::Memory) {
                 run.last_lower(progress)?;
             }
@@ -215,4 +225,14 @@ pub(crate) fn sides(
     };
     let seconds = run.start.elapsed().as_secs_f64();
     Ok(Sides { lower: run.lower, upper: run.upper, levels: run.levels, ended, seconds })
+}
+
+/// What keeps the checker from proving any bound of one side, on more than one mesh.
+fn uncovered(levels: &[Level]) -> Option<&'static str> {
+    let all = |solves: Vec<Solve>| {
+        let what = solves.first().and_then(|s| s.uncovered);
+        what.filter(|_| solves.len() > 1 && solves.iter().all(|s| s.uncovered.is_some()))
+    };
+    all(levels.iter().filter_map(|l| l.lower).collect())
+        .or_else(|| all(levels.iter().map(|l| l.upper).collect()))
 }

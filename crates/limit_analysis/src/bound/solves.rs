@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use soilctl_certificate::{LowerField, UpperField, prove_lower, prove_upper};
+use soilctl_certificate::{CertificateError, LowerField, UpperField, prove_lower, prove_upper};
 
 use super::Solve;
 use super::run::Run;
@@ -24,6 +24,15 @@ const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
 /// more if the proof fails; and how much of it must be left for the proof.
 const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
 const LEFT: f64 = 0.5;
+
+/// What a proof says, and what it does not cover.
+fn proven(proof: Result<f64, CertificateError>) -> (Option<f64>, Option<&'static str>) {
+    match proof {
+        Ok(value) => (Some(value).filter(|v| v.is_finite()), None),
+        Err(CertificateError::NotCovered { what, .. }) => (None, Some(what)),
+        Err(_) => (None, None),
+    }
+}
 
 impl Run<'_> {
     /// Solves a program, as cones or linearised, in the time that is left, unless it becomes needless.
@@ -54,7 +63,8 @@ impl Run<'_> {
             let answer = self.solve(&upper.program, Accuracy::FLOW, "upper", &Arc::default())?;
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
-            let proven = prove_upper(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
+            let proof = prove_upper(self.problem.statement(), &field);
+            let (proven, uncovered) = proven(proof);
             spent += answer.seconds;
             let solve = Solve {
                 elements: mesh.triangles.len(),
@@ -63,10 +73,11 @@ impl Run<'_> {
                 seconds: spent,
                 proof_seconds: start.elapsed().as_secs_f64(),
                 proven,
+                uncovered,
             };
             // A tighter program is no more feasible.
             let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
-            if proven.is_some() || hopeless || attempt + 1 == TIGHTENING.len() {
+            if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == TIGHTENING.len() {
                 let velocity = VelocityField::new(&upper, &answer.x);
                 let objective = upper.force.value(&answer.x);
                 return Ok((attempt, solve, field, velocity, objective));
@@ -88,9 +99,10 @@ impl Run<'_> {
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);
             let field = lower.saved(self.problem, mesh, topology, &x);
-            let proven = prove_lower(self.problem.statement(), &field).ok().filter(|v| v.is_finite());
+            let proof = prove_lower(self.problem.statement(), &field);
+            let (proven, uncovered) = proven(proof);
             let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
-            if proven.is_some() || hopeless || attempt + 1 == LOWER_TIGHTENING.len() {
+            if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == LOWER_TIGHTENING.len() {
                 let solve = Solve {
                     elements: mesh.triangles.len(),
                     status: answer.status,
@@ -98,6 +110,7 @@ impl Run<'_> {
                     seconds: spent,
                     proof_seconds: start.elapsed().as_secs_f64(),
                     proven,
+                    uncovered,
                 };
                 let objective = lower.claim(&x);
                 let stress = StressField::new(mesh, topology, &lower, &x);

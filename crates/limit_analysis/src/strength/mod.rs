@@ -159,10 +159,7 @@ impl Run<'_> {
         let solved = sides(&described.problem()?, &options, &is_plain, &mut |level, _| {
             progress(factor, level, proven);
         });
-        let Sides { lower, upper, ended, .. } = match solved {
-            Ok(sides) => sides,
-            Err(error) => return Err(error),
-        };
+        let Sides { lower, upper, ended, .. } = solved?;
         let both = self.found.lower.is_some() && self.found.upper.is_some();
         if lower.is_none() && upper.is_none() {
             // What is proven already counts.
@@ -177,7 +174,7 @@ impl Run<'_> {
             lower: lower.as_ref().map_or(0.0, |b| b.value),
             upper: upper.as_ref().map_or(f64::INFINITY, |b| b.value),
         };
-        let unsharp = !(trial.gap() <= self.search.trial_gap);
+        let unsharp = trial.gap() > self.search.trial_gap;
         if let Some(bound) = lower.filter(|l| l.value >= 1.0) {
             self.keep_lower(factor, &described, bound);
         }

@@ -29,8 +29,11 @@ const SHARPER: f64 = 0.4;
 const NEAR: f64 = 0.1;
 
 impl Trial {
-    /// Distance of the bounds over their mean; not a number without an upper bound.
+    /// Distance of the bounds over their mean; infinite without an upper bound.
     pub(super) fn gap(&self) -> f64 {
+        if self.upper.is_infinite() {
+            return f64::INFINITY;
+        }
         2.0 * (self.upper - self.lower) / (self.upper + self.lower)
     }
 
