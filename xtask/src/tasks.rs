@@ -34,7 +34,11 @@ const TASKS: [(Task, &str, &str); 4] = [
         "setup",
         "make the two environments with the pinned Python packages, install chromium if there is none",
     ),
-    (Task::Test, "test", "setup, then all tests: Rust, Python package, command line, report in the browser"),
+    (
+        Task::Test,
+        "test",
+        "setup, then all tests: Rust, Python package, documentation, command line, report in the browser",
+    ),
     (Task::Lint, "lint", "format, clippy and documentation, warnings are errors"),
     (
         Task::Verify,

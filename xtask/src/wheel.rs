@@ -1,4 +1,5 @@
-//! The Python package: built as a wheel, installed where nothing else is, and tested there.
+//! The Python package: built as a wheel, installed where nothing else is, and tested there; and the documentation, whose
+//! reference is made from it.
 
 use std::path::{Path, PathBuf};
 
@@ -28,6 +29,12 @@ pub(crate) fn test(workspace: &Workspace) -> Result<(), XtaskError> {
         .run()?;
     Step::new("Python tests of the wheel", environment.python())
         .args(["-m", "pytest", "tests/python/wheel"])
+        .dir(workspace.root())
+        .run()?;
+    // A warning, such as a link that leads nowhere, is an error.
+    Step::new("documentation as a site", environment.python())
+        .args(["-m", "mkdocs", "build", "--strict", "--config-file", "book/mkdocs.yml", "--site-dir"])
+        .args([target(workspace).join("site")])
         .dir(workspace.root())
         .run()
 }
@@ -69,7 +76,9 @@ fn bare(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskError> {
         .args(["install", "--quiet", "--constraint"])
         .args([requirements(workspace).as_path(), wheel])
         .run()?;
-    Step::new("import the package", environment.python()).args(["-c", BARE]).run()
+    Step::new("import the package", environment.python()).args(["-c", BARE]).run()?;
+    let command = environment.python().with_file_name("soilctl");
+    Step::new("start the command", command).args(["--version"]).run()
 }
 
 fn environment(workspace: &Workspace) -> Environment {

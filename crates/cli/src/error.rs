@@ -6,7 +6,7 @@ use soilctl_earth_pressure::EarthPressureError;
 use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
-use soilctl_limit_analysis::LimitError;
+use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_live::LiveError;
 use soilctl_process::ProcessError;
 use soilctl_session::SessionError;
@@ -100,6 +100,28 @@ pub(crate) enum CliError {
 }
 
 impl CliError {
+    /// Whether a file could not be read or written, rather than made no sense.
+    pub(crate) const fn is_of_a_file(&self) -> bool {
+        matches!(
+            self,
+            Self::File { .. }
+                | Self::EarthPressure(EarthPressureError::File { .. })
+                | Self::Strokes(StrokesError::File { .. })
+                | Self::DirectShear(DirectShearError::Io { .. })
+                | Self::Effects(EffectsError::File { .. })
+                | Self::Limit(
+                    LimitError::File(_)
+                        | LimitError::Description(DescriptionError::File { .. })
+                        | LimitError::Certificate(CertificateError::File { .. })
+                )
+                | Self::Certificate(CertificateError::File { .. })
+                | Self::Session(
+                    SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
+                )
+                | Self::Campaign(CampaignError::File { .. })
+        )
+    }
+
     /// Whether the reader of stdout went away, which is its right.
     pub(crate) fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Stdout(problem) if problem.kind() == std::io::ErrorKind::BrokenPipe)

@@ -1,6 +1,8 @@
 //! Everything that is written: the answer to stdout, notes and errors to stderr.
 
 use std::io::{IsTerminal, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -43,11 +45,54 @@ pub(crate) struct Document<'a, A> {
 pub(crate) struct Output {
     format: Format,
     quiet: bool,
+    host: Host,
+}
+
+/// What runs the verb.
+enum Host {
+    /// The program: the answer goes to stdout, Ctrl-C sets a flag.
+    Program,
+    /// Another program, in its process: it keeps the answer, and sets the flag by itself.
+    Library { answer: Vec<u8>, stop: Arc<AtomicBool> },
 }
 
 impl Output {
     pub(crate) const fn new(format: Format, quiet: bool) -> Self {
-        Self { format, quiet }
+        Self { format, quiet, host: Host::Program }
+    }
+
+    /// Keeps the answer in JSON, and writes nothing.
+    pub(crate) const fn kept(stop: Arc<AtomicBool>) -> Self {
+        Self { format: Format::Json, quiet: true, host: Host::Library { answer: Vec::new(), stop } }
+    }
+
+    /// The answer that was kept; empty for a program.
+    pub(crate) fn into_kept(self) -> Vec<u8> {
+        match self.host {
+            Host::Program => Vec::new(),
+            Host::Library { answer, .. } => answer,
+        }
+    }
+
+    /// A flag that is set when the user wants long work to end with what there is.
+    pub(crate) fn interrupt(&self) -> Arc<AtomicBool> {
+        self.interrupt_keeping(true)
+    }
+
+    /// The same for work that may have nothing to keep: then Ctrl-C just ends the program.
+    pub(crate) fn interrupt_keeping(&self, something: bool) -> Arc<AtomicBool> {
+        match &self.host {
+            Host::Program => {
+                let stop = Arc::new(AtomicBool::new(false));
+                if something {
+                    let stopped = Arc::clone(&stop);
+                    // A second handler cannot be set; then Ctrl-C ends the program too.
+                    let _ = ctrlc::set_handler(move || stopped.store(true, Ordering::Relaxed));
+                }
+                stop
+            }
+            Host::Library { stop, .. } => Arc::clone(stop),
+        }
     }
 
     /// Writes the one answer of this run.
@@ -61,8 +106,12 @@ impl Output {
         self.raw(text.as_bytes())
     }
 
-    /// Writes bytes to stdout.
+    /// Writes bytes to stdout, or keeps them.
     pub(crate) fn raw(&mut self, bytes: &[u8]) -> Result<(), CliError> {
+        if let Host::Library { answer, .. } = &mut self.host {
+            answer.extend_from_slice(bytes);
+            return Ok(());
+        }
         let mut stdout = std::io::stdout().lock();
         stdout.write_all(bytes)?;
         Ok(stdout.flush()?)

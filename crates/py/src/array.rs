@@ -98,6 +98,16 @@ impl<'py> Array<'py> {
         Ok(Cow::Owned(spread.iter().copied().collect()))
     }
 
+    /// All values of a number or of an array with one axis.
+    pub(crate) fn values(&self) -> Answer<Vec<f64>> {
+        let shape = self.shape();
+        if shape.len() > 1 {
+            let name = self.name;
+            return Err(input(format!("{name} has shape {shape:?}; it must be a number or have one axis")));
+        }
+        Ok(self.flat(shape)?.into_owned())
+    }
+
     /// Rows of `N` numbers, the last axis, and the shape of the others.
     pub(crate) fn rows<const N: usize>(&self, of: &str) -> Answer<(Vec<[f64; N]>, Vec<usize>)> {
         let shape = self.shape();

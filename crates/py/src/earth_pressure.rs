@@ -8,7 +8,7 @@ use pyo3::types::PyDict;
 use soilctl_earth_pressure::{Case, EarthPressureError, ForceModel, Loads, MODEL_IDS, check_loads, model};
 use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
 
-use crate::array::{Array, Column, common_shape, shaped};
+use crate::array::{Array, Column, common_shape, place, shaped};
 use crate::error::{Answer, Fail, file, input, no_answer};
 use crate::work::in_blocks;
 
@@ -242,7 +242,12 @@ impl Columns {
     }
 
     fn answer(self, py: Python<'_>, model: &dyn ForceModel, shape: &[usize]) -> Answer<Prediction> {
-        let array = |values: Vec<f64>| -> Answer<Py<PyAny>> { Ok(shaped(py, values, shape)?.unbind()) };
+        let array = |values: Vec<f64>| -> Answer<Py<PyAny>> {
+            if let Some(at) = values.iter().position(|value| !value.is_finite()) {
+                return Err(beyond(&place(at, shape), values[at]));
+            }
+            Ok(shaped(py, values, shape)?.unbind())
+        };
         let force = |of: &[f64]| -> Answer<Option<Py<PyAny>>> {
             let all = || of.iter().zip(&self.newtons).map(|(k, [scale, rest])| scale * k + rest).collect();
             (!self.newtons.is_empty()).then(|| array(all())).transpose()
@@ -270,6 +275,15 @@ impl Columns {
             force_upper_n,
         })
     }
+}
+
+/// Numbers so large or small that a result is none.
+pub(crate) fn beyond(place: &str, value: f64) -> Fail {
+    let value = value.to_string().to_lowercase();
+    no_answer(format!(
+        "{place}a result came out as {value}, which is no answer; the inputs are beyond what double precision can hold, \
+         so bring them closer to the size of a real plate and soil"
+    ))
 }
 
 /// Angles in degrees for which a model answers, ends included, by the name of the argument of ``predict``.

@@ -11,6 +11,9 @@ pub(crate) mod kinds {
     pyo3::import_exception!(soilctl.errors, InputTypeError);
     pyo3::import_exception!(soilctl.errors, FileError);
     pyo3::import_exception!(soilctl.errors, NoAnswerError);
+    pyo3::import_exception!(soilctl.errors, ProofError);
+    pyo3::import_exception!(soilctl.errors, SimulationError);
+    pyo3::import_exception!(soilctl.errors, Interrupted);
 }
 
 /// An exception about to be raised; the conversions below choose its kind.

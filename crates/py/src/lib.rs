@@ -3,9 +3,18 @@
 //! Doc comments of classes and functions are what `help()` shows in Python.
 
 mod array;
+mod bracket;
+mod certificate;
+mod cli;
 mod earth_pressure;
 mod error;
+mod estimator;
 mod kinematics;
+mod limit_analysis;
+mod patient;
+mod plant;
+mod region;
+mod session;
 mod work;
 
 /// Everything compiled of the package `soilctl`.
@@ -14,7 +23,23 @@ mod _native {
     #[pymodule_export]
     const MODELS: [&str; 8] = crate::earth_pressure::MODELS;
     #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    use crate::bracket::{Bracket, Progress};
+    #[pymodule_export]
+    use crate::certificate::{Certificate, Solution};
+    #[pymodule_export]
+    use crate::cli::{answer_command, run_command};
+    #[pymodule_export]
     use crate::earth_pressure::{Prediction, failure_surface, predict, valid_range};
     #[pymodule_export]
+    use crate::estimator::{Estimate, estimate};
+    #[pymodule_export]
     use crate::kinematics::Arm;
+    #[pymodule_export]
+    use crate::limit_analysis::{bound, solve};
+    #[pymodule_export]
+    use crate::plant::{Plant, Sensed, soil_names};
+    #[pymodule_export]
+    use crate::session::{log_info, log_recover, log_table, replay};
 }

@@ -19,7 +19,7 @@ pub mod topics;
 mod write;
 
 pub use error::SessionError;
-pub use export::{Export, TABLES, TableForm, export};
+pub use export::{Export, Row, TABLES, TableForm, export, table_rows};
 pub use fields::Cell;
 pub use info::{Info, TopicInfo, info};
 pub use keyframe::KEYFRAME_VERSION;

@@ -117,6 +117,7 @@ def test_errors_are_the_built_in_ones_too():
     assert issubclass(soilctl.InputTypeError, TypeError)
     assert issubclass(soilctl.FileError, OSError)
     assert issubclass(soilctl.NoAnswerError, ArithmeticError)
+    assert issubclass(soilctl.Interrupted, KeyboardInterrupt)
 
 
 def test_the_first_bad_element_is_named_among_many():

@@ -80,6 +80,11 @@ pub(crate) enum Outcome {
 }
 
 impl Verb {
+    /// Whether it answers once and ends by itself, so that another program may wait for it.
+    pub(crate) const fn is_one_answer(&self) -> bool {
+        !matches!(self, Self::Run(_) | Self::Console(_))
+    }
+
     pub(crate) fn run(self, output: &mut Output) -> Result<Outcome, CliError> {
         match self {
             Self::Predict(args) => predict::run(&args, output),

@@ -6,45 +6,91 @@ arrays. Errors are those of :mod:`soilctl.errors`.
 
 from __future__ import annotations
 
-from importlib.metadata import version as _version
-
 from ._native import (
     MODELS,
+    VERSION as _VERSION,
     Arm,
+    Bracket,
+    Certificate,
+    Estimate,
+    Plant,
     Prediction,
+    Progress,
+    Sensed,
+    Solution,
+    bound,
+    estimate,
     failure_surface,
+    log_info,
+    log_recover,
+    log_table,
     predict,
+    replay,
+    soil_names,
+    solve,
     valid_range,
 )
 from ._store import Store
 from ._sweep import Failure, SweepResult, sweep
+from ._verbs import answer, certify, diagnose, process, shear, simulate
 from .errors import (
     FileError,
     InputError,
     InputTypeError,
+    Interrupted,
     NoAnswerError,
+    ProofError,
+    SimulationError,
     SoilctlError,
     SweepError,
 )
 
-__version__ = _version("soilctl")
+#: Names of the soils that a :class:`Plant` can have.
+SOILS = soil_names()
+
+#: The version of the package, the same as that of the command.
+__version__ = _VERSION
 
 __all__ = [
     "MODELS",
+    "SOILS",
     "Arm",
+    "Bracket",
+    "Certificate",
+    "Estimate",
     "Failure",
     "FileError",
     "InputError",
     "InputTypeError",
+    "Interrupted",
     "NoAnswerError",
+    "Plant",
     "Prediction",
+    "Progress",
+    "ProofError",
+    "Sensed",
+    "SimulationError",
     "SoilctlError",
+    "Solution",
     "Store",
     "SweepError",
     "SweepResult",
     "__version__",
+    "answer",
+    "bound",
+    "certify",
+    "diagnose",
+    "estimate",
     "failure_surface",
+    "log_info",
+    "log_recover",
+    "log_table",
     "predict",
+    "process",
+    "replay",
+    "shear",
+    "simulate",
+    "solve",
     "sweep",
     "valid_range",
 ]

@@ -10,7 +10,10 @@ __all__ = [
     "FileError",
     "InputError",
     "InputTypeError",
+    "Interrupted",
     "NoAnswerError",
+    "ProofError",
+    "SimulationError",
     "SoilctlError",
     "SweepError",
 ]
@@ -36,5 +39,27 @@ class NoAnswerError(SoilctlError, ArithmeticError):
     """Sound input without a finite answer: a singular geometry, a pose out of reach, a budget too small."""
 
 
+class ProofError(SoilctlError):
+    """A saved solution that proves nothing."""
+
+
+class SimulationError(SoilctlError, RuntimeError):
+    """A simulation that cannot go on."""
+
+
 class SweepError(SoilctlError, RuntimeError):
     """Cells of a sweep that failed; the message names them."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during a computation that had something to show already.
+
+    Attributes:
+        best: The result so far, of the type that the function would have returned, or ``None``.
+    """
+
+    best: object
+
+    def __init__(self, message: str = "", best: object = None) -> None:
+        super().__init__(message)
+        self.best = best

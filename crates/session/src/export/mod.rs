@@ -40,62 +40,95 @@ pub struct Export {
     pub ending: Ending,
 }
 
+/// A row of a table: the cells with the names of their columns.
+pub type Row = [(String, Cell)];
+
 /// Something that takes rows, all of the same columns.
 trait Table {
-    fn row(&mut self, row: &[(String, Cell)]) -> Result<(), SessionError>;
+    fn row(&mut self, row: &Row) -> Result<(), SessionError>;
     fn finish(self: Box<Self>) -> Result<(), SessionError>;
 }
 
 /// Writes the messages of `topic` as a table: one row a message, first its log time in s, then its fields.
 ///
 /// # Errors
-/// [`SessionError::NoTable`] for another topic, [`SessionError::Missing`] if the log has none of its messages,
-/// [`SessionError::Message`] for a malformed message, [`SessionError::File`] if the table cannot be written, and those
-/// of [`scan`]. After an error there is no table, and one that was there before is as it was.
+/// Those of [`table_rows`], and [`SessionError::File`] if the table cannot be written. After an error there is no table, and
+/// one that was there before is as it was.
 pub fn export(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
-    if !TABLES.contains(&topic) {
-        return Err(SessionError::NoTable { topic: topic.to_owned(), known: TABLES.join(", ") });
-    }
+    known(topic)?;
     let beside = Beside::new(out);
     let exported = write(path, topic, &beside.path, form)?;
     beside.keep()?;
     Ok(exported)
 }
 
-fn write(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
-    let mut table: Option<Box<dyn Table>> = None;
+/// Shows the messages of `topic` to `visit` as rows of a table: first the log time in s, then the fields. All rows have the
+/// same columns.
+///
+/// # Errors
+/// [`SessionError::NoTable`] for another topic, [`SessionError::Missing`] if the log has none of its messages,
+/// [`SessionError::Message`] for a malformed message, those of [`scan`], and what `visit` returns.
+pub fn table_rows<E: From<SessionError>>(
+    path: &Path,
+    topic: &str,
+    visit: &mut dyn FnMut(&Row) -> Result<(), E>,
+) -> Result<Export, E> {
+    known(topic)?;
     let (mut rows, mut columns) = (0, 0);
-    let ending = scan(path, &mut |item| {
+    let ending = scan(path, &mut |item| -> Result<(), E> {
         let Item::Message(message) = item else { return Ok(()) };
         if message.channel.topic != topic {
             return Ok(());
         }
         let bad = |reason| SessionError::Message { topic: topic.to_owned(), number: rows, reason };
         let row = rows::row(topic, message.log_time_ns, message.data).map_err(bad)?;
-        if table.is_none() {
+        if rows == 0 {
             columns = row.len();
-            table = Some(match form {
-                TableForm::Csv => Box::new(csv_file::CsvTable::create(out, &row)?),
-                TableForm::Parquet => Box::new(parquet_file::ParquetTable::create(out, &row)?),
-            });
         }
         if row.len() != columns {
-            return Err(bad(format!("it has {} numbers, the first message has {columns}", row.len())));
+            let reason = format!("it has {} numbers, the first message has {columns}", row.len());
+            return Err(bad(reason).into());
         }
         rows += 1;
-        table.as_mut().map_or(Ok(()), |table| table.row(&row))
+        visit(&row)
     })?;
-    match table {
-        Some(table) => table.finish()?,
-        None => {
-            return Err(SessionError::Missing {
-                file: path.display().to_string(),
-                what: format!("messages on {topic}"),
-                advice: "`soilctl log info` lists its topics",
-            });
-        }
+    if rows == 0 {
+        let missing = SessionError::Missing {
+            file: path.display().to_string(),
+            what: format!("messages on {topic}"),
+            advice: "`soilctl log info` lists its topics",
+        };
+        return Err(missing.into());
     }
     Ok(Export { rows, columns, ending })
+}
+
+fn known(topic: &str) -> Result<(), SessionError> {
+    if TABLES.contains(&topic) {
+        return Ok(());
+    }
+    Err(SessionError::NoTable { topic: topic.to_owned(), known: TABLES.join(", ") })
+}
+
+fn write(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
+    let mut table: Option<Box<dyn Table>> = None;
+    let exported = table_rows(path, topic, &mut |row| -> Result<(), SessionError> {
+        match &mut table {
+            Some(table) => table.row(row),
+            None => {
+                let mut first: Box<dyn Table> = match form {
+                    TableForm::Csv => Box::new(csv_file::CsvTable::create(out, row)?),
+                    TableForm::Parquet => Box::new(parquet_file::ParquetTable::create(out, row)?),
+                };
+                first.row(row)?;
+                table = Some(first);
+                Ok(())
+            }
+        }
+    })?;
+    // There is none only if there were no rows, which is an error already.
+    table.map_or(Ok(()), Table::finish)?;
+    Ok(exported)
 }
 
 /// A file in the making beside the one that it becomes; it goes away unless it is kept.

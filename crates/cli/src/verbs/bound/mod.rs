@@ -64,7 +64,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     let scaled = Scaled::new(args)?;
     let problem = scaled.plate.problem()?;
     args.show.check()?;
-    let options = args.budget.options()?;
+    let options = args.budget.options(output)?;
     let progress = output.spinner("first mesh");
     let mut watch = Watch::default();
     let bounds = bound(&problem, &options, &mut |level, gap| {

@@ -6,8 +6,6 @@ mod show;
 mod why;
 
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
 pub(crate) use levels::{LevelAnswer, ended, level_table, note_doubts};
 pub(crate) use show::{ResultsAnswer, Show, Shown};
@@ -16,6 +14,7 @@ pub(crate) use why::Watch;
 
 use crate::args::finite;
 use crate::error::CliError;
+use crate::output::Output;
 
 /// When to stop, and what may be spent.
 #[derive(Debug, clap::Args)]
@@ -51,14 +50,14 @@ pub(crate) struct Budget {
 
 impl Budget {
     /// The same for the solver; Ctrl-C ends the run with the best bounds so far.
-    pub(crate) fn options(&self) -> Result<Options, CliError> {
+    pub(crate) fn options(&self, output: &Output) -> Result<Options, CliError> {
         if let Some(dir) = self.dump.as_ref().filter(|dir| !dir.is_dir()) {
             return Err(CliError::Usage(format!(
                 "--dump is {}, which is no folder; make it first, or leave the option out",
                 dir.display()
             )));
         }
-        let options = Options {
+        Ok(Options {
             max_gap: self.max_gap,
             max_seconds: self.max_seconds,
             max_elements: self.max_elements as usize,
@@ -66,12 +65,8 @@ impl Budget {
             threads: self.threads as usize,
             segments: self.segments.map(|n| n as usize),
             dump: self.dump.clone(),
-            ..Options::default()
-        };
-        let stop = Arc::clone(&options.stop);
-        // A second handler cannot be set; then Ctrl-C just ends the program.
-        let _ = ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed));
-        Ok(options)
+            stop: output.interrupt(),
+        })
     }
 }
 

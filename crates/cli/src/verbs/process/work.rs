@@ -1,8 +1,7 @@
 //! All logs, several at a time. What is found does not depend on how many.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 
 use indicatif::ProgressStyle;
@@ -50,12 +49,7 @@ pub(super) fn process(inputs: &Inputs, output: &Output) -> Result<Done, CliError
     if reused > 0 {
         output.note(&format!("{reused} logs are as they were and are not read again"));
     }
-    let stop = Arc::new(AtomicBool::new(false));
-    if manifest.is_some() {
-        let stop = Arc::clone(&stop);
-        // Without a handler Ctrl-C ends the program, which loses nothing either.
-        let _ = ctrlc::set_handler(move || stop.store(true, Ordering::Relaxed));
-    }
+    let stop = output.interrupt_keeping(manifest.is_some());
     let bar = output.progress(inputs.logs.len() as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} logs, {eta} left") {
         bar.set_style(style);

@@ -4,8 +4,6 @@ mod answer;
 mod progress;
 
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use soilctl_campaign::{Options, Plan, simulate};
 use soilctl_effects::ModelFile;
@@ -56,10 +54,8 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         seed: args.seed.unwrap_or(plan.file().seed),
         threads: args.threads.map_or_else(cores, |threads| threads as usize),
     };
-    let stop = Arc::new(AtomicBool::new(false));
-    let stopped = Arc::clone(&stop);
-    // Without a handler Ctrl-C ends the program, and what is finished stays all the same.
-    let _ = ctrlc::set_handler(move || stopped.store(true, Ordering::Relaxed));
+    // What is finished stays.
+    let stop = output.interrupt();
     let progress = Progress::new(output, &plan);
     let report = simulate(
         &plan,

@@ -51,7 +51,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         return Ok(Outcome::Done);
     }
     args.show.check()?;
-    let options = args.budget.options()?;
+    let options = args.budget.options(output)?;
     if description.objective == (Aim::StrengthReduction {}) {
         return safety::run(args, &description, &options, output);
     }

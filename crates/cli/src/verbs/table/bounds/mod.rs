@@ -8,8 +8,6 @@ mod solve;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use soilctl_earth_pressure::table::{BracketRow, BracketRules, BracketTable};
 
@@ -165,13 +163,11 @@ fn run(
             .map_err(|problem| CliError::File { path: folder.display().to_string(), problem })?;
     }
     let mut journal = Journal::open(out, header, &entries)?;
-    let stop = Arc::new(AtomicBool::new(false));
-    let stopped = Arc::clone(&stop);
-    // A second handler cannot be set; then Ctrl-C just ends the program, and the journal keeps what is done.
-    let _ = ctrlc::set_handler(move || stopped.store(true, Ordering::Relaxed));
+    // The journal keeps what is done.
+    let stop = output.interrupt();
     let mut watch = cost.watch(todo, args.threads());
     let progress = output.spinner("first cases");
-    let solver = Solver { rules: header.rules, save: args.save.as_deref(), stop: Arc::clone(&stop) };
+    let solver = Solver { rules: header.rules, save: args.save.as_deref(), stop };
     let before = entries.len();
     solver.solve(todo, args.threads(), |entry| {
         journal.add(&entry)?;

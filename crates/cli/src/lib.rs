@@ -1,0 +1,103 @@
+//! `soilctl`: from the force at which a plate fails soil to the soil's friction angle and density.
+//!
+//! The program and the command that the Python package installs are both [`run`]; [`answer`] gives other programs the
+//! same answers without a process of their own.
+
+mod args;
+mod error;
+mod finite;
+mod output;
+mod text;
+mod verbs;
+
+use std::ffi::OsString;
+use std::io::Write;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use clap::Parser;
+
+use crate::args::Cli;
+use crate::output::Output;
+use crate::verbs::Outcome;
+
+/// Runs the command line `args`, the program's name first; answers go to standard output, all else to standard error.
+///
+/// Exit codes, here and nowhere else: 0 done; 1 done, and the answer is negative; 2 wrong usage or bad input; 3 done
+/// in part.
+pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
+    let code = exit_code(args);
+    // A host program that is not written in Rust does not do it; a closed pipe changes no exit code.
+    let _ = std::io::stdout().flush();
+    code
+}
+
+fn exit_code(args: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(args) {
+        Ok(cli) => cli,
+        Err(usage) => {
+            // Help and version are an answer (0), anything else is wrong usage (2); a closed pipe changes neither.
+            let _ = usage.print();
+            return if usage.use_stderr() { 2 } else { 0 };
+        }
+    };
+    let mut output = Output::new(cli.format, cli.quiet);
+    match cli.verb.run(&mut output) {
+        Ok(outcome) => code(outcome),
+        Err(error) if error.is_broken_pipe() => 0,
+        Err(error) => {
+            output.error(&error);
+            2
+        }
+    }
+}
+
+const fn code(outcome: Outcome) -> u8 {
+    match outcome {
+        Outcome::Done => 0,
+        Outcome::Negative => 1,
+        Outcome::Partial => 3,
+    }
+}
+
+/// What a command line answered.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Answered {
+    /// The exit code that [`run`] would have given: 0, 1 or 3.
+    pub exit_code: u8,
+    /// The answer, as `--format json` prints it; empty for verbs that print no JSON.
+    pub json: String,
+}
+
+/// Why a command line has no answer, with the message that [`run`] would have printed.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Refused {
+    /// Wrong usage, bad input, or no answer exists.
+    #[error("{0}")]
+    Input(String),
+    /// A file that cannot be read or written.
+    #[error("{0}")]
+    File(String),
+}
+
+/// The JSON answer to the command line `args`, the program's name first; nothing is printed.
+///
+/// Setting `stop` ends long work with what there is, as Ctrl-C does in the program.
+///
+/// # Errors
+/// [`Refused`] where [`run`] would have given exit code 2.
+pub fn answer(args: impl IntoIterator<Item = OsString>, stop: Arc<AtomicBool>) -> Result<Answered, Refused> {
+    let cli = Cli::try_parse_from(args).map_err(|usage| Refused::Input(usage.render().to_string()))?;
+    if !cli.verb.is_one_answer() {
+        return Err(Refused::Input(
+            "this verb talks to its user or runs until it is ended; use the command soilctl".into(),
+        ));
+    }
+    let mut output = Output::kept(stop);
+    let outcome = cli.verb.run(&mut output).map_err(|error| match error.is_of_a_file() {
+        true => Refused::File(error.to_string()),
+        false => Refused::Input(error.to_string()),
+    })?;
+    let json = String::from_utf8_lossy(&output.into_kept()).into_owned();
+    Ok(Answered { exit_code: code(outcome), json })
+}

@@ -1,0 +1,182 @@
+"""The answers of the command line, as dicts."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import tempfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from ._native import Certificate, Solution, answer_command
+from .errors import InputError, InputTypeError
+
+_Path = str | os.PathLike[str]
+
+
+def answer(*words: object) -> dict[str, Any]:
+    """The JSON answer of a command line, without a process of its own: ``answer("shear", "points.csv")``.
+
+    Everything that the command ``soilctl`` can do can be had this way, and the answer is that of ``--format json``; its
+    form is described by the JSON schema that its key ``schema`` names. Ctrl-C ends long work.
+
+    Args:
+        words: The words of the command line after ``soilctl``; numbers and paths are turned into text.
+
+    Returns:
+        The answer, with the key ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: Where the command would have exited with 2; the message is the same. Also for ``run`` and ``console``,
+            which talk to their user.
+        FileError: If a file cannot be read or written.
+    """
+    line = ["soilctl", *(os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words)]
+    exit_code, text = answer_command(line)
+    found: dict[str, Any] = json.loads(text) if text else {}
+    return {**found, "exit_code": exit_code}
+
+
+def certify(solution: Solution | _Path) -> Certificate:
+    """Proves the bounds of a saved solution anew, with interval arithmetic and without the solver.
+
+    Args:
+        solution: A solution, or the path of one.
+
+    Raises:
+        FileError: If the file cannot be read.
+        InputError: If it is no solution.
+    """
+    return (solution if isinstance(solution, Solution) else Solution.read(solution)).certify()
+
+
+def diagnose(folder: _Path, *, model: str = "table", out: _Path | None = None) -> dict[str, Any]:
+    """Where model and measurement disagree, which effect is missing, and the gap after it is added.
+
+    Args:
+        folder: Holds ``strokes.csv`` and, beside it, ``campaign.json``.
+        model: Force model without effects, one of ``soilctl.MODELS``.
+        out: Folder for ``patch.json``, ``predictions.csv``, ``next_experiment.csv`` and ``report.html``; by default
+            ``diagnosis`` in ``folder``.
+
+    Returns:
+        The answer of ``soilctl diagnose``.
+
+    Raises:
+        InputError: If the table has errors; the message names file and line.
+        FileError: If a file cannot be read or written.
+    """
+    return answer("diagnose", folder, "--model", model, *_option("--out", out))
+
+
+def shear(
+    points: _Path | Mapping[str, Iterable[Any]],
+    *,
+    soils: Iterable[str] = (),
+    stress_pa: Iterable[float] = (),
+    fit_limit_pa: float | None = None,
+) -> dict[str, Any]:
+    """The friction angle of direct-shear tests against normal stress: a power law, a slope on a floor, a constant.
+
+    Args:
+        points: A CSV file, or columns (a dict of sequences of one length, or a ``pandas.DataFrame``) with the names
+            ``friction_angle_deg``, ``normal_stress_pa`` or ``normal_stress_psi`` and, if there are several, ``soil``.
+        soils: Only these; all if there are none.
+        stress_pa: Normal stresses at which the angle is asked for.
+        fit_limit_pa: The power law is fitted to the loads below; 17237 if not given.
+
+    Returns:
+        The answer of ``soilctl shear``.
+
+    Raises:
+        InputError: If the points make no sense, or columns differ in length.
+        InputTypeError: If points are neither a path nor columns.
+        FileError: If the file cannot be read.
+    """
+    words: list[object] = [*_option("--fit-limit", fit_limit_pa)]
+    for soil in soils:
+        words += ["--soil", soil]
+    for stress in stress_pa:
+        words += ["--stress", float(stress)]
+    if isinstance(points, (str, os.PathLike)):
+        return answer("shear", points, *words)
+    if not isinstance(points, Mapping) and not hasattr(points, "columns"):
+        raise InputTypeError(f"points is of type {type(points).__name__}; it must be a path or columns by name")
+    columns = {str(name): list(points[name]) for name in points}
+    lengths = {name: len(column) for name, column in columns.items()}
+    if len(set(lengths.values())) > 1:
+        raise InputError(f"columns differ in length: {lengths}")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "points.csv")
+        with path.open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(columns)
+            writer.writerows(zip(*columns.values(), strict=True))
+        return answer("shear", path, *words)
+
+
+def simulate(
+    plan: _Path,
+    *,
+    out: _Path,
+    seed: int | None = None,
+    threads: int | None = None,
+    model_file: _Path | None = None,
+) -> dict[str, Any]:
+    """Runs a campaign on the simulated arm and soil, a log for each batch.
+
+    Batches that are there already are not run again, so that the same call goes on after Ctrl-C. The same plan and seed
+    give the same bytes for any number of threads.
+
+    Args:
+        plan: A campaign plan (.toml).
+        out: Folder for the logs; made if it is not there.
+        seed: Of noise and scatter; that of the plan if not given.
+        threads: Batches that run at a time; all cores if not given.
+        model_file: Replaces soil, force model and effects of the plan.
+
+    Returns:
+        The answer of ``soilctl simulate``.
+
+    Raises:
+        InputError: If the plan makes no sense; the message says where.
+        FileError: If a file cannot be read or written.
+    """
+    options = {"--out": out, "--seed": seed, "--threads": threads, "--model-file": model_file}
+    return answer("simulate", plan, *(word for option in options.items() for word in _option(*option)))
+
+
+def process(
+    logs: _Path | Iterable[_Path],
+    *,
+    out: _Path | None = None,
+    threads: int | None = None,
+    report: _Path | None = None,
+    options: Iterable[object] = (),
+) -> dict[str, Any]:
+    """Failure forces of the strokes in logs, and what they say together.
+
+    Args:
+        logs: A log (.mcap), a folder with logs, or several.
+        out: Stroke table to write (.csv or .parquet), with which the same call reads only what is new.
+        threads: Logs that are read at a time; all cores if not given.
+        report: One HTML page to write.
+        options: Further words of the command line, such as ``["--urdf", "arm.urdf", "--surface-z", -0.33]``.
+
+    Returns:
+        The answer of ``soilctl process``.
+
+    Raises:
+        InputError: If no log can be used, or an option makes no sense.
+        FileError: If a file cannot be read or written.
+    """
+    paths = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
+    named = {"--out": out, "--threads": threads, "--report": report}
+    words = [word for option in named.items() for word in _option(*option)]
+    return answer("process", *paths, *words, *options)
+
+
+def _option(name: str, value: object) -> tuple[object, ...]:
+    return () if value is None else (name, value)

@@ -1,0 +1,326 @@
+//! Saved solutions: their proofs, and what their fields show.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use soilctl_certificate::{CertificateError, Solution as Saved, prove_lower, prove_upper};
+use soilctl_limit_analysis::results::{FlowResults, MOVING, StressResults, Units, write_vtu};
+
+use crate::array::{Array, shaped};
+use crate::error::{Answer, Fail, file, input, kinds, no_answer};
+use crate::work::each;
+
+/// A lower and an upper bound with the fields that prove them.
+///
+/// Lengths are in units of ``length_m``, stresses of ``stress_pa``, velocities of the structure's.
+#[pyclass(module = "soilctl", frozen)]
+pub(crate) struct Solution {
+    saved: Arc<Saved>,
+}
+
+impl Solution {
+    pub(crate) const fn of(saved: Arc<Saved>) -> Self {
+        Self { saved }
+    }
+
+    fn flow(&self) -> Answer<FlowResults> {
+        match &self.saved.upper {
+            Some(claim) => Ok(FlowResults::new(&self.saved.statement, &claim.field)?),
+            None => Err(no_answer("the solution has no upper bound, so it shows no flow")),
+        }
+    }
+
+    fn stress_field(&self) -> Answer<StressResults> {
+        match &self.saved.lower {
+            Some(claim) => Ok(StressResults::new(&self.saved.statement, &claim.field)?),
+            None => Err(no_answer("the solution has no lower bound, so it shows no stresses")),
+        }
+    }
+}
+
+#[pymethods]
+impl Solution {
+    /// A solution from a file that ``write`` or ``soilctl bound --save`` has written.
+    ///
+    /// Raises:
+    ///     FileError: If the file cannot be read.
+    ///     InputError: If it is no solution.
+    #[staticmethod]
+    fn read(path: PathBuf) -> Answer<Self> {
+        Ok(Self { saved: Arc::new(Saved::read(&path)?) })
+    }
+
+    /// Writes a file for ``read`` and ``soilctl certify``.
+    ///
+    /// Raises:
+    ///     FileError: If it cannot be written.
+    fn write(&self, path: PathBuf) -> Answer<()> {
+        Ok(self.saved.write(&path)?)
+    }
+
+    /// Proves both bounds anew, with interval arithmetic and without the solver.
+    fn certify(&self, py: Python<'_>) -> Certificate {
+        py.detach(|| Certificate::of(&self.saved))
+    }
+
+    /// What the problem is, in words; None if the file does not say.
+    #[getter]
+    fn description(&self) -> Option<&str> {
+        self.saved.scale.description.as_deref()
+    }
+
+    /// One unit of length in m; None if the file does not say.
+    #[getter]
+    fn length_m(&self) -> Option<f64> {
+        self.saved.scale.length_m
+    }
+
+    /// One unit of stress in Pa; None if the file does not say.
+    #[getter]
+    fn stress_pa(&self) -> Option<f64> {
+        Some(self.saved.scale.length_m? * self.saved.scale.unit_weight_n_per_m3?)
+    }
+
+    /// Corners of the triangles of a bound's mesh, counter-clockwise, shape (n, 3, 2).
+    ///
+    /// Args:
+    ///     bound: ``"upper"`` or ``"lower"``: each has a mesh of its own.
+    ///
+    /// Raises:
+    ///     NoAnswerError: If the solution has no such bound.
+    #[pyo3(signature = (bound = "upper"))]
+    fn triangles<'py>(&self, py: Python<'py>, bound: &str) -> Answer<Bound<'py, PyAny>> {
+        let triangles = match bound {
+            "upper" => self.flow()?.triangles().to_vec(),
+            "lower" => self.stress_field()?.triangles().to_vec(),
+            _ => return Err(input(format!("bound is {bound:?}; it must be \"upper\" or \"lower\""))),
+        };
+        shaped(py, triangles.iter().flatten().flatten().copied().collect(), &[triangles.len(), 3, 2])
+    }
+
+    /// Velocities of the upper bound at points of shape (..., 2), in units of the structure's, same shape.
+    ///
+    /// Raises:
+    ///     NoAnswerError: If a point is outside the soil, or there is no upper bound.
+    fn velocity<'py>(&self, py: Python<'py>, points: &Bound<'py, PyAny>) -> Answer<Bound<'py, PyAny>> {
+        let (points, mut shape) = Array::new("points", points)?.rows::<2>("x, y")?;
+        let flow = self.flow()?;
+        let all = each(py, &shape, |i| flow.velocity(points[i]).ok_or(Outside(points[i])))?;
+        shape.push(2);
+        shaped(py, all.concat(), &shape)
+    }
+
+    /// Total stresses ``xx, yy, xy`` of the lower bound at points of shape (..., 2), tension positive, shape (..., 3).
+    ///
+    /// Raises:
+    ///     NoAnswerError: If a point is outside the soil, or there is no lower bound.
+    fn stress<'py>(&self, py: Python<'py>, points: &Bound<'py, PyAny>) -> Answer<Bound<'py, PyAny>> {
+        let (points, mut shape) = Array::new("points", points)?.rows::<2>("x, y")?;
+        let stress = self.stress_field()?;
+        let all = each(py, &shape, |i| stress.stress(points[i]).ok_or(Outside(points[i])))?;
+        shape.push(3);
+        shaped(py, all.concat(), &shape)
+    }
+
+    /// Greatest shear strain rate of each triangle of the upper bound (velocity over length), shape (n,).
+    ///
+    /// Raises:
+    ///     NoAnswerError: If there is no upper bound.
+    fn shear_rate<'py>(&self, py: Python<'py>) -> Answer<Bound<'py, PyAny>> {
+        let rates = self.flow()?.shear_rate();
+        let mean = rates.iter().map(|pieces| pieces.iter().sum::<f64>() / pieces.len().max(1) as f64);
+        shaped(py, mean.collect(), &[rates.len()])
+    }
+
+    /// The boundary of the soil that moves: a list of lines, each of shape (n, 2).
+    ///
+    /// Raises:
+    ///     NoAnswerError: If there is no upper bound.
+    fn failure_surface<'py>(&self, py: Python<'py>) -> Answer<Vec<Bound<'py, PyAny>>> {
+        let lines = self.flow()?.failure_surface(MOVING);
+        lines.into_iter().map(|line| shaped(py, line.concat(), &[line.len(), 2])).collect()
+    }
+
+    /// Stresses between structure and soil, of the lower bound: one dict a face, with the arrays ``arc``, ``points``,
+    /// ``pressure`` and ``shear``, two entries an edge of the mesh.
+    ///
+    /// Raises:
+    ///     NoAnswerError: If there is no lower bound.
+    fn contacts<'py>(&self, py: Python<'py>) -> Answer<Vec<Bound<'py, PyDict>>> {
+        let contacts = self.stress_field()?.contacts();
+        let faces = contacts.iter().map(|contact| -> Answer<_> {
+            let count = contact.points.len();
+            let dict = PyDict::new(py);
+            let column = |of: fn(&soilctl_limit_analysis::results::ContactPoint) -> f64| {
+                shaped(py, contact.points.iter().map(of).collect(), &[count])
+            };
+            dict.set_item("arc", column(|p| p.arc)?)?;
+            dict.set_item("pressure", column(|p| p.pressure)?)?;
+            dict.set_item("shear", column(|p| p.shear)?)?;
+            let at = contact.points.iter().flat_map(|p| p.at).collect();
+            dict.set_item("points", shaped(py, at, &[count, 2])?)?;
+            Ok(dict)
+        });
+        faces.collect()
+    }
+
+    /// The solution in ParaView's format: velocities, stresses, dissipation, soil.
+    ///
+    /// Raises:
+    ///     NoAnswerError: If there is neither an upper nor a lower bound.
+    fn vtu(&self) -> Answer<String> {
+        let flow = self.saved.upper.is_some().then(|| self.flow()).transpose()?;
+        let stress = self.saved.lower.is_some().then(|| self.stress_field()).transpose()?;
+        let (length, pressure) = (self.saved.scale.length_m, self.stress_pa());
+        let units = Units {
+            origin: [0.0; 2],
+            length: length.unwrap_or(1.0),
+            length_name: length.map_or("L", |_| "m").to_owned(),
+            stress: pressure.map_or(1.0, |p| 1e-3 * p),
+            stress_name: pressure.map_or("γL", |_| "kPa").to_owned(),
+        };
+        Ok(write_vtu(flow.as_ref(), stress.as_ref(), &units)?)
+    }
+
+    fn __repr__(&self) -> String {
+        let claims =
+            [self.saved.lower.as_ref().map(|c| c.claimed), self.saved.upper.as_ref().map(|c| c.claimed)];
+        let [lower, upper] = claims.map(or_none);
+        format!("Solution(lower={lower}, upper={upper})")
+    }
+
+    /// The mesh of the upper bound; the faster the soil moves, the darker.
+    fn _repr_svg_(&self) -> Answer<String> {
+        let flow = self.flow()?;
+        let corners = || flow.triangles().iter().flatten();
+        let end =
+            |axis: usize, start: f64, pick: fn(f64, f64) -> f64| corners().map(|p| p[axis]).fold(start, pick);
+        let (left, right) = (end(0, f64::INFINITY, f64::min), end(0, f64::NEG_INFINITY, f64::max));
+        let (low, high) = (end(1, f64::INFINITY, f64::min), end(1, f64::NEG_INFINITY, f64::max));
+        let scale = 640.0 / (right - left).max(f64::MIN_POSITIVE);
+        let speed = flow.speed().max(f64::MIN_POSITIVE);
+        let mut svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 {:.1}\" width=\"640\" stroke=\"#555\" \
+             stroke-width=\"0.3\">",
+            scale * (high - low)
+        );
+        for triangle in flow.triangles() {
+            let middle = [0, 1].map(|axis| triangle.iter().map(|p| p[axis]).sum::<f64>() / 3.0);
+            let moves = flow.velocity(middle).map_or(0.0, |[x, y]| x.hypot(y) / speed).clamp(0.0, 1.0);
+            let [red, green] = [255.0 - 185.0 * moves, 255.0 - 125.0 * moves];
+            let points =
+                triangle.map(|[x, y]| format!("{:.1},{:.1}", scale * (x - left), scale * (high - y)));
+            // Writing into a string cannot fail.
+            let _ = write!(svg, "<path d=\"M{}Z\" fill=\"rgb({red:.0},{green:.0},255)\"/>", points.join("L"));
+        }
+        Ok(svg + "</svg>")
+    }
+}
+
+/// A number as Python shows it.
+fn or_none(value: Option<f64>) -> String {
+    value.map_or_else(|| "None".to_owned(), |value| value.to_string())
+}
+
+/// A point without soil.
+struct Outside([f64; 2]);
+
+impl std::fmt::Display for Outside {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "the point {:?} is outside the soil", self.0)
+    }
+}
+
+impl From<Outside> for Fail {
+    fn from(problem: Outside) -> Self {
+        no_answer(problem)
+    }
+}
+
+/// What a solution proves, whatever it claims.
+#[pyclass(module = "soilctl", frozen, get_all)]
+pub(crate) struct Certificate {
+    /// Whether every claim is proven.
+    certified: bool,
+    /// Claimed lower bound, in the units of the solution; None if there is none.
+    lower_claimed: Option<f64>,
+    /// Proven lower bound; None if the field proves nothing.
+    lower_proven: Option<f64>,
+    /// Why the field proves no lower bound.
+    lower_refusal: Option<String>,
+    /// Claimed upper bound; None if there is none.
+    upper_claimed: Option<f64>,
+    /// Proven upper bound; None if the field proves nothing.
+    upper_proven: Option<f64>,
+    /// Why the field proves no upper bound.
+    upper_refusal: Option<String>,
+}
+
+impl Certificate {
+    fn of(saved: &Saved) -> Self {
+        let split = |proof: Option<Result<f64, CertificateError>>| match proof {
+            Some(Ok(proven)) => (Some(proven), None),
+            Some(Err(why)) => (None, Some(why.to_string())),
+            None => (None, None),
+        };
+        let statement = &saved.statement;
+        let lower_claimed = saved.lower.as_ref().map(|claim| claim.claimed);
+        let upper_claimed = saved.upper.as_ref().map(|claim| claim.claimed);
+        let (lower_proven, lower_refusal) =
+            split(saved.lower.as_ref().map(|claim| prove_lower(statement, &claim.field)));
+        let (upper_proven, upper_refusal) =
+            split(saved.upper.as_ref().map(|claim| prove_upper(statement, &claim.field)));
+        let lower = lower_claimed.is_none_or(|claimed| lower_proven.is_some_and(|proven| claimed <= proven));
+        let upper = upper_claimed.is_none_or(|claimed| upper_proven.is_some_and(|proven| claimed >= proven));
+        let any = lower_claimed.is_some() || upper_claimed.is_some();
+        Self {
+            certified: any && lower && upper,
+            lower_claimed,
+            lower_proven,
+            lower_refusal,
+            upper_claimed,
+            upper_proven,
+            upper_refusal,
+        }
+    }
+}
+
+#[pymethods]
+impl Certificate {
+    fn __bool__(&self) -> bool {
+        self.certified
+    }
+
+    fn __repr__(&self) -> String {
+        let certified = if self.certified { "True" } else { "False" };
+        let [lower, upper] = [self.lower_proven, self.upper_proven].map(or_none);
+        format!("Certificate(certified={certified}, lower_proven={lower}, upper_proven={upper})")
+    }
+
+    fn _repr_html_(&self) -> String {
+        let row = |name: &str, claimed: Option<f64>, proven: Option<f64>, why: &Option<String>| {
+            let proven =
+                why.clone().unwrap_or_else(|| or_none(proven)).replace('&', "&amp;").replace('<', "&lt;");
+            format!("<tr><th>{name}</th><td>{}</td><td>{proven}</td></tr>", or_none(claimed))
+        };
+        let verdict = if self.certified { "certified" } else { "not certified" };
+        format!(
+            "<table><caption>{verdict}</caption><tr><th></th><th>claimed</th><th>proven</th></tr>{}{}</table>",
+            row("lower", self.lower_claimed, self.lower_proven, &self.lower_refusal),
+            row("upper", self.upper_claimed, self.upper_proven, &self.upper_refusal),
+        )
+    }
+}
+
+impl From<CertificateError> for Fail {
+    fn from(problem: CertificateError) -> Self {
+        match problem {
+            CertificateError::File { .. } => file(problem),
+            CertificateError::Format { .. } | CertificateError::Schema { .. } => input(problem),
+            _ => Self(kinds::ProofError::new_err(problem.to_string())),
+        }
+    }
+}

@@ -1,0 +1,349 @@
+//! From measured failure forces to every soil that could have produced them.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use soilctl_earth_pressure::{EarthPressureError, ForceModel, Loads};
+use soilctl_estimator::{
+    Conflict, Estimate as Found, EstimatorError, Fit, Observation, Setup, StrokeMenu, agreement_factor,
+    bands, best_fit, conflict, estimate as find, next_strokes, section,
+};
+use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2};
+
+use crate::array::{Array, Column, common_shape};
+use crate::earth_pressure::known;
+use crate::error::{Answer, Fail, input, no_answer};
+use crate::region::{boundary_table, geojson, html, svg};
+
+/// Everything that an estimate starts from.
+struct Known {
+    model: Arc<dyn ForceModel>,
+    observations: Vec<Observation>,
+    delta_deg: (f64, f64),
+    density_kg_m3: Option<(f64, f64)>,
+    phi_search_deg: Option<(f64, f64)>,
+    gravity_m_s2: f64,
+    loads: Loads,
+}
+
+impl Known {
+    fn setup(&self) -> Setup<'_> {
+        Setup {
+            model: self.model.as_ref(),
+            observations: self.observations.clone(),
+            delta_deg: self.delta_deg,
+            density_kg_m3: self.density_kg_m3,
+            phi_search_deg: self.phi_search_deg,
+            gravity_m_s2: self.gravity_m_s2,
+            loads: self.loads,
+        }
+    }
+}
+
+/// Every soil that could have produced the measurements.
+///
+/// The region encloses the consistent soils: its boundary lies outside of the true one by at most 0.03 % in density.
+#[pyclass(module = "soilctl", frozen)]
+pub(crate) struct Estimate {
+    known: Known,
+    found: Found,
+    conflict: Conflict,
+    fit: Option<Fit>,
+}
+
+#[pymethods]
+impl Estimate {
+    /// Whether any soil is consistent with all measurements.
+    #[getter]
+    fn consistent(&self) -> bool {
+        self.found.is_consistent()
+    }
+
+    /// Least and greatest friction angle in degrees; None if no soil is consistent.
+    #[getter]
+    fn friction_angle_deg(&self) -> Option<(f64, f64)> {
+        self.found.phi_deg.map(Into::into)
+    }
+
+    /// Least and greatest bulk density in kg/m3; None if no soil is consistent.
+    #[getter]
+    fn density_kg_m3(&self) -> Option<(f64, f64)> {
+        self.found.density_kg_m3.map(Into::into)
+    }
+
+    /// Area of the region in deg kg/m3.
+    #[getter]
+    fn area(&self) -> f64 {
+        self.found.region.area()
+    }
+
+    /// Whether a limit of the search rather than a measurement cuts the region, so that it may be larger.
+    #[getter]
+    fn cut_by_search(&self) -> bool {
+        self.found.limits.any()
+    }
+
+    /// The soil that fits best: a dict of friction angle, density, interface friction and misfit; None if there is none.
+    #[getter]
+    fn best_fit<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(fit) = &self.fit else { return Ok(None) };
+        let dict = PyDict::new(py);
+        dict.set_item("friction_angle_deg", fit.phi_deg)?;
+        dict.set_item("density_kg_m3", fit.density_kg_m3)?;
+        dict.set_item("interface_friction_deg", fit.delta_deg)?;
+        dict.set_item("misfit", fit.misfit)?;
+        Ok(Some(dict))
+    }
+
+    /// What breaks the consistency, by the places of measurements: ``culprits`` without which all others agree, ``pairs``
+    /// that no soil explains together, and those that none explains ``alone``.
+    #[getter]
+    fn conflict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        dict.set_item("culprits", &self.conflict.culprits)?;
+        dict.set_item("pairs", &self.conflict.pairs)?;
+        dict.set_item("alone", &self.conflict.alone)?;
+        Ok(dict)
+    }
+
+    /// Factor by which all force intervals must grow (or, below 1, may shrink) until the measurements only just agree; None
+    /// if ten times the uncertainty is not enough.
+    fn agreement_factor(&self, py: Python<'_>) -> Answer<Option<f64>> {
+        Ok(py.detach(|| agreement_factor(&self.known.setup()))?)
+    }
+
+    /// Whether a soil, whatever its interface friction, is consistent.
+    ///
+    /// Raises:
+    ///     InputError: If a number is not finite.
+    fn contains(&self, friction_angle_deg: f64, density_kg_m3: f64) -> Answer<bool> {
+        finite("friction_angle_deg", friction_angle_deg)?;
+        finite("density_kg_m3", density_kg_m3)?;
+        Ok(self.found.region.contains([friction_angle_deg, density_kg_m3]))
+    }
+
+    /// The region as a GeoJSON geometry (MultiPolygon) with x the friction angle in degrees and y the density in kg/m3.
+    #[getter]
+    fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        geojson(py, &self.found.region)
+    }
+
+    /// The consistent soils at one interface friction, as a GeoJSON geometry like ``__geo_interface__``.
+    ///
+    /// Args:
+    ///     interface_friction_deg: Within the interval that the estimate was made for, or any that the model covers.
+    ///
+    /// Raises:
+    ///     InputError: If the angle is out of range.
+    fn section<'py>(&self, py: Python<'py>, interface_friction_deg: f64) -> Answer<Bound<'py, PyDict>> {
+        let region = py.detach(|| section(&self.known.setup(), interface_friction_deg))?;
+        Ok(geojson(py, &region)?)
+    }
+
+    /// What each measurement alone would allow at one interface friction: GeoJSON geometries in the order of the
+    /// measurements.
+    ///
+    /// Raises:
+    ///     InputError: If the angle is out of range.
+    fn bands<'py>(&self, py: Python<'py>, interface_friction_deg: f64) -> Answer<Vec<Bound<'py, PyDict>>> {
+        let found = py.detach(|| bands(&self.known.setup(), interface_friction_deg))?;
+        found.iter().map(|region| Ok(geojson(py, region)?)).collect()
+    }
+
+    /// Strokes that would shrink the region most, the best first: dicts of ``tool_angle_deg``, ``depth_m``, ``area_left``
+    /// (relative to now), ``friction_angle_width_deg``, ``density_width_kg_m3``, ``force_n`` and ``model``.
+    ///
+    /// Args:
+    ///     tool_angle_deg: Angles to consider, shape (n,).
+    ///     depth_m: Depths to consider, shape (m,).
+    ///     width_m: Width of the plate.
+    ///     force_scatter: Relative scatter of the force from stroke to stroke, one half width.
+    ///     depth_error_m: Uncertainty of the depth, one half width.
+    ///     force_limit_n: Greatest force of the arm; strokes above it are left out. None for any.
+    ///
+    /// Raises:
+    ///     NoAnswerError: If no soil is consistent, or there is nothing to choose from.
+    ///     InputError: If a number is out of its range.
+    #[pyo3(signature = (*, tool_angle_deg, depth_m, width_m, force_scatter = 0.05, depth_error_m = 0.0005, force_limit_n = None))]
+    #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    fn next_strokes<'py>(
+        &self,
+        py: Python<'py>,
+        tool_angle_deg: &Bound<'py, PyAny>,
+        depth_m: &Bound<'py, PyAny>,
+        width_m: f64,
+        force_scatter: f64,
+        depth_error_m: f64,
+        force_limit_n: Option<f64>,
+    ) -> Answer<Vec<Bound<'py, PyDict>>> {
+        let listed = |name, value| Array::new(name, value)?.values();
+        let menu = StrokeMenu {
+            tool_angles_deg: listed("tool_angle_deg", tool_angle_deg)?,
+            depths_m: listed("depth_m", depth_m)?,
+            width_m,
+            force_scatter,
+            depth_error_m,
+            force_limit_n,
+        };
+        let found = py.detach(|| next_strokes(&self.known.setup(), &self.found, &menu))?;
+        let dicts = found.iter().map(|stroke| -> PyResult<_> {
+            let dict = PyDict::new(py);
+            dict.set_item("tool_angle_deg", stroke.alpha_deg)?;
+            dict.set_item("depth_m", stroke.depth_m)?;
+            dict.set_item("area_left", stroke.area_left)?;
+            dict.set_item("friction_angle_width_deg", stroke.phi_width_deg)?;
+            dict.set_item("density_width_kg_m3", stroke.density_width_kg_m3)?;
+            dict.set_item("force_n", stroke.force_n)?;
+            dict.set_item("model", stroke.model)?;
+            Ok(dict)
+        });
+        Ok(dicts.collect::<PyResult<_>>()?)
+    }
+
+    /// The numbers as a dict.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        dict.set_item("consistent", self.consistent())?;
+        dict.set_item("friction_angle_deg", self.friction_angle_deg())?;
+        dict.set_item("density_kg_m3", self.density_kg_m3())?;
+        dict.set_item("area", self.area())?;
+        dict.set_item("cut_by_search", self.cut_by_search())?;
+        dict.set_item("best_fit", self.best_fit(py)?)?;
+        dict.set_item("conflict", self.conflict(py)?)?;
+        Ok(dict)
+    }
+
+    /// The boundary of the region as a pandas DataFrame: a row a corner, with the columns ``polygon``, ``ring`` (0 is the
+    /// outline, the others are holes), ``friction_angle_deg`` and ``density_kg_m3``.
+    ///
+    /// Raises:
+    ///     ImportError: If pandas is not installed.
+    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        boundary_table(py, &self.found.region)
+    }
+
+    fn __repr__(&self) -> String {
+        match (self.found.phi_deg, self.found.density_kg_m3) {
+            (Some([a, b]), Some([c, d])) => {
+                format!("Estimate(friction_angle_deg=({a:.3}, {b:.3}), density_kg_m3=({c:.1}, {d:.1}))")
+            }
+            _ => "Estimate(no soil is consistent)".to_owned(),
+        }
+    }
+
+    fn _repr_html_(&self) -> String {
+        html(&self.found.region)
+    }
+
+    /// The region; x is the friction angle, y the density.
+    fn _repr_svg_(&self) -> Option<String> {
+        svg(&self.found.region)
+    }
+}
+
+/// Every soil that could have produced measured failure forces.
+///
+/// Measurements are arrays of shape (n,), or numbers that hold for all of them.
+///
+/// Args:
+///     tool_angle_deg: Plate from the horizontal.
+///     depth_m: Vertical depth of the plate's lower edge.
+///     width_m: Width of the plate.
+///     force_n: Measured failure force.
+///     force_error_n: Half width of its interval.
+///     interface_friction_deg: Friction between soil and plate, known to lie between these two.
+///     surface_slope_deg: Slope of the ground.
+///     density_kg_m3: Bulk density, known to lie between these two; None if nothing is known.
+///     friction_search_deg: Friction angles to search between; None for 5 to 60, as far as the model reaches.
+///     model: Force model, one of ``soilctl.MODELS``.
+///     cohesion_pa, adhesion_pa, surcharge_pa, gravity_m_s2: Known.
+///
+/// Raises:
+///     InputError: If there is no measurement, a number is out of its range, or the model does not cover it.
+#[pyfunction]
+#[pyo3(signature = (
+    *, tool_angle_deg, depth_m, width_m, force_n, force_error_n, interface_friction_deg, surface_slope_deg = None,
+    density_kg_m3 = None, friction_search_deg = None, model = "table", cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
+    gravity_m_s2 = STANDARD_GRAVITY_M_S2,
+))]
+#[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
+pub(crate) fn estimate<'py>(
+    py: Python<'py>,
+    tool_angle_deg: &Bound<'py, PyAny>,
+    depth_m: &Bound<'py, PyAny>,
+    width_m: &Bound<'py, PyAny>,
+    force_n: &Bound<'py, PyAny>,
+    force_error_n: &Bound<'py, PyAny>,
+    interface_friction_deg: (f64, f64),
+    surface_slope_deg: Option<&Bound<'py, PyAny>>,
+    density_kg_m3: Option<(f64, f64)>,
+    friction_search_deg: Option<(f64, f64)>,
+    model: &str,
+    cohesion_pa: f64,
+    adhesion_pa: f64,
+    surcharge_pa: f64,
+    gravity_m_s2: f64,
+) -> Answer<Estimate> {
+    let alpha = Array::new("tool_angle_deg", tool_angle_deg)?;
+    let depth = Array::new("depth_m", depth_m)?;
+    let width = Array::new("width_m", width_m)?;
+    let force = Array::new("force_n", force_n)?;
+    let error = Array::new("force_error_n", force_error_n)?;
+    let beta = Array::or(py, "surface_slope_deg", surface_slope_deg, 0.0)?;
+    let shape = common_shape(&[&alpha, &depth, &width, &force, &error, &beta])?;
+    if shape.len() > 1 {
+        return Err(input(format!(
+            "measurements have shape {shape:?}; they must be numbers or have one axis"
+        )));
+    }
+    let column = |array| Column::new(array, &shape);
+    let (alpha, depth, width) = (column(&alpha)?, column(&depth)?, column(&width)?);
+    let (force, error, beta) = (column(&force)?, column(&error)?, column(&beta)?);
+    let observations = (0..shape.iter().product()).map(|i| -> Answer<Observation> {
+        let (alpha, beta) = (Angle::from_degrees(alpha.at(i)), Angle::from_degrees(beta.at(i)));
+        let plate = Plate::new(alpha, beta, depth.at(i), width.at(i))?;
+        Ok(Observation::new(i.to_string(), plate, force.at(i), error.at(i))?)
+    });
+    let observations = observations.collect::<Answer<Vec<_>>>()?;
+    if let Some((low, high)) = friction_search_deg {
+        finite("friction_search_deg[0]", low)?;
+        finite("friction_search_deg[1]", high)?;
+    }
+    let known = Known {
+        model: known(model)?,
+        observations,
+        delta_deg: interface_friction_deg,
+        density_kg_m3,
+        phi_search_deg: friction_search_deg,
+        gravity_m_s2,
+        loads: Loads { cohesion_pa, adhesion_pa, surcharge_pa },
+    };
+    let answer = py.detach(|| -> Result<Estimate, EstimatorError> {
+        let setup = known.setup();
+        let found = find(&setup)?;
+        let conflict = if found.is_consistent() { Conflict::default() } else { conflict(&setup)? };
+        let fit = best_fit(&setup, &found)?;
+        Ok(Estimate { known, found, conflict, fit })
+    });
+    Ok(answer?)
+}
+
+fn finite(name: &str, value: f64) -> Answer<()> {
+    match value.is_finite() {
+        true => Ok(()),
+        false => {
+            Err(input(format!("{name} is {}; it must be a finite number", value.to_string().to_lowercase())))
+        }
+    }
+}
+
+impl From<EstimatorError> for Fail {
+    fn from(problem: EstimatorError) -> Self {
+        match problem {
+            EstimatorError::TooLittle { .. }
+            | EstimatorError::Model { source: EarthPressureError::Singular { .. }, .. } => no_answer(problem),
+            _ => input(problem),
+        }
+    }
+}

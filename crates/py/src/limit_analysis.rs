@@ -1,0 +1,344 @@
+//! Proven bounds: plates and described problems.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use soilctl_certificate::{Claim, LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
+use soilctl_limit_analysis::describe::{Aim, Quantity};
+use soilctl_limit_analysis::{
+    Bound as Proven, Bounds, Description, DescriptionError, EmbeddedPlate, Ended, LimitError, Options,
+    Problem, SafetyBounds, bound as solve_bounds, factor_of_safety,
+};
+use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
+
+use crate::bracket::{Bracket, Progress, Proofs};
+use crate::earth_pressure::beyond;
+use crate::error::{Answer, Fail, file, input, kinds, no_answer};
+use crate::patient::patiently;
+
+/// Stands in for a size that was not given, so that the others are checked all the same.
+const ANY: f64 = 1.0;
+
+/// What may be spent, checked.
+fn options(
+    max_gap: f64,
+    max_seconds: f64,
+    max_elements: usize,
+    max_memory_mb: Option<u64>,
+    threads: usize,
+) -> Answer<Options> {
+    for (name, value) in [("max_gap", max_gap), ("max_seconds", max_seconds)] {
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(input(format!("{name} is {value}; it must be a finite number above 0")));
+        }
+    }
+    if !(1000..=1_000_000).contains(&max_elements) {
+        return Err(input(format!("max_elements is {max_elements}; it must be from 1000 to 1000000")));
+    }
+    if !(1..=1024).contains(&threads) {
+        return Err(input(format!("threads is {threads}; it must be from 1 to 1024")));
+    }
+    let max_memory_bytes = match max_memory_mb {
+        None => u64::MAX,
+        Some(mb) if mb >= 100 => mb.saturating_mul(1_000_000),
+        Some(mb) => return Err(input(format!("max_memory_mb is {mb}; it must be at least 100"))),
+    };
+    Ok(Options { max_gap, max_seconds, max_elements, max_memory_bytes, threads, ..Options::default() })
+}
+
+/// Runs the solver; `bracket` makes the answer, also of what there is when the user ends the run.
+fn run<B: Send>(
+    py: Python<'_>,
+    options: Options,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Options, &dyn Fn(Progress)) -> Result<B, LimitError> + Send,
+    bracket: impl Fn(&B) -> Bracket,
+) -> Answer<Bracket> {
+    let stop = Arc::clone(&options.stop);
+    let done = patiently(
+        py,
+        |report: &dyn Fn(Progress)| work(&options, report),
+        || stop.store(true, Ordering::Relaxed),
+        |level| match progress {
+            Some(progress) => progress.call1((level,)).map(|_| ()),
+            None => Ok(()),
+        },
+    )?;
+    match done.raised {
+        None => Ok(bracket(&done.answer?)),
+        Some(raised) if raised.is_instance_of::<PyKeyboardInterrupt>(py) => {
+            let best = done.answer.ok().map(|found| bracket(&found));
+            Err(Fail(kinds::Interrupted::new_err(("interrupted; the best bounds so far are in .best", best))))
+        }
+        Some(raised) => Err(Fail(raised)),
+    }
+}
+
+/// The same for a problem that both bounds are of.
+fn run_both(
+    py: Python<'_>,
+    problem: &Problem,
+    options: Options,
+    progress: Option<&Bound<'_, PyAny>>,
+    bracket: impl Fn(&Bounds) -> Bracket,
+) -> Answer<Bracket> {
+    let work = |options: &Options, report: &dyn Fn(Progress)| {
+        solve_bounds(problem, options, &mut |level, gap| {
+            report(Progress { elements: level.upper.elements, gap, factor: None });
+        })
+    };
+    run(py, options, progress, work, bracket)
+}
+
+fn saved(
+    statement: &Statement,
+    scale: Scale,
+    lower: Option<&Proven<LowerField>>,
+    upper: Option<&Proven<UpperField>>,
+) -> Arc<Saved> {
+    Arc::new(Saved {
+        schema: SCHEMA.to_owned(),
+        program: format!("soilctl {}", env!("CARGO_PKG_VERSION")),
+        statement: statement.clone(),
+        scale,
+        lower: lower.map(|bound| Claim { field: bound.field.clone(), claimed: bound.value }),
+        upper: upper.map(|bound| Claim { field: bound.field.clone(), claimed: bound.value }),
+    })
+}
+
+/// Proven bounds on the net force coefficient of an embedded plate, per slant length: ``K = 2 F / (gamma L^2 w)``.
+///
+/// Args:
+///     tool_angle_deg: Plate from the horizontal, 10 to 170.
+///     friction_angle_deg: Internal friction of the soil, above 0 and below 70.
+///     interface_friction_deg: Friction between soil and plate, at most that of the soil.
+///     surface_slope_deg: Slope of the ground, positive when it rises ahead of the plate.
+///     density_kg_m3: Bulk density; for forces, and with cohesion, adhesion or surcharge.
+///     depth_m: Vertical depth of the plate's lower edge; likewise.
+///     width_m: Width of the plate; for forces.
+///     cohesion_pa: Cohesion of the soil.
+///     adhesion_pa: Adhesion between soil and plate.
+///     surcharge_pa: Vertical pressure on the surface.
+///     gravity_m_s2: Gravity.
+///     max_gap: Gap at which to stop.
+///     max_seconds: Time that may be spent.
+///     max_elements: Most elements of a mesh.
+///     max_memory_mb: Memory that may be used: a mesh whose programs may need more is not made.
+///     threads: The bounds are the same for any number.
+///     progress: Called after each level with an object that has ``elements`` and ``gap``. If it raises, the run ends.
+///
+/// Raises:
+///     InputError: If a number is out of its range.
+///     NoAnswerError: If no pair of bounds was proven within the budget.
+///     Interrupted: At Ctrl-C; the best bounds so far are in its ``best``.
+#[pyfunction]
+#[pyo3(signature = (
+    *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = 0.0, density_kg_m3 = None,
+    depth_m = None, width_m = None, cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
+    gravity_m_s2 = STANDARD_GRAVITY_M_S2, max_gap = 0.01, max_seconds = 60.0, max_elements = 20000,
+    max_memory_mb = None, threads = 1, progress = None,
+))]
+#[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
+pub(crate) fn bound(
+    py: Python<'_>,
+    tool_angle_deg: f64,
+    friction_angle_deg: f64,
+    interface_friction_deg: f64,
+    surface_slope_deg: f64,
+    density_kg_m3: Option<f64>,
+    depth_m: Option<f64>,
+    width_m: Option<f64>,
+    cohesion_pa: f64,
+    adhesion_pa: f64,
+    surcharge_pa: f64,
+    gravity_m_s2: f64,
+    max_gap: f64,
+    max_seconds: f64,
+    max_elements: usize,
+    max_memory_mb: Option<u64>,
+    threads: usize,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> Answer<Bracket> {
+    let degrees = Angle::from_degrees;
+    let (depth, width, density) =
+        (depth_m.unwrap_or(ANY), width_m.unwrap_or(ANY), density_kg_m3.unwrap_or(ANY));
+    let plate = Plate::new(degrees(tool_angle_deg), degrees(surface_slope_deg), depth, width)?;
+    let soil = Soil::new(degrees(friction_angle_deg), density)?
+        .with_cohesion(cohesion_pa)?
+        .with_gravity(gravity_m_s2)?;
+    Interface::new(degrees(interface_friction_deg), adhesion_pa)?;
+    let (length_m, weight) = (plate.slant_length_m(), soil.unit_weight_n_m3());
+    let known = depth_m.is_some() && density_kg_m3.is_some();
+    for scale in [length_m * weight, plate.weight_scale_n(&soil)] {
+        if !(scale.is_finite() && scale > 0.0) {
+            return Err(beyond("", scale));
+        }
+    }
+    let stress = |name: &str, stress_pa: f64| match known || stress_pa == 0.0 {
+        true => Ok(stress_pa / (length_m * weight)),
+        false => Err(input(format!(
+            "{name} is {stress_pa} Pa, but how much that is depends on depth and density; give depth_m and density_kg_m3 too"
+        ))),
+    };
+    let embedded = EmbeddedPlate {
+        alpha_deg: tool_angle_deg,
+        beta_deg: surface_slope_deg,
+        phi_deg: friction_angle_deg,
+        delta_deg: interface_friction_deg,
+        cohesion: stress("cohesion_pa", cohesion_pa)?,
+        adhesion: stress("adhesion_pa", adhesion_pa)?,
+        surcharge: stress("surcharge_pa", surcharge_pa)?,
+    };
+    let problem = embedded.problem()?;
+    let newtons = (known && width_m.is_some()).then(|| plate.weight_scale_n(&soil));
+    let scale = Scale {
+        length_m: known.then_some(length_m),
+        unit_weight_n_per_m3: known.then_some(weight),
+        description: Some(format!(
+            "embedded plate: alpha {tool_angle_deg} deg, beta {surface_slope_deg} deg, phi {friction_angle_deg} deg, \
+             delta {interface_friction_deg} deg; the coefficient per slant length is the bound times 2 / sin(alpha + delta)"
+        )),
+    };
+    // From a force along the surface to one inclined at delta to the plate's normal.
+    let factor = 2.0 / degrees(tool_angle_deg + interface_friction_deg).sin();
+    let options = options(max_gap, max_seconds, max_elements, max_memory_mb, threads)?;
+    run_both(py, &problem, options, progress, |bounds| {
+        // The factor and the product are each good to a rounding or two; rounding is outwards.
+        let slack = 4.0 * f64::EPSILON;
+        let (lower, upper) = (factor * bounds.lower.value, factor * bounds.upper.value);
+        let (lower, upper) = (lower - slack * lower.abs(), upper + slack * upper.abs());
+        let solution = saved(problem.statement(), scale.clone(), Some(&bounds.lower), Some(&bounds.upper));
+        bracket(bounds, [lower, upper], ("net coefficient per slant length", ""), newtons, solution)
+    })
+}
+
+/// Proven bounds for a plane-strain collapse problem that is described in a file or a dict.
+///
+/// What is bounded is what the description's objective asks for: a force, a factor on loads or weights, an acceleration,
+/// or a factor of safety (see ``Bracket.quantity``).
+///
+/// Args:
+///     problem: Path of a problem file (.toml or .json), or the description as a dict.
+///     max_gap, max_seconds, max_elements, max_memory_mb, threads, progress: As for ``bound``.
+///
+/// Raises:
+///     InputError: If the description makes no sense.
+///     FileError: If the file cannot be read.
+///     NoAnswerError: If there is no collapse load, or no pair of bounds was proven within the budget.
+///     Interrupted: At Ctrl-C; the best bounds so far are in its ``best``.
+#[pyfunction]
+#[pyo3(signature = (
+    problem, *, max_gap = 0.01, max_seconds = 60.0, max_elements = 20000, max_memory_mb = None, threads = 1,
+    progress = None,
+))]
+#[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
+pub(crate) fn solve(
+    py: Python<'_>,
+    problem: &Bound<'_, PyAny>,
+    max_gap: f64,
+    max_seconds: f64,
+    max_elements: usize,
+    max_memory_mb: Option<u64>,
+    threads: usize,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> Answer<Bracket> {
+    let description = match problem.cast::<PyDict>() {
+        Ok(dict) => {
+            let text: String = py.import("json")?.call_method1("dumps", (dict,))?.extract()?;
+            Description::from_json(&text)
+        }
+        Err(_) => Description::read(&problem.extract::<PathBuf>()?),
+    };
+    let description = description.map_err(LimitError::from)?;
+    if description.objective == (Aim::StrengthReduction {}) {
+        let options = options(max_gap, max_seconds, max_elements, max_memory_mb, threads)?;
+        let work = |options: &Options, report: &dyn Fn(Progress)| {
+            factor_of_safety(&description, options, &mut |factor, level, gap| {
+                report(Progress { elements: level.upper.elements, gap, factor: Some(factor) });
+            })
+        };
+        return run(py, options, progress, work, safety_bracket);
+    }
+    let described = description.described()?;
+    let problem = described.problem()?;
+    let name = match described.quantity {
+        Quantity::ForceKnPerM => ("force of the structure", "kN/m"),
+        Quantity::LoadFactor => ("factor on the live loads", ""),
+        Quantity::WeightFactor => ("factor on the unit weights", ""),
+        Quantity::Acceleration => ("acceleration over gravity", ""),
+    };
+    let options = options(max_gap, max_seconds, max_elements, max_memory_mb, threads)?;
+    run_both(py, &problem, options, progress, |bounds| {
+        let ends = described.in_units([bounds.lower.value, bounds.upper.value]);
+        let solution =
+            saved(problem.statement(), described.scale(), Some(&bounds.lower), Some(&bounds.upper));
+        bracket(bounds, ends, name, None, solution)
+    })
+}
+
+/// A bracket from bounds in its own units.
+fn bracket(
+    bounds: &Bounds,
+    [lower, upper]: [f64; 2],
+    (quantity, unit): (&'static str, &'static str),
+    newtons: Option<f64>,
+    solution: Arc<Saved>,
+) -> Bracket {
+    Bracket {
+        lower,
+        upper,
+        quantity,
+        unit,
+        ended: ended(bounds.ended),
+        seconds: bounds.seconds,
+        force_n: newtons.map(|n| (n * lower, n * upper)),
+        elements: (bounds.lower.elements, bounds.upper.elements),
+        proofs: Proofs::Both(solution),
+    }
+}
+
+fn safety_bracket(found: &SafetyBounds) -> Bracket {
+    let (lower, upper) = (&found.lower, &found.upper);
+    let of_lower = |proof: &soilctl_limit_analysis::SafetyProof<LowerField>| {
+        saved(&proof.described.statement, proof.described.scale(), Some(&proof.bound), None)
+    };
+    let of_upper = saved(&upper.described.statement, upper.described.scale(), None, Some(&upper.bound));
+    let mut proofs = vec![("lower", of_lower(lower)), ("upper", of_upper)];
+    Bracket {
+        lower: lower.factor,
+        upper: upper.factor,
+        quantity: "factor of safety",
+        unit: "",
+        ended: ended(found.ended),
+        seconds: found.seconds,
+        force_n: None,
+        elements: (lower.bound.elements, upper.bound.elements),
+        proofs: Proofs::Several(proofs),
+    }
+}
+
+const fn ended(why: Ended) -> &'static str {
+    match why {
+        Ended::Gap => "gap",
+        Ended::Time => "time",
+        Ended::Elements => "elements",
+        Ended::Memory => "memory",
+        Ended::Stopped => "stopped",
+    }
+}
+
+impl From<LimitError> for Fail {
+    fn from(problem: LimitError) -> Self {
+        match problem {
+            LimitError::Certificate(problem) => problem.into(),
+            LimitError::NoCollapse { .. } | LimitError::NothingProven { .. } => no_answer(problem),
+            LimitError::File(problem) => file(problem),
+            LimitError::Description(DescriptionError::File { .. }) => file(problem),
+            _ => input(problem),
+        }
+    }
+}

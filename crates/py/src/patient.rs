@@ -1,0 +1,68 @@
+//! Work that takes long and reports on its way: in a thread of its own, while this one looks after Ctrl-C.
+
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
+
+use pyo3::prelude::*;
+
+use crate::error::{Answer, Fail, kinds};
+
+/// Between two looks at Ctrl-C.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// What came of the work, and the exception that ended it early.
+pub(crate) struct Done<T> {
+    pub(crate) answer: T,
+    pub(crate) raised: Option<PyErr>,
+}
+
+enum Word<T, R> {
+    Report(R),
+    Done(T),
+}
+
+/// Runs `work`, and hands what it reports to `hear`. If that raises, or at Ctrl-C, `stop` is called, which must make the
+/// work end soon with what it has.
+pub(crate) fn patiently<T: Send, R: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&dyn Fn(R)) -> T + Send,
+    stop: impl Fn(),
+    mut hear: impl FnMut(R) -> PyResult<()>,
+) -> Answer<Done<T>> {
+    let (send, receive) = channel::<Word<T, R>>();
+    std::thread::scope(|scope| {
+        let worker = scope.spawn(move || {
+            // Nobody listens any more only if the other side panicked.
+            let report = |report: R| drop(send.send(Word::Report(report)));
+            let answer = work(&report);
+            drop(send.send(Word::Done(answer)));
+        });
+        let mut raised = None;
+        // A receiver may move between threads but not be shared, which is all that waiting needs.
+        let receive = std::sync::Mutex::new(receive);
+        loop {
+            let word = py.detach(|| match receive.lock() {
+                Ok(receive) => receive.recv_timeout(LOOK),
+                Err(_) => Err(RecvTimeoutError::Disconnected),
+            });
+            let result = match word {
+                Ok(Word::Done(answer)) => return Ok(Done { answer, raised }),
+                Ok(Word::Report(report)) if raised.is_none() => hear(report),
+                Ok(Word::Report(_)) => Ok(()),
+                Err(RecvTimeoutError::Timeout) => py.check_signals(),
+                Err(RecvTimeoutError::Disconnected) => {
+                    // It panicked, which must not end the interpreter; joining keeps the panic from going on.
+                    drop(worker.join());
+                    let message = "the computation ended without an answer; please report this";
+                    return Err(Fail(kinds::SimulationError::new_err(message)));
+                }
+            };
+            if let Err(problem) = result
+                && raised.is_none()
+            {
+                stop();
+                raised = Some(problem);
+            }
+        }
+    })
+}

@@ -1,0 +1,245 @@
+//! Logs: what is in them, saving what can be saved, and running the controller again.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use soilctl_session::{Cell, SessionError, info, recover, replay as run_again, table_rows};
+
+use crate::array::shaped;
+use crate::error::{Answer, Fail, file, input, no_answer};
+use crate::patient::patiently;
+
+/// Columns of a table, each of one type.
+enum Column {
+    Floats(Vec<f64>),
+    Integers(Vec<i64>),
+    Flags(Vec<bool>),
+    Texts(Vec<String>),
+}
+
+impl Column {
+    /// An empty column for cells like this one.
+    const fn like(cell: &Cell) -> Self {
+        match cell {
+            Cell::Float(_) => Self::Floats(Vec::new()),
+            Cell::Integer(_) => Self::Integers(Vec::new()),
+            Cell::Flag(_) => Self::Flags(Vec::new()),
+            Cell::Text(_) => Self::Texts(Vec::new()),
+        }
+    }
+
+    /// Whether the cell was of the column's type.
+    fn push(&mut self, cell: &Cell) -> bool {
+        match (self, cell) {
+            (Self::Floats(column), &Cell::Float(value)) => column.push(value),
+            (Self::Integers(column), &Cell::Integer(value)) => {
+                let Ok(value) = i64::try_from(value) else { return false };
+                column.push(value);
+            }
+            (Self::Flags(column), &Cell::Flag(value)) => column.push(value),
+            (Self::Texts(column), Cell::Text(value)) => column.push(value.clone()),
+            _ => return false,
+        }
+        true
+    }
+
+    fn into_python(self, py: Python<'_>) -> Answer<Bound<'_, PyAny>> {
+        match self {
+            Self::Floats(values) => {
+                let count = values.len();
+                shaped(py, values, &[count])
+            }
+            Self::Integers(values) => Ok(PyArray1::from_vec(py, values).into_any()),
+            Self::Flags(values) => Ok(PyArray1::from_vec(py, values).into_any()),
+            Self::Texts(values) => Ok(PyList::new(py, values)?.into_any()),
+        }
+    }
+}
+
+/// Why the reading of a table ended early.
+enum Early {
+    Stopped,
+    Failed(SessionError),
+}
+
+impl From<SessionError> for Early {
+    fn from(problem: SessionError) -> Self {
+        Self::Failed(problem)
+    }
+}
+
+/// The messages of a topic as a table, a row a message.
+///
+/// Args:
+///     path: The log (.mcap).
+///     topic: ``/controller/step``, ``/joint_states``, ``/motor_states``, ``/wrench``, ``/truth/joint_states`` or
+///         ``/truth/soil``.
+///
+/// Returns:
+///     A dict of columns by name, in order: first ``time_s``, the log time in s, then the fields of the message; elements of
+///     arrays have columns of their own (``motor_counts_0`` ...). Numbers and flags are arrays of shape (n,), texts lists.
+///     ``pandas.DataFrame`` takes it as it is. Of a damaged log, what can be read: ``log_info`` tells the damage.
+///
+/// Raises:
+///     FileError: If it cannot be read, or is no log.
+///     InputError: If there is no such table.
+///     NoAnswerError: If the log has no message of the topic.
+#[pyfunction]
+#[pyo3(signature = (path, topic = "/controller/step"))]
+pub(crate) fn log_table<'py>(py: Python<'py>, path: PathBuf, topic: &str) -> Answer<Bound<'py, PyDict>> {
+    let stop = AtomicBool::new(false);
+    let done = patiently(
+        py,
+        |_: &dyn Fn(())| read_table(&path, topic, &stop),
+        || stop.store(true, Ordering::Relaxed),
+        |()| Ok(()),
+    )?;
+    if let Some(raised) = done.raised {
+        return Err(Fail(raised));
+    }
+    let table = match done.answer {
+        Ok(table) => table,
+        Err(Early::Failed(problem)) => return Err(problem.into()),
+        Err(Early::Stopped) => Vec::new(),
+    };
+    let dict = PyDict::new(py);
+    for (name, column) in table {
+        dict.set_item(name, column.into_python(py)?)?;
+    }
+    Ok(dict)
+}
+
+fn read_table(path: &Path, topic: &str, stop: &AtomicBool) -> Result<Vec<(String, Column)>, Early> {
+    let mut table: Vec<(String, Column)> = Vec::new();
+    let mut number = 0;
+    table_rows(path, topic, &mut |row| {
+        if stop.load(Ordering::Relaxed) {
+            return Err(Early::Stopped);
+        }
+        if table.is_empty() {
+            table = row.iter().map(|(name, cell)| (name.clone(), Column::like(cell))).collect();
+        }
+        for ((name, column), (_, cell)) in table.iter_mut().zip(row) {
+            if !column.push(cell) {
+                let reason = format!("{name} is {cell}, which is no value like those before");
+                return Err(SessionError::Message { topic: topic.to_owned(), number, reason }.into());
+            }
+        }
+        number += 1;
+        Ok(())
+    })?;
+    Ok(table)
+}
+
+/// What is in a log (.mcap): topics, times, strokes, problems.
+///
+/// Returns:
+///     A dict with ``topics`` (messages and type by name), ``start_ns``, ``end_ns``, ``steps``, ``missing_steps``,
+///     ``keyframes``, ``session``, ``strokes``, ``attachments``, ``problems`` and ``damage``.
+///
+/// Raises:
+///     FileError: If it cannot be read, or is no log.
+#[pyfunction]
+pub(crate) fn log_info(py: Python<'_>, path: PathBuf) -> Answer<Bound<'_, PyDict>> {
+    let found = py.detach(|| info(&path))?;
+    let topics = PyDict::new(py);
+    for (name, topic) in &found.topics {
+        let entry = PyDict::new(py);
+        entry.set_item("type", &topic.message_type)?;
+        entry.set_item("messages", topic.messages)?;
+        topics.set_item(name, entry)?;
+    }
+    let dict = PyDict::new(py);
+    dict.set_item("topics", topics)?;
+    dict.set_item("start_ns", found.start_ns)?;
+    dict.set_item("end_ns", found.end_ns)?;
+    dict.set_item("steps", found.steps)?;
+    dict.set_item("missing_steps", found.missing_steps)?;
+    dict.set_item("keyframes", found.keyframes)?;
+    dict.set_item("session", found.session)?;
+    dict.set_item("strokes", found.strokes)?;
+    dict.set_item("attachments", found.attachments)?;
+    dict.set_item("problems", found.problems)?;
+    dict.set_item("damage", found.ending.damage)?;
+    Ok(dict)
+}
+
+/// Copies what can be read of a damaged log into a new, whole one.
+///
+/// Returns:
+///     A dict with ``messages`` and ``steps`` that were saved, and ``damage``, empty if nothing is lost.
+///
+/// Raises:
+///     FileError: If nothing can be read, or the new file cannot be written.
+///     InputError: If both names are of the same file.
+#[pyfunction]
+#[pyo3(signature = (path, *, out))]
+pub(crate) fn log_recover(py: Python<'_>, path: PathBuf, out: PathBuf) -> Answer<Bound<'_, PyDict>> {
+    if let (Ok(from), Ok(to)) = (path.canonicalize(), out.canonicalize())
+        && from == to
+    {
+        return Err(input(format!("out is {}, the log itself; give another name", out.display())));
+    }
+    let saved = py.detach(|| recover(&path, &out))?;
+    let dict = PyDict::new(py);
+    dict.set_item("messages", saved.messages)?;
+    dict.set_item("steps", saved.steps)?;
+    dict.set_item("damage", saved.ending.damage)?;
+    Ok(dict)
+}
+
+/// Runs the controller again on the inputs of a log, and compares every bit of every output.
+///
+/// Args:
+///     path: The log (.mcap).
+///     from_keyframe: Where to begin; 0 is the beginning, there is one every 500 steps.
+///
+/// Returns:
+///     A dict with ``identical``, ``steps``, ``different_steps``, ``skipped_steps``, ``keyframes``, ``first_difference``
+///     (None, or a dict of ``step``, ``tick``, ``field``, ``logged``, ``replayed``) and ``damage``.
+///
+/// Raises:
+///     FileError: If it cannot be read.
+///     NoAnswerError: If it lacks what is needed, such as that key frame.
+///     InputError: If it was written by another program.
+#[pyfunction]
+#[pyo3(signature = (path, *, from_keyframe = 0))]
+pub(crate) fn replay(py: Python<'_>, path: PathBuf, from_keyframe: u32) -> Answer<Bound<'_, PyDict>> {
+    let found = py.detach(|| run_again(&path, from_keyframe))?;
+    let first = match &found.first_difference {
+        None => None,
+        Some(difference) => {
+            let entry = PyDict::new(py);
+            entry.set_item("step", difference.step)?;
+            entry.set_item("tick", difference.tick)?;
+            entry.set_item("field", &difference.field)?;
+            entry.set_item("logged", difference.logged.to_string())?;
+            entry.set_item("replayed", difference.replayed.to_string())?;
+            Some(entry)
+        }
+    };
+    let dict = PyDict::new(py);
+    dict.set_item("identical", found.is_identical())?;
+    dict.set_item("steps", found.steps)?;
+    dict.set_item("different_steps", found.different_steps)?;
+    dict.set_item("skipped_steps", found.skipped_steps)?;
+    dict.set_item("keyframes", found.keyframes)?;
+    dict.set_item("first_difference", first)?;
+    dict.set_item("damage", found.ending.damage)?;
+    Ok(dict)
+}
+
+impl From<SessionError> for Fail {
+    fn from(problem: SessionError) -> Self {
+        match problem {
+            SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. } => {
+                file(problem)
+            }
+            SessionError::Missing { .. } | SessionError::NoKeyframe { .. } => no_answer(problem),
+            _ => input(problem),
+        }
+    }
+}

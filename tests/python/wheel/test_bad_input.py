@@ -1,0 +1,135 @@
+"""Whatever a caller hands over, there is an exception that says so, or an answer; the interpreter lives on."""
+
+import numpy as np
+import pytest
+
+import soilctl
+
+WHATEVER = [
+    None,
+    float("nan"),
+    float("inf"),
+    -1,
+    0,
+    "x",
+    b"x",
+    [],
+    [[]],
+    {},
+    object(),
+    1e308,
+    10**400,
+    True,
+    np.array([1 + 2j]),
+    np.array(["a"]),
+    np.zeros((2, 2)),
+    np.zeros((0, 3)),
+    (3.0, 2.0),
+    (5.0, float("nan")),
+]
+PLATE = {"tool_angle_deg": 80.0, "friction_angle_deg": 30.0, "interface_friction_deg": 10.0}
+SIZES = {"density_kg_m3": 1600.0, "depth_m": 0.02, "width_m": 0.1}
+LOADS = {"cohesion_pa": 0.0, "adhesion_pa": 0.0, "surcharge_pa": 0.0, "gravity_m_s2": 9.81, "surface_slope_deg": 0.0}
+STROKES = {
+    "tool_angle_deg": [70.0, 80.0],
+    "depth_m": 0.02,
+    "width_m": 0.1,
+    "force_n": [4.0, 5.0],
+    "force_error_n": 0.5,
+    "interface_friction_deg": (10.0, 12.0),
+    "model": "chen",
+}
+MENU = {"tool_angle_deg": [60.0], "depth_m": [0.02], "width_m": 0.1, "force_scatter": 0.05, "depth_error_m": 0.001}
+# Limits that no test can wait for.
+BUDGET = {"max_gap": 0.5, "max_elements": 1000, "max_seconds": 1e-3, "threads": 1, "max_memory_mb": 200, "progress": None}
+
+
+def one_by_one(function, sound):
+    """Calls that each have one argument replaced."""
+    return [
+        pytest.param(function, {**sound, name: bad}, id=f"{function.__name__}-{name}-{place}")
+        for name in sound
+        for place, bad in enumerate(WHATEVER)
+        if not (function is soilctl.bound and name == "max_seconds" and not isinstance(bad, (str, bytes)))
+    ]
+
+
+CASES = [
+    *one_by_one(soilctl.predict, {"model": "chen", **PLATE, **SIZES, **LOADS}),
+    *one_by_one(soilctl.bound, {**PLATE, **SIZES, **LOADS, **BUDGET}),
+    *one_by_one(soilctl.estimate, {**STROKES, "density_kg_m3": (1500.0, 1700.0), "friction_search_deg": (20.0, 50.0)}),
+]
+
+
+def numbers(value):
+    """All numbers and arrays of numbers in an answer."""
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, (list, tuple)):
+        return [number for part in value for number in numbers(part)]
+    return [value] if isinstance(value, (float, np.ndarray)) else []
+
+
+@pytest.mark.parametrize(("function", "words"), CASES)
+def test_arguments(function, words):
+    try:
+        answer = function(**words)
+    except (soilctl.SoilctlError, TypeError, OverflowError) as problem:
+        assert str(problem) and "panick" not in str(problem)
+    else:
+        assert all(np.isfinite(number).all() for number in numbers(answer.to_dict()))
+
+
+def test_sizes_beyond_all_bounds_are_no_answer():
+    for name in SIZES:
+        with pytest.raises(soilctl.NoAnswerError, match="double precision"):
+            soilctl.predict(**PLATE, **{**SIZES, name: 1e308})
+    with pytest.raises(soilctl.NoAnswerError, match="double precision"):
+        soilctl.bound(**PLATE, **{**SIZES, "depth_m": 1e200})
+    with pytest.raises(soilctl.NoAnswerError, match=r"element \[1\]: .*double precision"):
+        soilctl.predict(**PLATE, **{**SIZES, "depth_m": [0.1, 1e200]})
+
+
+def test_methods(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    estimate = soilctl.estimate(**STROKES)
+    solution = soilctl.bound(**PLATE, max_gap=0.5).solution
+    plant = soilctl.Plant()
+    calls = [
+        lambda bad: estimate.contains(bad, 1600.0),
+        estimate.section,
+        estimate.bands,
+        *(lambda bad, name=name: estimate.next_strokes(**{**MENU, name: bad}) for name in MENU),
+        solution.triangles,
+        solution.velocity,
+        solution.stress,
+        soilctl.Solution.read,
+        plant.step,
+        lambda bad: plant.run(bad, ticks=3),
+        lambda bad: plant.run(lambda sensed: bad, ticks=3),
+        soilctl.Plant,
+        lambda bad: soilctl.Plant(joint_angles_deg=bad),
+        lambda bad: soilctl.Plant("ticino_loose", surface_z_m=bad),
+        lambda bad: soilctl.Plant("ticino_loose", model=bad),
+        lambda bad: soilctl.Plant(seed=bad),
+        lambda bad: soilctl.Plant(file=bad),
+        soilctl.solve,
+        soilctl.certify,
+        soilctl.log_info,
+        soilctl.log_table,
+        soilctl.replay,
+        lambda bad: soilctl.log_recover("x", out=bad),
+        soilctl.answer,
+        soilctl.shear,
+        lambda bad: soilctl.simulate(bad, out=tmp_path / "logs"),
+    ]
+    refused = 0
+    for call in calls:
+        for bad in WHATEVER:
+            try:
+                call(bad)
+            except (soilctl.SoilctlError, TypeError, ValueError, OverflowError) as problem:
+                assert "panick" not in str(problem)
+                refused += 1
+    assert refused > 0.9 * len(calls) * len(WHATEVER)
+    assert not (tmp_path / "logs").exists()

@@ -1,0 +1,161 @@
+"""From a simulated campaign to its logs, failure forces and diagnosis."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import soilctl
+
+DATA = Path(__file__).parents[3] / "data"
+PLAN = """
+version = 1
+design = "one stroke"
+soil = "ticino_loose"
+model = "chen"
+
+[[batches]]
+radius_m = 0.4318
+strokes = [{ base_deg = 0.0, alpha_deg = 80.0, depth_m = 0.012, delta_set_deg = 23.0 }]
+"""
+
+
+@pytest.fixture(scope="module")
+def campaign(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("campaign")
+    plan = folder / "plan.toml"
+    plan.write_text(PLAN)
+    answer = soilctl.simulate(plan, out=folder / "logs", seed=3, threads=1)
+    assert answer["complete"] and answer["exit_code"] == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
+def log(campaign):
+    return campaign / "logs" / "batch_000.mcap"
+
+
+def test_a_log_tells_what_it_holds_and_replays_bit_for_bit(log):
+    info = soilctl.log_info(log)
+    assert info["damage"] == [] == info["problems"] and len(info["strokes"]) == 1
+    assert info["topics"]["/controller/step"]["messages"] == info["steps"] > 1000
+    found = soilctl.replay(log)
+    assert found["identical"] and found["steps"] == info["steps"] and found["first_difference"] is None
+    later = soilctl.replay(log, from_keyframe=2)
+    assert later["identical"] and later["steps"] == info["steps"] - 1000
+    with pytest.raises(soilctl.NoAnswerError, match="key frame"):
+        soilctl.replay(log, from_keyframe=10_000)
+    with pytest.raises(OverflowError):
+        soilctl.replay(log, from_keyframe=-1)
+
+
+def test_tables_of_a_log_are_those_that_are_exported(log, tmp_path):
+    for topic in ("/controller/step", "/joint_states"):
+        table = soilctl.log_table(log, topic)
+        out = tmp_path / "table.csv"
+        soilctl.answer("log", "export", log, "--out", out, "--topic", topic)
+        with out.open(newline="") as file:
+            rows = list(csv.DictReader(file))
+        assert list(table) == list(rows[0])
+        for name, column in table.items():
+            text = [row[name] for row in rows]
+            if isinstance(column, list):
+                assert column == text
+            elif column.dtype == bool:
+                assert [str(value).lower() for value in column.tolist()] == text
+            else:
+                np.testing.assert_array_equal(column, np.array(text, dtype=column.dtype))
+
+
+def test_the_logged_arm_is_where_its_joints_say(log):
+    table = soilctl.log_table(log)
+    assert np.allclose(np.diff(table["time_s"]), 0.002)
+    joints, poses = (
+        np.column_stack([table[f"{name}_{i}"] for i in range(5)]) for name in ("external_joints_rad", "pose")
+    )
+    known = np.isfinite(poses).all(axis=1) & (poses != 0).any(axis=1)
+    assert known.sum() > 1000
+    np.testing.assert_allclose(soilctl.Arm().forward(joints[known]), poses[known], atol=1e-6)
+
+
+def test_a_damaged_log_is_saved_as_far_as_it_goes(log, tmp_path):
+    broken, saved = tmp_path / "broken.mcap", tmp_path / "saved.mcap"
+    data = log.read_bytes()
+    broken.write_bytes(data[: len(data) // 2])
+    assert soilctl.log_info(broken)["damage"]
+    found = soilctl.log_recover(broken, out=saved)
+    info = soilctl.log_info(saved)
+    assert found["damage"] and not info["damage"] and 0 < info["steps"] == found["steps"]
+    steps = soilctl.log_table(saved)["step"]
+    np.testing.assert_array_equal(steps, np.arange(len(steps)))
+    with pytest.raises(soilctl.InputError, match="itself"):
+        soilctl.log_recover(broken, out=broken)
+
+
+def test_logs_that_are_none_are_refused(log, tmp_path):
+    path = tmp_path / "log.mcap"
+    for call in (soilctl.log_info, soilctl.log_table, soilctl.replay):
+        with pytest.raises(soilctl.FileError, match="log.mcap"):
+            call(path)
+    path.write_bytes(b"not a log")
+    for call in (soilctl.log_info, soilctl.log_table, soilctl.replay):
+        with pytest.raises(soilctl.FileError, match="MCAP"):
+            call(path)
+    with pytest.raises(soilctl.InputError, match="cannot be exported"):
+        soilctl.log_table(log, "/tf")
+    with pytest.raises(TypeError):
+        soilctl.log_info(5)
+
+
+def test_strokes_are_processed(campaign, log):
+    out = campaign / "strokes.csv"
+    answer = soilctl.process(log, out=out, threads=1)
+    assert answer["exit_code"] == 0
+    with out.open(newline="") as file:
+        (row,) = csv.DictReader(file)
+    assert float(row["alpha_deg"]) == pytest.approx(80.0, abs=1.0)
+    assert float(row["force_n"]) > 0
+    again = soilctl.process([log], out=out, threads=1)
+    assert {**again, "reused": None} == {**answer, "reused": None} or again["exit_code"] == 0
+    with pytest.raises(soilctl.InputError):
+        soilctl.process(campaign / "plan.toml", out=out)
+
+
+def test_a_missing_effect_is_named(tmp_path):
+    found = soilctl.diagnose(DATA / "campaigns" / "campaign_a", out=tmp_path)
+    assert found["gap"]["after"] < found["gap"]["before"] and found["effects"]
+    assert {path.name for path in tmp_path.iterdir()} >= {"patch.json", "predictions.csv", "report.html"}
+    with pytest.raises(soilctl.SoilctlError, match=r"strokes\.csv"):
+        soilctl.diagnose(tmp_path / "none")
+
+
+def test_angles_of_shear_tests_follow_their_power_law():
+    stress = np.array([200.0, 500.0, 1200.0, 3000.0, 8000.0])
+    angle = 40.0 * (stress / 1000.0) ** -0.05
+    found = soilctl.shear(
+        {"normal_stress_pa": stress, "friction_angle_deg": angle}, stress_pa=[700.0], fit_limit_pa=1e4
+    )
+    (soil,) = found["soils"]
+    assert soil["power_law"]["b"] == pytest.approx(-0.05, abs=1e-9)
+    psi = 4.4482216152605 / 0.0254**2
+    assert soil["power_law"]["a_deg_at_1_psi"] == pytest.approx(40.0 * (psi / 1000.0) ** -0.05, rel=1e-9)
+    file = soilctl.shear(DATA / "direct_shear.csv", soils=["nevada_fine"])
+    assert [one["soil"] for one in file["soils"]] == ["nevada_fine"]
+
+
+@pytest.mark.parametrize(
+    ("points", "words"),
+    [
+        ({"normal_stress_pa": [1.0, 2.0], "friction_angle_deg": [30.0]}, "length"),
+        ({"normal_stress_pa": [1.0, np.nan, 3.0], "friction_angle_deg": [30.0, 31.0, 32.0]}, "line 3"),
+        ({"normal_stress_pa": [], "friction_angle_deg": []}, ""),
+        ({"friction_angle_deg": [30.0]}, "normal_stress"),
+    ],
+)
+def test_bad_points_are_refused(points, words):
+    with pytest.raises(soilctl.InputError) as caught:
+        soilctl.shear(points)
+    assert words in str(caught.value)
+    with pytest.raises(soilctl.InputTypeError):
+        soilctl.shear([30.0, 31.0])

@@ -1,0 +1,220 @@
+"""Proven bounds, solutions, certificates."""
+
+import json
+import math
+import os
+import signal
+import threading
+
+import numpy as np
+import pytest
+
+import soilctl
+
+SMOOTH = {"tool_angle_deg": 90.0, "friction_angle_deg": 30.0, "interface_friction_deg": 0.0}
+ROUGH = {"tool_angle_deg": 70.0, "friction_angle_deg": 35.0, "interface_friction_deg": 20.0}
+BUDGET = {"max_gap": 0.03, "max_seconds": 120.0}
+
+
+@pytest.fixture(scope="module")
+def bracket():
+    return soilctl.bound(**SMOOTH, **BUDGET, density_kg_m3=1600.0, depth_m=0.1, width_m=0.2)
+
+
+def test_the_bracket_holds_the_exact_coefficient(bracket):
+    n = math.tan(math.radians(60.0)) ** 2
+    assert n - 1 / n in bracket
+    assert 0 < bracket.gap <= 0.03 and bracket.ended == "gap"
+    low, high = bracket.force_n
+    scale = 0.5 * 1600.0 * 9.80665 * 0.1**2 * 0.2
+    assert (low, high) == pytest.approx((scale * bracket.lower, scale * bracket.upper))
+    assert "proven" in bracket._repr_html_() and bracket.to_dict()["lower"] == bracket.lower
+
+
+def test_solutions_are_saved_read_and_certified(bracket, tmp_path):
+    path = tmp_path / "plate.json"
+    bracket.solution.write(path)
+    for solution in (path, soilctl.Solution.read(path), bracket.solution):
+        proof = soilctl.certify(solution)
+        assert proof and proof.certified and proof.lower_proven <= proof.upper_proven
+    document = json.loads(path.read_text())
+    document["lower"]["claimed"] *= 1.01
+    path.write_text(json.dumps(document))
+    proof = soilctl.certify(path)
+    assert not proof and proof.lower_proven < proof.lower_claimed
+    assert "not certified" in proof._repr_html_()
+    path.write_text("{}")
+    with pytest.raises(soilctl.InputError):
+        soilctl.certify(path)
+    with pytest.raises(soilctl.FileError):
+        soilctl.certify(tmp_path / "nothing.json")
+
+
+def test_fields_are_arrays(bracket):
+    solution = bracket.solution
+    triangles = solution.triangles()
+    assert triangles.shape == (bracket.elements[1], 3, 2)
+    middles = triangles.mean(axis=1)
+    velocity, stress = solution.velocity(middles), solution.stress(middles[:5])
+    assert velocity.shape == middles.shape and stress.shape == (5, 3)
+    speed = np.hypot(*velocity.T)
+    assert 0.5 < speed.max() < 10 and (speed == 0).any() or speed.min() < 0.01
+    assert solution.shear_rate().shape == (len(triangles),)
+    assert all(line.shape[1] == 2 for line in solution.failure_surface())
+    faces = solution.contacts()
+    assert faces and all(face["pressure"].shape == face["arc"].shape for face in faces)
+    with pytest.raises(soilctl.NoAnswerError, match="outside the soil"):
+        solution.velocity([0.0, 1e3])
+    with pytest.raises(soilctl.InputError, match="last axis"):
+        solution.velocity([[0.0, 1.0, 2.0]])
+    with pytest.raises(soilctl.InputError, match="bound"):
+        solution.triangles("middle")
+    assert solution._repr_svg_().startswith("<svg") and "VTKFile" in solution.vtu()
+
+
+def test_meshes_go_to_meshio_and_pyvista(bracket, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    from soilctl.mesh import to_arrays, to_meshio, to_pyvista
+
+    to_meshio(bracket.solution).write(tmp_path / "mesh.vtk")
+    read = meshio.read(tmp_path / "mesh.vtk")
+    assert len(read.cells[0].data) == bracket.elements[1]
+    assert to_arrays(bracket.solution)["points"].shape == (3 * bracket.elements[1], 2)
+    parts = to_pyvista(bracket.solution)
+    assert parts["points"].shape[1] == 3 and parts["faces"].max() == len(parts["points"]) - 1
+
+
+def test_progress_is_told_and_may_end_the_run():
+    levels = []
+    soilctl.bound(**SMOOTH, max_gap=0.1, progress=levels.append)
+    assert levels and levels[-1].elements > 0
+
+    def enough(level):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        soilctl.bound(**SMOOTH, max_gap=1e-5, progress=enough)
+
+
+def test_control_c_ends_the_run_and_keeps_the_best():
+    def interrupt(level):
+        if level.gap is not None:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt) as caught:
+        soilctl.bound(**SMOOTH, max_gap=1e-6, max_seconds=300.0, progress=interrupt)
+    assert isinstance(caught.value, soilctl.Interrupted)
+    assert caught.value.best is not None and caught.value.best.ended == "stopped"
+
+
+def test_other_threads_run_while_bounds_are_sought():
+    counted, stop = [0], threading.Event()
+
+    def count():
+        while not stop.is_set():
+            counted[0] += 1
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    try:
+        seen = []
+        soilctl.bound(**ROUGH, max_gap=0.03, progress=lambda level: seen.append(counted[0]))
+    finally:
+        stop.set()
+        thread.join()
+    assert len(seen) > 1 and seen[-1] > seen[0], "the lock is free between reports"
+
+
+def test_the_budget_ends_the_run():
+    found = soilctl.bound(**SMOOTH, max_gap=1e-9, max_elements=1000)
+    assert found.ended == "elements" and found.gap > 1e-9
+    found = soilctl.bound(**SMOOTH, max_gap=1e-9, max_seconds=2.0)
+    assert found.ended == "time"
+    with pytest.raises(soilctl.NoAnswerError, match="allow more"):
+        soilctl.bound(**SMOOTH, max_seconds=1e-6)
+
+
+def test_the_bracket_is_that_of_the_command_line(bracket, tmp_path):
+    words = ["--alpha", 90, "--phi", 30, "--delta", 0, "--density", 1600, "--depth", 0.1, "--width", 0.2]
+    there = soilctl.answer("bound", *words, "--max-gap", 0.03, "--max-seconds", 120, "--save", tmp_path / "s.json")
+    assert there["exit_code"] == 0
+    assert (there["lower"], there["upper"]) == (bracket.lower, bracket.upper)
+    assert (there["force_lower_n"], there["force_upper_n"]) == pytest.approx(bracket.force_n, rel=1e-14)
+    bracket.solution.write(tmp_path / "own.json")
+    assert (tmp_path / "own.json").read_bytes() == (tmp_path / "s.json").read_bytes()
+
+
+def strip(cohesion_kpa):
+    """A rough footing 2 m wide on clay, as a problem file says it."""
+    return {
+        "schema": "soilctl.problem/1",
+        "default_boundary": "free",
+        "objective": {"kind": "structure", "name": "footing", "direction": [0, -1]},
+        "soil": [{"name": "clay", "phi_deg": 0, "cohesion_kpa": cohesion_kpa, "unit_weight_kn_m3": 16}],
+        "region": [{"soil": "clay", "polygon": [[-8, -6], [8, -6], [8, 0], [-8, 0]]}],
+        "boundary": [{"kind": "far", "sides": ["left", "right", "bottom"]}],
+        "structure": [{"name": "footing", "edge": [[-1, 0], [1, 0]], "adhesion_kpa": cohesion_kpa}],
+    }
+
+
+def test_a_described_problem_holds_prandtls_load(tmp_path):
+    found = soilctl.solve(strip(20.0), max_gap=0.05)
+    assert (2 + math.pi) * 20.0 * 2.0 in found and found.unit == "kN/m"
+    assert list(found.solutions) == ["both"] and soilctl.certify(found.solution)
+    path = tmp_path / "strip.json"
+    path.write_text(json.dumps(strip(20.0)))
+    again = soilctl.solve(path, max_gap=0.05)
+    assert (again.lower, again.upper) == (found.lower, found.upper)
+
+
+def test_a_factor_of_safety_is_bracketed():
+    cut = {
+        "schema": "soilctl.problem/1",
+        "default_boundary": "free",
+        "objective": {"kind": "strength-reduction"},
+        "soil": [{"name": "clay", "phi_deg": 0, "cohesion_kpa": 10, "unit_weight_kn_m3": 20}],
+        "region": [{"soil": "clay", "polygon": [[-2, -1], [2, -1], [2, 1], [0, 1], [0, 0], [-2, 0]]}],
+        "boundary": [{"kind": "fixed", "sides": ["bottom"]}, {"kind": "smooth", "sides": ["left", "right"]}],
+    }
+    factors = []
+    found = soilctl.solve(cut, max_gap=0.15, max_elements=3000, progress=lambda level: factors.append(level.factor))
+    # A vertical cut of clay stands up to a height of 3.776 to 3.781 c / gamma (Martin; Pastor et al.).
+    assert found.quantity == "factor of safety" and 3.7776 * 10 / 20 in found and found.gap <= 0.15
+    assert len(factors) > 1 and all(factor > 0 for factor in factors)
+    with pytest.raises(soilctl.NoAnswerError, match="different strength"):
+        found.solution  # noqa: B018
+    assert all(soilctl.certify(solution) for solution in found.solutions.values())
+    assert set(found.solutions) >= {"lower", "upper"}
+
+
+def test_problems_that_make_no_sense_are_refused(tmp_path):
+    with pytest.raises(soilctl.FileError):
+        soilctl.solve(tmp_path / "none.toml")
+    with pytest.raises(soilctl.InputError):
+        soilctl.solve({"what": 1})
+    with pytest.raises(soilctl.InputError, match="cohesion"):
+        soilctl.solve(strip(-1.0))
+    with pytest.raises(TypeError):
+        soilctl.solve(5)
+    with pytest.raises(TypeError):
+        soilctl.solve({"set": {1}})
+
+
+@pytest.mark.parametrize(
+    ("change", "error"),
+    [
+        ({"tool_angle_deg": 5.0}, soilctl.InputError),
+        ({"tool_angle_deg": math.nan}, soilctl.InputError),
+        ({"interface_friction_deg": 31.0}, soilctl.InputError),
+        ({"cohesion_pa": 10.0}, soilctl.InputError),
+        ({"max_gap": 0.0}, soilctl.InputError),
+        ({"max_elements": 10}, soilctl.InputError),
+        ({"threads": 0}, soilctl.InputError),
+        ({"max_memory_mb": 1}, soilctl.InputError),
+        ({"max_seconds": math.inf}, soilctl.InputError),
+        ({"tool_angle_deg": "steep"}, TypeError),
+    ],
+)
+def test_bad_input_is_refused(change, error):
+    with pytest.raises(error):
+        soilctl.bound(**{**SMOOTH, **change})
