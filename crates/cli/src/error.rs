@@ -8,6 +8,7 @@ use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
 use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_live::LiveError;
+use soilctl_monitor::MonitorError;
 use soilctl_process::ProcessError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
@@ -60,6 +61,9 @@ pub(crate) enum CliError {
     /// A live session, or the operator's end of one.
     #[error(transparent)]
     Live(#[from] LiveError),
+    /// The monitor.
+    #[error(transparent)]
+    Monitor(#[from] MonitorError),
     /// A simulated campaign.
     #[error(transparent)]
     Campaign(#[from] CampaignError),

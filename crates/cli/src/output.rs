@@ -56,6 +56,21 @@ enum Host {
     Library { answer: Vec<u8>, stop: Arc<AtomicBool> },
 }
 
+/// Tells the user something beside the answer, from any thread.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Notes {
+    quiet: bool,
+}
+
+impl Notes {
+    pub(crate) fn note(self, text: &str) {
+        if !self.quiet {
+            // A closed stderr must not change the answer.
+            let _ = writeln!(std::io::stderr(), "{text}");
+        }
+    }
+}
+
 impl Output {
     pub(crate) const fn new(format: Format, quiet: bool) -> Self {
         Self { format, quiet, host: Host::Program }
@@ -124,10 +139,12 @@ impl Output {
 
     /// Tells the user something beside the answer.
     pub(crate) fn note(&self, text: &str) {
-        if !self.quiet {
-            // A closed stderr must not change the answer.
-            let _ = writeln!(std::io::stderr(), "{text}");
-        }
+        self.notes().note(text);
+    }
+
+    /// The same for other threads.
+    pub(crate) const fn notes(&self) -> Notes {
+        Notes { quiet: self.quiet }
     }
 
     /// Tells the user what went wrong in the middle of an answer.

@@ -40,6 +40,16 @@ impl Commander {
         self.stream.write_all(line.as_bytes()).map_err(|error| LiveError::socket(&self.path, &error))?;
         Ok(id)
     }
+
+    /// Asks what the session runs with; the answer comes as a message. A session that is too old to know the question
+    /// answers with an error.
+    ///
+    /// # Errors
+    /// [`LiveError::Socket`] if the session is gone.
+    pub fn describe(&mut self) -> Result<(), LiveError> {
+        let line = crate::protocol::encode(&ClientMessage::Describe {});
+        self.stream.write_all(line.as_bytes()).map_err(|error| LiveError::socket(&self.path, &error))
+    }
 }
 
 impl Client {

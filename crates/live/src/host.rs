@@ -10,7 +10,7 @@ use soilctl_session::{LogReport, Logger, Pace, SessionError, Setup};
 
 use crate::clock::{SERVER_PRIORITY, fifo};
 use crate::links::{Shared, links};
-use crate::protocol::{Hello, PROTOCOL_VERSION, SafeForce};
+use crate::protocol::{Configuration, Hello, PROTOCOL_VERSION, SafeForce};
 use crate::server::{Server, ServerReport, bind};
 use crate::servo::{Servo, ServoReport};
 use crate::timing::Timing;
@@ -138,6 +138,8 @@ impl Host {
             None => (None, None),
         };
         let hello = hello(&params, real_time, rig.is_simulated());
+        let Setup { arm, controller, plan, model, .. } = setup;
+        let configuration = Configuration { arm, controller, plan, model };
         let (servo_ends, server_ends) = links();
         let shared = Arc::clone(&server_ends.shared);
         let mut servo = Servo::new(rig, params, state, servo_ends, real_time);
@@ -151,7 +153,7 @@ impl Host {
             flag.ended.store(true, Ordering::Release);
             report
         })?;
-        let server = Server::new(listener, socket_path(socket), hello, server_ends);
+        let server = Server::new(listener, socket_path(socket), hello, configuration, server_ends);
         let server = spawn("server", move || {
             if real_time {
                 fifo(SERVER_PRIORITY);

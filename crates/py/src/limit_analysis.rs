@@ -307,7 +307,7 @@ fn safety_bracket(found: &SafetyBounds) -> Bracket {
         saved(&proof.described.statement, proof.described.scale(), Some(&proof.bound), None)
     };
     let of_upper = saved(&upper.described.statement, upper.described.scale(), None, Some(&upper.bound));
-    let mut proofs = vec![("lower", of_lower(lower)), ("upper", of_upper)];
+    let proofs = vec![("lower", of_lower(lower)), ("upper", of_upper)];
     Bracket {
         lower: lower.factor,
         upper: upper.factor,

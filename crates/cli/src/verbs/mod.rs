@@ -9,6 +9,7 @@ mod diagnose;
 mod estimate;
 mod limits;
 mod log;
+mod monitor;
 mod predict;
 mod process;
 mod replay;
@@ -61,6 +62,8 @@ pub(crate) enum Verb {
     Run(run::Args),
     /// Operates a live session, or plays a log
     Console(console::Args),
+    /// Shows a live session or a log in 3-D, on a page in the browser
+    Monitor(monitor::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
     #[command(hide = true)]
@@ -102,6 +105,7 @@ impl Verb {
             Self::Replay(args) => replay::run(&args, output),
             Self::Run(args) => run::run(&args, output),
             Self::Console(args) => console::run(&args, output),
+            Self::Monitor(args) => monitor::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),
         }

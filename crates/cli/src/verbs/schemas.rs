@@ -10,8 +10,8 @@ use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
 use super::{
-    Outcome, bound, certify, diagnose, estimate, log, predict, process, replay, report, run as run_verb,
-    shear, simulate, solve, table,
+    Outcome, bound, certify, diagnose, estimate, log, monitor, predict, process, replay, report,
+    run as run_verb, shear, simulate, solve, table,
 };
 use crate::error::CliError;
 use crate::output::{Answer, Document};
@@ -41,6 +41,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write_file::<Description>(&args.dir, PROBLEM_SCHEMA)?;
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
     write::<run_verb::RunAnswer>(&args.dir)?;
+    write::<monitor::MonitorAnswer>(&args.dir)?;
     Ok(Outcome::Done)
 }
 

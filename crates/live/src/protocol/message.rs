@@ -30,6 +30,8 @@ pub enum ServerMessage {
     Event(Event),
     /// How things are.
     State(Box<StateMessage>),
+    /// What the session runs with, for who asked.
+    Configuration(Box<Configuration>),
     /// The last message: the session is over.
     End {
         /// Why.
@@ -46,6 +48,8 @@ pub enum ClientMessage {
         /// Version of the protocol.
         protocol: u32,
     },
+    /// Asks what the session runs with; the answer is a [`Configuration`].
+    Describe {},
     /// Asks for something.
     Command {
         /// Comes back in the answer; any number.
@@ -72,6 +76,19 @@ pub struct Hello {
     pub strokes: usize,
     /// Forces that the soil bears without failing; empty if they are not known.
     pub safe_force: SafeForce,
+}
+
+/// What a session runs with: the texts that its log begins with.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Configuration {
+    /// The arm file as TOML.
+    pub arm: String,
+    /// The controller's settings as TOML.
+    pub controller: String,
+    /// The plan as TOML; empty for none.
+    pub plan: String,
+    /// Name of the force model of the simulated soil, or of the hardware.
+    pub model: String,
 }
 
 /// Largest force that the soil bears without failing, against the angle between force and plate normal.
@@ -101,6 +118,8 @@ pub enum Problem {
     Unavailable,
     /// The client speaks another protocol.
     Protocol,
+    /// The client may not do this.
+    Forbidden,
 }
 
 /// Something that happened.

@@ -13,7 +13,9 @@ pub(crate) use command::ticks;
 pub use command::{Command, Value};
 pub(crate) use lines::encode;
 pub use lines::{Line, LineReader, MOST_LINE_BYTES};
-pub use message::{ClientMessage, Event, Hello, Problem, SafeForce, ServerMessage, read_client_message};
+pub use message::{
+    ClientMessage, Configuration, Event, Hello, Problem, SafeForce, ServerMessage, read_client_message,
+};
 pub use outbox::{MOST_OUTBOX_BYTES, Outbox};
 pub use rate::{BURST_LINES, LINES_PER_SECOND, Rate};
 pub(crate) use state::seconds;

@@ -18,7 +18,7 @@ use words::{advice, message};
 
 use crate::links::{Answer, Ask, REQUESTS, ServerEnds, Snapshot, What};
 use crate::protocol::{
-    ClientMessage, Command, Dropped, Event, Hello, PROTOCOL_VERSION, Problem, ServerMessage,
+    ClientMessage, Command, Configuration, Dropped, Event, Hello, PROTOCOL_VERSION, Problem, ServerMessage,
 };
 
 /// How long the server sleeps between two rounds.
@@ -39,6 +39,7 @@ pub(crate) struct Server {
     listener: UnixListener,
     path: PathBuf,
     hello: Hello,
+    configuration: Configuration,
     ends: ServerEnds,
     clients: BTreeMap<u64, Connection>,
     /// Client and id of each question that is not answered yet, by token.
@@ -60,11 +61,18 @@ pub(crate) struct ServerReport {
 }
 
 impl Server {
-    pub(crate) fn new(listener: UnixListener, path: PathBuf, hello: Hello, ends: ServerEnds) -> Self {
+    pub(crate) fn new(
+        listener: UnixListener,
+        path: PathBuf,
+        hello: Hello,
+        configuration: Configuration,
+        ends: ServerEnds,
+    ) -> Self {
         Self {
             listener,
             path,
             hello,
+            configuration,
             ends,
             clients: BTreeMap::new(),
             pending: BTreeMap::new(),
@@ -151,6 +159,11 @@ impl Server {
                     });
                     client.hang_up();
                 }
+                return;
+            }
+            ClientMessage::Describe {} => {
+                let configuration = Box::new(self.configuration.clone());
+                client.outbox.push(&ServerMessage::Configuration(configuration));
                 return;
             }
             ClientMessage::Command { id, command } => (id, command),

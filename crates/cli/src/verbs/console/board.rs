@@ -58,7 +58,9 @@ impl Board {
                 content.answers.insert(*id, Err(message.clone()));
             }
             ServerMessage::End { reason } => content.ended = Some(reason.clone()),
-            ServerMessage::Error { id: None, .. } | ServerMessage::Hello(_) => {}
+            ServerMessage::Error { id: None, .. }
+            | ServerMessage::Hello(_)
+            | ServerMessage::Configuration(_) => {}
         }
         self.0.1.notify_all();
     }

@@ -1,0 +1,116 @@
+//! `soilctl monitor`: a page that shows a live session or a log in 3-D.
+
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use soilctl_monitor::{Monitor, Settings, Source};
+
+use super::Outcome;
+use crate::args::finite;
+use crate::error::CliError;
+use crate::output::{Answer, Output};
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Prints the page's address, serves it, and ends at Ctrl-C. Nobody beyond this machine reaches it unless --listen \
+    says so. With --commands the address carries a token; whoever has it may do to the arm what `soilctl console` does. \
+    docs/monitor.md tells keys, messages and limits."
+)]
+pub(crate) struct Args {
+    /// Socket of a running session
+    #[arg(long, value_name = "PATH", required_unless_present = "play", conflicts_with = "play")]
+    connect: Option<PathBuf>,
+
+    /// A log to play (.mcap)
+    #[arg(long, value_name = "LOG")]
+    play: Option<PathBuf>,
+
+    /// Where a played log begins (s)
+    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = finite, requires = "play")]
+    from: f64,
+
+    /// Where to listen; port 0 takes any free one
+    #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:8470")]
+    listen: SocketAddr,
+
+    /// A further host name by which the page may be opened; addresses and localhost need none
+    #[arg(long, value_name = "NAME")]
+    host: Vec<String>,
+
+    /// Let pages that know the token operate the session
+    #[arg(long, requires = "connect", conflicts_with = "play")]
+    commands: bool,
+
+    /// Open the page in the browser
+    #[arg(long)]
+    open: bool,
+}
+
+/// Where a monitor serves.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct MonitorAnswer {
+    /// Address of the page, with the token if commands are on.
+    url: String,
+    /// Where it listens.
+    listen: String,
+    /// Whether pages that know the token may send commands.
+    commands: bool,
+}
+
+impl Answer for MonitorAnswer {
+    const SCHEMA: &'static str = "soilctl.monitor/1";
+
+    fn text(&self) -> String {
+        format!("{}\n", self.url)
+    }
+}
+
+pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    let source = match (&args.connect, &args.play) {
+        (Some(socket), _) => Source::Session(socket.clone()),
+        (None, Some(log)) => Source::Log { path: log.clone(), from_s: args.from },
+        (None, None) => return Err(CliError::Usage("give --connect or --play".to_owned())),
+    };
+    let signalled = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        // The second one is for whoever cannot wait.
+        signal_hook::flag::register_conditional_shutdown(signal, 130, Arc::clone(&signalled))?;
+        signal_hook::flag::register(signal, Arc::clone(&signalled))?;
+    }
+    let notes = output.notes();
+    let settings = Settings {
+        listen: args.listen,
+        hosts: args.host.clone(),
+        commands: args.commands,
+        note: Box::new(move |text| notes.note(text)),
+    };
+    let spinner = output.spinner(if args.play.is_some() { "reading the log" } else { "connecting" });
+    let monitor = Monitor::start(source, settings);
+    spinner.finish_and_clear();
+    let monitor = monitor?;
+    let address = monitor.address();
+    if !address.ip().is_loopback() {
+        output.note(&format!("warning: everybody who reaches {address} can see this page"));
+    }
+    let answer = MonitorAnswer { url: monitor.url(), listen: address.to_string(), commands: args.commands };
+    output.answer(&answer)?;
+    output.note("Ctrl-C ends");
+    if args.open && open::that_detached(&answer.url).is_err() {
+        output.note("no browser could be started; open the address by hand");
+    }
+    while !signalled.load(Ordering::Relaxed) {
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    let counts = monitor.stop();
+    output.note(&format!(
+        "pages: {}, refused: {}, messages left out for slow pages: {}",
+        counts.pages, counts.refused, counts.dropped
+    ));
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,150 @@
+// Strip charts over the last seconds, drawn on canvases.
+const COLUMNS = ['force_n', 'friction_angle_deg', 'friction_setpoint_deg', 'z_m', 'displacement_m', 'machine'];
+const MOST_POINTS = 12000;
+const MACHINE = {off: 'line', fault: 'bad', idle: 'grid', hold: 'grid', joint_move: 'accent', cartesian_move: 'accent', joint_velocity: 'accent',
+  joint_touch: 'third', cartesian_touch: 'third', insert: 'third', stroke: 'second'};
+
+class Charts {
+  constructor(root, seek) {
+    this.window_s = 30;
+    this.level_m = null;
+    this.charts = [...root.querySelectorAll('figure')].map(figure => {
+      const canvas = figure.querySelector('canvas'), value = figure.querySelector('b');
+      const chart = {kind: canvas.dataset.chart, canvas, value, unit: value.dataset.unit};
+      canvas.addEventListener('pointermove', event => { this.cursor = event.offsetX / canvas.clientWidth; this.redraw(); });
+      canvas.addEventListener('pointerleave', () => { this.cursor = null; this.redraw(); });
+      canvas.addEventListener('click', event => {
+        const [from, to] = this.span();
+        seek?.(from + (to - from) * event.offsetX / canvas.clientWidth);
+      });
+      return chart;
+    });
+    this.clear();
+    new ResizeObserver(() => this.redraw()).observe(root);
+  }
+  clear() {
+    this.time = [];
+    this.data = Object.fromEntries(COLUMNS.map(name => [name, []]));
+    this.redraw();
+  }
+  add(history) {
+    if (history.replace) this.clear();
+    const last = this.time.at(-1) ?? -1;
+    history.time_s.forEach((time, k) => {
+      if (time <= last) return;
+      this.time.push(time);
+      for (const name of COLUMNS) this.data[name].push(history[name][k]);
+    });
+    const over = this.time.length - MOST_POINTS;
+    if (over > 1000) for (const list of [this.time, ...Object.values(this.data)]) list.splice(0, over);
+    this.redraw();
+  }
+  addState(state) {
+    const machine = state.mode === 'ready' ? state.trajectory ?? 'idle' : state.mode;
+    this.add({time_s: [state.time_s], force_n: [Math.hypot(...state.force_rtz_n)], friction_angle_deg: [state.friction_angle_deg],
+      friction_setpoint_deg: [state.friction_setpoint_deg], z_m: [state.plate?.z_m ?? null], displacement_m: [state.displacement_m], machine: [machine]});
+  }
+  span() { const to = this.time.at(-1) ?? 0; return [to - this.window_s, to]; }
+  redraw() {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => { this.waiting = false; this.draw(); });
+  }
+  draw() {
+    const style = getComputedStyle(document.documentElement);
+    this.colour = name => style.getPropertyValue(`--${name}`).trim();
+    const [from, to] = this.span();
+    let first = this.time.findIndex(time => time >= from);
+    first = first < 0 ? 0 : Math.max(0, first - 1);
+    let at = this.time.length - 1;
+    if (this.cursor != null) at = Math.max(first, this.time.findLastIndex(time => time <= from + (to - from) * this.cursor));
+    for (const chart of this.charts) {
+      const pen = this.pen(chart.canvas);
+      if (!pen) continue;
+      if (chart.kind === 'machine') this.machine(chart, pen, first, from, to, at);
+      else this.curves(chart, pen, first, from, to, at);
+    }
+  }
+  pen(canvas) {
+    const ratio = devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
+    if (!width || !height) return null;
+    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
+    const pen = canvas.getContext('2d');
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    pen.font = '10px system-ui, "DejaVu Sans", sans-serif';
+    return Object.assign(pen, {width, height});
+  }
+  series(kind) {
+    const {data} = this, mm = list => list.map(value => value === null ? null : value * 1000);
+    if (kind === 'force') return [[data.force_n, 'accent']];
+    if (kind === 'friction') return [[data.friction_angle_deg, 'accent'], [data.friction_setpoint_deg, 'second', [5, 3]]];
+    if (kind === 'z') return [[mm(data.z_m), 'accent']];
+    return [[mm(data.displacement_m), 'accent']];
+  }
+  curves(chart, pen, first, from, to, at) {
+    const {width, height} = pen, series = this.series(chart.kind);
+    const values = series.flatMap(([list]) => list.slice(first)).filter(value => value !== null);
+    let low = Math.min(...values), high = Math.max(...values);
+    if (chart.kind === 'z' && this.level_m !== null && values.length) [low, high] = [Math.min(low, this.level_m * 1000), Math.max(high, this.level_m * 1000)];
+    if (chart.kind === 'force') [low, high] = [0, Math.max(high, 1)];
+    if (!values.length) [low, high] = chart.kind === 'friction' ? [0, 40] : [0, 10];
+    const room = Math.max(high - low, chart.kind === 'friction' ? 4 : chart.kind === 'z' ? 4 : 1) * .12;
+    [low, high] = [chart.kind === 'force' ? 0 : low - room, high + room];
+    const x = time => (time - from) / (to - from) * width, y = value => height - (value - low) / (high - low) * height;
+    const step = niceStep((high - low) / Math.max(2, height / 26));
+    pen.strokeStyle = this.colour('grid');
+    pen.fillStyle = this.colour('faint');
+    pen.lineWidth = 1;
+    for (let tick = Math.ceil(low / step) * step; tick < high; tick += step) {
+      const place = Math.round(y(tick)) + .5;
+      pen.beginPath(); pen.moveTo(0, place); pen.lineTo(width, place); pen.stroke();
+      if (place > 10) pen.fillText(Number(tick.toPrecision(6)).toString(), 2, place - 2);
+    }
+    if (chart.kind === 'z' && this.level_m !== null) this.line(pen, [[0, y(this.level_m * 1000)], [width, y(this.level_m * 1000)]], 'second', [5, 3]);
+    for (const [list, colour, dash] of series) {
+      let run = [];
+      const end = () => { this.line(pen, run, colour, dash); run = []; };
+      for (let k = first; k < this.time.length; k++) {
+        if (list[k] === null) end(); else run.push([x(this.time[k]), y(list[k])]);
+      }
+      end();
+    }
+    if (this.cursor != null) this.line(pen, [[x(this.time[at]), 0], [x(this.time[at]), height]], 'faint');
+    const shown = series.map(([list]) => list[at]);
+    chart.value.textContent = shown[0] == null ? '–' : `${shown[0].toFixed(1)} ${chart.unit}${shown[1] == null ? '' : ` (${shown[1].toFixed(1)})`}`;
+  }
+  line(pen, points, colour, dash = []) {
+    if (points.length < 2) return;
+    pen.strokeStyle = this.colour(colour);
+    pen.lineWidth = dash.length ? 1.2 : 1.6;
+    pen.lineJoin = 'round';
+    pen.setLineDash(dash);
+    pen.beginPath();
+    points.forEach(([x, y], k) => k ? pen.lineTo(x, y) : pen.moveTo(x, y));
+    pen.stroke();
+    pen.setLineDash([]);
+  }
+  machine(chart, pen, first, from, to, at) {
+    const {width, height} = pen, list = this.data.machine, x = time => (time - from) / (to - from) * width;
+    for (let k = first; k < list.length;) {
+      let end = k;
+      while (end + 1 < list.length && list[end + 1] === list[k]) end++;
+      const left = Math.max(0, x(this.time[k])), right = end + 1 < list.length ? x(this.time[end + 1]) : width, words = list[k].replace('_', ' ');
+      pen.globalAlpha = .32;
+      pen.fillStyle = this.colour(MACHINE[list[k]] ?? 'grid');
+      pen.fillRect(left, 0, right - left, height);
+      pen.globalAlpha = 1;
+      pen.fillRect(left, height - 3, right - left - 1, 3);
+      if (pen.measureText(words).width < right - left - 6) { pen.fillStyle = this.colour('ink'); pen.fillText(words, left + 4, height / 2 + 2); }
+      k = end + 1;
+    }
+    if (this.cursor != null && at >= 0) this.line(pen, [[x(this.time[at]), 0], [x(this.time[at]), height]], 'faint');
+    chart.value.textContent = list[at]?.replace('_', ' ') ?? '–';
+  }
+}
+
+function niceStep(rough) {
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return [1, 2, 5, 10].map(factor => factor * power).find(step => step >= rough) ?? power;
+}

@@ -1,0 +1,164 @@
+// The connection, and what holds all parts together.
+const page = {};
+const STALE_MS = 3500, MOST_WAIT_MS = 4000;
+const get = id => document.getElementById(id);
+
+class Link {
+  constructor(hear, lost) { Object.assign(this, {hear, lost, wait: 250, last: performance.now()}); this.open(); }
+  open() {
+    const socket = this.socket = new WebSocket(`ws://${location.host}/socket`);
+    socket.onmessage = event => {
+      this.last = performance.now();
+      this.wait = 250;
+      this.hear(JSON.parse(event.data));
+    };
+    socket.onopen = () => { this.connected = true; const token = takeToken(); if (token) this.send({type: 'authorize', token}); };
+    socket.onclose = event => {
+      this.connected = false;
+      this.lost(event.reason);
+      setTimeout(() => this.open(), this.wait);
+      this.wait = Math.min(MOST_WAIT_MS, this.wait * 2);
+    };
+  }
+  send(message) { if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message)); }
+}
+
+// From the address, out of which it goes so that nobody reads it there; a reload still has it.
+function takeToken() {
+  const given = new URLSearchParams(location.hash.slice(1)).get('token');
+  if (given) {
+    sessionStorage.setItem('token', given);
+    history.replaceState(null, '', location.pathname);
+  }
+  return sessionStorage.getItem('token');
+}
+
+function showLink(state, words) { Object.assign(get('link').dataset, {state}); get('link').textContent = words; }
+function banner(words) { get('banner').hidden = !words; get('banner').textContent = words ?? ''; }
+
+const hear = {
+  hello(message) {
+    page.hello = message;
+    page.charts.clear();
+    page.panel.clearEvents();
+    page.legend.hidden = !message.safe_force.angle_deg.length;
+    banner(null);
+  },
+  scene(message) {
+    page.live = message.live;
+    page.words = message.words;
+    page.charts.level_m = message.sandbox.surface_z_m;
+    page.scene.describe(message);
+    get('source').textContent = [message.name, message.soil].filter(Boolean).join(' · ');
+    document.title = `${message.name} – soilctl monitor`;
+    if (page.live) { page.player.open(null); showLink('live', page.hello.real_time ? 'live, real time' : 'live, as fast as possible'); }
+  },
+  log(message) {
+    page.panel.setEvents(message.events);
+    page.player.open(message);
+    showLink('log', message.damage.length ? 'log, damaged' : 'log');
+    get('link').title = message.damage.join('\n');
+  },
+  history(message) { page.charts.add(message); },
+  soil(message) { page.scene.patch(message); },
+  state(message) {
+    page.state = message;
+    page.scene.update(message, page.hello?.safe_force);
+    page.panel.show(message, page.live);
+    if (page.live) page.charts.addState(message);
+    else page.panel.at(message.time_s);
+    page.heard.push([message.tick, performance.timeOrigin + performance.now()]);
+    if (page.heard.length > 4000) page.heard.splice(0, 2000);
+  },
+  event(message) { page.panel.addEvent(message); },
+  player(message) { page.player.show(message); get('player').dataset.timeS = message.time_s; },
+  link(message) {
+    page.sessionLost = !message.connected;
+    if (message.connected) { banner(null); return; }
+    showLink('lost', 'session lost');
+    banner(`Session lost, reconnecting … (${message.message})`);
+  },
+  authorized() { page.commands.allow(page.words ?? []); },
+  ack(message) { page.commands.answered(message); },
+  error(message) { page.commands.answered(message); },
+};
+
+function keys(event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || get('help').open) return;
+  const typing = event.target.matches('input[list], select');
+  if (typing) return;
+  const inScene = event.target === get('scene'), turns = {ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, 4], ArrowDown: [0, -4]};
+  const views = {1: 'home', 2: 'side', 3: 'top', 4: 'plate'};
+  if (inScene && turns[event.key]) page.scene.turn(...turns[event.key]);
+  else if (inScene && '+-'.includes(event.key)) page.scene.zoom(event.key === '+' ? .87 : 1.15);
+  else if (views[event.key]) page.scene.show(views[event.key]);
+  else if (event.key === '?') get('help').showModal();
+  else if (event.key === 'd') theme();
+  else if (event.key === ' ' && event.target.matches('button')) return;
+  else if (event.target === get('scrub') && ['Home', 'End'].includes(event.key)) return;
+  else if (!page.player.key(event.key)) return;
+  event.preventDefault();
+}
+
+function theme(wanted) {
+  const dark = matchMedia('(prefers-color-scheme: dark)').matches, now = document.documentElement.dataset.theme ?? (dark ? 'dark' : 'light');
+  if (wanted === undefined) document.documentElement.dataset.theme = now === 'dark' ? 'light' : 'dark';
+  page.scene.look = document.documentElement.dataset.theme ?? (dark ? 'dark' : 'light');
+  page.scene.redraw();
+  page.charts.redraw();
+  page.player.draw();
+}
+
+function pointers(canvas) {
+  const held = new Map();
+  canvas.addEventListener('pointerdown', event => { canvas.setPointerCapture(event.pointerId); held.set(event.pointerId, [event.clientX, event.clientY]); });
+  for (const kind of ['pointerup', 'pointercancel']) canvas.addEventListener(kind, event => held.delete(event.pointerId));
+  canvas.addEventListener('pointermove', event => {
+    const before = held.get(event.pointerId);
+    if (!before) return;
+    const [dx, dy] = [event.clientX - before[0], event.clientY - before[1]], others = [...held].filter(([id]) => id !== event.pointerId);
+    held.set(event.pointerId, [event.clientX, event.clientY]);
+    if (others.length) {
+      const [x, y] = others[0][1], gap = (u, v) => Math.hypot(u - x, v - y) || 1;
+      page.scene.zoom(gap(...before) / gap(event.clientX, event.clientY));
+      page.scene.shift(dx / 2, dy / 2);
+    } else if (event.shiftKey || event.buttons === 4) page.scene.shift(dx, dy);
+    else page.scene.turn(-dx * .4, dy * .4);
+  });
+  canvas.addEventListener('wheel', event => { event.preventDefault(); page.scene.zoom(Math.exp(event.deltaY * .0012)); }, {passive: false});
+}
+
+function start() {
+  const send = message => page.link.send(message);
+  page.heard = [];
+  page.scene = new Scene(get('scene'));
+  get('no-webgl').hidden = page.scene.ready;
+  page.player = new Player(send);
+  page.charts = new Charts(get('charts'), time_s => page.player.active && page.player.seek(time_s));
+  page.panel = new Panel(time_s => page.player.seek(time_s));
+  page.commands = new Commands(send);
+  page.legend = get('legend').querySelector('[data-key=safe]');
+  page.link = new Link(message => hear[message.type]?.(message), reason => {
+    showLink('lost', 'stream lost');
+    banner(`Stream lost, reconnecting …${reason ? ` (${reason})` : ''}`);
+    get('commands').hidden = true;
+  });
+  get('window').addEventListener('change', event => { page.charts.window_s = Number(event.target.value); page.charts.redraw(); });
+  get('views').addEventListener('click', event => event.target.dataset.view && page.scene.show(event.target.dataset.view));
+  get('theme').addEventListener('click', () => theme());
+  get('help-open').addEventListener('click', () => get('help').showModal());
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => theme(null));
+  document.addEventListener('keydown', keys);
+  new ResizeObserver(() => page.scene.redraw()).observe(get('view'));
+  pointers(get('scene'));
+  theme(null);
+  setInterval(() => {
+    const drawn = page.scene.drawn.filter(time => time > performance.now() - 1000).length;
+    get('rate').textContent = page.scene.ready ? `${drawn} frames/s` : '';
+    const silent = performance.now() - page.link.last;
+    if (page.live && page.link.connected && !page.sessionLost) banner(silent > STALE_MS ? `No data for ${Math.round(silent / 1000)} s` : null);
+  }, 500);
+}
+// For tests and the curious.
+window.monitor = page;
+start();

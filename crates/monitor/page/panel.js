@@ -1,0 +1,97 @@
+// What is told in words: readout, legend, events, commands.
+const MOST_EVENTS = 400;
+class Panel {
+  constructor(seek) {
+    this.seek = seek;
+    const get = id => document.getElementById(id);
+    Object.assign(this, {readout: get('readout'), legend: get('legend'), events: get('events').querySelector('ol'), lost: get('lost')});
+    this.entries = [];
+    this.rows = {};
+  }
+  show(state, live) {
+    const number = (value, digits, unit) => value === null || value === undefined ? '–' : `${value.toFixed(digits)} ${unit}`;
+    const step = state.sequence ? `${state.sequence.replaceAll('_', ' ')} ${state.sequence_step}` : '–';
+    this.row('Time', `${state.time_s.toFixed(2)} s${state.paused ? ', waits' : ''}`);
+    this.row('Mode', state.mode + (state.waiting ? ', waits for soil' : ''), state.mode === 'fault' ? 'bad' : '');
+    this.row('Sequence', step);
+    this.row('Motion', state.trajectory?.replaceAll('_', ' ') ?? '–');
+    this.row('Plate', state.plate ? `${number(Math.hypot(state.plate.x_m, state.plate.y_m) * 1000, 0, 'mm')}, ${number(state.plate.tool_angle_deg, 1, '°')}` : 'not homed');
+    if (state.fault) this.row('Fault', `${state.fault.kind.replaceAll('_', ' ')}: ${state.fault.value.toPrecision(4)} over ${state.fault.limit.toPrecision(4)}`, 'bad');
+    else this.row('Fault', null);
+    this.mark('force', number(Math.hypot(...state.force_rtz_n), 1, 'N'));
+    this.mark('lead', number(state.lead_m === null ? null : state.lead_m * 1000, 1, 'mm'));
+    this.mark('safe', state.safe_force_n === null ? '' : number(state.safe_force_n, 1, 'N'));
+    const {log_steps, states, events, messages} = state.dropped;
+    this.lost.textContent = live && log_steps + states + events + messages ? `lost: ${log_steps} steps, ${states} states, ${events} events, ${messages} messages` : '';
+  }
+  row(name, words, tone = '') {
+    if (words === null) { this.rows[name]?.forEach(node => { node.hidden = true; }); return; }
+    if (!this.rows[name]) {
+      this.rows[name] = ['dt', 'dd'].map(tag => this.readout.appendChild(document.createElement(tag)));
+      this.rows[name][0].textContent = name;
+    }
+    this.rows[name].forEach(node => { node.hidden = false; });
+    const cell = this.rows[name][1];
+    if (cell.textContent !== words) cell.textContent = words;
+    cell.dataset.tone = tone;
+  }
+  mark(key, words) { this.legend.querySelector(`[data-key=${key}] b`).textContent = words; }
+  clearEvents() { this.entries = []; this.events.replaceChildren(); this.current = null; }
+  // Events of a whole log; a click goes to their time.
+  setEvents(events) {
+    this.clearEvents();
+    this.events.append(...events.map(event => this.entry(event, true)));
+  }
+  addEvent(event) {
+    const end = this.events.scrollHeight - this.events.scrollTop - this.events.clientHeight < 40;
+    this.events.append(this.entry(event, false));
+    if (this.entries.length > MOST_EVENTS) this.entries.shift().node.remove();
+    if (end) this.events.scrollTop = this.events.scrollHeight;
+  }
+  entry(event, seekable) {
+    const node = document.createElement('li'), part = (tag, words) => { const cell = node.appendChild(document.createElement(tag)); cell.textContent = words; return cell; };
+    part('time', event.time_s.toFixed(2));
+    part('span', event.kind.replaceAll('_', ' ').replaceAll('/', ' · ') + (event.index ? ` ${event.index}` : '')).className = /^(fault|sequence_failed)/.test(event.kind) ? 'fault' : '';
+    part('span', event.value ? Number(event.value.toPrecision(4)) : '');
+    if (seekable) { node.dataset.seek = event.time_s; node.addEventListener('click', () => this.seek(event.time_s)); }
+    this.entries.push({time_s: event.time_s, node});
+    return node;
+  }
+  // Marks the last event before a time of a log.
+  at(time_s) {
+    let place = this.entries.findLastIndex(entry => entry.time_s <= time_s + 1e-6);
+    if (place === this.current) return;
+    this.current = place;
+    this.entries.forEach(({node}, k) => { node.classList.toggle('later', k > place); k === place ? node.setAttribute('aria-current', 'time') : node.removeAttribute('aria-current'); });
+    const node = this.entries[place]?.node;
+    if (node) this.events.scrollTop = node.offsetTop - this.events.offsetTop - this.events.clientHeight / 2;
+  }
+}
+
+class Commands {
+  constructor(send) {
+    this.send = send;
+    this.id = 0;
+    const get = id => document.getElementById(id);
+    Object.assign(this, {root: get('commands'), answer: get('answer'), words: get('words')});
+    get('line').addEventListener('submit', event => { event.preventDefault(); this.line(get('text').value.trim()); get('text').value = ''; });
+    get('quick').addEventListener('click', event => event.target.dataset.line && this.line(event.target.dataset.line));
+    get('stop').addEventListener('click', () => this.line('emergency_stop'));
+  }
+  allow(words) {
+    this.root.hidden = false;
+    this.words.replaceChildren(...words.map(([word, help]) => new Option(help, word)));
+  }
+  line(text) {
+    if (!text) return;
+    this.id += 1;
+    this.last = text;
+    this.say(`${text} …`);
+    this.send({type: 'line', id: this.id, text});
+  }
+  answered(message) {
+    if (message.type === 'ack' && message.id === this.id) this.say(`${this.last}: done in tick ${message.tick}`);
+    if (message.type === 'error' && !this.root.hidden) this.say(message.message, 'bad');
+  }
+  say(words, tone = '') { this.answer.textContent = words; this.answer.dataset.tone = tone; }
+}

@@ -1,0 +1,179 @@
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use soilctl_live::protocol::{Configuration, Event, Hello, Memory, PROTOCOL_VERSION, StateMessage};
+use soilctl_session::messages::{ControllerStep, JointState, decode};
+use soilctl_session::read::{Item, scan};
+use soilctl_session::{SessionError, topics};
+
+use super::sample::Words;
+use super::track::{MOST_EVENTS, Track};
+use crate::MonitorError;
+use crate::messages::StrokeSpan;
+use crate::scene::Scene;
+use crate::soil::Surface;
+
+/// Steps between two states: some 31 a second.
+const STATE_STEPS: u64 = 16;
+/// Kept surfaces; when there are more, every second one goes.
+const MOST_SURFACES: usize = 64;
+/// States between two kept surfaces, to begin with.
+const SURFACE_STATES: usize = 300;
+
+/// Reads a log. What is damaged is left out and said.
+pub(crate) fn load(path: &Path) -> Result<Track, MonitorError> {
+    let mut loader = Loader::default();
+    let ending = scan::<Stop>(path, &mut |item| loader.item(item)).map_err(|Stop(error)| *error)?;
+    let not_playable = |what| MonitorError::NotPlayable { file: path.display().to_string(), what };
+    let Some((mut track, _)) = loader.track else {
+        return Err(not_playable("record of the configuration before its first step"));
+    };
+    if track.samples.is_empty() {
+        return Err(not_playable("step of the controller"));
+    }
+    track.strokes = loader.strokes;
+    track.damage = ending.damage;
+    Ok(track)
+}
+
+/// Ends a scan.
+struct Stop(Box<MonitorError>);
+
+impl From<SessionError> for Stop {
+    fn from(error: SessionError) -> Self {
+        Self(Box::new(error.into()))
+    }
+}
+
+#[derive(Default)]
+struct Loader {
+    program: String,
+    configuration: Option<Configuration>,
+    track: Option<(Track, Surface)>,
+    memory: Memory,
+    strokes: Vec<StrokeSpan>,
+    /// The joints as they are, as the log has them; empty if it does not.
+    truth: Vec<u8>,
+    steps: u64,
+    spacing: usize,
+}
+
+impl Loader {
+    fn item(&mut self, item: Item<'_>) -> Result<(), Stop> {
+        match item {
+            Item::Metadata { name: "soilctl.session", content } => {
+                self.program = format!("soilctl {}", text(content, "program_version"));
+            }
+            Item::Metadata { name: "soilctl.configuration", content } => {
+                self.configuration = Some(Configuration {
+                    arm: text(content, "arm"),
+                    controller: text(content, "controller"),
+                    plan: text(content, "plan"),
+                    model: String::new(),
+                });
+            }
+            Item::Metadata { name: "soilctl.stroke", content } => self.strokes.push(StrokeSpan {
+                number: text(content, "number"),
+                start_s: text(content, "start_s").parse().unwrap_or(0.0),
+                end_s: text(content, "end_s").parse().unwrap_or(0.0),
+                finish: text(content, "finish"),
+            }),
+            Item::Message(message) if message.channel.topic == topics::TRUE_JOINTS => {
+                self.truth.clear();
+                self.truth.extend_from_slice(message.data);
+            }
+            Item::Message(message) if message.channel.topic == topics::STEP => {
+                let step = decode::<ControllerStep>(message.data).map_err(|reason| {
+                    let topic = topics::STEP.to_owned();
+                    Stop::from(SessionError::Message { topic, number: self.steps, reason })
+                })?;
+                self.step(&step).map_err(|error| Stop(Box::new(error)))?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, step: &ControllerStep) -> Result<(), MonitorError> {
+        if self.track.is_none() {
+            let Some(configuration) = &self.configuration else { return Ok(()) };
+            self.track = Some(begin(configuration, &self.program)?);
+            self.spacing = SURFACE_STATES;
+        }
+        let Some((track, surface)) = &mut self.track else { return Ok(()) };
+        self.memory.step(step);
+        for event in &step.events {
+            if track.events.len() < MOST_EVENTS {
+                track.events.push(Event::new(step.tick, event));
+            } else {
+                track.events_left_out += 1;
+            }
+        }
+        let due = self.steps.is_multiple_of(STATE_STEPS);
+        self.steps += 1;
+        if !due {
+            return Ok(());
+        }
+        let state = StateMessage::new(step, &self.memory);
+        let number = self.steps / STATE_STEPS;
+        if track.is_full() {
+            track.thin();
+        }
+        let next = track.len();
+        let last = track.surfaces.last().map_or(0, |(number, _)| *number);
+        if surface.is_at_rest() && next >= last + self.spacing {
+            track.surfaces.push((next, surface.snapshot()));
+        }
+        if track.surfaces.len() > MOST_SURFACES {
+            let mut keep = false;
+            track.surfaces.retain(|_| {
+                keep = !keep;
+                keep
+            });
+            self.spacing *= 2;
+        }
+        let true_deg = true_joints_deg(&self.truth).unwrap_or(state.joints_deg);
+        if track.push(number, &state, true_deg) {
+            surface.follow(true_deg, state.homed, state.waiting);
+        }
+        Ok(())
+    }
+}
+
+/// The joints in a message of the truth, in degrees.
+fn true_joints_deg(data: &[u8]) -> Option<[f64; 5]> {
+    let message = decode::<JointState>(data).ok()?;
+    let joints = <[f64; 5]>::try_from(message.position).ok()?;
+    joints.iter().all(|joint| joint.is_finite()).then(|| joints.map(f64::to_degrees))
+}
+
+fn begin(configuration: &Configuration, program: &str) -> Result<(Track, Surface), MonitorError> {
+    let scene = Scene::new(configuration)?;
+    let surface = Surface::new(&scene)?;
+    let hello = Hello {
+        protocol: PROTOCOL_VERSION,
+        program: program.to_owned(),
+        real_time: false,
+        simulated: false,
+        tick_s: soilctl_controller::TICK_S,
+        strokes: scene.strokes,
+        safe_force: scene.safe_force.clone(),
+    };
+    let track = Track {
+        hello,
+        scene,
+        samples: Vec::new(),
+        words: Words::default(),
+        stride: 1,
+        events: Vec::new(),
+        events_left_out: 0,
+        strokes: Vec::new(),
+        damage: Vec::new(),
+        surfaces: vec![(0, surface.snapshot())],
+    };
+    Ok((track, surface))
+}
+
+fn text(content: &BTreeMap<String, String>, key: &str) -> String {
+    content.get(key).cloned().unwrap_or_default()
+}

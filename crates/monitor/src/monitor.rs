@@ -1,0 +1,176 @@
+use std::net::{SocketAddr, TcpListener};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::thread::JoinHandle;
+
+use soilctl_live::protocol::ServerMessage;
+
+use crate::MonitorError;
+use crate::feed::{Feed, text};
+use crate::live::{Hub, Operator, Upstream};
+use crate::log::{Player, Track, load};
+use crate::messages::PageMessage;
+use crate::web::{Guard, Server, Shared, random_hex};
+
+/// What is shown.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// A live session at this Unix socket.
+    Session(PathBuf),
+    /// A log.
+    Log {
+        /// The file.
+        path: PathBuf,
+        /// Where pages begin, in s; beyond the ends of the log: at its ends.
+        from_s: f64,
+    },
+}
+
+/// How a monitor serves.
+pub struct Settings {
+    /// Where it listens. Port 0: any free port.
+    pub listen: SocketAddr,
+    /// Further host names by which pages may be opened; addresses and `localhost` need none.
+    pub hosts: Vec<String>,
+    /// Whether pages that know the token may send commands to a session.
+    pub commands: bool,
+    /// Takes notes, such as what was refused, from any thread.
+    pub note: Box<dyn Fn(&str) + Send + Sync>,
+}
+
+/// What a monitor has counted.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Pages that connected.
+    pub pages: u64,
+    /// Requests and messages that were refused.
+    pub refused: u64,
+    /// Messages that pages did not take in time.
+    pub dropped: u64,
+}
+
+/// A monitor that serves.
+pub struct Monitor {
+    address: SocketAddr,
+    shared: Arc<Shared>,
+    hub: Option<Arc<Hub>>,
+    threads: Vec<JoinHandle<()>>,
+}
+
+impl Monitor {
+    /// Connects to the session or reads the log, and serves the page.
+    ///
+    /// # Errors
+    /// [`MonitorError::Listen`], [`MonitorError::Live`] if the session is not there, [`MonitorError::Session`] or
+    /// [`MonitorError::NotPlayable`] for the log, [`MonitorError::Scene`], [`MonitorError::Random`],
+    /// [`MonitorError::Thread`].
+    pub fn start(source: Source, settings: Settings) -> Result<Self, MonitorError> {
+        let Settings { listen, hosts, commands, note } = settings;
+        let failed = |reason| MonitorError::Listen { address: listen, reason };
+        let listener = TcpListener::bind(listen).map_err(failed)?;
+        listener.set_nonblocking(true).map_err(failed)?;
+        let address = listener.local_addr().map_err(failed)?;
+        let stop = Arc::new(AtomicBool::new(false));
+        let mut threads = Vec::new();
+        let mut hub = None;
+        let (feed, greeting): (Box<dyn Fn() -> _ + Send + Sync>, _) = match source {
+            Source::Session(path) => {
+                let shared = Arc::new(Hub::default());
+                hub = Some(Arc::clone(&shared));
+                let (theirs, stop) = (Arc::clone(&shared), Arc::clone(&stop));
+                threads.push(Upstream::start(path, commands, theirs, stop)?);
+                (Box::new(move || Ok(Feed::Session(Operator::new(Arc::clone(&shared))))), Vec::new())
+            }
+            Source::Log { path, from_s } => {
+                let track = Arc::new(load(&path)?);
+                let greeting = greeting(&track, &path);
+                let feed = move || Ok(Feed::Log(Box::new(Player::new(Arc::clone(&track), from_s)?)));
+                (Box::new(feed), greeting)
+            }
+        };
+        let token = if commands { Some(random_hex::<16>()?.into()) } else { None };
+        let shared = Arc::new(Shared {
+            guard: Guard::new(address, hosts),
+            token,
+            feed,
+            greeting,
+            note,
+            stop,
+            open: AtomicUsize::new(0),
+            pages: AtomicU64::new(0),
+            refused: AtomicU64::new(0),
+            dropped: AtomicU64::new(0),
+        });
+        let server = Server { listener, shared: Arc::clone(&shared) };
+        let thread = std::thread::Builder::new().name("server".to_owned()).spawn(move || server.run());
+        threads.push(thread.map_err(|reason| {
+            shared.stop.store(true, Ordering::Relaxed);
+            MonitorError::Thread { thread: "server", reason }
+        })?);
+        Ok(Self { address, shared, hub, threads })
+    }
+
+    /// Where it listens.
+    #[must_use]
+    pub const fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// The token that allows commands, if they are on.
+    #[must_use]
+    pub fn token(&self) -> Option<&str> {
+        self.shared.token.as_deref()
+    }
+
+    /// The address for a browser, with the token in the part that browsers keep to themselves.
+    #[must_use]
+    pub fn url(&self) -> String {
+        let mut address = self.address;
+        if address.ip().is_unspecified() {
+            address.set_ip(std::net::Ipv4Addr::LOCALHOST.into());
+        }
+        let token = self.token().map(|token| format!("#token={token}")).unwrap_or_default();
+        format!("http://{address}/{token}")
+    }
+
+    /// What it has counted so far.
+    #[must_use]
+    pub fn counts(&self) -> Counts {
+        let waiting = self.hub.as_ref().map_or(0, |hub| hub.lock().dropped());
+        Counts {
+            pages: self.shared.pages.load(Ordering::Relaxed),
+            refused: self.shared.refused.load(Ordering::Relaxed),
+            dropped: self.shared.dropped.load(Ordering::Relaxed) + waiting,
+        }
+    }
+
+    /// Says good-bye to all pages and ends.
+    #[must_use]
+    pub fn stop(mut self) -> Counts {
+        self.end();
+        self.counts()
+    }
+
+    fn end(&mut self) {
+        self.shared.stop.store(true, Ordering::Relaxed);
+        for thread in self.threads.drain(..) {
+            let _ = thread.join();
+        }
+    }
+}
+
+impl Drop for Monitor {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+fn greeting(track: &Track, path: &Path) -> Vec<String> {
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    vec![
+        text(&ServerMessage::Hello(track.hello.clone())),
+        text(&PageMessage::Scene(track.scene.message(&name, false, false))),
+        text(&PageMessage::Log(&track.message())),
+    ]
+}

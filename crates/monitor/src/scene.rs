@@ -1,0 +1,106 @@
+//! What does not move: the arm's shape, the box and where its sand begins.
+
+use std::path::Path;
+
+use soilctl_campaign::Plan;
+use soilctl_controller::ControllerConfig;
+use soilctl_kinematics::Arm;
+use soilctl_live::protocol::{COMMANDS, Configuration, SafeForce};
+use soilctl_plant::PlantParams;
+use soilctl_session::Setup;
+
+use crate::MonitorError;
+use crate::messages::{Plate, Sandbox, SceneMessage};
+
+/// Angle of repose in degrees where nobody says which soil it is.
+const REPOSE_DEG: f64 = 35.0;
+/// That of cohesive soil, which stands steeper than its friction.
+const COHESIVE_DEG: f64 = 80.0;
+
+/// The scene behind states.
+#[derive(Debug, Clone)]
+pub(crate) struct Scene {
+    pub(crate) arm: Arm,
+    pub(crate) sandbox: Sandbox,
+    /// Slant lengths ahead of the plate over which moved soil is heaped.
+    pub(crate) heap_length: f64,
+    pub(crate) repose_deg: f64,
+    pub(crate) safe_force: SafeForce,
+    pub(crate) strokes: usize,
+    soil: String,
+}
+
+impl Scene {
+    /// From what a session runs with. The box is that of the plan, or of the default plant where the plan cannot be read
+    /// without the files that it names.
+    pub(crate) fn new(configuration: &Configuration) -> Result<Self, MonitorError> {
+        let refused = |error: &dyn std::fmt::Display| MonitorError::Scene(error.to_string());
+        let setup = Setup {
+            arm: configuration.arm.clone(),
+            controller: configuration.controller.clone(),
+            plan: configuration.plan.clone(),
+            seed: 0,
+            model: configuration.model.clone(),
+            notes: std::collections::BTreeMap::new(),
+        };
+        let params = setup.params().map_err(|error| refused(&error))?;
+        let plan = plan(&configuration.plan);
+        let thesis = PlantParams::thesis();
+        let plant = plan.as_ref().map_or(thesis.config(), |plan| plan.plant().config());
+        let controller: &ControllerConfig = params.config();
+        let soil = plan.as_ref().map(Plan::soil);
+        let repose_deg =
+            soil.map_or(REPOSE_DEG, |soil| if soil.cohesion_pa > 0.0 { COHESIVE_DEG } else { soil.phi_deg });
+        let table = &controller.stroke.safe_force;
+        Ok(Self {
+            arm: Arm::from_toml(&configuration.arm, "arm").map_err(|error| refused(&error))?,
+            sandbox: Sandbox {
+                x_m: plant.sandbox.x_m,
+                y_m: plant.sandbox.y_m,
+                floor_z_m: plant.sandbox.floor_z_m,
+                top_z_m: plant.sandbox.top_z_m,
+                surface_z_m: controller.site.surface_z_m,
+                cell_m: plant.ground.cell_m,
+            },
+            heap_length: plant.ground.heap_length,
+            repose_deg,
+            safe_force: SafeForce { angle_deg: table.angle_deg.clone(), force_n: table.force_n.clone() },
+            strokes: params.plan().strokes().len(),
+            soil: soil.map(|soil| soil.title.clone()).unwrap_or_default(),
+        })
+    }
+
+    /// The scene for a page.
+    pub(crate) fn message(&self, name: &str, live: bool, commands: bool) -> SceneMessage {
+        let plate = self.arm.config().plate;
+        SceneMessage {
+            name: name.to_owned(),
+            live,
+            commands,
+            words: COMMANDS.iter().map(|word| [word.name, word.help]).collect(),
+            urdf: soilctl_kinematics::urdf(&self.arm),
+            tip_link: "plate_tip",
+            plate: Plate { width_m: plate.width_m, height_m: plate.height_m, thickness_m: plate.thickness_m },
+            sandbox: self.sandbox,
+            soil: self.soil.clone(),
+        }
+    }
+}
+
+/// The plan in a log. What it names by file stands in the log (arm, controller) or is not at hand (plant): then the default
+/// stands in for it.
+fn plan(text: &str) -> Option<Plan> {
+    let read = |text: &str| Plan::from_toml(text, "plan", Path::new("")).ok();
+    let mut table = text.parse::<toml::Table>().ok()?;
+    read(text).or_else(|| {
+        for keys in [&["arm", "controller"][..], &["plant"]] {
+            keys.iter().for_each(|key| {
+                table.remove(*key);
+            });
+            if let Some(plan) = toml::to_string(&table).ok().and_then(|text| read(&text)) {
+                return Some(plan);
+            }
+        }
+        None
+    })
+}

@@ -1,0 +1,54 @@
+//! The page: one document, put together from its parts.
+
+/// Where the style goes, where the scripts go, and the number that allows them.
+const STYLE_MARK: &str = "/*STYLE*/";
+const SCRIPT_MARK: &str = "/*SCRIPT*/";
+const NONCE_MARK: &str = "NONCE";
+
+const DOCUMENT: &str = include_str!("../../page/page.html");
+const STYLE: &str = include_str!("../../page/style.css");
+/// In the order in which they build on each other.
+const SCRIPTS: [&str; 11] = [
+    include_str!("../../page/matrix.js"),
+    include_str!("../../page/shapes.js"),
+    include_str!("../../page/arm.js"),
+    include_str!("../../page/soil.js"),
+    include_str!("../../page/pace.js"),
+    include_str!("../../page/shaders.js"),
+    include_str!("../../page/scene.js"),
+    include_str!("../../page/charts.js"),
+    include_str!("../../page/player.js"),
+    include_str!("../../page/panel.js"),
+    include_str!("../../page/main.js"),
+];
+
+/// The page with a number used once.
+pub(super) fn page(nonce: &str) -> String {
+    // First the number, which must not get into what stands in scripts.
+    DOCUMENT.replace(NONCE_MARK, nonce).replace(STYLE_MARK, STYLE).replace(SCRIPT_MARK, &SCRIPTS.concat())
+}
+
+/// The policy that allows the page its own style and script, its own server, and nothing else.
+pub(super) fn policy(nonce: &str) -> String {
+    format!(
+        "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; connect-src 'self'; img-src data:; \
+         base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_is_one_document_that_asks_for_nothing() {
+        let page = page("abc");
+        assert!(!page.contains(STYLE_MARK) && !page.contains(SCRIPT_MARK) && !page.contains(NONCE_MARK));
+        for sign in ["http://", "https://", "src=", "@import", "url("] {
+            let found = page.match_indices(sign).map(|(place, _)| &page[place..(place + 60).min(page.len())]);
+            let foreign: Vec<_> = found.filter(|text| !text.starts_with("http://www.w3.org/")).collect();
+            assert!(foreign.is_empty(), "{foreign:?}");
+        }
+        assert_eq!(page.matches("nonce=\"abc\"").count(), 2);
+    }
+}

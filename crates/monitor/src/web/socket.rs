@@ -1,0 +1,207 @@
+use std::io::ErrorKind;
+use std::net::{SocketAddr, TcpStream};
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use soilctl_live::protocol::{LINES_PER_SECOND, MOST_LINE_BYTES, Problem, Rate};
+use tungstenite::protocol::frame::CloseFrame;
+use tungstenite::protocol::frame::coding::CloseCode;
+use tungstenite::protocol::{WebSocket, WebSocketConfig};
+use tungstenite::{Error, Message};
+
+use super::server::Shared;
+use crate::feed::{Feed, Rights, refuse};
+
+/// Messages that are read before the page is told anything again.
+const ROUND: usize = 32;
+/// What may wait inside the connection: a greeting and some more.
+const MOST_BUFFERED: usize = 8 << 20;
+/// How long a page may take nothing.
+const PATIENCE: Duration = Duration::from_secs(20);
+/// Messages beyond the rate after which a page is sent away.
+const MOST_TOO_FAST: u32 = 5000;
+/// Tokens that a page may try.
+const MOST_WRONG_TOKENS: u32 = 5;
+
+/// Limits of a connection.
+pub(super) fn config() -> WebSocketConfig {
+    WebSocketConfig::default()
+        .read_buffer_size(8 << 10)
+        .write_buffer_size(0)
+        .max_write_buffer_size(MOST_BUFFERED)
+        .max_message_size(Some(MOST_LINE_BYTES))
+        .max_frame_size(Some(MOST_LINE_BYTES))
+}
+
+/// A page's connection.
+pub(super) struct Page<'a> {
+    socket: WebSocket<TcpStream>,
+    feed: Feed,
+    rights: Rights,
+    peer: SocketAddr,
+    shared: &'a Shared,
+    rate: Rate,
+    too_fast: u32,
+    warned: bool,
+    /// Since when it takes nothing.
+    stuck: Option<Instant>,
+}
+
+/// Why a page's connection ends.
+enum End {
+    /// It is gone.
+    Gone,
+    /// It is sent away.
+    Close(CloseCode, &'static str),
+}
+
+impl<'a> Page<'a> {
+    pub(super) fn new(
+        socket: WebSocket<TcpStream>,
+        feed: Feed,
+        peer: SocketAddr,
+        shared: &'a Shared,
+    ) -> Self {
+        let rights = Rights { token: shared.token.clone(), ..Rights::default() };
+        let rate = Rate::new(Instant::now());
+        Self { socket, feed, rights, peer, shared, rate, too_fast: 0, warned: false, stuck: None }
+    }
+
+    pub(super) fn run(mut self) {
+        let end = self.serve();
+        if let End::Close(code, reason) = end {
+            if code != CloseCode::Away {
+                self.shared.refuse(self.peer, reason);
+            }
+            let _ = self.socket.close(Some(CloseFrame { code, reason: reason.into() }));
+            // The page's answer, if it comes soon.
+            for _ in 0..10 {
+                match self.socket.read() {
+                    Err(Error::Io(error)) if is_wait(error.kind()) => {}
+                    Err(_) => break,
+                    Ok(_) => {}
+                }
+            }
+        }
+    }
+
+    fn serve(&mut self) -> End {
+        for message in self.shared.greeting.clone() {
+            if let Err(end) = self.send(message) {
+                return end;
+            }
+        }
+        loop {
+            if self.shared.stop.load(Ordering::Relaxed) {
+                return End::Close(CloseCode::Away, "the monitor ends");
+            }
+            let turn = self.tell().and_then(|()| self.listen());
+            if let Err(end) = turn {
+                return end;
+            }
+        }
+    }
+
+    /// Tells what there is to tell, unless what was told before is still on its way.
+    fn tell(&mut self) -> Result<(), End> {
+        if self.stuck.is_some() {
+            return self.flush();
+        }
+        let mut messages = Vec::new();
+        self.feed.poll(Instant::now(), &mut |message| messages.push(message));
+        messages.into_iter().try_for_each(|message| self.send(message))
+    }
+
+    fn send(&mut self, message: String) -> Result<(), End> {
+        match self.socket.write(Message::text(message)) {
+            Ok(()) => self.flush(),
+            Err(Error::WriteBufferFull(_)) => {
+                self.shared.dropped.fetch_add(1, Ordering::Relaxed);
+                Ok(())
+            }
+            Err(error) => self.flushed(error),
+        }
+    }
+
+    fn flush(&mut self) -> Result<(), End> {
+        match self.socket.flush() {
+            Ok(()) => {
+                self.stuck = None;
+                Ok(())
+            }
+            Err(error) => self.flushed(error),
+        }
+    }
+
+    /// What an error of a write means: it is on its way, or the page is gone.
+    fn flushed(&mut self, error: Error) -> Result<(), End> {
+        match error {
+            Error::Io(error) if is_wait(error.kind()) => {
+                let since = *self.stuck.get_or_insert_with(Instant::now);
+                if since.elapsed() > PATIENCE {
+                    // There is no use in telling it.
+                    self.shared.refuse(self.peer, "the page takes nothing any more");
+                    return Err(End::Gone);
+                }
+                Ok(())
+            }
+            _ => Err(End::Gone),
+        }
+    }
+
+    fn listen(&mut self) -> Result<(), End> {
+        for _ in 0..ROUND {
+            match self.socket.read() {
+                Ok(Message::Text(text)) => self.obey(&text)?,
+                Ok(Message::Binary(_)) => self.complain("the message is binary; messages are text")?,
+                Ok(_) => {}
+                Err(Error::Io(error)) if is_wait(error.kind()) => return Ok(()),
+                Err(Error::Capacity(_)) => {
+                    return Err(End::Close(CloseCode::Size, "a message has at most 4096 bytes"));
+                }
+                Err(Error::Utf8(_)) => return Err(End::Close(CloseCode::Invalid, "a message is not UTF-8")),
+                Err(Error::Protocol(_)) => {
+                    return Err(End::Close(CloseCode::Protocol, "the page broke the WebSocket protocol"));
+                }
+                Err(_) => return Err(End::Gone),
+            }
+        }
+        Ok(())
+    }
+
+    fn obey(&mut self, line: &str) -> Result<(), End> {
+        if !self.rate.allow(Instant::now()) {
+            self.too_fast += 1;
+            if self.too_fast > MOST_TOO_FAST {
+                return Err(End::Close(CloseCode::Policy, "too many messages"));
+            }
+            if std::mem::replace(&mut self.warned, true) {
+                return Ok(());
+            }
+            let words = format!("more than {LINES_PER_SECOND} messages a second; the rest is left out");
+            return self.answer(refuse(None, Problem::TooFast, &words));
+        }
+        self.warned = false;
+        let answer = self.feed.obey(line, &mut self.rights);
+        self.answer(answer)?;
+        if self.rights.wrong_tokens > MOST_WRONG_TOKENS {
+            return Err(End::Close(CloseCode::Policy, "too many wrong tokens"));
+        }
+        Ok(())
+    }
+
+    fn complain(&mut self, words: &str) -> Result<(), End> {
+        self.answer(refuse(None, Problem::Malformed, words))
+    }
+
+    fn answer(&mut self, (answer, note): (Option<String>, Option<String>)) -> Result<(), End> {
+        if let Some(note) = note {
+            self.shared.refuse(self.peer, &note);
+        }
+        answer.map_or(Ok(()), |answer| self.send(answer))
+    }
+}
+
+fn is_wait(kind: ErrorKind) -> bool {
+    matches!(kind, ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)
+}

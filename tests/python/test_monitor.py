@@ -1,0 +1,307 @@
+"""`soilctl monitor`: the page on a log and on a live session, in a browser."""
+
+import csv
+import math
+import shutil
+import subprocess
+import time
+
+import numpy as np
+import pytest
+from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, Monitor, camera, marker, open_page, project, seek, still, tip_m, until, write_plan
+from test_live import Operator, wait_for
+
+MOST_PX = 2.0
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """Debian's Chromium with WebGL."""
+    from playwright.sync_api import sync_playwright
+
+    executable = shutil.which("chromium")
+    if executable is None:
+        pytest.fail("there is no chromium on PATH; `cargo xtask setup` installs it", pytrace=False)
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=executable, args=CHROMIUM_ARGS)
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="module")
+def log(soilctl, tmp_path_factory):
+    """A log of one stroke."""
+    folder = tmp_path_factory.mktemp("monitor")
+    plan = write_plan(folder, [(-14.0, 80.0, 0.025)])
+    soilctl("simulate", plan, "--out", folder / "out", code=0)
+    return folder / "out" / "batch_000.mcap"
+
+
+@pytest.fixture(scope="module")
+def joints(soilctl, log, tmp_path_factory):
+    """The joints of each tick in degrees, as the log has them."""
+    table = tmp_path_factory.mktemp("joints") / "steps.csv"
+    soilctl("log", "export", log, "--out", table, code=0)
+    with table.open(encoding="utf-8", newline="") as file:
+        reader = csv.reader(file)
+        head = next(reader)
+        tick = head.index("tick")
+        places = [k for k, name in enumerate(head) if name.startswith("external_joints_rad")]
+        assert len(places) == 5, head
+        return {int(row[tick]): [math.degrees(float(row[k])) for k in places] for row in reader}
+
+
+@pytest.fixture
+def serve(soilctl, browser):
+    """Function that starts a monitor and opens its page; all ends with the test."""
+    monitors, pages = [], []
+
+    def begin(*options, path="", listen="127.0.0.1:0", **looks):
+        monitor = Monitor(soilctl.binary, *options, listen=listen)
+        monitors.append(monitor)
+        page = open_page(browser, monitor.url + path, **looks)
+        pages.append(page)
+        return monitor, page
+
+    yield begin
+    for page in pages:
+        page.context.close()
+    for monitor in monitors:
+        if monitor.process.poll() is None:
+            monitor.end()
+
+
+def stroke_of(soilctl, log):
+    """Begin and end of the first stroke in s."""
+    text = soilctl("log", "info", log, code=0).stdout
+    words = next(line for line in text.splitlines() if line.startswith("stroke:"))
+    keys = dict(pair.rsplit(" ", 1) for pair in words.removeprefix("stroke: ").split(", "))
+    return float(keys["start_s"]), float(keys["end_s"])
+
+
+def off_by(page, joints_deg):
+    return float(np.linalg.norm(marker(page) - project(tip_m(joints_deg), camera(page))))
+
+
+def test_the_end_point_is_drawn_where_it_is(serve, log, joints):
+    _, page = serve("--play", log)
+    last_s = max(joints) * 0.002
+    errors = {}
+    for view in ["home", "side", "top"]:
+        page.evaluate("view => monitor.scene.show(view)", view)
+        for time_s in [1.0, 0.2 * last_s, 0.45 * last_s, 0.6 * last_s, 0.97 * last_s]:
+            tick = seek(page, time_s)
+            assert abs(tick * 0.002 - time_s) <= 0.033
+            errors[view, time_s] = off_by(page, joints[tick])
+    # Turned and zoomed by keys.
+    page.locator("#scene").focus()
+    for key in ["ArrowLeft", "ArrowLeft", "ArrowUp", "+"]:
+        page.keyboard.press(key)
+    still(page)
+    errors["keys", 0] = off_by(page, joints[tick])
+    assert max(errors.values()) <= MOST_PX, errors
+    assert page.problems == [] and page.requests == []
+
+
+def test_the_soil_has_a_furrow_and_a_heap_after_the_stroke(serve, soilctl, log):
+    _, page = serve("--play", log)
+    heights = "Array.from(monitor.scene.soil.heights)"
+    seek(page, 0.5)
+    assert max(map(abs, page.evaluate(heights))) == 0
+    seek(page, stroke_of(soilctl, log)[1])
+    stroke = np.array(page.evaluate(heights))
+    assert stroke.min() < -0.005 and stroke.max() > 0.002
+    # What is told is rounded to 0.01 mm a cell.
+    assert abs(stroke.sum()) <= 0.5e-5 * np.count_nonzero(stroke)
+    seek(page, 1e9)
+    rest = np.array(page.evaluate(heights)).reshape(page.evaluate("monitor.scene.soil.rows"), -1)
+    steepest = max(np.abs(np.diff(rest, axis=axis)).max() for axis in [0, 1]) / 0.005
+    assert steepest <= math.tan(math.radians(43.4)) + 0.05
+    # Back again it is level again.
+    seek(page, 0.5)
+    assert max(map(abs, page.evaluate(heights))) == 0
+
+
+def test_playing_scrubbing_and_keys(serve, log, joints):
+    _, page = serve("--play", log)
+    last_s = max(joints) * 0.002
+    picture = "document.querySelector('[data-chart=force]').toDataURL()"
+    before, frames = page.evaluate(picture), page.evaluate("Number(document.getElementById('scene').dataset.frames)")
+    page.keyboard.press("+")
+    page.keyboard.press(" ")
+    until(page, "monitor.player.state.playing && monitor.state.time_s > 2")
+    assert page.locator("#play").inner_text() == "Pause"
+    assert page.evaluate(picture) != before
+    assert page.evaluate("Number(document.getElementById('scene').dataset.frames)") > frames
+    page.keyboard.press(" ")
+    until(page, "!monitor.player.state.playing")
+    # A click into the track lands on its time: a pixel is some tens of milliseconds.
+    box = page.locator("#scrub").bounding_box()
+    for share in [0.25, 0.5, 0.75]:
+        page.mouse.click(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
+        wanted = share * last_s
+        until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 1", arg=wanted)
+        still(page)
+        shown = page.evaluate("[monitor.player.state.time_s, monitor.state.time_s, Number(document.getElementById('scene').dataset.tick) * .002]")
+        assert abs(shown[0] - wanted) <= 3 * last_s / box["width"] + 0.01
+        assert 0 <= shown[0] - shown[1] < 0.0321 and shown[1] == pytest.approx(shown[2])
+        curve = page.evaluate("monitor.charts.time.at(-1)")
+        assert curve == pytest.approx(shown[1])
+    here = shown[1]
+    page.locator("#scene").focus()
+    for key, step in [(".", 0.032), (".", 0.064), (",", 0.032)]:
+        page.keyboard.press(key)
+        until(page, "wanted => Math.abs(monitor.state.time_s - wanted) < 1e-6", arg=here + step)
+    page.keyboard.press("Home")
+    until(page, "monitor.state.time_s === monitor.player.log.from_s")
+    page.keyboard.press("?")
+    assert page.locator("#help").is_visible()
+    page.keyboard.press("Escape")
+    page.locator("#events li[data-seek]").nth(3).click()
+    until(page, "monitor.player.state.time_s > 0")
+    assert page.problems == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_narrow_screen(serve, log, scheme):
+    _, page = serve("--play", log, viewport={"width": 390, "height": 844}, color_scheme=scheme)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    dark = page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(20, 23, 26)"
+    assert dark == (scheme == "dark")
+    for name in ["#scene", "#play", "#scrub"]:
+        box = page.locator(name).bounding_box()
+        assert box["width"] > 20 and box["x"] >= 0 and box["x"] + box["width"] <= 390, name
+    # Whatever takes the focus shows it.
+    for _ in range(6):
+        page.keyboard.press("Tab")
+        style = page.evaluate("(() => { const style = getComputedStyle(document.activeElement); return [style.outlineStyle, style.outlineWidth]; })()")
+        assert style == ["solid", "2px"]
+    assert page.problems == []
+
+
+def test_a_lost_monitor_is_said_and_found_again(serve, soilctl, log):
+    monitor, page = serve("--play", log)
+    seek(page, 5.0)
+    monitor.end()
+    page.locator("#banner").wait_for(state="visible")
+    assert "reconnecting" in page.locator("#banner").inner_text()
+    again = Monitor(soilctl.binary, "--play", log, listen=monitor.listen)
+    try:
+        page.locator("#banner").wait_for(state="hidden")
+        # And it is where it was.
+        until(page, "Math.abs(monitor.state.time_s - 5) < .04")
+        # That the address was refused meanwhile is all that the browser has to say.
+        assert all("ERR_CONNECTION_REFUSED" in problem or "WebSocket" in problem for problem in page.problems), page.problems
+    finally:
+        page.context.close()
+        again.end()
+
+
+class Run:
+    """A live session in real time."""
+
+    def __init__(self, binary, folder, name):
+        self.socket = folder / "live"
+        plan = ROOT / "data" / "plans" / "table_6_2.toml"
+        words = [str(binary), "run", str(plan), "--socket", str(self.socket), "--log", str(folder / f"{name}.mcap"), "--real-time", "--quiet"]
+        self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        wait_for(self.socket, self.process)
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.terminate()
+        self.process.wait(timeout=LONG_S)
+
+
+@pytest.fixture
+def run(soilctl, tmp_path):
+    """Function that starts a session; whatever is left is ended."""
+    runs = []
+
+    def begin(name="run"):
+        runs.append(Run(soilctl.binary, tmp_path, name))
+        return runs[-1]
+
+    yield begin
+    for session in runs:
+        session.end()
+
+
+def test_a_live_session(serve, run):
+    session = run()
+    _, page = serve("--connect", session.socket)
+    assert page.locator("#link").inner_text() == "live, real time"
+    assert page.locator("#player").is_hidden() and page.locator("#commands").is_hidden()
+    operator = Operator(session.socket)
+    operator.ask(name="enable")
+    picture = "document.querySelector('[data-chart=z]').toDataURL()"
+    for target in [[10, 40, 90, 0, 30], [-15, 50, 80, 10, 40]]:
+        before = page.evaluate(picture)
+        operator.ask(name="move_joints", joints_deg=target)
+        operator.wait_event("trajectory_ended/joint_move/completed")
+        # The page may be some states behind.
+        seen = {}
+        until_s = time.monotonic() + 3
+
+        def note(state, seen=seen, until_s=until_s):
+            seen[state["tick"]] = state["joints_deg"]
+            return time.monotonic() > until_s
+
+        operator.wait_state(note)
+        # The picture of one state, for as long as the screenshot takes.
+        page.evaluate("monitor.scene.update = () => {}")
+        still(page)
+        page.evaluate("monitor.scene.draw(0)")
+        still(page)
+        tick = page.evaluate("Number(document.getElementById('scene').dataset.tick)")
+        if tick not in seen:
+            operator.wait_state(lambda state, seen=seen, tick=tick: seen.update({state["tick"]: state["joints_deg"]}) or state["tick"] >= tick)
+        assert off_by(page, seen[tick]) <= MOST_PX
+        page.evaluate("delete monitor.scene.update")
+        assert page.evaluate(picture) != before
+    assert "joint move" in page.locator("#events").inner_text()
+    # The session ends, and another one begins.
+    session.end()
+    until(page, "document.getElementById('banner').textContent.includes('Session lost, reconnecting')")
+    run("next")
+    page.locator("#banner").wait_for(state="hidden")
+    until(page, "monitor.state && monitor.state.time_s < 60")
+    assert page.problems == [] and page.requests == []
+
+
+def test_commands_from_the_page(serve, run, browser):
+    session = run()
+    monitor, page = serve("--connect", session.socket, "--commands")
+    assert monitor.answer["commands"] and "#token=" in monitor.url
+    page.locator("#commands").wait_for(state="visible")
+    # The token is out of the address.
+    assert "token" not in page.url
+    page.get_by_role("button", name="enable", exact=True).click()
+    until(page, "document.getElementById('answer').textContent.includes('done in tick')")
+    until(page, "monitor.state.mode === 'ready'")
+    page.locator("#text").fill("plan_index 60000")
+    page.keyboard.press("Enter")
+    until(page, "document.getElementById('answer').textContent.includes('refused')")
+    page.locator("#stop").click()
+    until(page, "monitor.state.mode === 'fault'")
+    stranger = open_page(browser, monitor.url.split("#")[0])
+    stranger.evaluate("monitor.commands.line('reset')")
+    until(stranger, "monitor.state")
+    assert stranger.locator("#commands").is_hidden()
+    stranger.context.close()
+    assert page.problems == []
+    assert "commands need the token" in monitor.end()
+
+
+def test_wrong_usage(soilctl, tmp_path):
+    soilctl.refuses("monitor", mentions=["--connect"])
+    soilctl.refuses("monitor", "--play", tmp_path / "none.mcap", mentions=["none.mcap"])
+    soilctl.refuses("monitor", "--connect", tmp_path / "none", mentions=["none"])
+    soilctl.refuses("monitor", "--play", "x.mcap", "--commands", mentions=["--commands"])
+    soilctl.refuses("monitor", "--play", "x.mcap", "--listen", "nowhere", mentions=["--listen"])
+
+
+def test_the_answer_has_its_schema(soilctl, log, validate):
+    monitor = Monitor(soilctl.binary, "--play", log)
+    monitor.end()
+    validate(monitor.answer)
