@@ -68,7 +68,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 ///
 /// # Errors
 ///
-/// [`LimitError`] as from [`bound`], or if no pair of bounds is proven within the budget.
+/// [`LimitError`] as from [`bound`](crate::bound()), or if no pair of bounds is proven within the budget.
 pub fn factor_of_safety(
     description: &Description,
     options: &Options,
