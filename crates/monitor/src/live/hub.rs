@@ -196,7 +196,8 @@ mod tests {
     #[test]
     fn a_page_that_takes_nothing_costs_bounded_memory_and_nobody_else_a_message() {
         let hub = Hub::default();
-        let (slow, quick) = (hub.lock().join(), hub.lock().join());
+        let slow = hub.lock().join();
+        let quick = hub.lock().join();
         let mut seen = 0;
         for number in 0..10_000 {
             hub.lock().tell_all(&number.to_string());
