@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use soilctl_kinematics::{
-    Jacobian, JointAngles, JointTorques, JointVelocities, KinematicsError, MotorAngles, MotorVelocities,
-    TaskPose,
+    Jacobian, Joint, JointAngles, JointTorques, JointVelocities, KinematicsError, MotorAngles,
+    MotorVelocities, TaskForce, TaskPose,
 };
 
 use crate::{Params, Sensed, TICK_S};
@@ -23,6 +23,8 @@ pub struct Filters {
     pub motor_rad: [f64; 5],
     /// Filtered motor coordinates by the external encoders in rad.
     pub external_rad: [f64; 5],
+    /// The same before the low-pass: where in the present count they are, as far as the motors' motion tells.
+    pub within_rad: [f64; 5],
     /// Filtered speeds of the motor coordinates in rad/s.
     pub motor_rate_rad_s: [f64; 5],
     /// Motor counts of the tick before.
@@ -44,7 +46,8 @@ impl Filters {
             self.reference(sensed);
         }
         let motor = angles(&sensed.motor_counts, &self.motor_zero, &params.motor_rad_per_count);
-        let external = angles(&sensed.external_counts, &self.external_zero, &params.external_rad_per_count);
+        let count = angles(&sensed.external_counts, &self.external_zero, &params.external_rad_per_count);
+        let external = self.within_counts(params, sensed, &count);
         if self.primed {
             for i in 0..5 {
                 let counts = f64::from(sensed.motor_counts[i]) - f64::from(self.last_counts[i]);
@@ -67,6 +70,22 @@ impl Filters {
         }
         self.primed = true;
         complete
+    }
+
+    /// A count of an external encoder says between which two angles it is, some 0.75 mm at the tip. Between them it is taken to
+    /// follow the motor, whose counts are a hundred times finer; while the motor goes through its free play, it waits at the
+    /// edge of the count. So it is never further off than a count.
+    fn within_counts(&mut self, params: &Params, sensed: &Sensed, count: &[f64; 5]) -> [f64; 5] {
+        for i in 0..5 {
+            let step = params.external_rad_per_count[i];
+            let (low, high) =
+                if step > 0.0 { (count[i], count[i] + step) } else { (count[i] + step, count[i]) };
+            let moved = f64::from(sensed.motor_counts[i]) - f64::from(self.last_counts[i]);
+            let follows = self.within_rad[i] + moved * params.motor_rad_per_count[i];
+            let guess = if self.primed { follows } else { 0.5 * (low + high) };
+            self.within_rad[i] = guess.max(low).min(high);
+        }
+        self.within_rad
     }
 
     /// Makes the present posture that of the stops.
@@ -109,9 +128,14 @@ fn angles(counts: &[i32; 5], zero: &[i32; 5], rad_per_count: &[f64; 5]) -> [f64;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Estimate {
     pub(crate) motor: JointAngles,
+    /// By the external encoders alone.
     pub(crate) external: JointAngles,
+    /// By the external encoders, with the stretch of the elbow's cables that they do not see (A.3); before homing the same.
+    pub(crate) joints: JointAngles,
     pub(crate) rates: JointVelocities,
-    /// Pose by the external encoders. This and what follows is zero before homing.
+    /// Pose by the external encoders alone. This and what follows is zero before homing.
+    pub(crate) seen: TaskPose,
+    /// Pose of the joints, stretch included.
     pub(crate) pose: TaskPose,
     /// Position of the tip by the motor encoders; only known once `locate_motor_tip` was called.
     pub(crate) motor_position_m: [f64; 3],
@@ -138,7 +162,9 @@ impl Estimate {
         let mut estimate = Self {
             motor,
             external,
+            joints: external,
             rates,
+            seen: TaskPose::default(),
             pose: TaskPose::default(),
             motor_position_m: [0.0; 3],
             jacobian: Jacobian([[0.0; 5]; 5]),
@@ -151,13 +177,24 @@ impl Estimate {
         if !homed {
             return Ok(estimate);
         }
-        let here = arm.at(&external)?;
+        let force = [filters.wrench[0], filters.wrench[1], filters.wrench[2]];
+        let mut here = arm.at(&external)?;
+        estimate.seen = here.pose();
+        // Two passes: the torque of the first is that at the encoders' posture, as in the thesis, and leaves 0.05 deg.
+        for _ in 0..2 {
+            let [r, t, z] = here.sensor_to_rtz(force);
+            let soil = here.rtz_to_base([r, t, z]);
+            let torque = here.jacobian()?.joint_torques(&TaskForce([soil[0], soil[1], soil[2], 0.0, 0.0]))?;
+            let elbow = Joint::Elbow.index();
+            estimate.joints.0[elbow] = external.0[elbow] + params.elbow_rad_per_nm * torque.0[elbow];
+            here = arm.at(&estimate.joints)?;
+        }
         estimate.pose = here.pose();
         estimate.jacobian = here.jacobian()?;
         if params.config().gains.gravity_compensation {
             estimate.gravity = here.gravity_torques();
         }
-        let [r, t, z] = here.sensor_to_rtz([filters.wrench[0], filters.wrench[1], filters.wrench[2]]);
+        let [r, t, z] = here.sensor_to_rtz(force);
         estimate.force_xyz_n = here.rtz_to_base([r, t, z]);
         estimate.force_rtz_n = [r, t, z];
         estimate.normal_force_n = filters.wrench[2];

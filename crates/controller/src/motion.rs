@@ -53,12 +53,14 @@ fn end(state: &mut State, active: &Active, view: View<'_>, finish: Finish, event
     let kind = active.trajectory.kind();
     events.push(EventKind::TrajectoryEnded(kind, finish), 0, f64::from(active.ticks), 0.0);
     state.last_finish = Some(finish);
-    if matches!(active.trajectory, Trajectory::Stroke { .. }) {
-        state.last_stroke = active.stroke;
+    match active.trajectory {
+        Trajectory::Stroke { .. } => state.last_stroke = active.stroke,
+        Trajectory::CartesianTouch { .. } => state.touched_m = active.onset_m,
+        _ => {}
     }
     // What did not reach its wanted joints goes on from where the arm is, with the torques that it has there.
     if finish != Finish::Completed || state.setpoint.law != Law::Joint {
-        state.setpoint.joints = view.est.external;
+        state.setpoint.joints = view.est.joints;
         // A joint need not stay pressed against its stop as hard as it was to find it.
         let touched = matches!(active.trajectory, Trajectory::JointTouch { .. });
         state.rebased = Some(if touched { TOUCH_SHARE } else { 1.0 });
@@ -99,7 +101,7 @@ fn hold(state: &mut State, view: View<'_>, joints: soilctl_kinematics::JointAngl
 pub(crate) fn stop_here(state: &mut State, params: &Params, est: &Estimate) {
     let tuning = state.tuning;
     state.ring.clear();
-    state.setpoint = Setpoint::still(est.external);
+    state.setpoint = Setpoint::still(est.joints);
     state.rebased = Some(1.0);
-    hold(state, View { params, est, tuning: &tuning }, est.external);
+    hold(state, View { params, est, tuning: &tuning }, est.joints);
 }

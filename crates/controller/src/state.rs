@@ -9,7 +9,7 @@ use crate::trajectory::{Active, Ring, Setpoint, StrokeRun};
 use crate::{Events, Fault, FaultRecord, Finish, Mode, Params};
 
 /// Version of [`State`]; a stored state of another version is not to be resumed.
-pub const STATE_VERSION: u32 = 2;
+pub const STATE_VERSION: u32 = 3;
 
 /// Everything that a step remembers. Plain data: copied, stored as a key frame and resumed bit for bit.
 ///
@@ -48,6 +48,8 @@ pub struct State {
     pub last_finish: Option<Finish>,
     /// The last stroke.
     pub last_stroke: StrokeRun,
+    /// Where the last touch met something: the tip's place in m (x, y, z) when it began to feel it.
+    pub touched_m: [f64; 3],
     /// What was wanted last.
     pub setpoint: Setpoint,
     /// Set while the wanted joints have just become those of the arm: the share of the last torques with which to go on.
@@ -112,6 +114,7 @@ impl State {
             idle: true,
             last_finish: None,
             last_stroke: StrokeRun::default(),
+            touched_m: [0.0; 3],
             setpoint: Setpoint::default(),
             rebased: None,
             integral_nm: [0.0; 5],

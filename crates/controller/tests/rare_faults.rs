@@ -90,6 +90,11 @@ fn kinematics() {
     (rig.state.homed, rig.state.filters.offset_known) = (true, true);
     rig.state.filters.motor_zero = zero.motor_counts;
     rig.state.filters.external_zero = zero.external_counts;
+    // A first reading is taken to lie amid its counts, and half a count is enough of a pitch.
+    let motors = rig.plant.arm.transmission().motor_angles(&q).unwrap();
+    let filters = &mut rig.state.filters;
+    (filters.motor_rad, filters.external_rad, filters.within_rad) = (motors.0, motors.0, motors.0);
+    (filters.primed, filters.last_counts) = (true, rig.plant.sense().motor_counts);
     assert_eq!(fault(&mut rig, 1, |_| {}), Fault::Kinematics);
 }
 

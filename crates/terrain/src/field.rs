@@ -14,6 +14,8 @@ pub struct HeightField {
     pub(crate) heights_m: Vec<f64>,
     /// Room for what moves in a step: through faces along x and along y, over corners that rise and fall along x.
     pub(crate) flux_m: Vec<f64>,
+    /// Share of each cell that the present stroke has swept.
+    pub(crate) swept: Vec<f64>,
 }
 
 impl HeightField {
@@ -29,7 +31,8 @@ impl HeightField {
         };
         within("side of a cell", cell_m, "m", [1e-6, 1e3], "1e-6 to 1000 m")?;
         check_height(height_m)?;
-        Ok(Self { columns, rows, cell_m, heights_m: vec![height_m; cells], flux_m: vec![0.0; 4 * cells] })
+        let (heights_m, flux_m, swept) = (vec![height_m; cells], vec![0.0; 4 * cells], vec![0.0; cells]);
+        Ok(Self { columns, rows, cell_m, heights_m, flux_m, swept })
     }
 
     /// A surface of given heights in m (-1e3 to 1e3), row by row.

@@ -2,6 +2,7 @@
 
 mod error;
 mod field;
+mod overlap;
 mod push;
 mod settle;
 

@@ -1,5 +1,6 @@
 use crate::error::{TerrainError, within};
 use crate::field::HeightField;
+use crate::overlap::Rectangle;
 
 /// Way of a plate over the box: a rectangle as wide as the plate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,11 +16,6 @@ pub struct Sweep {
     /// The soil is left within this length ahead of the end, in m, above 0.
     pub ahead_m: f64,
 }
-
-/// Points a cell and direction that stand for the area around them.
-const POINTS: f64 = 4.0;
-/// The most points along a side, so that a sweep has an end.
-const MOST_POINTS: usize = 4096;
 
 impl HeightField {
     /// Pours a volume (m3, 0 to 1e6) evenly over a disc around a place; radius and place in m.
@@ -50,8 +46,10 @@ impl HeightField {
 
     /// Moves what lies above a plate's lower edge along its way to the ground ahead of it; returns the volume in m3.
     ///
-    /// What the rectangle ahead has outside the box falls to the part inside, so nothing is lost. A way that is outside
-    /// altogether moves nothing.
+    /// From each cell goes what the rectangle of the way covers of it. A plate that comes through a cell in several sweeps
+    /// finds what the earlier ones have left beside their ways, until [`HeightField::lift`] ends the stroke; so many short
+    /// sweeps take as much as one long one. What the rectangle ahead has outside the box falls to the part inside, so
+    /// nothing is lost. A way that is outside altogether moves nothing.
     ///
     /// # Errors
     /// [`TerrainError::OutOfRange`] of a number that is not finite or not above 0 where it must be.
@@ -70,26 +68,32 @@ impl HeightField {
             return Ok(0.0);
         }
         let ahead = [way[0] / length, way[1] / length];
-        let from = self.points(sweep.from_m, ahead, length, sweep.width_m);
-        let to = self.points(sweep.to_m, ahead, sweep.ahead_m, sweep.width_m);
-        if to.cells.is_empty() {
+        let (width_m, ahead_m) = (sweep.width_m, sweep.ahead_m);
+        let from = self.covered(&Rectangle { from_m: sweep.from_m, ahead, length_m: length, width_m });
+        let to = self.covered(&Rectangle { from_m: sweep.to_m, ahead, length_m: ahead_m, width_m });
+        let room: f64 = to.iter().map(|(_, share)| share).sum();
+        if room == 0.0 {
             return Ok(0.0);
         }
         let cell_area = self.cell_m() * self.cell_m();
         let mut taken_m3 = 0.0;
-        for cell in from.cells {
-            let above = self.heights_m[cell] - sweep.bottom_m;
-            // A point's share of its cell, and never more than there is.
-            let cut = (above * (from.area_m2 / cell_area).min(1.0)).max(0.0);
+        for (cell, share) in from {
+            let above = (self.heights_m[cell] - sweep.bottom_m).max(0.0);
+            let untouched = 1.0 - self.swept[cell];
+            let cut = if share < untouched { above * (share / untouched) } else { above };
+            self.swept[cell] = (self.swept[cell] + share).min(1.0);
             self.heights_m[cell] -= cut;
             taken_m3 += cut * cell_area;
         }
-        #[allow(clippy::cast_precision_loss, reason = "at most 2^24 points")]
-        let rise = taken_m3 / (to.cells.len() as f64 * cell_area);
-        for cell in to.cells {
-            self.heights_m[cell] += rise;
+        for (cell, share) in to {
+            self.heights_m[cell] += taken_m3 / cell_area * (share / room);
         }
         Ok(taken_m3)
+    }
+
+    /// The plate has left the ground: what it sweeps next, it sweeps anew.
+    pub fn lift(&mut self) {
+        self.swept.fill(0.0);
     }
 
     /// Mean height in m over a rectangle that begins at `from_m`, is `length_m` long along `to_m - from_m` and `width_m`
@@ -107,44 +111,16 @@ impl HeightField {
         if !usable || !(length_m * width_m).is_finite() {
             return None;
         }
-        let points = self.points(from_m, [ahead[0] / size, ahead[1] / size], length_m, width_m);
-        let sum: f64 = points.cells.iter().map(|cell| self.heights_m[*cell]).sum();
-        #[allow(clippy::cast_precision_loss, reason = "at most 2^24 points")]
-        let count = points.cells.len() as f64;
-        (count > 0.0).then(|| sum / count)
-    }
-
-    /// Even points over a rectangle: the cells that hold them (those inside), and the area of one.
-    fn points(&self, from_m: [f64; 2], ahead: [f64; 2], length_m: f64, width_m: f64) -> Points {
-        let count = |side: f64| {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited")]
-            let points = (side / self.cell_m() * POINTS).ceil() as usize;
-            points.clamp(1, MOST_POINTS)
-        };
-        let (long, wide) = (count(length_m), count(width_m));
-        #[allow(clippy::cast_precision_loss, reason = "small numbers")]
-        let (step, across) = (length_m / long as f64, width_m / wide as f64);
-        let mut cells = Vec::with_capacity(long * wide);
-        for a in 0..long {
-            for b in 0..wide {
-                #[allow(clippy::cast_precision_loss, reason = "small numbers")]
-                let (u, v) = ((a as f64 + 0.5) * step, (b as f64 + 0.5) * across - 0.5 * width_m);
-                cells.extend(self.cell_of([
-                    from_m[0] + u * ahead[0] - v * ahead[1],
-                    from_m[1] + u * ahead[1] + v * ahead[0],
-                ]));
-            }
-        }
-        Points { cells, area_m2: step * across }
+        let ahead = [ahead[0] / size, ahead[1] / size];
+        let covered = self.covered(&Rectangle { from_m, ahead, length_m, width_m });
+        let (sum, shares) = covered.iter().fold((0.0, 0.0), |(sum, shares), (cell, share)| {
+            (sum + share * self.heights_m[*cell], shares + share)
+        });
+        (shares > 0.0).then(|| sum / shares)
     }
 
     fn outside(&self, what: &'static str) -> TerrainError {
         let [x_m, y_m] = self.size_m();
         TerrainError::Outside { what, x_m, y_m }
     }
-}
-
-struct Points {
-    cells: Vec<usize>,
-    area_m2: f64,
 }

@@ -152,9 +152,10 @@ fn a_plate_leaves_a_furrow_and_a_heap() {
         moved += field.push(&sweep).unwrap();
         field.settle(&repose(35.0), 4, 0.0);
     }
-    // 50 mm of way, 127 mm wide, 25 mm deep, and what slid back into the furrow and was taken again.
+    // 50 mm of way, 127 mm wide, 25 mm deep, and what lay ahead or slid back and was taken again: soil is left up to 20 mm ahead,
+    // so that no grain is moved more often than 50/20 times and once more.
     let cut = 0.05 * 0.127 * 0.025;
-    assert!(moved > 0.9 * cut && moved < 2.0 * cut, "{moved} {cut}");
+    assert!(moved > cut && moved < 3.5 * cut, "{moved} {cut}");
     assert!((field.volume_m3() / before - 1.0).abs() < 1e-13);
     let lowest = field.heights_m().iter().copied().fold(f64::MAX, f64::min);
     assert!(lowest < 0.117, "{lowest}");
@@ -162,7 +163,58 @@ fn a_plate_leaves_a_furrow_and_a_heap() {
     assert!(ahead > 0.125, "{ahead}");
 }
 
+/// One sweep at any angle takes the prism that the plate goes through, whatever the cells.
+fn prism(angle: f64, way: f64, width: f64, depth: f64) -> (f64, f64) {
+    let mut field = HeightField::level(100, 100, 0.005, 0.12).unwrap();
+    let to_m = [0.25 + way * angle.cos(), 0.25 + way * angle.sin()];
+    let sweep = Sweep { from_m: [0.25, 0.25], to_m, width_m: width, bottom_m: 0.12 - depth, ahead_m: 0.05 };
+    (field.push(&sweep).unwrap(), way * width * depth)
+}
+
+/// A furrow along the cells, made in sweeps shorter than a cell: its bottom is level and it lacks the volume of the plate's way,
+/// all of which lies ahead.
+#[test]
+fn many_short_sweeps_leave_the_furrow_of_one_long_one() {
+    for count in [10, 15, 60, 85] {
+        let mut field = HeightField::level(120, 100, 0.005, 0.12).unwrap();
+        let step = 0.06 / f64::from(count);
+        for k in 0..count {
+            let x = 0.2 + step * f64::from(k);
+            let (from_m, to_m) = ([x, 0.25], [x + step, 0.25]);
+            field.push(&Sweep { from_m, to_m, width_m: 0.12, bottom_m: 0.095, ahead_m: 0.03 }).unwrap();
+        }
+        let inside = |k: usize| (40..52).contains(&(k % 120)) && (38..62).contains(&(k / 120));
+        let heights = || field.heights_m().iter().copied().enumerate();
+        for (k, height) in heights() {
+            assert!(if inside(k) { (height - 0.095).abs() < 1e-12 } else { height >= 0.12 }, "{k} {height}");
+        }
+        let ahead: f64 = heights().filter(|(k, _)| !inside(*k)).map(|(_, height)| height - 0.12).sum();
+        assert!((ahead * 25e-6 - 0.06 * 0.12 * 0.025).abs() < 1e-12, "{ahead}");
+    }
+}
+
+/// After the plate was lifted, ground that has run back into the furrow is taken in full.
+#[test]
+fn a_new_stroke_takes_what_lies_there() {
+    let mut field = HeightField::level(40, 40, 0.005, 0.1).unwrap();
+    let sweep =
+        Sweep { from_m: [0.05, 0.1], to_m: [0.0525, 0.1], width_m: 0.05, bottom_m: 0.08, ahead_m: 0.02 };
+    let first = field.push(&sweep).unwrap();
+    field.lift();
+    let second = field.push(&sweep).unwrap();
+    // Half of each cell went, and came to lie over 20 mm, an eighth of it in the other half; half of what is there goes now.
+    assert!((second / first - 0.5 * (1.0 + 0.125)).abs() < 1e-12, "{first} {second}");
+}
+
 proptest! {
+    #[test]
+    fn a_sweep_takes_its_prism(
+        angle in 0.0..6.3_f64, way in 0.0001..0.1_f64, width in 0.001..0.15_f64, depth in 0.001..0.1_f64,
+    ) {
+        let (taken, volume) = prism(angle, way, width, depth);
+        prop_assert!((taken / volume - 1.0).abs() < 1e-9, "{taken} {volume}");
+    }
+
     #[test]
     fn pushing_keeps_the_volume(
         x in -0.1..0.4_f64, y in -0.1..0.4_f64, way in 0.0..0.1_f64, angle in 0.0..6.3_f64, width in 0.001..0.3_f64, bottom in -0.2..0.1_f64,

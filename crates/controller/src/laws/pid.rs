@@ -16,7 +16,7 @@ pub(crate) fn joint_pid(
     let gains = &params.config().gains;
     std::array::from_fn(|i| {
         let motor_error = wanted.joints.0[i] - est.motor.0[i];
-        let external_error = wanted.joints.0[i] - est.external.0[i];
+        let external_error = wanted.joints.0[i] - est.joints.0[i];
         let rate_error = wanted.rates.0[i] - est.rates.0[i];
         integrate(
             &mut integral[i],
@@ -43,7 +43,7 @@ pub(crate) fn joint_integral(
     let gains = &params.config().gains;
     std::array::from_fn(|i| {
         let proportional = gains.motor_p_nm_per_rad[i] * (wanted.joints.0[i] - est.motor.0[i])
-            + gains.external_p_nm_per_rad[i] * (wanted.joints.0[i] - est.external.0[i]);
+            + gains.external_p_nm_per_rad[i] * (wanted.joints.0[i] - est.joints.0[i]);
         let limit = gains.integral_limit_nm[i];
         (torques_nm[i] - est.gravity.0[i] - proportional).max(-limit).min(limit)
     })

@@ -16,7 +16,7 @@ pub(crate) fn stiffness(
 ) -> Result<[f64; 5], KinematicsError> {
     let actual = est.motor_position_m;
     let error: [f64; 3] = std::array::from_fn(|i| wanted.position_m[i] - actual[i]);
-    let springs = params.stiffness.to_cartesian(est.external.0[0])?;
+    let springs = params.stiffness.to_cartesian(est.joints.0[0])?;
     let displacement = TaskVelocity([error[0], error[1], error[2], 0.0, 0.0]);
     let mut torques = springs.joint_torques(&est.jacobian, &displacement, Wrist::Locked)?.0;
     let gains = &params.config().gains;

@@ -129,12 +129,12 @@ pub(super) fn leave(state: &mut State, est: &Estimate, params: &Params, action: 
     let contact = state.last_finish == Some(Finish::Contact);
     match action {
         Action::TouchSoil if contact => {
-            state.surface_z_m = est.pose.z_m;
-            events.push(EventKind::SurfaceFound, 0, est.pose.z_m, 0.0);
+            state.surface_z_m = state.touched_m[2];
+            events.push(EventKind::SurfaceFound, 0, state.surface_z_m, 0.0);
         }
         Action::TouchWall(wall) if contact => {
             let place = usize::from(wall) % WALLS.len();
-            let found = if place < 2 { est.pose.x_m } else { est.pose.y_m };
+            let found = state.touched_m[usize::from(place >= 2)];
             state.walls_m[place] = Some(found);
             events.push(EventKind::WallFound, place, found, 0.0);
         }

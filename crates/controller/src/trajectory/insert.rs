@@ -24,10 +24,12 @@ impl Active {
         (down >= LEAST_SINE && depth_m > 0.0).then(|| depth_m / down)
     }
 
-    /// Eq. 5.3, integrated: along the plate by `way_m`, across it by the accommodation's offset.
+    /// Eq. 5.3, integrated: across the plate by the accommodation's offset, along it by `way_m` and what the offset takes
+    /// of the depth.
     fn insert_pose(&self, way_m: f64) -> TaskPose {
         let from = &self.from_pose;
         let (sin, cos) = libm::sincos(from.n1_rad);
+        let way_m = way_m - self.offset_m * sin / cos.min(-LEAST_SINE);
         // Along the hand (sin n1, cos n1); across it (cos theta', -sin theta') with theta' = n1 - pi.
         let r = way_m * sin - self.offset_m * cos;
         let z = way_m * cos + self.offset_m * sin;

@@ -117,6 +117,8 @@ pub struct Active {
     pub from_pose: TaskPose,
     /// Ticks for which there was contact.
     pub contact_ticks: u32,
+    /// Where the tip was in m (x, y, z) when a touch felt almost nothing last.
+    pub onset_m: [f64; 3],
     /// Lateral offset of the accommodation in m; of a joint touch, its way in rad.
     pub offset_m: f64,
     /// What a stroke remembers.
@@ -134,12 +136,21 @@ pub(crate) struct View<'a> {
 /// Out-of-plane angle in rad below which a hand counts as level.
 const LEVEL_RAD: f64 = 0.01;
 
+/// Near a straight wrist the twist joint would turn far to keep up a lean that is only the encoders' resolution.
+fn levelled(pose: TaskPose) -> TaskPose {
+    TaskPose { n2_rad: if pose.n2_rad.abs() < LEVEL_RAD { 0.0 } else { pose.n2_rad }, ..pose }
+}
+
 impl Active {
     /// Begins `trajectory` at the wanted joints `from`.
     ///
     /// # Errors
     /// [`Finish::Unreachable`] if the arm cannot go there.
     pub(crate) fn start(trajectory: Trajectory, view: View<'_>, from: JointAngles) -> Result<Self, Finish> {
+        let trajectory = match trajectory {
+            Trajectory::CartesianMove { target } => Trajectory::CartesianMove { target: levelled(target) },
+            other => other,
+        };
         let mut active = Self {
             trajectory,
             ticks: 0,
@@ -147,15 +158,12 @@ impl Active {
             from_joints: from,
             from_pose: TaskPose::default(),
             contact_ticks: 0,
+            onset_m: view.est.pose.position_m(),
             offset_m: 0.0,
             stroke: StrokeRun::default(),
         };
         if view.est.homed {
-            active.from_pose = view.params.arm().forward(&from).map_err(|_| Finish::Unreachable)?;
-            // Near a straight wrist the twist joint would turn far to keep up a lean that is only the encoders' resolution.
-            if active.from_pose.n2_rad.abs() < LEVEL_RAD {
-                active.from_pose.n2_rad = 0.0;
-            }
+            active.from_pose = levelled(view.params.arm().forward(&from).map_err(|_| Finish::Unreachable)?);
         }
         match trajectory {
             Trajectory::Hold { ticks } | Trajectory::JointVelocity { ticks, .. } => {

@@ -17,20 +17,23 @@ pub struct StrokeRun {
     pub plane: [f64; 2],
     /// theta_plate, alpha - 90 deg.
     pub plate_rad: f64,
+    /// Wanted angle of the force to the plate's normal.
+    pub delta_rad: f64,
     /// Radius at the start in m.
     pub start_radius_m: f64,
-    /// Height at the start in m.
+    /// Height at the start in m, by the external encoders.
     pub start_z_m: f64,
-    /// Smoothed radius and height from which the lead starts, in m.
+    /// Smoothed radius and height from which the lead starts, by the external encoders, in m.
     pub smooth_m: [f64; 2],
     /// Tip by the motors minus tip by the external encoders at the start along x, y, z in m: free play and stretch, which the springs
     /// between wanted and motors' position must not take for a lead.
     pub offset_m: [f64; 3],
-    /// Displacement along r and z in m that keeps the force with which the stroke began; along z it is turned until the
-    /// force has the wanted inclination (position feedback: until the insertion's force is gone).
+    /// Displacement along r and z in m beside the lead: what takes up the free play, and what friction keeps up.
     pub hold_m: [f64; 2],
-    /// Whether the force of the insertion is gone. The lead waits for it.
+    /// Whether the drives are through their free play and the plate presses on the soil. The lead waits for it.
     pub released: bool,
+    /// Ticks for which it has pressed.
+    pub taut_ticks: u32,
     /// Lead in m.
     pub lead_m: f64,
     /// Inclination of the lead, theta_adj.
@@ -53,19 +56,28 @@ pub struct StrokeRun {
 
 /// Time in s in which the force of the insertion is taken back, to 1/e, were there no friction.
 const RELEASE_S: f64 = 0.15;
-/// The same for what friction keeps up during the stroke; slower than the loop that turns the lead.
-const TRIM_S: f64 = 0.8;
-/// Largest displacement along z in m that the force may ask for.
-const MOST_TRIM_M: f64 = 0.01;
-/// How many times faster the lead grows while the drives go through their free play and the plate feels nothing.
-const HASTE: f64 = 5.0;
+/// The same for a force across the lead that the lead alone is too small to turn.
+const TRIM_S: f64 = 0.25;
+/// Most force in N that the release reckons with, so that it is slow enough to stop in time.
+const UNLOAD_N: f64 = 2.0;
+/// Largest displacement in m that the force may ask for.
+const MOST_TRIM_M: f64 = 0.03;
+/// A force across the wanted direction, a part of it in N and a share of the whole, at which the lead waits.
+const ACROSS_N: f64 = 0.1;
+const ACROSS_SHARE: f64 = 0.15;
+/// The lead never waits altogether: soil that slips on the plate has an angle of its own.
+const LEAST_HASTE: f64 = 0.1;
+/// Speed in m/s at which the drives go through their free play.
+const TAKE_UP_M_S: f64 = 0.006;
+/// Ticks for which the soil must press back before the lead begins.
+const TAUT_TICKS: u32 = 15;
 /// Longest time that is spent on it, in ticks.
-const RELEASE_TICKS: u32 = 1500;
+const RELEASE_TICKS: u32 = 4000;
 
 impl Active {
     pub(super) fn plan_stroke(&mut self, view: View<'_>, delta_rad: f64) -> Result<(), Finish> {
         let (est, settings) = (view.est, &view.params.config().stroke);
-        let (sin, cos) = libm::sincos(est.external.0[0]);
+        let (sin, cos) = libm::sincos(est.joints.0[0]);
         let plate_rad = est.pose.tool_angle_rad() - std::f64::consts::FRAC_PI_2;
         let (margin, upper) = (settings.lower_margin_deg.to_radians(), settings.upper_bound_deg.to_radians());
         let [fx, fy, fz] = est.force_xyz_n;
@@ -73,17 +85,20 @@ impl Active {
         let displacement =
             |force: f64, stiffness: f64| if stiffness > 0.0 { -force / stiffness } else { 0.0 };
         let motor = view.params.arm().forward(&est.motor).map_err(|_| Finish::Unreachable)?;
+        let seen_m = [along(&est.seen, [cos, sin]), est.seen.z_m];
         self.stroke = StrokeRun {
-            offset_m: offset(&motor, &est.pose),
+            offset_m: offset(&motor, &est.seen),
             // Else the torques that pressed the plate in would be gone at once, and the drives leap through their play.
             hold_m: [displacement(fx * cos + fy * sin, k_r), displacement(fz, k_z)],
             bounds: LeadBounds::new(plate_rad, delta_rad, margin, upper),
             plane: [cos, sin],
             plate_rad,
-            start_radius_m: est.pose.x_m * cos + est.pose.y_m * sin,
-            start_z_m: est.pose.z_m,
-            smooth_m: [est.pose.x_m * cos + est.pose.y_m * sin, est.pose.z_m],
+            delta_rad,
+            start_radius_m: along(&est.pose, [cos, sin]),
+            start_z_m: seen_m[1],
+            smooth_m: seen_m,
             lead_m: settings.initial_lead_m,
+            lead_rad: plate_rad + delta_rad,
             wanted_rad: plate_rad + delta_rad,
             force_rad: plate_rad + delta_rad,
             ..StrokeRun::default()
@@ -103,51 +118,32 @@ impl Active {
         let [fx, fy, fz] = est.force_xyz_n;
         let outward = fx * cos + fy * sin;
         let force = libm::hypot(outward, fz);
-        let radius = est.pose.x_m * cos + est.pose.y_m * sin;
         let has_direction = force >= settings.least_force_n;
+        // The hand turns with the arm, since the wrist is off.
+        run.plate_rad = est.pose.tool_angle_rad() - std::f64::consts::FRAC_PI_2;
+        run.wanted_rad = run.plate_rad + run.delta_rad;
         // The soil presses back with the opposite of the plate's force: outwards and up.
         run.force_rad = if has_direction { libm::atan2(fz, outward) } else { run.wanted_rad };
         run.peak_force_n = run.peak_force_n.max(outward);
-        run.travel_m = run.start_radius_m - radius;
+        run.travel_m = run.start_radius_m - along(&est.pose, run.plane);
 
         // After the failure a quick loop would hide a plate that lifts.
         let failed = run.travel_m >= settings.failure_travel_m;
-        run.hold_m[0] *= 1.0 - TICK_S / RELEASE_S;
-        // The insertion has left the plate pressed down, by more than the stroke will bear in the end; and dry friction keeps
-        // up forces across the lead that the lead alone is too small to turn.
-        if !failed && (!run.released || law == StrokeLaw::Force) {
-            let excess = fz - outward * libm::tan(run.wanted_rad);
-            let stiffness = view.params.config().gains.stiffness_n_per_m[2].max(1.0);
-            let time_s = if run.released { TRIM_S } else { RELEASE_S };
-            let trim = run.hold_m[1] + excess / stiffness * TICK_S / time_s;
-            run.hold_m[1] = trim.clamp(-MOST_TRIM_M, MOST_TRIM_M);
-            if !run.released && (excess <= settings.least_force_n || self.ticks >= RELEASE_TICKS) {
-                // From here on, as if the stroke began now; the drives may have changed sides of their play.
-                run.released = true;
-                run.hold_m = [0.0; 2];
-                run.smooth_m = [radius, est.pose.z_m];
-                run.start_z_m = est.pose.z_m;
-                if let Ok(motor) = view.params.arm().forward(&est.motor) {
-                    run.offset_m = offset(&motor, &est.pose);
-                }
-            }
-        }
-        let short = if run.released { run.wanted_rad - run.force_rad } else { 0.0 };
-        let (error, p, i) = match law {
-            StrokeLaw::Force => (short, settings.force_p, settings.force_p * settings.force_i_per_s),
-            StrokeLaw::Position => {
-                (est.pose.z_m - run.start_z_m, settings.position_p_rad_per_m, settings.position_i_rad_per_m_s)
-            }
-        };
-        if !failed {
-            run.lead_rad = run.angle.update(run.wanted_rad, error, p, i, run.bounds);
+        let short = run.wanted_rad - run.force_rad;
+        if !run.released {
+            run.take_up(view, [outward, fz], self.ticks);
+        } else if !failed {
+            run.turn(view, law, [outward, fz]);
         }
 
         // Too flat for its size: let the orientation catch up before pressing harder (section 5.3.3).
         let largest = view.params.safe_force().largest_n(run.force_rad - run.plate_rad);
         let unsafe_force = has_direction && short > 0.0 && largest.is_some_and(|largest| force > largest);
         if run.released && !unsafe_force {
-            let haste = if has_direction { 1.0 } else { HASTE };
+            let haste = match law {
+                StrokeLaw::Force => haste(force, force * libm::sin(short)),
+                StrokeLaw::Position => 1.0,
+            };
             run.lead_m = (run.lead_m + haste * view.tuning.lead_rate_m_s * TICK_S).min(settings.max_lead_m);
         }
         if failed {
@@ -160,8 +156,8 @@ impl Active {
 
         let (sin_lead, cos_lead) = libm::sincos(run.lead_rad);
         let smoothing = view.params.stroke_smoothing;
-        run.smooth_m[0] += smoothing * (radius - run.smooth_m[0]);
-        run.smooth_m[1] += smoothing * (est.pose.z_m - run.smooth_m[1]);
+        run.smooth_m[0] += smoothing * (along(&est.seen, run.plane) - run.smooth_m[0]);
+        run.smooth_m[1] += smoothing * (est.seen.z_m - run.smooth_m[1]);
         let wanted_radius = run.smooth_m[0] - run.lead_m * cos_lead + run.hold_m[0];
         let wanted_z = run.smooth_m[1] - run.lead_m * sin_lead + run.hold_m[1];
         let place = [wanted_radius * cos, wanted_radius * sin, wanted_z];
@@ -179,6 +175,81 @@ impl Active {
             Setpoint { law: Law::Stiffness, joints: self.from_joints, position_m, ..Setpoint::default() };
         (setpoint, finish)
     }
+}
+
+impl StrokeRun {
+    /// Takes back the force of the insertion along the plate and leads the drives through their free play across it, until the
+    /// soil presses back on the plate's face. The plate stays seated: a little force downwards does no harm (section 5.3.2.3).
+    fn take_up(&mut self, view: View<'_>, [outward, fz]: [f64; 2], ticks: u32) {
+        let seat_n = view.params.config().stroke.least_force_n;
+        let (sin, cos) = libm::sincos(self.plate_rad);
+        // Of the soil on the plate: against its face, and upwards along it.
+        let (normal, tangent) = (outward * cos + fz * sin, fz * cos - outward * sin);
+        let taut_n = 2.0 * seat_n;
+        let excess = tangent - normal.max(0.0) * libm::tan(self.delta_rad) - seat_n;
+        let upwards = excess.min(UNLOAD_N).max(-UNLOAD_N);
+        let unloaded = excess.abs() < 0.5 * seat_n;
+        let taut = normal >= taut_n;
+        // While the plate is still pressed down it must not be pressed against the soil, which could fail.
+        let back = if unloaded { 0.0 } else { (normal - taut_n).max(0.0).min(UNLOAD_N) };
+        self.trim(view, [back * cos - upwards * sin, back * sin + upwards * cos], RELEASE_S);
+        self.taut_ticks = if taut && unloaded { self.taut_ticks + 1 } else { 0 };
+        if !taut && excess < 2.0 * seat_n {
+            let way = TAKE_UP_M_S * TICK_S;
+            self.hold_m[0] = (self.hold_m[0] - way * cos).max(-MOST_TRIM_M);
+            self.hold_m[1] = (self.hold_m[1] - way * sin).max(-MOST_TRIM_M).min(MOST_TRIM_M);
+        }
+        if self.taut_ticks >= TAUT_TICKS || ticks >= RELEASE_TICKS {
+            self.released = true;
+            self.start_z_m = view.est.seen.z_m;
+        }
+    }
+
+    /// Turns the lead.
+    fn turn(&mut self, view: View<'_>, law: StrokeLaw, [outward, fz]: [f64; 2]) {
+        let settings = &view.params.config().stroke;
+        let (sin, cos) = libm::sincos(self.wanted_rad);
+        // Positive if the plate has to press more downwards.
+        let across = outward * sin - fz * cos;
+        let (error, p, i) = match law {
+            // The correction is a force; as an angle it is the smaller the more force the lead asks for.
+            StrokeLaw::Force => {
+                let stiffness = view.params.config().gains.stiffness_n_per_m[2];
+                let asked =
+                    (stiffness * self.lead_m).max(libm::hypot(outward, fz)).max(settings.least_force_n);
+                (across / asked, settings.force_p, settings.force_p * settings.force_i_per_s)
+            }
+            StrokeLaw::Position => {
+                let risen = view.est.seen.z_m - self.start_z_m;
+                (risen, settings.position_p_rad_per_m, settings.position_i_rad_per_m_s)
+            }
+        };
+        self.lead_rad = self.angle.update(self.wanted_rad, error, p, i, self.bounds);
+        let at_bound = self.lead_rad <= self.bounds.lower_rad || self.lead_rad >= self.bounds.upper_rad;
+        if law == StrokeLaw::Force && at_bound {
+            self.trim(view, [across * sin, -across * cos], TRIM_S);
+        }
+    }
+
+    /// Moves what is held by a force along r and z in N, over the stiffness and this time in s.
+    fn trim(&mut self, view: View<'_>, force_n: [f64; 2], time_s: f64) {
+        let [k_r, _, k_z] = view.params.config().gains.stiffness_n_per_m;
+        for (hold, (force, stiffness)) in self.hold_m.iter_mut().zip(force_n.into_iter().zip([k_r, k_z])) {
+            let trimmed = *hold + force / stiffness.max(1.0) * TICK_S / time_s;
+            *hold = trimmed.max(-MOST_TRIM_M).min(MOST_TRIM_M);
+        }
+    }
+}
+
+/// Share of the lead's rate while a part of the force in N stands across the wanted direction: the orientation shall catch up
+/// before the plate presses harder.
+fn haste(force_n: f64, across_n: f64) -> f64 {
+    (1.0 - across_n.abs() / (ACROSS_N + ACROSS_SHARE * force_n)).max(LEAST_HASTE)
+}
+
+/// Place of a pose along a horizontal direction in m.
+fn along(pose: &TaskPose, [cos, sin]: [f64; 2]) -> f64 {
+    pose.x_m * cos + pose.y_m * sin
 }
 
 /// Tip by the motors minus tip by the external encoders in m.

@@ -7,6 +7,9 @@ use crate::{Finish, TICK_RATE_HZ, TICK_S};
 /// How much further than its range a joint may be moved in search of its stop.
 const BEYOND_RANGE_RAD: f64 = 0.2;
 
+/// Share of the force that means contact below which there is none yet: what is touched begins where it was reached.
+const ONSET: f64 = 0.2;
+
 impl Active {
     /// Contact is a tracking error that lasts: the wanted angle goes on, the joint does not.
     pub(super) fn joint_touch(&mut self, view: View<'_>, joint: Joint) -> (Setpoint, Option<Finish>) {
@@ -58,7 +61,11 @@ impl Active {
     ) -> (Setpoint, Option<Finish>) {
         let force = view.est.force_xyz_n;
         let against = -(force[0] * direction[0] + force[1] * direction[1] + force[2] * direction[2]);
-        let contact = against > view.params.config().touch.tip_force_n;
+        let enough = view.params.config().touch.tip_force_n;
+        let contact = against > enough;
+        if against < ONSET * enough {
+            self.onset_m = view.est.pose.position_m();
+        }
         let speed = view.params.config().touch.tip_speed_m_s * view.tuning.speed_scale;
         let ramp_ticks = 0.2 * TICK_RATE_HZ;
         let ticks = f64::from(self.ticks);

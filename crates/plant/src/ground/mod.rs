@@ -24,6 +24,8 @@ use surface::Surface;
 
 /// Ticks between two looks at the surface ahead: the plate moves by less than a millimetre.
 const SURVEY_TICKS: u64 = 10;
+/// Way in cells after which the surface hears of it; the rest of a stroke, which it never hears of, is shorter.
+const PUSH_CELLS: f64 = 0.2;
 /// Depths ahead over which the surface loads the failing wedge.
 const WEDGE_LENGTH: f64 = 2.5;
 
@@ -152,7 +154,7 @@ impl Ground {
         }
         let ahead = ahead.map(|part| part / length);
         let inside = self.plate.truth.depth_m > 0.0;
-        if inside && self.plate.moved_m >= self.config.cell_m {
+        if inside && self.plate.moved_m >= PUSH_CELLS * self.config.cell_m {
             let heap_m = self.config.heap_length * self.plate.truth.depth_m;
             self.surface.push(tip_m, ahead, self.plate.moved_m, self.width_m, heap_m);
             self.plate.moved_m = 0.0;

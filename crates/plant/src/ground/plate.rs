@@ -9,6 +9,8 @@ use crate::truth::SoilTruth;
 const FAILING: f64 = 0.995;
 /// Depth below which nothing is divided by it, in m.
 const LEAST_DEPTH_M: f64 = 0.001;
+/// Share of the edge's resistance that counts as load even if the plate hardly stands on it.
+const STANDING: f64 = 0.1;
 /// Depth at which the damping is the one of the settings, in m.
 const DAMPED_AT_M: f64 = 0.0254;
 
@@ -83,9 +85,9 @@ impl Plate {
         let edge = change.bearing * strength.edge_n(depth_m, width_m, thickness_m, config.bearing_shape);
         let normal = self.mobilised * most_normal;
         let grip = normal.abs() * friction + at_rest;
-        // Sheared sideways, the soil below the edge bears less, and nothing once the wedge ahead moves; the square is that of
-        // Meyerhof's (1963) factor for inclined loads.
-        let upright = 1.0 - self.mobilised.max(0.0);
+        // An inclined load bears less, by Meyerhof's (1963) factor: what presses the plate ahead, against what it stands on.
+        let stands = tangent.max(0.0) + STANDING * edge;
+        let upright = (1.0 - libm::atan2(normal.max(0.0), stands) / strength.phi_rad).max(0.0);
         let bearing = edge * upright * upright;
         let spring = (most_normal * friction + at_rest + edge) / config.tangent_way_m;
         // The failing wedge rises along the plate.

@@ -14,6 +14,8 @@ pub(crate) struct Strength {
     pub(crate) density_kg_m3: f64,
     /// 0 loosest, 1 densest.
     pub(crate) relative_density: f64,
+    /// Friction angle of the soil in rad.
+    pub(crate) phi_rad: f64,
     /// Friction angle on the plate in rad.
     pub(crate) delta_rad: f64,
     /// Earth pressure at rest over weight (Jaky 1944).
@@ -40,6 +42,7 @@ impl Strength {
             cohesion_pa: soil.cohesion_pa(),
             density_kg_m3: soil.density_kg_m3(),
             relative_density: preset.relative_density(soil.density_kg_m3()),
+            phi_rad: phi,
             delta_rad: interface.friction().radians(),
             at_rest: 1.0 - sin,
             bearing: [n_q, 2.0 * (n_q + 1.0) * tan, (n_q - 1.0) / tan],

@@ -61,7 +61,7 @@ impl Surface {
     pub(crate) fn ahead_m(&self, tip_m: [f64; 3], ahead: [f64; 2], length_m: f64, width_m: f64) -> f64 {
         let cell_m = self.field.cell_m();
         let place = self.place(tip_m);
-        // From the next cell on: the plate's own is half furrow.
+        // From the next cell on: the plate's own is in part furrow.
         let from_m = [place[0] + cell_m * ahead[0], place[1] + cell_m * ahead[1]];
         self.field.mean_height_m(from_m, ahead, length_m, width_m).unwrap_or(self.level_z_m)
     }
@@ -78,6 +78,7 @@ impl Surface {
     /// Slopes run off, once after each stroke: while the plate is in it, it holds its heap back.
     pub(crate) fn come_to_rest(&mut self) {
         if std::mem::take(&mut self.restless) {
+            self.field.lift();
             let (steps, excess) = REST;
             self.field.settle(&self.repose, steps, excess);
         }
