@@ -110,15 +110,16 @@ def data():
 
 
 @pytest.fixture(scope="module")
-def browser():
-    """Debian's Chromium, started once a module."""
+def browser(request):
+    """Debian's Chromium, started once a module, with the module's own CHROMIUM_ARGS if it has them."""
     from playwright.sync_api import sync_playwright
 
     executable = shutil.which("chromium")
     if executable is None:
         pytest.fail("there is no chromium on PATH; `cargo xtask setup` installs it", pytrace=False)
+    arguments = getattr(request.module, "CHROMIUM_ARGS", CHROMIUM_ARGS)
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=executable, args=CHROMIUM_ARGS)
+        started = playwright.chromium.launch(executable_path=executable, args=arguments)
         yield started
         started.close()
 

@@ -2,7 +2,6 @@
 
 import csv
 import math
-import shutil
 import subprocess
 import time
 
@@ -11,21 +10,10 @@ import pytest
 from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, Monitor, camera, marker, open_page, project, seek, still, tip_m, until, write_plan
 from test_live import Operator, wait_for
 
+# Taken by the fixture `browser`: this page needs WebGL.
+__all__ = ["CHROMIUM_ARGS"]
+
 MOST_PX = 2.0
-
-
-@pytest.fixture(scope="module")
-def browser():
-    """Debian's Chromium with WebGL."""
-    from playwright.sync_api import sync_playwright
-
-    executable = shutil.which("chromium")
-    if executable is None:
-        pytest.fail("there is no chromium on PATH; `cargo xtask setup` installs it", pytrace=False)
-    with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=executable, args=CHROMIUM_ARGS)
-        yield started
-        started.close()
 
 
 @pytest.fixture(scope="module")

@@ -226,6 +226,24 @@ fn a_slope_hardly_steeper_than_its_friction_angle_is_not_taken_for_one_that_cann
     assert!(answer["lower"].as_f64().unwrap() > 20.0 && answer["upper"].as_f64().unwrap() < 200.0);
 }
 
+/// A claim of either side would need a field that the checker does not know: said at once, not after the time is up.
+#[test]
+fn a_slope_of_bare_sand_is_said_not_to_be_covered() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = r#"
+schema = "soilctl.problem/1"
+default_boundary = "free"
+objective = { kind = "strength-reduction" }
+soil = [{ name = "sand", phi_deg = 35, cohesion_kpa = 0, unit_weight_kn_m3 = 18 }]
+region = [{ soil = "sand", polygon = [[-10, -4], [25, -4], [25, 4], [8, 4], [0, 0], [-10, 0]] }]
+boundary = [{ kind = "fixed", sides = ["left", "right", "bottom"] }]
+"#;
+    let file = write(dir.path(), "sand.toml", text);
+    let (code, answer, stderr) = soilctl(&["solve", file.to_str().unwrap(), "--max-seconds", "1e6"]);
+    assert_eq!((code, answer), (2, Value::Null), "{stderr}");
+    assert!(stderr.contains("not covered") && stderr.contains("cohesion"), "{stderr}");
+}
+
 #[test]
 fn what_has_no_collapse_load_is_said_in_physical_words() {
     let dir = tempfile::tempdir().unwrap();

@@ -58,3 +58,44 @@ fn adhesion_holds_soil_without_friction() {
     }
     assert!(bound(0.3, face(10.0, 0.4), 20.0).is_ok());
 }
+
+/// A layer between an adhesive plate below and a load on it that presses by `pressure` and drags by 1.
+fn dragged(face: Condition, phi: f64, pressure: f64, claim: f64) -> (Statement, LowerField) {
+    let load = Condition::Loaded { pressure: [pressure; 2], shear: [1.0; 2], live: true };
+    let blocks = Blocks {
+        xs: &[0.0, 2.0],
+        ys: &[-2.0, 0.0],
+        cell: &|_, _| Some(0),
+        materials: &[material(phi, 1.0, 0.0)],
+        condition: &|_, out| match out {
+            [0, 1] => load,
+            [0, -1] => face,
+            _ => Condition::Fixed,
+        },
+        objective: Objective::Everything,
+        gravity: [0.0; 2],
+        datum: 0.0,
+        surcharge: 0.0,
+        slope: 0.0,
+    };
+    let statement = blocks.statement();
+    let f = |[x, y]: [f64; 2]| {
+        let [along, across] = [y - pressure * x, x - pressure * y];
+        [x * y - 0.5 * pressure * (x * x + y * y), along, across]
+    };
+    let mut field = fitted(&statement, &blocks.mesh(&statement), 0.0, &f);
+    field.multiplier = claim;
+    (statement, field)
+}
+
+#[test]
+fn adhesion_holds_its_part_of_all_that_acts() {
+    let face = |delta_deg, adhesion| Condition::Face { delta_deg, adhesion };
+    // Soil of cohesion 1 gives way above it.
+    for (adhesion, limit) in [(0.4, 0.4), (1.5, 1.0)] {
+        is_the_limit(limit, &|claim| dragged(face(0.0, adhesion), 0.0, 0.0, claim));
+    }
+    // The friction grows with all that acts, the adhesion does not.
+    let limit = 0.4 / (1.0 - 0.5 * 10.0_f64.to_radians().tan());
+    is_the_limit(limit, &|claim| dragged(face(10.0, 0.4), 20.0, 0.5, claim));
+}
