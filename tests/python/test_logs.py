@@ -15,7 +15,7 @@ from mcap_ros2.decoder import DecoderFactory
 from rosbags.highlevel import AnyReader
 
 ROOT = Path(__file__).resolve().parents[2]
-TICKS = 18000
+TICKS = 26000
 TICK_NS = 2_000_000
 COUNTS = {
     "/controller/step": TICKS,
@@ -107,7 +107,7 @@ def test_the_stroke_is_in_the_events_and_the_metadata(log, messages):
 
 
 def test_frames_lead_to_the_tip(messages):
-    """Forward kinematics from /tf alone gives the pose that the controller computed."""
+    """Forward kinematics from /tf alone gives the pose that the controller computed, but for the stretch of the cables."""
 
     def matrix(link):
         q, t = link.transform.rotation, link.transform.translation
@@ -119,7 +119,7 @@ def test_frames_lead_to_the_tip(messages):
             [0, 0, 0, 1],
         ])
 
-    poses = {time: step.pose for time, step in messages["/controller/step"]}
+    steps = dict(messages["/controller/step"])
     fixed = messages["/tf_static"][0][1].transforms
     for time, message in messages["/tf"][::40]:
         links = {link.child_frame_id: link for link in [*fixed, *message.transforms]}
@@ -127,7 +127,10 @@ def test_frames_lead_to_the_tip(messages):
         while frame != "base_link":
             place = matrix(links[frame]) @ place
             frame = links[frame].header.frame_id
-        assert place[:3, 3] == pytest.approx(poses[time][:3], abs=1e-12)
+        step = steps[time]
+        # Behind the encoders the elbow gives way by 1/130 rad a Nm, and neither lever is longer than 0.6 m.
+        stretch = 0.6**2 / 130 * np.linalg.norm(step.force_rtz_n)
+        assert np.linalg.norm(place[:3, 3] - step.pose[:3]) <= stretch + 1e-12
 
 
 def test_rosbags_reads_every_message(log, messages):
@@ -240,4 +243,4 @@ def test_wrong_use_is_refused(soilctl, log, tmp_path, data):
     soilctl.refuses("log", "recover", log, "--out", log, mentions=["the log itself"])
     soilctl.refuses("log", "info", data / "soils.csv", mentions=["soils.csv", "not an MCAP file"])
     soilctl.refuses("log", "info", tmp_path / "none.mcap", mentions=["none.mcap"])
-    soilctl.refuses("replay", log, "--from-keyframe", 36, mentions=["no key frame 36", "has 36"])
+    soilctl.refuses("replay", log, "--from-keyframe", TICKS // 500, mentions=[f"no key frame {TICKS // 500}", f"has {TICKS // 500}"])

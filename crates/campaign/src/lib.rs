@@ -11,4 +11,4 @@ mod seed;
 pub use error::CampaignError;
 pub use journal::BatchReport;
 pub use plan::{Plan, file};
-pub use run::{Notice, Options, Report, simulate};
+pub use run::{Notice, Options, Report, logged_truth, simulate};

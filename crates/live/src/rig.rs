@@ -1,7 +1,7 @@
+use soilctl_campaign::logged_truth;
 use soilctl_controller::Sensed;
 use soilctl_plant::{Drive, Hardware, Plant};
 use soilctl_session::Truth;
-use soilctl_session::messages::SoilTruth;
 
 use crate::LiveError;
 use crate::driver::SocketDriver;
@@ -31,16 +31,7 @@ impl Rig {
     /// What a simulation knows, now.
     pub(crate) fn truth(&self) -> Option<Truth> {
         let Self::Plant(plant) = self else { return None };
-        let truth = plant.truth();
-        Some(Truth {
-            joints: truth.joints,
-            joint_rates: truth.joint_rates,
-            soil: SoilTruth {
-                depth_m: truth.soil.depth_m,
-                limit_force_n: truth.soil.limit_force_n,
-                force_rtz_n: truth.force_rtz_n(),
-            },
-        })
+        Some(logged_truth(plant.truth()))
     }
 
     /// Whether there will be no more readings. Allocates nothing.

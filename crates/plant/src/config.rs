@@ -159,6 +159,8 @@ pub struct GroundConfig {
     pub residual_way_m: f64,
     /// Elastic way along the plate and sideways in m; 1e-5 to 0.1.
     pub tangent_way_m: f64,
+    /// Time in s in which the wedge ahead of the plate follows the inclination of the force; 0 to 10.
+    pub wedge_time_s: f64,
     /// Factor on Reissner's N_q for the plate's edge; 0 to 10.
     pub bearing_shape: f64,
     /// Sideways way of the soil for each m of depth, times cos(alpha) / cos(45 deg); -10 to 10.

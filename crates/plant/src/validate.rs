@@ -106,6 +106,7 @@ fn ground(rules: &Rules<'_>, ground: &GroundConfig) -> Checked {
         ("residual_drop", ground.residual_drop, "", 0.0, 0.9),
         ("residual_way_m", ground.residual_way_m, "m", 1e-4, 1.0),
         ("tangent_way_m", ground.tangent_way_m, "m", 1e-5, 0.1),
+        ("wedge_time_s", ground.wedge_time_s, "s", 0.0, 10.0),
         ("bearing_shape", ground.bearing_shape, "", 0.0, 10.0),
         ("insertion_drift", ground.insertion_drift, "", -10.0, 10.0),
         ("misalignment_drift", ground.misalignment_drift, "", -10.0, 10.0),

@@ -1,5 +1,7 @@
 //! From a stroke's samples to its curve and to a row of the stroke table.
 
+use std::ops::Range;
+
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
@@ -7,10 +9,17 @@ use crate::failure::{Analysis, FailureSettings, Indiscernible, Outcome, failure_
 use crate::find::Recorded;
 use crate::robot::RobotSample;
 use crate::robust::{median, sd_of_median_abs};
-use crate::trace::{Channels, Trace};
+use crate::trace::{Channels, FEWEST_SAMPLES, Trace};
 
-/// A force that lies further from the plate's normal than this cosine says, 70 deg, is none that fails the soil ahead.
-const LEAST_COSINE: f64 = 0.34;
+/// A force that lies further from the plate's normal than this cosine says, 57 deg, is none that fails the soil ahead: it is
+/// left over from the insertion.
+const LEAST_COSINE: f64 = 0.55;
+
+/// Depths over that at the beginning, beyond which the square of the depth says little.
+const DEPTHS: [f64; 2] = [0.7, 1.6];
+
+/// Samples over which a direction is taken.
+const STEADY: usize = 25;
 
 /// What samples don't tell.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -113,6 +122,8 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         row.friction_angle_deg = before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s);
         row.z_drift_m =
             before(&trace, trace.channels().z_m.as_deref(), point.time_s).map(|z| z - median(&mut heights));
+        // The force is that of the depth where the soil failed.
+        row.depth_m = before(&trace, Some(&sunk), point.time_s).unwrap_or(depth_m);
         row.speed_mps = (point.displacement_m > 0.0 && point.time_s > first.t_s)
             .then(|| point.displacement_m / (point.time_s - first.t_s));
         // A free-air reading counts in the direction in which the soil pushed.
@@ -144,16 +155,17 @@ fn across_plate(
 ) -> Result<Analysis, ProcessError> {
     let angles = trace.channels().friction_angle_deg.clone().unwrap_or_default();
     let cosines: Vec<f64> = angles.iter().map(|angle| angle.to_radians().cos()).collect();
-    // Near the surface the square says little.
-    let squares: Vec<f64> =
-        depths_m.iter().map(|depth| (depth / settings.depth_m).clamp(0.5, 2.0).powi(2)).collect();
+    let relative: Vec<f64> = depths_m.iter().map(|depth| depth / settings.depth_m).collect();
+    let squares: Vec<f64> = relative.iter().map(|depth| depth.clamp(DEPTHS[0], DEPTHS[1]).powi(2)).collect();
     let across = trace.force_n().iter().zip(&cosines).zip(&squares);
     let across: Vec<f64> = across.map(|((force, cosine), square)| force * cosine / square).collect();
-    let (t_s, u_m) = (trace.t_s().to_vec(), trace.displacement_m().to_vec());
-    let mut analysis = failure_force(&Trace::new(t_s, u_m, across, trace.channels().clone())?, settings);
+    let pushed =
+        Trace::new(trace.t_s().to_vec(), trace.displacement_m().to_vec(), across, trace.channels().clone())?;
+    let mut analysis = failure_force(&pushed.part(pulling(&cosines, &relative))?, settings);
     let Outcome::Found(point) = &mut analysis.outcome else { return Ok(analysis) };
     let cosine = before(trace, Some(&cosines), point.time_s).unwrap_or(1.0);
-    if cosine < LEAST_COSINE {
+    let depth = before(trace, Some(&relative), point.time_s).unwrap_or(1.0);
+    if cosine < LEAST_COSINE || !(DEPTHS[0]..=DEPTHS[1]).contains(&depth) {
         let sd_rel = 1.0 / cosine.max(1e-3);
         analysis.outcome = Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel });
         return Ok(analysis);
@@ -167,6 +179,24 @@ fn across_plate(
         (curve.force_n, curve.sd_n) = (curve.force_n * factor, curve.sd_n * factor);
     }
     Ok(analysis)
+}
+
+/// The longest part in which the plate pulls, across itself and near its depth; all if there is none.
+fn pulling(cosines: &[f64], relative_depths: &[f64]) -> Range<usize> {
+    let pulls = |(cosines, depths): (&[f64], &[f64])| {
+        let depth = median(&mut depths.to_vec());
+        median(&mut cosines.to_vec()) >= LEAST_COSINE && (DEPTHS[0]..=DEPTHS[1]).contains(&depth)
+    };
+    let (mut longest, mut from) = (0..0, 0);
+    for (k, chunk) in cosines.chunks(STEADY).zip(relative_depths.chunks(STEADY)).enumerate() {
+        let end = (k * STEADY + STEADY).min(cosines.len());
+        if !pulls(chunk) {
+            from = end;
+        } else if end - from > longest.len() {
+            longest = from..end;
+        }
+    }
+    if longest.len() < FEWEST_SAMPLES { 0..cosines.len() } else { longest }
 }
 
 /// Angle of a plate from the ground ahead: its `down` direction along the travel and upwards.

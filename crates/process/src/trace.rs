@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use crate::error::ProcessError;
 
 /// The fewest samples a trace may have.
@@ -69,6 +71,20 @@ impl Trace {
             }
         }
         Ok(Self { t_s, displacement_m, force_n, channels })
+    }
+
+    /// Some of the samples.
+    ///
+    /// # Errors
+    /// [`ProcessError::TooFew`] of fewer than [`FEWEST_SAMPLES`].
+    pub(crate) fn part(&self, samples: Range<usize>) -> Result<Self, ProcessError> {
+        let cut = |values: &[f64]| values.get(samples.clone()).unwrap_or_default().to_vec();
+        let channels = Channels {
+            friction_angle_deg: self.channels.friction_angle_deg.as_deref().map(cut),
+            z_m: self.channels.z_m.as_deref().map(cut),
+            centre_m: self.channels.centre_m.as_deref().map(cut),
+        };
+        Self::new(cut(&self.t_s), cut(&self.displacement_m), cut(&self.force_n), channels)
     }
 
     /// Time of each sample in s.

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{DEPTH_M, LIMIT_N, laws, stroke};
+use common::{DEPTH_M, LIMIT_N, heaped, laws, stroke};
 use soilctl_process::{FailureSettings, Indiscernible, Kind, Method, Outcome, failure_force};
 
 fn settings() -> FailureSettings {
@@ -15,7 +15,9 @@ fn gradual_failures_are_found_where_two_lines_are_biased() {
     let (mut ours, mut theirs) = (Vec::new(), Vec::new());
     for (name, law) in laws() {
         for (growth, lambda) in [(0.0, 0.02), (0.0, 0.05), (0.4, 0.02), (0.4, 0.05)] {
-            let force = |u: f64| LIMIT_N * (1.0 + growth * u / DEPTH_M) * law(u / (lambda * DEPTH_M));
+            let mobilised = |u: f64| law(u / (lambda * DEPTH_M));
+            let heap = heaped(mobilised);
+            let force = |u: f64| LIMIT_N * (mobilised(u) + growth * heap(u) / DEPTH_M);
             let found = failure_force(&stroke(force, 0.020, 8.0, 0.05, 7), &settings());
             let Outcome::Found(point) = found.outcome else {
                 panic!("{name}, growth {growth}, length {lambda}: {:?}", found.outcome)
@@ -35,15 +37,17 @@ fn gradual_failures_are_found_where_two_lines_are_biased() {
     theirs.sort_by(f64::total_cmp);
     let at = |values: &[f64], share: f64| values[(share * (values.len() - 1) as f64) as usize];
     println!(
-        "median {} worst {}; two lines {} {}",
+        "median {} 90 % {} worst {}; two lines {} {} {}",
         at(&ours, 0.5),
+        at(&ours, 0.9),
         at(&ours, 1.0),
         at(&theirs, 0.5),
+        at(&theirs, 0.9),
         at(&theirs, 1.0)
     );
     // A limit force that grows and one that is slow to be mobilised look alike; the worst cases are those.
-    assert!(at(&ours, 0.5) < 0.01 && at(&ours, 0.9) < 0.08);
-    assert!(at(&ours, 0.5) < 0.5 * at(&theirs, 0.5));
+    assert!(at(&ours, 0.5) < 0.03 && at(&ours, 0.9) < 0.08);
+    assert!(at(&ours, 0.9) < 0.7 * at(&theirs, 0.9) && at(&ours, 1.0) < 0.6 * at(&theirs, 1.0));
 }
 
 #[test]

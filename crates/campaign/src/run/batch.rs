@@ -74,7 +74,7 @@ fn tick(
     let commands = Commands { heartbeat: heartbeat as u32, emergency_stop: false, request: script.request() };
     let mut goes_on = recorder.before(simulation.state());
     simulation.tick_with(&commands, |_| {}, &mut |tick| {
-        let truth = truth(tick.truth);
+        let truth = logged_truth(tick.truth);
         goes_on &= recorder.after(tick.sensed, tick.commands, tick.outputs, tick.state, Some(truth));
         for event in tick.outputs.events.as_slice() {
             if event.kind == EventKind::StrokeEnded {
@@ -86,8 +86,9 @@ fn tick(
     Ok(goes_on)
 }
 
-/// What the log's topics of truth hold.
-fn truth(truth: &soilctl_plant::Truth) -> Truth {
+/// What the topics of truth of a simulation's log hold.
+#[must_use]
+pub fn logged_truth(truth: &soilctl_plant::Truth) -> Truth {
     Truth {
         joints: truth.joints,
         joint_rates: truth.joint_rates,
@@ -95,6 +96,9 @@ fn truth(truth: &soilctl_plant::Truth) -> Truth {
             depth_m: truth.soil.depth_m,
             limit_force_n: truth.soil.limit_force_n,
             force_rtz_n: truth.force_rtz_n(),
+            limit_force_now_n: truth.soil.limit_force_now_n,
+            mobilisation: truth.soil.mobilisation,
+            failing: truth.soil.failing,
         },
     }
 }

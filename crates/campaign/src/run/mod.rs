@@ -7,6 +7,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+pub use batch::logged_truth;
 use soilctl_effects::ModelFile;
 use soilctl_plant::Simulation;
 use soilctl_session::Setup;

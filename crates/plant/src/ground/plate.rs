@@ -26,6 +26,8 @@ pub(crate) struct Plate {
     stretch_m: [f64; 2],
     deepest_m: f64,
     slip_m: f64,
+    /// Share of the friction on the plate by which the limit force goes, 0 to 1.
+    share: f64,
     /// Forces across and along the plate and along its edge in N, damping included.
     forces_n: [f64; 3],
     pub(crate) slant_m: f64,
@@ -74,7 +76,11 @@ impl Plate {
 
         let [normal, tangent] = [self.forces_n[0], self.forces_n[1]];
         let share = if delta > 0.0 { libm::atan2(tangent, normal.abs().max(1e-6)) / delta } else { 1.0 };
-        let share = share.clamp(0.0, 1.0);
+        // The wedge that will fail follows the force's inclination, but not a vibration of the arm: a force across the plate
+        // that goes at once by the force along it feeds energy into both, and an arm on cables starts to hum.
+        let follows = if self.mobilised == 0.0 { 1.0 } else { dt_s / (config.wedge_time_s + dt_s) };
+        self.share += follows * (share.clamp(0.0, 1.0) - self.share);
+        let share = self.share;
         let facing = if self.mobilised < 0.0 { std::f64::consts::PI - alpha } else { alpha };
         let limit = change.limit_force * strength.limit_n(facing, depth_m, heap_m, width_m, share);
         let residual = self.residual(config, strength);

@@ -5,6 +5,7 @@ mod drastic;
 mod evidence;
 mod saturation;
 mod settings;
+mod start;
 mod two_lines;
 
 use std::fmt;
@@ -176,6 +177,9 @@ impl fmt::Display for Indiscernible {
 
 /// Nodes that a curve is fitted at.
 const NODES: usize = 120;
+/// So much of a curve after failure is looked at: a share of the way to failure, and at least so many depths.
+const AFTER_FAILURE: f64 = 1.5;
+const AFTER_DEPTHS: f64 = 0.3;
 /// Least travel in depths: below, there is no curve.
 const LEAST_TRAVEL: f64 = 2e-3;
 
@@ -204,16 +208,33 @@ pub fn failure_force(trace: &Trace, settings: &FailureSettings) -> Analysis {
     if high - low < LEAST_TRAVEL * settings.depth_m {
         return none(Indiscernible::NoTravel { travel_m: high - low });
     }
+    let blocks = blocks.from(start::of_rise(&blocks));
     let broken = drastic::find(&blocks, settings);
     let loading = broken.map_or_else(|| blocks.clone(), |broken| blocks.until(broken.block + 1));
-    let nodes = loading.nodes(NODES);
+    let (nodes, saturation) = curve(&loading, settings);
     let two_lines = two_lines::fit(&nodes);
-    let saturation = saturation::fit(&from_rest(&nodes), loading.noise_n);
     let outcome = match broken {
         Some(broken) => at_break(trace, &blocks, broken, settings),
         None => gradual(trace, &blocks, two_lines, saturation, settings),
     };
     Analysis { outcome, two_lines, saturation, noise_n }
+}
+
+/// Nodes of the curve and how it saturates. What the plate does long after the failure, when it has left its depth or has a
+/// heap ahead, is left out as soon as it is known where that begins.
+fn curve(loading: &Blocks, settings: &FailureSettings) -> (Vec<[f64; 2]>, Option<Saturation>) {
+    let mut part = loading.clone();
+    loop {
+        let nodes = part.nodes(NODES);
+        let found = saturation::fit(&from_rest(&nodes), part.noise_n, settings.depth_m);
+        let Some(at) = found.as_ref().and_then(|found| found.displacement_95_m) else {
+            return (nodes, found);
+        };
+        let first = part.u_m.first().copied().unwrap_or(0.0);
+        let enough = (AFTER_FAILURE * at).max(AFTER_DEPTHS * settings.depth_m);
+        let Some(end) = part.u_m.iter().position(|u| u - first > at + enough) else { return (nodes, found) };
+        part = part.until(end);
+    }
 }
 
 /// Nodes measured from where the force would be zero: the plate may carry some when a stroke begins.

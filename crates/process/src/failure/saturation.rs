@@ -1,8 +1,8 @@
 //! How far a gradual failure has mobilised the soil: force against displacement as a limit force, which the heap
 //! makes grow, times a mobilised fraction that tends to 1.
 //!
-//! `F(u) = (F_0 + F_1 u) m(u / lambda)`. At a given `lambda` it is linear in the limit force `F_0` of the undisturbed
-//! ground and its growth `F_1`, so one search over `lambda` does. Which law `m` follows is not known; several are
+//! `F(u) = F_0 m(u / lambda) + F_1 max(0, u - u_95)`: soil is heaped once it fails, from where 95 % are mobilised. At a given
+//! `lambda` it is linear in the limit force `F_0` of the undisturbed ground and its growth `F_1`, so one search over `lambda` does. Which law `m` follows is not known; several are
 //! fitted, from a sharp bend to a hyperbola (Kondner 1963; Duncan & Chang 1970), and count by how well they fit. Their
 //! spread is part of the uncertainty.
 
@@ -26,7 +26,8 @@ pub struct Saturation {
 }
 
 /// Mobilised fraction at `x = u / lambda`, all with limit 1.
-const LAWS: [fn(f64) -> f64; 11] = [
+type Law = fn(f64) -> f64;
+const LAWS: [Law; 11] = [
     |x| x.min(1.0),
     |x| if x < 2.0 { x - x * x / 4.0 } else { 1.0 },
     f64::tanh,
@@ -40,28 +41,40 @@ const LAWS: [fn(f64) -> f64; 11] = [
     |x| (x * FRAC_PI_2).atan() / FRAC_PI_2,
 ];
 
-/// As many independent pieces of evidence does a curve give on its shape: nodes depend on each other.
-const INDEPENDENT: f64 = 30.0;
+/// Mobilised fraction at which the soil counts as failing.
+const FAILING: f64 = 0.95;
+
+/// As many independent pieces of evidence does a curve give on its shape: what a law misses, it misses over long parts.
+const INDEPENDENT: f64 = 8.0;
 
 /// Laws whose misfit stays under this fraction of the force can't be told apart: no soil follows any of them closer.
-const INDISTINCT: f64 = 0.006;
+const INDISTINCT: f64 = 0.012;
+
+/// Growth of the limit force over a depth, by the limit force: one standard deviation of what is expected before it is
+/// measured. A law that is slow to saturate needs none.
+const USUAL_GROWTH: f64 = 0.2;
+
+/// Growth of the limit force over the stroke, by the limit force: soil in heaps makes it grow, dense soil loses some.
+const LEAST_GROWTH: f64 = -0.5;
+const MOST_GROWTH: f64 = 2.0;
 
 /// One law with its best length.
 struct Fitted {
     lambda: f64,
-    law: fn(f64) -> f64,
+    law: Law,
     solved: Solved<2>,
     square: f64,
 }
 
-/// Fits all laws to nodes (displacement, force) that start where the plate began to push. `noise_n` is the standard
+/// Fits all laws to nodes (displacement, force) that start where the plate began to push at a depth. `noise_n` is the standard
 /// deviation of a node. `None` if no law fits with a limit force above 0.
-pub(super) fn fit(nodes: &[[f64; 2]], noise_n: f64) -> Option<Saturation> {
+pub(super) fn fit(nodes: &[[f64; 2]], noise_n: f64, depth_m: f64) -> Option<Saturation> {
     let last = nodes.iter().map(|node| node[0]).fold(0.0, f64::max);
     if !(last.is_finite() && last > 0.0) {
         return None;
     }
-    let fits: Vec<Fitted> = LAWS.iter().filter_map(|law| best_length(nodes, last, *law)).collect();
+    let stroke = Stroke { nodes, last, growth_sd: USUAL_GROWTH * last / depth_m };
+    let fits: Vec<Fitted> = LAWS.iter().filter_map(|law| stroke.best_length(*law)).collect();
     let highest = nodes.iter().map(|node| node[1]).fold(0.0, f64::max);
     let floor = (noise_n * noise_n + (INDISTINCT * highest).powi(2)).max(f64::MIN_POSITIVE);
     let least = fits.iter().map(|fit| fit.square.max(floor)).min_by(f64::total_cmp)?;
@@ -75,7 +88,7 @@ pub(super) fn fit(nodes: &[[f64; 2]], noise_n: f64) -> Option<Saturation> {
     let spread = mean(&|fit| (fit.solved.x[0] - force_n).powi(2));
     let within =
         mean(&|fit| fit.square.max(floor) * fit.solved.inverse[0][0] * nodes.len() as f64 / INDEPENDENT);
-    let length_95 = mean(&|fit| fit.lambda * reach(fit.law, 0.95));
+    let length_95 = mean(&|fit| fit.lambda * reach(fit.law, FAILING));
     Some(Saturation {
         force_n,
         sd_n: (spread + within).sqrt(),
@@ -86,7 +99,7 @@ pub(super) fn fit(nodes: &[[f64; 2]], noise_n: f64) -> Option<Saturation> {
 }
 
 /// Smallest `x` at which a law reaches `fraction`, by bisection.
-fn reach(law: fn(f64) -> f64, fraction: f64) -> f64 {
+fn reach(law: Law, fraction: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1e3);
     for _ in 0..60 {
         let middle = f64::midpoint(low, high);
@@ -95,57 +108,71 @@ fn reach(law: fn(f64) -> f64, fraction: f64) -> f64 {
     high
 }
 
-/// Least squares over the length on a logarithmic grid, refined twice around the best.
-fn best_length(nodes: &[[f64; 2]], last: f64, law: fn(f64) -> f64) -> Option<Fitted> {
-    let mut best: Option<Fitted> = None;
-    // From a hundredth of the stroke to three times the stroke: longer ones can't be told from a straight line.
-    let (mut low, mut high) = ((0.003 * last).ln(), (3.0 * last).ln());
-    for _ in 0..3 {
-        let steps = 40;
-        for k in 0..=steps {
-            let lambda = (low + (high - low) * f64::from(k) / f64::from(steps)).exp();
-            if let Some(found) = at_length(nodes, last, law, lambda)
-                && best.as_ref().is_none_or(|known| found.square < known.square)
-            {
-                best = Some(found);
-            }
-        }
-        let around = best.as_ref()?.lambda.ln();
-        let half = (high - low) / f64::from(steps);
-        (low, high) = (around - half, around + half);
-    }
-    best
+/// What the laws are fitted to.
+struct Stroke<'a> {
+    nodes: &'a [[f64; 2]],
+    /// Displacement of the last node in m.
+    last: f64,
+    /// Standard deviation of the growth over the stroke that is expected, by the limit force.
+    growth_sd: f64,
 }
 
-/// Limit force above 0, growth between none and twice the limit force over the stroke.
-fn at_length(nodes: &[[f64; 2]], last: f64, law: fn(f64) -> f64, lambda: f64) -> Option<Fitted> {
-    let row = |u: f64| {
-        let m = law((u / lambda).max(0.0));
-        [m, m * u / last]
-    };
-    let mut solved = least_squares(nodes.iter().map(|[u, f]| (row(*u), *f, 1.0)))?;
-    if solved.x[1] < 0.0 || solved.x[1] > 2.0 * solved.x[0] {
-        // On the edge of what is allowed one unknown is left.
-        let share = if solved.x[1] < 0.0 { 0.0 } else { 2.0 };
-        let single = least_squares(nodes.iter().map(|[u, f]| {
-            let [m, mu] = row(*u);
-            ([m + share * mu], *f, 1.0)
-        }))?;
-        solved = Solved {
-            x: [single.x[0], share * single.x[0]],
-            inverse: [[single.inverse[0][0], 0.0], [0.0, 0.0]],
+impl Stroke<'_> {
+    /// Least squares over the length on a logarithmic grid, refined twice around the best.
+    fn best_length(&self, law: Law) -> Option<Fitted> {
+        let failing = reach(law, FAILING);
+        let mut best: Option<Fitted> = None;
+        // From a hundredth of the stroke to three times the stroke: longer ones can't be told from a straight line.
+        let (mut low, mut high) = ((0.003 * self.last).ln(), (3.0 * self.last).ln());
+        for _ in 0..3 {
+            let steps = 40;
+            for k in 0..=steps {
+                let lambda = (low + (high - low) * f64::from(k) / f64::from(steps)).exp();
+                if let Some(found) = self.at_length(law, lambda, failing * lambda)
+                    && best.as_ref().is_none_or(|known| found.square < known.square)
+                {
+                    best = Some(found);
+                }
+            }
+            let around = best.as_ref()?.lambda.ln();
+            let half = (high - low) / f64::from(steps);
+            (low, high) = (around - half, around + half);
+        }
+        best
+    }
+
+    /// Limit force above 0, growth within its bounds and not without need.
+    fn at_length(&self, law: Law, lambda: f64, failing_m: f64) -> Option<Fitted> {
+        let Self { nodes, last, growth_sd } = *self;
+        let row = |u: f64| [law((u / lambda).max(0.0)), (u - failing_m).max(0.0) / last];
+        let rows = nodes.iter().map(|[u, f]| (row(*u), *f, 1.0));
+        // One standard deviation of growth weighs as much as the misfit of one independent piece of evidence.
+        let expected = ([0.0, 1.0], 0.0, nodes.len() as f64 / INDEPENDENT * (INDISTINCT / growth_sd).powi(2));
+        let both = least_squares(rows.chain([expected]))?;
+        let growth = both.x[1] / both.x[0];
+        let solved = if (LEAST_GROWTH..=MOST_GROWTH).contains(&growth) {
+            both
+        } else {
+            // On the edge of what is allowed one unknown is left.
+            let share = growth.clamp(LEAST_GROWTH, MOST_GROWTH);
+            let single = least_squares(nodes.iter().map(|[u, f]| {
+                let [m, grown] = row(*u);
+                ([m + share * grown], *f, 1.0)
+            }))?;
+            Solved {
+                x: [single.x[0], share * single.x[0]],
+                inverse: [[single.inverse[0][0], 0.0], [0.0, 0.0]],
+            }
         };
+        if solved.x[0].is_nan() || solved.x[0] <= 0.0 {
+            return None;
+        }
+        let misfit = |[u, f]: &[f64; 2]| {
+            let [m, grown] = row(*u);
+            (f - solved.x[0] * m - solved.x[1] * grown).powi(2)
+        };
+        let unexpected = (INDISTINCT * solved.x[1] / growth_sd).powi(2) / INDEPENDENT;
+        let square = nodes.iter().map(misfit).sum::<f64>() / nodes.len() as f64 + unexpected;
+        Some(Fitted { lambda, law, solved, square })
     }
-    if solved.x[0].is_nan() || solved.x[0] <= 0.0 {
-        return None;
-    }
-    let square = nodes
-        .iter()
-        .map(|[u, f]| {
-            let [m, mu] = row(*u);
-            (f - solved.x[0] * m - solved.x[1] * mu).powi(2)
-        })
-        .sum::<f64>()
-        / nodes.len() as f64;
-    Some(Fitted { lambda, law, solved, square })
 }

@@ -42,7 +42,7 @@ impl FailureSettings {
             least_mobilised: 0.7,
             most_slope_ratio: 0.5,
             most_sd_rel: 0.15,
-            floor_sd_rel: 0.01,
+            floor_sd_rel: 0.015,
         })
     }
 }

@@ -18,7 +18,7 @@ macro_rules! record {
             pub order: Option<u32>,
             /// Tool angle in deg.
             pub alpha_deg: f64,
-            /// Vertical depth of the plate's lower edge below the surface in m.
+            /// Vertical depth of the plate's lower edge below the surface where the soil failed, in m.
             pub depth_m: f64,
             /// Width of the plate in m.
             pub width_m: f64,
@@ -88,6 +88,8 @@ record! {
     motor_ext_gap_m,
     /// Usual step of the external encoders at the plate in m.
     x_step_m,
+    /// Time of the failure on the log's clock in s.
+    failure_time_s,
     /// Rise of the measured friction angle at failure in deg.
     lift_deg,
     /// Its standard deviation in deg.
@@ -144,6 +146,7 @@ impl StrokeRecord {
             residual_ratio: row.residual_ratio,
             motor_ext_gap_m: row.motor_ext_gap_m,
             x_step_m: row.x_step_m,
+            failure_time_s: Some(point.time_s),
             lift_deg: lift.map(|change| change.change),
             lift_sd_deg: lift
                 .filter(|change| change.significance != 0.0)

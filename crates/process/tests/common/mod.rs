@@ -72,3 +72,16 @@ pub(crate) fn laws() -> Vec<Law> {
         ("two scales", |x| 1.0 - 0.7 * (-1.2 * x).exp() - 0.3 * (-0.4 * x).exp()),
     ]
 }
+
+/// Way over which soil was heaped up to a displacement: where it has all but failed, it goes with the plate.
+pub(crate) fn heaped(mobilised: impl Fn(f64) -> f64) -> impl Fn(f64) -> f64 {
+    const STEP_M: f64 = 1e-6;
+    let mut way = 0.0;
+    let ways: Vec<f64> = (0..30_000)
+        .map(|k| {
+            way += STEP_M * mobilised(f64::from(k) * STEP_M).powi(8);
+            way
+        })
+        .collect();
+    move |u| ways[((u / STEP_M) as usize).min(ways.len() - 1)]
+}

@@ -219,8 +219,14 @@ pub struct Keyframe {
 pub struct SoilTruth {
     /// Depth of the plate's lower edge below the surface in m, negative above it.
     pub depth_m: f64,
-    /// Force at which the soil would fail now in N; 0 outside the soil.
+    /// Force at which the soil would fail now in N, at full friction on the plate; 0 outside the soil.
     pub limit_force_n: f64,
     /// Force of the soil on the plate along r, t, z in N.
     pub force_rtz_n: [f64; 3],
+    /// Force at which the soil would fail now in N, with the present force along the plate.
+    pub limit_force_now_n: f64,
+    /// Share of the failure force that is mobilised, -1 to 1.
+    pub mobilisation: f64,
+    /// Whether the soil fails in this step.
+    pub failing: bool,
 }

@@ -23,9 +23,9 @@ use soilctl_session::{Logger, Pace, Recorder, SessionError, Setup, StepRecord, T
 const PLAN: &str = include_str!("../../../../data/plans/table_6_2.toml");
 
 /// Ticks of one insertion, stroke and pull-out with their rests, and the way back.
-pub const STROKE_TICKS: u64 = 18_000;
+pub const STROKE_TICKS: u64 = 26_000;
 /// When the way back begins.
-const BACK: u64 = 16_000;
+const BACK: u64 = 24_000;
 
 pub fn setup(seed: u64) -> Setup {
     let params = Params::thesis();
@@ -88,7 +88,7 @@ impl Digger {
         let soil = plant.soil.as_ref().unwrap();
         let depth_m = soil.surface_z - height_m;
         let limit_force_n = if depth_m > 0.0 { soil.failure_n } else { 0.0 };
-        let soil = SoilTruth { depth_m, limit_force_n, force_rtz_n: plant.force_rtz };
+        let soil = SoilTruth { depth_m, limit_force_n, force_rtz_n: plant.force_rtz, ..SoilTruth::default() };
         Truth { joints, joint_rates: JointVelocities(plant.v), soil }
     }
 }
