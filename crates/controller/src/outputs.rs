@@ -34,7 +34,7 @@ pub struct Telemetry {
     pub external_joints: JointAngles,
     /// Joint speeds by the motor encoders.
     pub joint_rates: JointVelocities,
-    /// Pose by the external encoders; zero before homing.
+    /// Pose by the external encoders, the stretch of the elbow counted in; zero before homing.
     pub pose: TaskPose,
     /// Force of the soil on the plate along r, t, z in N; zero before homing.
     pub force_rtz_n: [f64; 3],

@@ -48,7 +48,7 @@ const FAILING: f64 = 0.95;
 const INDEPENDENT: f64 = 8.0;
 
 /// Laws whose misfit stays under this fraction of the force can't be told apart: no soil follows any of them closer.
-const INDISTINCT: f64 = 0.012;
+const INDISTINCT: f64 = 0.009;
 
 /// Growth of the limit force over a depth, by the limit force: one standard deviation of what is expected before it is
 /// measured. A law that is slow to saturate needs none.

@@ -6,6 +6,9 @@ use super::answer::{Disagreement, EstimateAnswer};
 use crate::output::Answer;
 use crate::text::{columns, number};
 
+/// Pairs in conflict that are named; the JSON answer has all.
+const MOST_PAIRS: usize = 6;
+
 /// Names of the search limits that the region touches.
 pub(super) fn limits(estimate: &Estimate) -> Vec<&'static str> {
     let l = estimate.limits;
@@ -64,7 +67,9 @@ fn disagreement(d: &Disagreement) -> String {
     }
     if !d.pairs.is_empty() {
         let pairs: Vec<_> = d.pairs.iter().map(|[a, b]| format!("{a} with {b}")).collect();
-        text += &format!(" In conflict: {}.", pairs.join("; "));
+        let more = pairs.len().saturating_sub(MOST_PAIRS);
+        let rest = if more > 0 { format!(", and {more} more pairs") } else { String::new() };
+        text += &format!(" In conflict: {}{rest}.", pairs[..pairs.len() - more].join("; "));
     }
     if !d.culprits.is_empty() {
         text += &format!(" The others agree without {}.", d.culprits.join(", or without "));

@@ -7,10 +7,11 @@ use super::sample::Sample;
 use crate::ProcessError;
 use crate::robust::{Solved, least_squares};
 
-/// Below this share of the highest force the free play may not be taken up: there the external encoders count...
-const LOOSE: f64 = 0.15;
-/// ...and above this one the motors', shifted and stretched so that both agree.
+/// Once the pull has exceeded this share of the highest one the free play is taken up, and the motors' readings, shifted and
+/// stretched, agree with the external ones.
 const TAUT: f64 = 0.35;
+/// Where they disagree by fewer half steps than the first they count alone, by more than the second not at all.
+const AGREE: [f64; 2] = [2.0, 4.0];
 /// Samples over which a force is averaged to tell how taut the arm is.
 const SMOOTH: usize = 25;
 /// So much may a drive stretch, in rad/N at the plate, one standard deviation: what is expected before it is measured.
@@ -35,11 +36,10 @@ pub(super) fn half_steps(arm: &Arm) -> Result<[f64; 5], ProcessError> {
     Ok(half)
 }
 
-/// Joints of each sample in rad, before flexion, and whether an encoder jumped.
+/// Joints of each sample in rad, before flexion, and whether an encoder jumped; `force_n` is the pull of each sample.
 pub(super) fn joined(samples: &[Sample], force_n: &[f64], half_steps: &[f64; 5]) -> (Vec<[f64; 5]>, bool) {
-    let taut = tautness(force_n);
     let mut joints: Vec<[f64; 5]> = samples.iter().map(|s| s.external).collect();
-    let held: Vec<usize> = (0..samples.len()).filter(|i| taut[*i] >= 1.0).collect();
+    let held: Vec<usize> = (taut_from(force_n)..samples.len()).collect();
     if held.len() < 50 {
         return (joints, false);
     }
@@ -51,31 +51,21 @@ pub(super) fn joined(samples: &[Sample], force_n: &[f64], half_steps: &[f64; 5])
         let along = |i: usize| shift + stretch * force_n[i];
         jumped |= held.iter().filter(|i| (gap(**i) - along(**i)).abs() > 5.0 * half_steps[joint]).count() > 2;
         for (i, place) in joints.iter_mut().enumerate() {
-            let by_motor = samples[i].motor[joint] + along(i);
-            place[joint] += taut[i] * (by_motor - place[joint]);
+            let apart = (gap(i) - along(i)).abs() / half_steps[joint];
+            let share = ((AGREE[1] - apart) / (AGREE[1] - AGREE[0])).clamp(0.0, 1.0);
+            place[joint] += share * (samples[i].motor[joint] + along(i) - place[joint]);
         }
     }
     (joints, jumped)
 }
 
-/// 0 as long as the force is small, 1 from where it is not; never falls, since the free play stays taken up.
-fn tautness(force_n: &[f64]) -> Vec<f64> {
+/// First sample at which the mean force has exceeded its share of the highest.
+fn taut_from(force_n: &[f64]) -> usize {
     let mut sorted = force_n.to_vec();
     sorted.sort_by(f64::total_cmp);
     let high = sorted.get(sorted.len() * 98 / 100).copied().unwrap_or(0.0).max(f64::MIN_POSITIVE);
-    let mut sum = 0.0;
-    let mut most: f64 = 0.0;
-    (0..force_n.len())
-        .map(|i| {
-            sum += force_n[i];
-            if i >= SMOOTH {
-                sum -= force_n[i - SMOOTH];
-            }
-            let share = sum / ((i + 1).min(SMOOTH) as f64) / high;
-            most = most.max(((share - LOOSE) / (TAUT - LOOSE)).clamp(0.0, 1.0));
-            most
-        })
-        .collect()
+    let exceeds = |mean: &[f64]| mean.iter().sum::<f64>() > TAUT * high * SMOOTH as f64;
+    force_n.windows(SMOOTH).position(exceeds).map_or(force_n.len(), |first| first + SMOOTH)
 }
 
 /// External minus motor reading as a shift and a stretch in proportion to the force, jumps left out by a second look.

@@ -80,8 +80,17 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
         Ok(load)
     });
     let loads: Vec<[f64; 6]> = loads.collect::<Result<_, ProcessError>>()?;
-    let sizes: Vec<f64> = loads.iter().map(|[x, _, z, ..]| x.hypot(*z)).collect();
-    let (joints, jumped) = joined(&logged.stroke, &sizes, &half_steps(arm)?);
+    let (tip, _) = tip_and_sensor(arm, &first.external)?;
+    let radius = tip.origin_m[0].hypot(tip.origin_m[1]).max(1e-9);
+    let direction = [-tip.origin_m[0] / radius, -tip.origin_m[1] / radius];
+    // What an insertion leaves pushes upwards; it is the pull that takes up the free play.
+    let pulls = logged.stroke.iter().zip(&loads).map(|(sample, load)| {
+        let (_, sensor) = tip_and_sensor(arm, &sample.external)?;
+        let [x, y, _] = sensor.direction([load[0], load[1], load[2]]);
+        Ok(-(x * direction[0] + y * direction[1]))
+    });
+    let pulls: Vec<f64> = pulls.collect::<Result<_, ProcessError>>()?;
+    let (joints, jumped) = joined(&logged.stroke, &pulls, &half_steps(arm)?);
     if jumped {
         flags.push("encoder_jump");
     }
@@ -108,11 +117,7 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
     let Some(surface_z_m) = surface else {
         return Err(ProcessError::Log("neither a touch nor the log says where the surface is".into()));
     };
-    let radius = samples[0].tip_m[0].hypot(samples[0].tip_m[1]).max(1e-9);
-    let direction = [-samples[0].tip_m[0] / radius, -samples[0].tip_m[1] / radius];
-    let early = &samples[..(samples.len() / 50).max(1)];
-    let seen = median(&mut early.iter().map(|s| s.tip_m[2]).collect::<Vec<_>>());
-    let start_z_m = start_height(arm, logged, &samples[0])?.unwrap_or(seen);
+    let start_z_m = start_height(arm, logged, &samples[0])?;
     let recorded = Recorded {
         samples,
         direction,
@@ -120,8 +125,7 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
         tare_after: tare_after(arm, logged, surface_z_m)?,
     };
     let setting = Setting {
-        // `evaluate` takes the depth from the first samples; the insertion tells it more exactly.
-        surface_z_m: surface_z_m - start_z_m + seen,
+        surface_z_m,
         width_m: arm.config().plate.width_m,
         alpha_deg: logged.number("alpha_deg").map(degrees),
         batch: logged.record.get("batch").cloned(),
@@ -139,6 +143,10 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
     row.base_deg = logged.number("base_deg").map(degrees).or(row.base_deg);
     row.x_step_m = encoder_step(&course.external_m);
     if let Outcome::Found(point) = &evaluated.analysis.outcome {
+        // At the beginning the external encoders stand at some count; the insertion tells the height more exactly.
+        if let Some(start_z_m) = start_z_m {
+            row.z_drift_m = Some(surface_z_m - row.depth_m - start_z_m);
+        }
         let before = |s: &Sample| s.t_s <= point.time_s && s.t_s > point.time_s - BEFORE_S;
         let near: Vec<usize> = (0..logged.stroke.len()).filter(|i| before(&logged.stroke[*i])).collect();
         let mean = |value: &dyn Fn(usize) -> Option<f64>| -> Option<f64> {
