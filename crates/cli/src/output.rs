@@ -1,8 +1,8 @@
 //! Everything that is written: the answer to stdout, notes and errors to stderr.
 
 use std::io::{IsTerminal, Write};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -41,11 +41,20 @@ pub(crate) struct Document<'a, A> {
     answer: &'a A,
 }
 
+/// An answer as its JSON document.
+pub(crate) fn document<A: Answer>(answer: &A) -> Result<String, CliError> {
+    finite::check(answer)?;
+    let document = Document { schema: A::SCHEMA, version: env!("CARGO_PKG_VERSION"), answer };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
 /// Where answers and notes go.
 pub(crate) struct Output {
     format: Format,
     quiet: bool,
     host: Host,
+    /// Set by Ctrl-C; made when it is first asked for, and the same for all work of this run.
+    stop: OnceLock<Arc<AtomicBool>>,
 }
 
 /// What runs the verb.
@@ -73,12 +82,13 @@ impl Notes {
 
 impl Output {
     pub(crate) const fn new(format: Format, quiet: bool) -> Self {
-        Self { format, quiet, host: Host::Program }
+        Self { format, quiet, host: Host::Program, stop: OnceLock::new() }
     }
 
     /// Keeps the answer in JSON, and writes nothing.
     pub(crate) const fn kept(stop: Arc<AtomicBool>) -> Self {
-        Self { format: Format::Json, quiet: true, host: Host::Library { answer: Vec::new(), stop } }
+        let host = Host::Library { answer: Vec::new(), stop };
+        Self { format: Format::Json, quiet: true, host, stop: OnceLock::new() }
     }
 
     /// The answer that was kept; empty for a program.
@@ -97,26 +107,29 @@ impl Output {
     /// The same for work that may have nothing to keep: then Ctrl-C just ends the program.
     pub(crate) fn interrupt_keeping(&self, something: bool) -> Arc<AtomicBool> {
         match &self.host {
-            Host::Program => {
-                let stop = Arc::new(AtomicBool::new(false));
-                if something {
+            Host::Program if something => {
+                let stop = self.stop.get_or_init(|| {
+                    let stop = Arc::new(AtomicBool::new(false));
                     let stopped = Arc::clone(&stop);
-                    // A second handler cannot be set; then Ctrl-C ends the program too.
+                    // If the handler cannot be set, Ctrl-C ends the program.
                     let _ = ctrlc::set_handler(move || stopped.store(true, Ordering::Relaxed));
-                }
-                stop
+                    stop
+                });
+                Arc::clone(stop)
             }
+            Host::Program => Arc::new(AtomicBool::new(false)),
             Host::Library { stop, .. } => Arc::clone(stop),
         }
     }
 
     /// Writes the one answer of this run.
     pub(crate) fn answer<A: Answer>(&mut self, answer: &A) -> Result<(), CliError> {
-        finite::check(answer)?;
-        let document = Document { schema: A::SCHEMA, version: env!("CARGO_PKG_VERSION"), answer };
         let text = match self.format {
-            Format::Text => answer.text(),
-            Format::Json => serde_json::to_string_pretty(&document)? + "\n",
+            Format::Text => {
+                finite::check(answer)?;
+                answer.text()
+            }
+            Format::Json => document(answer)?,
         };
         self.raw(text.as_bytes())
     }

@@ -76,14 +76,13 @@ impl Filters {
     /// follow the motor, whose counts are a hundred times finer; while the motor goes through its free play, it waits at the
     /// edge of the count. So it is never further off than a count.
     fn within_counts(&mut self, params: &Params, sensed: &Sensed, count: &[f64; 5]) -> [f64; 5] {
-        for i in 0..5 {
+        for (i, (within, count)) in self.within_rad.iter_mut().zip(count).enumerate() {
             let step = params.external_rad_per_count[i];
-            let (low, high) =
-                if step > 0.0 { (count[i], count[i] + step) } else { (count[i] + step, count[i]) };
+            let (low, high) = if step > 0.0 { (*count, count + step) } else { (count + step, *count) };
             let moved = f64::from(sensed.motor_counts[i]) - f64::from(self.last_counts[i]);
-            let follows = self.within_rad[i] + moved * params.motor_rad_per_count[i];
+            let follows = *within + moved * params.motor_rad_per_count[i];
             let guess = if self.primed { follows } else { 0.5 * (low + high) };
-            self.within_rad[i] = guess.max(low).min(high);
+            *within = guess.max(low).min(high);
         }
         self.within_rad
     }

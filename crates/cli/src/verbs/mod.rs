@@ -5,6 +5,7 @@ mod bound;
 mod certify;
 mod completions;
 mod console;
+mod demo;
 mod diagnose;
 mod estimate;
 mod limits;
@@ -50,6 +51,8 @@ pub(crate) enum Verb {
     Shear(Box<shear::Args>),
     /// Runs a campaign on the simulated arm and soil, a log for each batch
     Simulate(simulate::Args),
+    /// A simulated campaign from the soil to the estimate, compared with the truth, on one page
+    Demo(demo::Args),
     /// Shows, builds and checks prediction tables
     Table(table::Args),
     /// Looks into, checks, repairs and exports logs
@@ -99,6 +102,7 @@ impl Verb {
             Self::Report(args) => report::run(&args, output),
             Self::Shear(args) => shear::run(&args, output),
             Self::Simulate(args) => simulate::run(&args, output),
+            Self::Demo(args) => demo::run(&args, output),
             Self::Table(args) => table::run(&args, output),
             Self::Log(args) => log::run(&args, output),
             Self::Process(args) => process::run(&args, output),

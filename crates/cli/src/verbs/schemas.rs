@@ -10,7 +10,7 @@ use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
 use super::{
-    Outcome, bound, certify, diagnose, estimate, log, monitor, predict, process, replay, report,
+    Outcome, bound, certify, demo, diagnose, estimate, log, monitor, predict, process, replay, report,
     run as run_verb, shear, simulate, solve, table,
 };
 use crate::error::CliError;
@@ -34,6 +34,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<report::ReportAnswer>(&args.dir)?;
     write::<shear::ShearAnswer>(&args.dir)?;
     write::<simulate::SimulateAnswer>(&args.dir)?;
+    write::<demo::DemoAnswer>(&args.dir)?;
     write::<table::TableAnswer>(&args.dir)?;
     write::<log::LogAnswer>(&args.dir)?;
     write::<process::ProcessAnswer>(&args.dir)?;

@@ -187,17 +187,17 @@ impl StrokeRun {
         let (normal, tangent) = (outward * cos + fz * sin, fz * cos - outward * sin);
         let taut_n = 2.0 * seat_n;
         let excess = tangent - normal.max(0.0) * libm::tan(self.delta_rad) - seat_n;
-        let upwards = excess.min(UNLOAD_N).max(-UNLOAD_N);
+        let upwards = excess.clamp(-UNLOAD_N, UNLOAD_N);
         let unloaded = excess.abs() < 0.5 * seat_n;
         let taut = normal >= taut_n;
         // While the plate is still pressed down it must not be pressed against the soil, which could fail.
-        let back = if unloaded { 0.0 } else { (normal - taut_n).max(0.0).min(UNLOAD_N) };
+        let back = if unloaded { 0.0 } else { (normal - taut_n).clamp(0.0, UNLOAD_N) };
         self.trim(view, [back * cos - upwards * sin, back * sin + upwards * cos], RELEASE_S);
         self.taut_ticks = if taut && unloaded { self.taut_ticks + 1 } else { 0 };
         if !taut && excess < 2.0 * seat_n {
             let way = TAKE_UP_M_S * TICK_S;
             self.hold_m[0] = (self.hold_m[0] - way * cos).max(-MOST_TRIM_M);
-            self.hold_m[1] = (self.hold_m[1] - way * sin).max(-MOST_TRIM_M).min(MOST_TRIM_M);
+            self.hold_m[1] = (self.hold_m[1] - way * sin).clamp(-MOST_TRIM_M, MOST_TRIM_M);
         }
         if self.taut_ticks >= TAUT_TICKS || ticks >= RELEASE_TICKS {
             self.released = true;
@@ -236,7 +236,7 @@ impl StrokeRun {
         let [k_r, _, k_z] = view.params.config().gains.stiffness_n_per_m;
         for (hold, (force, stiffness)) in self.hold_m.iter_mut().zip(force_n.into_iter().zip([k_r, k_z])) {
             let trimmed = *hold + force / stiffness.max(1.0) * TICK_S / time_s;
-            *hold = trimmed.max(-MOST_TRIM_M).min(MOST_TRIM_M);
+            *hold = trimmed.clamp(-MOST_TRIM_M, MOST_TRIM_M);
         }
     }
 }

@@ -48,7 +48,7 @@ pub(crate) struct EstimateArgs {
 
     /// Standard deviations that a band reaches on either side of the force [default: 1]
     #[arg(long, value_name = "K", value_parser = finite, allow_negative_numbers = true)]
-    sigma: Option<f64>,
+    pub(crate) sigma: Option<f64>,
 
     /// What the uncertainty of a force means
     #[arg(long, value_name = "KIND", value_enum, default_value_t = Uncertainty::Sigma)]

@@ -25,7 +25,12 @@ fn polygons(region: &Region) -> Vec<Polygon> {
         .collect()
 }
 
-fn push_region(figure: &mut Figure, name: &str, region: &Region, color: usize) -> Result<(), CliError> {
+pub(crate) fn push_region(
+    figure: &mut Figure,
+    name: &str,
+    region: &Region,
+    color: usize,
+) -> Result<(), CliError> {
     if !region.is_empty() {
         figure.push(Polygons::new(name, polygons(region)).color(color))?;
     }

@@ -28,7 +28,7 @@ pub(super) fn figure(
 }
 
 /// Figure 5-14: lift at failure against set-point.
-pub(super) fn friction(analysis: &Analysis) -> Result<Option<Figure>, CliError> {
+pub(crate) fn friction(analysis: &Analysis) -> Result<Option<Figure>, CliError> {
     let Some(found) = &analysis.friction else { return Ok(None) };
     let mut figure = Figure::new(
         "Lift at failure",

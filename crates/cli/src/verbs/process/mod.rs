@@ -2,8 +2,8 @@
 
 mod analysis;
 mod answer;
-mod figures;
-mod findings;
+pub(crate) mod figures;
+pub(crate) mod findings;
 mod inputs;
 mod manifest;
 mod one_log;
@@ -16,6 +16,8 @@ use std::path::PathBuf;
 
 pub(crate) use answer::ProcessAnswer;
 use clap::ValueEnum;
+pub(crate) use manifest::Skipped;
+pub(crate) use outputs::save;
 
 use super::Outcome;
 use crate::args::finite;
@@ -69,7 +71,7 @@ pub(crate) struct Args {
 }
 
 /// What a bag of another program does not say.
-#[derive(Debug, Clone, clap::Args)]
+#[derive(Debug, Clone, Default, clap::Args)]
 #[command(next_help_heading = "Bags of other programs")]
 pub(crate) struct BagArgs {
     /// Topic of the joint states [default: /joint_states, or the only one]
@@ -169,6 +171,13 @@ pub(crate) enum PlotKind {
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    let (answer, outcome) = process(args, output)?;
+    output.answer(&answer)?;
+    Ok(outcome)
+}
+
+/// Everything but the answer on stdout.
+pub(crate) fn process(args: &Args, output: &Output) -> Result<(ProcessAnswer, Outcome), CliError> {
     let inputs = inputs::Inputs::of(args)?;
     let done = work::process(&inputs, output)?;
     let campaign = outputs::campaign(&inputs)?;
@@ -203,6 +212,5 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         () if answer.strokes.is_empty() => Outcome::Negative,
         () => Outcome::Done,
     };
-    output.answer(&answer)?;
-    Ok(outcome)
+    Ok((answer, outcome))
 }

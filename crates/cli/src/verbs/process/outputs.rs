@@ -18,7 +18,7 @@ fn failed(path: &Path) -> impl Fn(std::io::Error) -> CliError + use<'_> {
 }
 
 /// Writes a file in one go: whoever reads it sees the old one or the new one.
-pub(super) fn save(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
+pub(crate) fn save(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     let mut name = path.as_os_str().to_owned();
     name.push(".new");
     let new = Path::new(&name);

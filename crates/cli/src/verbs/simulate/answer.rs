@@ -12,7 +12,7 @@ pub(crate) struct SimulateAnswer {
     /// Seed of noise and scatter.
     seed: u64,
     /// Whether all batches of the plan are finished.
-    complete: bool,
+    pub(crate) complete: bool,
     /// Strokes of the plan.
     strokes: usize,
     /// Strokes that were made to their end.
@@ -20,7 +20,7 @@ pub(crate) struct SimulateAnswer {
     /// Batches that were finished by an earlier run.
     resumed_batches: usize,
     /// Finished batches in order.
-    batches: Vec<BatchReport>,
+    pub(crate) batches: Vec<BatchReport>,
 }
 
 impl SimulateAnswer {

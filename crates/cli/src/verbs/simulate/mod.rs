@@ -54,18 +54,23 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         seed: args.seed.unwrap_or(plan.file().seed),
         threads: args.threads.map_or_else(cores, |threads| threads as usize),
     };
-    // What is finished stays.
-    let stop = output.interrupt();
-    let progress = Progress::new(output, &plan);
-    let report = simulate(
-        &plan,
-        model_file.as_ref().map(|(file, name)| (file, name.as_str())),
-        &options,
-        &stop,
-        &|notice| progress.show(&notice),
-    )?;
-    progress.end();
-    let answer = SimulateAnswer::new(&plan, &options, report);
+    let model_file = model_file.as_ref().map(|(file, name)| (file, name.as_str()));
+    let answer = campaign(&plan, model_file, &options, output)?;
     output.answer(&answer)?;
     Ok(if answer.is_whole() { Outcome::Done } else { Outcome::Partial })
+}
+
+/// Runs a campaign, or what is left of one, and shows how far it is.
+pub(crate) fn campaign(
+    plan: &Plan,
+    model_file: Option<(&ModelFile, &str)>,
+    options: &Options<'_>,
+    output: &Output,
+) -> Result<SimulateAnswer, CliError> {
+    // What is finished stays.
+    let stop = output.interrupt();
+    let progress = Progress::new(output, plan);
+    let report = simulate(plan, model_file, options, &stop, &|notice| progress.show(&notice))?;
+    progress.end();
+    Ok(SimulateAnswer::new(plan, options, report))
 }

@@ -1,0 +1,212 @@
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::words;
+use crate::output::Answer;
+
+/// A simulated campaign from the soil to the estimate, and how far that is from the truth.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct DemoAnswer {
+    /// Name of the soil.
+    pub(crate) soil: String,
+    /// The soil in words.
+    pub(crate) title: String,
+    /// Force model of the simulated soil and of the estimate.
+    pub(crate) model: String,
+    /// Seed of noise and scatter.
+    pub(crate) seed: u64,
+    /// Whether everything ran to its end; otherwise the same command goes on.
+    pub(crate) complete: bool,
+    /// What is true of the soil. Only comparisons use it.
+    pub(crate) truth: Truth,
+    /// What became of the strokes.
+    pub(crate) strokes: StrokeCount,
+    /// Published interface friction (deg), around which the set-points lie. The estimate from the sweep does not use it.
+    pub(crate) delta_guess_deg: f64,
+    /// Interface friction from the sweep; null if there is none.
+    pub(crate) delta: Option<Delta>,
+    /// Why there is none, or why it does not count; null if it does.
+    pub(crate) no_delta: Option<String>,
+    /// Interval of the interface friction that friction angle and density were estimated with (deg): from the sweep if it
+    /// tells, else around the published one; null if there is no estimate.
+    pub(crate) delta_used_deg: Option<[f64; 2]>,
+    /// Friction angle and density from the forces, nothing known of the density; null if there is no estimate.
+    pub(crate) density_unknown: Option<Region>,
+    /// The same with the density that was weighed; null if there is no estimate.
+    pub(crate) density_weighed: Option<Region>,
+    /// The estimate that the same strokes would give with the forces and depths that are true and the density unknown: what is
+    /// lost by reading them from the logs; null if there is none.
+    pub(crate) true_forces: Option<Region>,
+    /// Why there is no estimate.
+    pub(crate) no_estimate: Option<String>,
+    /// Failure forces against the truth; null without a stroke to compare.
+    pub(crate) forces: Option<Forces>,
+    /// Every stroke of the plan.
+    pub(crate) each: Vec<EachStroke>,
+    /// What was not recovered, in words; empty if everything was.
+    pub(crate) not_recovered: Vec<String>,
+    /// Where everything is.
+    pub(crate) files: Files,
+}
+
+/// What is true of the soil.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub(crate) struct Truth {
+    /// Friction angle (deg).
+    pub(crate) phi_deg: f64,
+    /// Friction angle between soil and plate (deg).
+    pub(crate) delta_deg: f64,
+    /// Bulk density (kg/m3).
+    pub(crate) density_kg_m3: f64,
+    /// Cohesion (Pa); the estimate takes it as known.
+    pub(crate) cohesion_pa: f64,
+    /// Gravity (m/s2); the estimate takes it as known.
+    pub(crate) gravity_m_s2: f64,
+}
+
+/// How many strokes there are.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub(crate) struct StrokeCount {
+    /// In the plan.
+    pub(crate) asked: usize,
+    /// Made by the arm to their end.
+    pub(crate) made: usize,
+    /// With a failure force.
+    pub(crate) with_force: usize,
+    /// Used for the interface friction.
+    pub(crate) used_for_delta: usize,
+    /// Used for friction angle and density.
+    pub(crate) used_for_phi: usize,
+}
+
+/// Interface friction from the sweep of set-points.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub(crate) struct Delta {
+    /// Estimate (deg).
+    pub(crate) delta_deg: f64,
+    /// Its standard deviation (deg).
+    pub(crate) sd_deg: f64,
+    /// Two standard deviations on either side, at least 1 (deg).
+    pub(crate) interval_deg: [f64; 2],
+    /// Highest set-point with a significant lift (deg).
+    pub(crate) above_deg: Option<f64>,
+    /// Lowest set-point above that without one (deg).
+    pub(crate) below_deg: Option<f64>,
+    /// Estimate minus truth (deg).
+    pub(crate) error_deg: f64,
+    /// Whether the truth lies in the interval.
+    pub(crate) holds_truth: bool,
+    /// Whether the sweep tells: a set-point lifts significantly, and the standard deviation is at most 2 deg.
+    pub(crate) determined: bool,
+}
+
+/// Every soil that explains the forces.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub(crate) struct Region {
+    /// Whether any soil does.
+    pub(crate) consistent: bool,
+    /// Range of the friction angle (deg); null if inconsistent.
+    pub(crate) phi_deg: Option<[f64; 2]>,
+    /// Range of the density (kg/m3); null if inconsistent.
+    pub(crate) density_kg_m3: Option<[f64; 2]>,
+    /// What was known of the density (kg/m3).
+    pub(crate) density_known_kg_m3: Option<[f64; 2]>,
+    /// Whether the true friction angle lies in its range.
+    pub(crate) phi_holds_truth: bool,
+    /// Whether the true density lies in its range.
+    pub(crate) density_holds_truth: bool,
+    /// Whether true friction angle and density together lie in the region.
+    pub(crate) holds_truth: bool,
+    /// The result in words.
+    pub(crate) verdict: String,
+}
+
+/// Failure forces against the truth.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub(crate) struct Forces {
+    /// Strokes that were compared.
+    pub(crate) compared: usize,
+    /// Median of the relative errors' sizes.
+    pub(crate) median_error: f64,
+    /// Their 95th percentile.
+    pub(crate) percentile_95_error: f64,
+    /// Share of the strokes that are within 10 %.
+    pub(crate) share_within_10_percent: f64,
+    /// Median of the relative errors with their sign.
+    pub(crate) median_signed_error: f64,
+    /// Share of the errors that are within one stated standard deviation; 0.68 if they are calibrated.
+    pub(crate) share_within_one_sd: f64,
+}
+
+/// A stroke of the plan.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub(crate) struct EachStroke {
+    /// Number in the plan, from 1.
+    pub(crate) number: usize,
+    /// Preparation, from 1.
+    pub(crate) batch: usize,
+    /// Tool angle (deg).
+    pub(crate) alpha_deg: f64,
+    /// Depth that was wanted (m).
+    pub(crate) depth_m: f64,
+    /// Set-point of the interface friction (deg).
+    pub(crate) delta_set_deg: f64,
+    /// Its name in the stroke table; null if it has no failure force.
+    pub(crate) stroke_id: Option<String>,
+    /// Failure force that was found (N).
+    pub(crate) force_n: Option<f64>,
+    /// Its standard deviation (N).
+    pub(crate) force_sd_n: Option<f64>,
+    /// Force of the soil when it failed in truth (N); null if it did not fail.
+    pub(crate) true_force_n: Option<f64>,
+    /// Force over true force, minus 1.
+    pub(crate) error: Option<f64>,
+    /// Depth that was measured (m).
+    pub(crate) measured_depth_m: Option<f64>,
+    /// Depth at which the soil failed in truth (m).
+    pub(crate) true_depth_m: Option<f64>,
+    /// Whether it was used for the interface friction.
+    pub(crate) used_for_delta: bool,
+    /// Whether it was used for friction angle and density.
+    pub(crate) used_for_phi: bool,
+    /// Why it has no failure force; null if it has one.
+    pub(crate) why_none: Option<String>,
+    /// Its name in the traces, for the figure.
+    #[serde(skip)]
+    pub(crate) trace_id: Option<String>,
+    /// When the failure was found, on the log's clock in s.
+    #[serde(skip)]
+    pub(crate) found_at_s: Option<f64>,
+    /// When the soil failed in truth.
+    #[serde(skip)]
+    pub(crate) true_at_s: Option<f64>,
+}
+
+/// Where everything is.
+#[derive(Debug, Clone, Default, Serialize, JsonSchema)]
+pub(crate) struct Files {
+    /// The folder.
+    pub(crate) folder: String,
+    /// The campaign plan.
+    pub(crate) plan: String,
+    /// The logs.
+    pub(crate) logs: Vec<String>,
+    /// The stroke table; null without a failure force.
+    pub(crate) strokes: Option<String>,
+    /// What of it the estimate used, with its error budget; null without an estimate.
+    pub(crate) measurements: Option<String>,
+    /// The estimates in JSON.
+    pub(crate) estimates: Vec<String>,
+    /// The figures.
+    pub(crate) figures: Vec<String>,
+    /// The page; null if the work was stopped before it.
+    pub(crate) report: Option<String>,
+}
+
+impl Answer for DemoAnswer {
+    const SCHEMA: &'static str = "soilctl.demo/1";
+
+    fn text(&self) -> String {
+        words::text(self)
+    }
+}

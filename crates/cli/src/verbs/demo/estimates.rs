@@ -1,0 +1,104 @@
+//! The estimates of a demonstration, beside the truth.
+
+use soilctl_campaign::Plan;
+use soilctl_process::table::StrokeRecord;
+use soilctl_strokes::Campaign;
+
+use super::answer::{DemoAnswer, EachStroke};
+use super::delta;
+use super::folder::Folder;
+use super::region::{self, Known};
+use crate::error::CliError;
+use crate::output::document;
+use crate::verbs::estimate::args::EstimateArgs;
+use crate::verbs::estimate::work::Work;
+use crate::verbs::process::save;
+
+pub(super) const DENSITY_UNKNOWN: &str = "density unknown";
+pub(super) const DENSITY_WEIGHED: &str = "density weighed";
+pub(super) const TRUE_FORCES: &str = "true forces";
+
+/// An estimate with the options that it was made with, or why there is none.
+pub(super) struct Estimated {
+    pub(super) name: &'static str,
+    pub(super) args: EstimateArgs,
+    pub(super) work: Result<Work, String>,
+}
+
+/// Marks strokes by their names; says how many.
+pub(super) fn mark<'a>(
+    each: &mut [EachStroke],
+    names: impl Iterator<Item = &'a String>,
+    field: fn(&mut EachStroke) -> &mut bool,
+) -> usize {
+    let names: Vec<&String> = names.collect();
+    let mut count = 0;
+    for stroke in each {
+        if stroke.stroke_id.as_ref().is_some_and(|id| names.contains(&id)) {
+            *field(stroke) = true;
+            count += 1;
+        }
+    }
+    count
+}
+
+/// Friction angle and density, with the density unknown and as weighed, and from the true forces.
+pub(super) fn all(
+    answer: &mut DemoAnswer,
+    folder: &Folder,
+    plan: &Plan,
+    strokes: &[StrokeRecord],
+    density_kg_m3: Option<f64>,
+) -> Result<Vec<Estimated>, CliError> {
+    let interval_deg = delta::interval_deg(answer.delta.as_ref(), answer.delta_guess_deg);
+    let chosen = region::chosen(strokes, interval_deg);
+    if chosen.is_empty() {
+        answer.no_estimate = Some("no stroke near the interface friction has a failure force".into());
+        return Ok(Vec::new());
+    }
+    answer.delta_used_deg = Some(interval_deg);
+    answer.strokes.used_for_phi =
+        mark(&mut answer.each, chosen.iter().map(|s| &s.stroke_id), |s| &mut s.used_for_phi);
+    let table = folder.file("measurements.csv");
+    let campaign = Campaign::read_beside(&table)?.unwrap_or_default();
+    region::measurements(&table, &chosen, &campaign)?;
+    answer.files.measurements = Some(table.display().to_string());
+    let known = |measurements| Known {
+        measurements,
+        model: &answer.model,
+        delta_deg: interval_deg,
+        cohesion_pa: plan.soil().cohesion_pa,
+        gravity_m_s2: plan.soil().gravity_m_s2,
+        density_sd_rel: campaign.density_sd_rel,
+    };
+    let mut wanted = vec![(DENSITY_UNKNOWN, Some("estimate.json"), known(&table).args(None))];
+    wanted.extend(
+        density_kg_m3.map(|density| {
+            (DENSITY_WEIGHED, Some("estimate_weighed.json"), known(&table).args(Some(density)))
+        }),
+    );
+    let true_table = folder.file("measurements_true.csv");
+    if region::true_measurements(&true_table, &chosen, &answer.each, &campaign)?.is_some() {
+        wanted.push((TRUE_FORCES, None, known(&true_table).args(None)));
+    }
+    let mut all = Vec::new();
+    for (name, file, args) in wanted {
+        let work = region::estimate(&args)?;
+        let found = work.as_ref().ok().map(|work| region::region(work, &answer.truth));
+        if let (Some(file), Ok(work)) = (file, &work) {
+            let path = folder.file(file);
+            save(&path, document(&work.answer)?.as_bytes())?;
+            answer.files.estimates.push(path.display().to_string());
+        }
+        if let Err(problem) = &work {
+            answer.no_estimate.get_or_insert_with(|| format!("{name}: {problem}"));
+        }
+        match name {
+            DENSITY_UNKNOWN => answer.density_unknown = found,
+            DENSITY_WEIGHED => answer.density_weighed = found,
+            _ => answer.true_forces = found,
+        }
+        all.push(Estimated { name, args, work });
+    }
+    Ok(all)
+}

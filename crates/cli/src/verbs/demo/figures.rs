@@ -1,0 +1,239 @@
+//! Figures of the demonstration, on the page and as files.
+
+use std::collections::BTreeMap;
+
+use soilctl_figure::{Axis, Band, Dash, Figure, Line, Marker, Points, RefLine, Size};
+
+use super::answer::{DemoAnswer, EachStroke};
+use super::estimates::TRUE_FORCES;
+use super::folder::Folder;
+use super::steps::Told;
+use crate::error::CliError;
+use crate::text::number;
+use crate::verbs::estimate::figures as estimate;
+use crate::verbs::process::{figures as process, save};
+
+/// Samples a second of the traces.
+pub(super) const TRACE_RATE_HZ: f64 = 50.0;
+/// Palette index of what is true: black.
+const TRUE_COLOR: usize = 6;
+
+/// Figures in the order of the page, by the names of their files.
+pub(super) struct Drawn {
+    pub(super) curves: Option<Figure>,
+    pub(super) forces: Option<Figure>,
+    pub(super) friction: Option<Figure>,
+    pub(super) region: Option<Figure>,
+    pub(super) bands: Option<Figure>,
+}
+
+impl Drawn {
+    fn named(&self) -> [(&'static str, &Option<Figure>); 5] {
+        [
+            ("curves", &self.curves),
+            ("forces", &self.forces),
+            ("friction", &self.friction),
+            ("region", &self.region),
+            ("bands", &self.bands),
+        ]
+    }
+}
+
+pub(super) fn all(answer: &DemoAnswer, told: &Told<'_>) -> Result<Drawn, CliError> {
+    let mut friction = process::friction(&told.processed.analysis)?;
+    if let Some(figure) = &mut friction {
+        figure.push(RefLine::vertical("truth", answer.truth.delta_deg).color(TRUE_COLOR))?;
+    }
+    Ok(Drawn {
+        curves: curves(answer, told.folder)?,
+        forces: forces(answer)?,
+        friction,
+        region: region(answer, told)?,
+        bands: bands(answer, told)?,
+    })
+}
+
+/// Writes all figures as SVG; their paths.
+pub(super) fn save_all(drawn: &Drawn, folder: &Folder) -> Result<Vec<String>, CliError> {
+    let figures = folder.file("figures");
+    std::fs::create_dir_all(&figures)
+        .map_err(|problem| CliError::File { path: figures.display().to_string(), problem })?;
+    let mut written = Vec::new();
+    for (name, figure) in drawn.named() {
+        if let Some(figure) = figure {
+            let path = figures.join(format!("{name}.svg"));
+            save(&path, figure.to_svg(Size::default())?.as_bytes())?;
+            written.push(path.display().to_string());
+        }
+    }
+    Ok(written)
+}
+
+/// For each tool angle the stroke whose set-point is nearest to the published friction, force over way.
+fn curves(answer: &DemoAnswer, folder: &Folder) -> Result<Option<Figure>, CliError> {
+    let mut shown: BTreeMap<u64, &EachStroke> = BTreeMap::new();
+    let off = |stroke: &EachStroke| (stroke.delta_set_deg - answer.delta_guess_deg).abs();
+    for stroke in answer.each.iter().filter(|stroke| stroke.trace_id.is_some()) {
+        // Bits of positive numbers are in the numbers' order.
+        let best = shown.entry(stroke.alpha_deg.to_bits()).or_insert(stroke);
+        // One with a failure force before one without.
+        let rank = |stroke: &EachStroke| (stroke.force_n.is_none(), off(stroke), -stroke.depth_m);
+        if rank(stroke) < rank(best) {
+            *best = stroke;
+        }
+    }
+    if shown.is_empty() {
+        return Ok(None);
+    }
+    let traces = Traces::read(folder)?;
+    let mut figure = Figure::new(
+        "One stroke at each tool angle",
+        Axis::linear("Way of the plate (mm)"),
+        Axis::linear("Force (N)"),
+    );
+    let (mut found, mut bars, mut truths) = (Vec::new(), Vec::new(), Vec::new());
+    for (color, stroke) in shown.values().enumerate() {
+        let Some(trace) = stroke.trace_id.as_ref().and_then(|id| traces.0.get(id)) else { continue };
+        let trace = from_the_least(trace, stroke.found_at_s.or(stroke.true_at_s));
+        let Some(first) = trace.first().filter(|_| trace.len() > 1) else { continue };
+        let mm = |sample: &Sample| (sample.way_m - first.way_m) * 1e3;
+        let points: Vec<(f64, f64)> = trace.iter().map(|sample| (mm(sample), sample.force_n)).collect();
+        let name = format!("{}°, {:.0} mm deep", number(stroke.alpha_deg), stroke.depth_m * 1e3);
+        figure.push(Line::new(name, points).width(1.5).dash(Dash::Solid).color(color))?;
+        let way_mm = |time_s: Option<f64>| {
+            let at = trace.partition_point(|sample| Some(sample.time_s) < time_s);
+            trace.get(at.min(trace.len() - 1)).filter(|_| time_s.is_some()).map(mm)
+        };
+        if let (Some(x), Some(y)) = (way_mm(stroke.found_at_s), stroke.force_n) {
+            found.push((x, y));
+            let sd = stroke.force_sd_n.unwrap_or(0.0);
+            bars.push((sd, sd));
+        }
+        if let (Some(x), Some(y)) = (way_mm(stroke.true_at_s), stroke.true_force_n) {
+            truths.push((x, y));
+        }
+    }
+    if !found.is_empty() {
+        figure
+            .push(Points::new("failure found ± sd", found).y_error(bars).marker(Marker::Circle).color(5))?;
+    }
+    if !truths.is_empty() {
+        figure.push(Points::new("failure in truth", truths).marker(Marker::Diamond).color(TRUE_COLOR))?;
+    }
+    Ok((!figure.layers().is_empty()).then_some(figure))
+}
+
+/// The trace from its least force before the failure on: until then fades what the insertion has left along the plate.
+fn from_the_least(trace: &[Sample], failure_s: Option<f64>) -> &[Sample] {
+    let failure_s = failure_s.unwrap_or(f64::INFINITY);
+    let before = trace.partition_point(|sample| sample.time_s < failure_s);
+    let least = (0..before).min_by(|a, b| trace[*a].force_n.total_cmp(&trace[*b].force_n));
+    &trace[least.unwrap_or(0)..]
+}
+
+/// Forces that were found over those of the soil.
+fn forces(answer: &DemoAnswer) -> Result<Option<Figure>, CliError> {
+    let mut groups: BTreeMap<u64, Vec<&EachStroke>> = BTreeMap::new();
+    for stroke in answer.each.iter().filter(|stroke| stroke.error.is_some()) {
+        groups.entry(stroke.alpha_deg.to_bits()).or_default().push(stroke);
+    }
+    let ends =
+        answer.each.iter().filter(|s| s.error.is_some()).flat_map(|s| [s.true_force_n, s.force_n]).flatten();
+    let (low, high) =
+        ends.fold((f64::INFINITY, 0.0_f64), |(low, high), force| (low.min(force), high.max(force)));
+    if groups.is_empty() || low >= high {
+        return Ok(None);
+    }
+    let (low, high) = (0.9 * low, 1.1 * high);
+    let mut figure = Figure::new(
+        "Failure forces against the truth",
+        Axis::linear("True force of the soil at failure (N)"),
+        Axis::linear("Force that was found (N)"),
+    );
+    let ends = vec![low, high];
+    figure.push(
+        Band::new("within 10 %", ends, vec![0.9 * low, 0.9 * high], vec![1.1 * low, 1.1 * high])
+            .color(TRUE_COLOR),
+    )?;
+    figure
+        .push(Line::new("equal", [(low, low), (high, high)]).width(1.0).dash(Dash::Dash).color(TRUE_COLOR))?;
+    for (color, strokes) in groups.values().enumerate() {
+        let points: Vec<(f64, f64)> =
+            strokes.iter().filter_map(|s| Some((s.true_force_n?, s.force_n?))).collect();
+        let bars: Vec<(f64, f64)> =
+            strokes.iter().map(|s| s.force_sd_n.unwrap_or(0.0)).map(|sd| (sd, sd)).collect();
+        let labels = strokes.iter().map(|s| format!("stroke {}", s.number));
+        let name = format!("{}°", number(strokes[0].alpha_deg));
+        figure.push(Points::new(name, points).y_error(bars).labels(labels).color(color))?;
+    }
+    Ok(Some(figure))
+}
+
+fn truth_point(answer: &DemoAnswer) -> Points {
+    let label =
+        format!("φ {}°, ρ {} kg/m³", number(answer.truth.phi_deg), number(answer.truth.density_kg_m3));
+    Points::new("truth", vec![(answer.truth.phi_deg, answer.truth.density_kg_m3)])
+        .marker(Marker::Diamond)
+        .labels([label])
+        .color(TRUE_COLOR)
+}
+
+/// Every consistent friction angle and density, with the truth.
+fn region(answer: &DemoAnswer, told: &Told<'_>) -> Result<Option<Figure>, CliError> {
+    let mut figure = Figure::new(
+        "Soils that explain every force",
+        Axis::linear("Friction angle φ (deg)"),
+        Axis::linear("Density ρ (kg/m³)"),
+    );
+    for (color, estimated) in told.estimates.iter().enumerate() {
+        if let Ok(work) = &estimated.work {
+            estimate::push_region(&mut figure, estimated.name, &work.estimate.region, color)?;
+        }
+    }
+    if figure.layers().is_empty() {
+        return Ok(None);
+    }
+    figure.push(truth_point(answer))?;
+    Ok(Some(figure))
+}
+
+/// The band of each measurement, with the truth.
+fn bands(answer: &DemoAnswer, told: &Told<'_>) -> Result<Option<Figure>, CliError> {
+    let measured = told.estimates.iter().rev().filter(|estimated| estimated.name != TRUE_FORCES);
+    let Some((work, args)) = measured.filter_map(|e| Some((e.work.as_ref().ok()?, &e.args))).next() else {
+        return Ok(None);
+    };
+    let mut figure = estimate::bands(work, args)?;
+    figure.push(truth_point(answer))?;
+    Ok(Some(figure))
+}
+
+/// A sample of `traces.csv`.
+struct Sample {
+    time_s: f64,
+    way_m: f64,
+    force_n: f64,
+}
+
+/// The traces by the names of the strokes.
+struct Traces(BTreeMap<String, Vec<Sample>>);
+
+impl Traces {
+    fn read(folder: &Folder) -> Result<Self, CliError> {
+        let path = folder.file("traces.csv");
+        let text = std::fs::read_to_string(&path)
+            .map_err(|problem| CliError::File { path: path.display().to_string(), problem })?;
+        let mut traces: BTreeMap<String, Vec<Sample>> = BTreeMap::new();
+        for line in text.lines().skip(1) {
+            // stroke_id, t_s, x_ext_m, x_mtr_m, force_n, ...: names of our own logs have no commas.
+            let cells: Vec<&str> = line.split(',').collect();
+            let cell = |place: usize| cells.get(place).and_then(|cell| cell.parse::<f64>().ok());
+            if let (Some(id), Some(time_s), Some(way_m), Some(force_n)) =
+                (cells.first(), cell(1), cell(3), cell(4))
+            {
+                traces.entry((*id).to_owned()).or_default().push(Sample { time_s, way_m, force_n });
+            }
+        }
+        Ok(Self(traces))
+    }
+}
