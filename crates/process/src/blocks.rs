@@ -1,5 +1,7 @@
 //! Samples averaged over short times, and their course over displacement at even arc length.
 
+use std::ops::Range;
+
 use crate::robust;
 use crate::trace::Trace;
 
@@ -29,21 +31,9 @@ impl Blocks {
         Self { t_s: means(trace.t_s()), u_m: means(trace.displacement_m()), f_n, samples, noise_n }
     }
 
-    /// Blocks from one on.
-    pub(crate) fn from(&self, first: usize) -> Self {
-        let cut = |values: &[f64]| values.iter().skip(first).copied().collect();
-        Self {
-            t_s: cut(&self.t_s),
-            u_m: cut(&self.u_m),
-            f_n: cut(&self.f_n),
-            samples: self.samples,
-            noise_n: self.noise_n,
-        }
-    }
-
-    /// Blocks of the first `count`.
-    pub(crate) fn until(&self, count: usize) -> Self {
-        let cut = |values: &[f64]| values.iter().take(count).copied().collect();
+    /// Some of the blocks.
+    pub(crate) fn part(&self, blocks: Range<usize>) -> Self {
+        let cut = |values: &[f64]| values.get(blocks.clone()).unwrap_or_default().to_vec();
         Self {
             t_s: cut(&self.t_s),
             u_m: cut(&self.u_m),

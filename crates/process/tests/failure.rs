@@ -4,7 +4,9 @@
 mod common;
 
 use common::{DEPTH_M, LIMIT_N, heaped, laws, stroke};
-use soilctl_process::{FailureSettings, Indiscernible, Kind, Method, Outcome, failure_force};
+use soilctl_process::{
+    Channels, FailureSettings, Indiscernible, Kind, Method, Outcome, Trace, failure_force,
+};
 
 fn settings() -> FailureSettings {
     FailureSettings::for_depth(DEPTH_M).unwrap()
@@ -68,6 +70,26 @@ fn a_peak_is_a_drastic_failure_at_its_height() {
             assert!((point.force_n / LIMIT_N - 1.0).abs() < 0.02);
         }
     }
+}
+
+/// Before the plate pushes, an insertion's load fades and the arm goes through its free play.
+#[test]
+fn what_comes_before_the_push_is_no_part_of_the_curve() {
+    let pushed = stroke(|u| LIMIT_N * (u / (0.1 * DEPTH_M)).tanh(), 0.02, 8.0, 0.02, 5);
+    let (mut t, mut u, mut f) = (Vec::new(), Vec::new(), Vec::new());
+    for k in 0..2000 {
+        let share = f64::from(k) / 2000.0;
+        t.push(f64::from(k) / 500.0);
+        u.push(0.8 * DEPTH_M * share);
+        f.push(0.3 * LIMIT_N * (-12.0 * share).exp() + 0.02 * f64::from(k % 3 - 1));
+    }
+    t.extend(pushed.t_s().iter().map(|time| time + 4.0));
+    u.extend(pushed.displacement_m().iter().map(|way| way + 0.8 * DEPTH_M));
+    f.extend(pushed.force_n());
+    let found = failure_force(&Trace::new(t, u, f, Channels::default()).unwrap(), &settings());
+    let Outcome::Found(point) = found.outcome else { panic!("{:?}", found.outcome) };
+    assert!((point.force_n / LIMIT_N - 1.0).abs() < 0.03, "{}", point.force_n);
+    assert!(point.displacement_m < 0.4 * DEPTH_M, "{}", point.displacement_m);
 }
 
 #[test]

@@ -208,9 +208,9 @@ pub fn failure_force(trace: &Trace, settings: &FailureSettings) -> Analysis {
     if high - low < LEAST_TRAVEL * settings.depth_m {
         return none(Indiscernible::NoTravel { travel_m: high - low });
     }
-    let blocks = blocks.from(start::of_rise(&blocks));
+    let blocks = blocks.part(start::of_rise(&blocks)..blocks.t_s.len());
     let broken = drastic::find(&blocks, settings);
-    let loading = broken.map_or_else(|| blocks.clone(), |broken| blocks.until(broken.block + 1));
+    let loading = broken.map_or_else(|| blocks.clone(), |broken| blocks.part(0..broken.block + 1));
     let (nodes, saturation) = curve(&loading, settings);
     let two_lines = two_lines::fit(&nodes);
     let outcome = match broken {
@@ -233,7 +233,7 @@ fn curve(loading: &Blocks, settings: &FailureSettings) -> (Vec<[f64; 2]>, Option
         let first = part.u_m.first().copied().unwrap_or(0.0);
         let enough = (AFTER_FAILURE * at).max(AFTER_DEPTHS * settings.depth_m);
         let Some(end) = part.u_m.iter().position(|u| u - first > at + enough) else { return (nodes, found) };
-        part = part.until(end);
+        part = part.part(0..end);
     }
 }
 

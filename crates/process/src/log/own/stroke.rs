@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_kinematics::{Arm, JointAngles, JointTorques};
+use soilctl_kinematics::{Arm, Frame, JointAngles, JointTorques};
 
 use super::joints::{flexed, half_steps, joined, mean_gap};
 use super::sample::{Phase, Sample, mean_wrench, tip_and_sensor};
@@ -66,36 +66,38 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
             "there are no readings in free air before it, so the tare is unknown".into(),
         ));
     };
+    // Tip and sensor by the external encoders alone.
+    let seen = logged.stroke.iter().map(|sample| tip_and_sensor(arm, &sample.external));
+    let seen: Vec<(Frame, Frame)> = seen.collect::<Result<_, ProcessError>>()?;
     // The tool's weight turns with the sensor.
-    let upright =
-        |sample: &Sample| tip_and_sensor(arm, &sample.external).map(|(_, sensor)| sensor.rotation[2]);
     let air_sample = logged.approach.iter().find(|s| s.phase == Phase::Bias).or(logged.approach.first());
-    let air_up = air_sample.map_or(Ok([0.0; 3]), &upright)?;
-    let loads = logged.stroke.iter().map(|sample| {
-        let up = upright(sample)?;
+    let air_up = match air_sample {
+        Some(sample) => tip_and_sensor(arm, &sample.external)?.1.rotation[2],
+        None => [0.0; 3],
+    };
+    let loads = logged.stroke.iter().zip(&seen).map(|(sample, (_, sensor))| {
         let mut load: [f64; 6] = std::array::from_fn(|i| sample.wrench[i] - tare[i]);
         for axis in 0..3 {
-            load[axis] += tool_weight_n * (up[axis] - air_up[axis]);
+            load[axis] += tool_weight_n * (sensor.rotation[2][axis] - air_up[axis]);
         }
-        Ok(load)
+        load
     });
-    let loads: Vec<[f64; 6]> = loads.collect::<Result<_, ProcessError>>()?;
-    let (tip, _) = tip_and_sensor(arm, &first.external)?;
-    let radius = tip.origin_m[0].hypot(tip.origin_m[1]).max(1e-9);
-    let direction = [-tip.origin_m[0] / radius, -tip.origin_m[1] / radius];
+    let loads: Vec<[f64; 6]> = loads.collect();
+    let [x, y, _] = seen[0].0.origin_m;
+    let radius = x.hypot(y).max(1e-9);
+    let direction = [-x / radius, -y / radius];
     // What an insertion leaves pushes upwards; it is the pull that takes up the free play.
-    let pulls = logged.stroke.iter().zip(&loads).map(|(sample, load)| {
-        let (_, sensor) = tip_and_sensor(arm, &sample.external)?;
+    let pulls = seen.iter().zip(&loads).map(|((_, sensor), load)| {
         let [x, y, _] = sensor.direction([load[0], load[1], load[2]]);
-        Ok(-(x * direction[0] + y * direction[1]))
+        -(x * direction[0] + y * direction[1])
     });
-    let pulls: Vec<f64> = pulls.collect::<Result<_, ProcessError>>()?;
+    let pulls: Vec<f64> = pulls.collect();
     let (joints, jumped) = joined(&logged.stroke, &pulls, &half_steps(arm)?);
     if jumped {
         flags.push("encoder_jump");
     }
     let mut samples = Vec::with_capacity(joints.len());
-    let mut tips: [Vec<[f64; 3]>; 2] = Default::default();
+    let mut tips: [Vec<[f64; 3]>; 2] = [seen.iter().map(|(tip, _)| tip.origin_m).collect(), Vec::new()];
     for ((sample, load), joints) in logged.stroke.iter().zip(&loads).zip(&joints) {
         let (_, sensor) = tip_and_sensor(arm, joints)?;
         let force = sensor.direction([load[0], load[1], load[2]]);
@@ -107,7 +109,6 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
             wrench: *load,
             to_root: sensor.rotation,
         });
-        tips[0].push(tip_and_sensor(arm, &sample.external)?.0.origin_m);
         tips[1].push(tip_and_sensor(arm, &sample.motor)?.0.origin_m);
     }
     let surface = touched(arm, &logged.approach, &tare)?.or_else(|| {
