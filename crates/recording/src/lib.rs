@@ -1,0 +1,82 @@
+#![doc = include_str!("../README.md")]
+
+mod about;
+mod error;
+mod follow;
+mod layout;
+mod rows;
+mod rrd;
+mod shapes;
+mod style;
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{BufWriter, Read};
+use std::path::Path;
+
+pub use error::RecordingError;
+use follow::Follower;
+use rrd::Writer;
+use soilctl_session::{Beside, SessionError};
+
+/// Length of force arrows in the scene, in m a newton.
+pub const FORCE_M_PER_N: f64 = 0.005;
+/// Length of the lead's arrow, in m a metre.
+pub const LEAD_SCALE: f64 = 5.0;
+
+/// A layout for Foxglove: the arm, curves and states of the topics that soilctl writes.
+pub const FOXGLOVE_LAYOUT: &str = include_str!("../foxglove.json");
+
+/// A recording that was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// Rows by entity, without what always holds.
+    pub entities: BTreeMap<String, u64>,
+    /// Steps of the controller in the log.
+    pub steps: u64,
+    /// Log time of the first and the last step in s.
+    pub span_s: [f64; 2],
+    /// What is wrong with the log, in words; empty if it is whole.
+    pub damage: Vec<String>,
+}
+
+/// Makes a recording for Rerun (`.rrd`) from a log that soilctl wrote. A damaged log gives what can be read of it. The same
+/// log gives the same bytes. The file has its name only once it is whole.
+///
+/// # Errors
+/// [`RecordingError::NotOurs`] if the log lacks a configuration or steps, [`RecordingError::Arm`], [`RecordingError::Write`],
+/// or [`RecordingError::Session`] if the log cannot be read at all.
+pub fn record(log: &Path, out: &Path) -> Result<Recording, RecordingError> {
+    let id = id(log)?;
+    let beside = Beside::new(out);
+    let recording = write(log, &id, beside.path())?;
+    beside.keep()?;
+    Ok(recording)
+}
+
+fn write(log: &Path, id: &str, part: &Path) -> Result<Recording, RecordingError> {
+    let file = File::create(part).map_err(|error| unwritten(part, &error.into()))?;
+    let writer = Writer::new(BufWriter::new(file), id).map_err(|error| unwritten(part, &error))?;
+    let mut follower = Follower::new(writer, log, part)?;
+    let ending = soilctl_session::read::scan::<RecordingError>(log, &mut |item| follower.item(item))?;
+    follower.finish(ending.damage)
+}
+
+/// From the beginning of the log and its length, so that two logs are two recordings in the viewer.
+fn id(log: &Path) -> Result<String, RecordingError> {
+    let failed =
+        |error: std::io::Error| SessionError::File { path: log.to_owned(), reason: error.to_string() };
+    let file = File::open(log).map_err(failed)?;
+    let length = file.metadata().map_err(failed)?.len();
+    let mut beginning = Vec::new();
+    file.take(1 << 20).read_to_end(&mut beginning).map_err(failed)?;
+    Ok(format!("{:08x}-{length:x}", crc32fast::hash(&beginning)))
+}
+
+fn unwritten(path: &Path, error: &rrd::WriteError) -> RecordingError {
+    let reason = match error {
+        rrd::WriteError::Io(error) => error.to_string(),
+        rrd::WriteError::Arrow(error) => error.to_string(),
+    };
+    RecordingError::Write { path: path.to_owned(), reason }
+}
