@@ -12,13 +12,13 @@ pub struct SweepStroke {
     pub alpha_deg: f64,
     /// Interface friction angle that the controller was set to, in deg.
     pub set_deg: f64,
-    /// Rise of the measured friction angle at failure, in deg.
+    /// Inclination of the force above the set-point while the failed soil slips, in deg.
     pub lift_deg: f64,
     /// Its standard deviation in deg, above 0.
     pub lift_sd_deg: f64,
 }
 
-/// Interface friction by how much the force's inclination lifts at failure.
+/// Interface friction by how much the force's inclination lifts when the soil fails.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepEstimate {
     /// Highest set-point with a significant lift in deg: friction is above it.
@@ -41,6 +41,10 @@ pub struct SweepEstimate {
 const SIGNIFICANT: f64 = 3.0;
 /// Step of the search for the angle in deg.
 const STEP_DEG: f64 = 0.02;
+/// What strokes share, in deg: the sensor's axes, the posture of the plate.
+const COMMON_SD_DEG: f64 = 0.3;
+/// The force turns by at most what is missing, and by no less than this share of it: the rest would be other causes.
+const LEAST_RATE: f64 = 0.3;
 /// Searched so far beyond the set-points, in deg.
 const BEYOND_DEG: f64 = 6.0;
 
@@ -49,7 +53,8 @@ const BEYOND_DEG: f64 = 6.0;
 /// When soil slips up along the plate, the force turns to the true friction angle, so a set-point that is too low shows a
 /// lift and one that is too high none (section 5.4, figure 5-14). The lift is taken as proportional to what is missing,
 /// `max(0, k (delta - set))`; the estimate is the mean over all `delta` and the best `k` for each, weighted by how well
-/// they explain the lifts.
+/// they explain the lifts. A stroke that is slipped through has its force at the friction angle, so `k` comes near 1; it is
+/// smaller where a stroke ends early.
 ///
 /// # Errors
 /// [`ProcessError::TooFew`] with fewer than three strokes at 80-90 deg or fewer than two set-points among them;
@@ -60,7 +65,7 @@ pub fn interface_friction(strokes: &[SweepStroke]) -> Result<SweepEstimate, Proc
     for (index, stroke) in strokes.iter().enumerate() {
         check(stroke)?;
         if (SWEEP_ALPHA_DEG[0]..=SWEEP_ALPHA_DEG[1]).contains(&stroke.alpha_deg) {
-            used.push(*stroke);
+            used.push(SweepStroke { lift_sd_deg: stroke.lift_sd_deg.hypot(COMMON_SD_DEG), ..*stroke });
         } else {
             left_out.push(index);
         }
@@ -85,7 +90,7 @@ pub fn interface_friction(strokes: &[SweepStroke]) -> Result<SweepEstimate, Proc
         candidates.iter().map(|c| weight(c) * value(c)).sum::<f64>() / total
     };
     let delta_deg = mean(&|c| c.delta_deg);
-    let sd_deg = mean(&|c| (c.delta_deg - delta_deg).powi(2)).sqrt().max(STEP_DEG);
+    let sd_deg = mean(&|c| (c.delta_deg - delta_deg).powi(2)).sqrt().hypot(COMMON_SD_DEG);
     let lifted = |s: &SweepStroke| s.lift_deg > SIGNIFICANT * s.lift_sd_deg * inflation.sqrt();
     let above_deg = used.iter().filter(|s| lifted(s)).map(|s| s.set_deg).max_by(f64::total_cmp);
     let below_deg = used
@@ -132,11 +137,16 @@ fn search(used: &[SweepStroke], low: f64, high: f64) -> Vec<Candidate> {
                 xy += x * s.lift_deg / s.lift_sd_deg.powi(2);
                 xx += x * x / s.lift_sd_deg.powi(2);
             }
-            // The force turns by at most what is missing.
-            let rate = if xx > 0.0 { (xy / xx).clamp(0.0, 1.0) } else { 0.0 };
+            let rate = if xx > 0.0 { (xy / xx).clamp(LEAST_RATE, 1.0) } else { LEAST_RATE };
             let misfit = used
                 .iter()
-                .map(|s| ((s.lift_deg - rate * (delta_deg - s.set_deg).max(0.0)) / s.lift_sd_deg).powi(2))
+                .map(|s| {
+                    let missing = delta_deg - s.set_deg;
+                    let off = s.lift_deg - rate * missing.max(0.0);
+                    // A force that was asked to lie too steeply falls back when the soil slips: that is no misfit.
+                    let off = if missing <= 0.0 { off.max(0.0) } else { off };
+                    (off / s.lift_sd_deg).powi(2)
+                })
                 .sum();
             Candidate { delta_deg, rate, misfit }
         })

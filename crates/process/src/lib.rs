@@ -11,6 +11,7 @@ pub mod log;
 mod recorded;
 mod robot;
 mod robust;
+mod slip;
 mod statistics;
 pub mod table;
 mod trace;
@@ -28,4 +29,5 @@ pub use friction::{
 };
 pub use recorded::{Evaluated, Setting, evaluate};
 pub use robot::{Aligner, Lost, Robot, RobotSample};
+pub use slip::Slip;
 pub use trace::{Channels, FEWEST_SAMPLES, Trace};

@@ -9,6 +9,7 @@ use crate::failure::{Analysis, FailureSettings, Indiscernible, Outcome, failure_
 use crate::find::Recorded;
 use crate::robot::RobotSample;
 use crate::robust::{median, sd_of_median_abs};
+use crate::slip::Slip;
 use crate::trace::{Channels, FEWEST_SAMPLES, Trace};
 
 /// A force that lies further from the plate's normal than this cosine says, 57 deg, is none that fails the soil ahead: it is
@@ -17,6 +18,12 @@ const LEAST_COSINE: f64 = 0.55;
 
 /// Depths over that at the beginning, beyond which the square of the depth says little.
 const DEPTHS: [f64; 2] = [0.7, 1.6];
+
+/// Times in s before and after a failure between which it shows which way the plate gave way.
+const MARGIN_S: f64 = 0.1;
+const AFTER_S: f64 = 1.0;
+/// Way down over the depth that is no play of the arm.
+const SLID_REL: f64 = 0.02;
 
 /// Samples over which a direction is taken.
 const STEADY: usize = 25;
@@ -49,12 +56,17 @@ pub struct Evaluated {
     pub trace: Trace,
     /// What was found on it.
     pub analysis: Analysis,
+    /// Inclination of the force after the failure.
+    pub slip: Option<Slip>,
+    /// How far the tool angle had grown at failure since the beginning, in deg.
+    pub turned_deg: Option<f64>,
 }
 
 /// Evaluates a recorded stroke.
 ///
 /// The force is that of the plate on the soil in the vertical plane of travel. Its inclination is positive downward,
-/// and the friction angle is the inclination minus that of the plate's normal, `alpha - 90 deg`.
+/// and the friction angle is the inclination minus that of the plate's normal, `alpha - 90 deg` and how far the plate has
+/// turned since.
 ///
 /// # Errors
 /// [`ProcessError::OutOfRange`] if the plate's depth or width is not above 0, or its angle is not between 0 and 180 deg;
@@ -82,8 +94,15 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
     }
     let mut starts: Vec<f64> = early.iter().map(|s| along(s.tip_m)).collect();
     let start = median(&mut starts);
-    let theta_plate_deg = alpha_deg - 90.0;
-    let inclination = |force: [f64; 3]| force[2].atan2(-along(force)).to_degrees();
+    // An arm turns the plate with itself while it pulls, by some degrees.
+    let tool_deg = |s: &RobotSample| tool_angle_deg(along(s.down_plate), s.down_plate[2]);
+    let mut early_deg: Vec<f64> = early.iter().map(tool_deg).collect();
+    let early_deg = median(&mut early_deg);
+    let normal_deg = alpha_deg - 90.0 - early_deg;
+    let friction_deg = |s: &RobotSample| {
+        let force = s.force_n();
+        force[2].atan2(-along(force)).to_degrees() - normal_deg - tool_deg(s)
+    };
     let columns =
         |value: &dyn Fn(&RobotSample) -> f64| -> Vec<f64> { stroke.samples.iter().map(value).collect() };
     let centre: Option<Vec<f64>> = fill(stroke.samples.iter().map(RobotSample::centre_m));
@@ -92,13 +111,13 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         columns(&|s| along(s.tip_m) - start),
         columns(&|s| along(s.force_n()).hypot(s.force_n()[2])),
         Channels {
-            friction_angle_deg: Some(columns(&|s| inclination(s.force_n()) - theta_plate_deg)),
+            friction_angle_deg: Some(columns(&friction_deg)),
             z_m: Some(columns(&|s| s.tip_m[2])),
             centre_m: centre,
         },
     )?;
     let sunk: Vec<f64> = stroke.samples.iter().map(|s| setting.surface_z_m - s.tip_m[2]).collect();
-    let analysis = across_plate(&trace, &sunk, &FailureSettings::for_depth(depth_m)?)?;
+    let (analysis, slip) = across_plate(&trace, &sunk, &FailureSettings::for_depth(depth_m)?)?;
     let mut row = StrokeRow {
         stroke_id: setting.stroke_id.clone(),
         batch: setting.batch.clone(),
@@ -113,7 +132,10 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         x_step_m: step(trace.displacement_m()),
         ..StrokeRow::default()
     };
+    let mut turned_deg = None;
     if let Outcome::Found(point) = &analysis.outcome {
+        turned_deg =
+            before(&trace, Some(&columns(&|s| tool_deg(s))), point.time_s).map(|angle| angle - early_deg);
         row.force_n = point.force_n;
         row.force_sd_n = Some(point.sd_n);
         row.displacement_at_failure_m = Some(point.displacement_m);
@@ -139,7 +161,7 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
             row.tare_after_n = stroke.tare_after.map(share);
         }
     }
-    Ok(Evaluated { row, trace, analysis })
+    Ok(Evaluated { row, trace, analysis, slip, turned_deg })
 }
 
 /// Finds the failure on the force across the plate, and gives it as that of the resultant.
@@ -152,7 +174,7 @@ fn across_plate(
     trace: &Trace,
     depths_m: &[f64],
     settings: &FailureSettings,
-) -> Result<Analysis, ProcessError> {
+) -> Result<(Analysis, Option<Slip>), ProcessError> {
     let angles = trace.channels().friction_angle_deg.clone().unwrap_or_default();
     let cosines: Vec<f64> = angles.iter().map(|angle| angle.to_radians().cos()).collect();
     let relative: Vec<f64> = depths_m.iter().map(|depth| depth / settings.depth_m).collect();
@@ -161,15 +183,23 @@ fn across_plate(
     let across: Vec<f64> = across.map(|((force, cosine), square)| force * cosine / square).collect();
     let pushed =
         Trace::new(trace.t_s().to_vec(), trace.displacement_m().to_vec(), across, trace.channels().clone())?;
-    let mut analysis = failure_force(&pushed.part(pulling(&cosines, &relative))?, settings);
-    let Outcome::Found(point) = &mut analysis.outcome else { return Ok(analysis) };
+    let pushed = pushed.part(pulling(&cosines, &relative))?;
+    let mut analysis = failure_force(&pushed, settings);
+    let Outcome::Found(point) = &mut analysis.outcome else { return Ok((analysis, None)) };
     let cosine = before(trace, Some(&cosines), point.time_s).unwrap_or(1.0);
     let depth = before(trace, Some(&relative), point.time_s).unwrap_or(1.0);
-    if cosine < LEAST_COSINE || !(DEPTHS[0]..=DEPTHS[1]).contains(&depth) {
-        let sd_rel = 1.0 / cosine.max(1e-3);
-        analysis.outcome = Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel });
-        return Ok(analysis);
+    let reason = if cosine < LEAST_COSINE {
+        Some(Indiscernible::Inclined { angle_deg: cosine.clamp(-1.0, 1.0).acos().to_degrees() })
+    } else if !(DEPTHS[0]..=DEPTHS[1]).contains(&depth) {
+        Some(Indiscernible::LeftDepth { ratio: depth })
+    } else {
+        slid(trace, depths_m, point.time_s)
+    };
+    if let Some(reason) = reason {
+        analysis.outcome = Outcome::Indiscernible(reason);
+        return Ok((analysis, None));
     }
+    let slip = Slip::after(&pushed, point.time_s, settings.depth_m);
     let factor = before(trace, Some(&squares), point.time_s).unwrap_or(1.0) / cosine;
     (point.force_n, point.sd_n) = (point.force_n * factor, point.sd_n * factor);
     if let Some(lines) = &mut analysis.two_lines {
@@ -178,7 +208,20 @@ fn across_plate(
     if let Some(curve) = &mut analysis.saturation {
         (curve.force_n, curve.sd_n) = (curve.force_n * factor, curve.sd_n * factor);
     }
-    Ok(analysis)
+    Ok((analysis, slip))
+}
+
+/// Whether the plate gave way downwards instead of the soil ahead: a set-point above the interface friction drives it into
+/// the ground (section 5.4).
+fn slid(trace: &Trace, depths_m: &[f64], time_s: f64) -> Option<Indiscernible> {
+    let at = |time_s: f64| {
+        let last = trace.t_s().len().checked_sub(1)?;
+        let k = trace.t_s().partition_point(|t| *t < time_s).min(last);
+        Some((*depths_m.get(k)?, *trace.displacement_m().get(k)?))
+    };
+    let (before, after) = (at(time_s - MARGIN_S)?, at(time_s + AFTER_S)?);
+    let (down_m, ahead_m) = (after.0 - before.0, after.1 - before.1);
+    (down_m > SLID_REL * before.0 && down_m > ahead_m).then_some(Indiscernible::Slid { down_m, ahead_m })
 }
 
 /// The longest part in which the plate pulls, across itself and near its depth; all if there is none.
@@ -230,4 +273,28 @@ fn step(displacement_m: &[f64]) -> Option<f64> {
         displacement_m.windows(2).map(|pair| pair[1] - pair[0]).filter(|change| *change != 0.0).collect();
     let stepped = changes.len() >= 4 && changes.len() * 2 < displacement_m.len();
     stepped.then(|| sd_of_median_abs(changes.into_iter()) * 0.674_489_750_196_081_7)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A plate that after 1 s goes down and ahead with these speeds in m/s.
+    fn going(down_m_s: f64, ahead_m_s: f64) -> Option<Indiscernible> {
+        let t_s: Vec<f64> = (0..2000).map(|k| 0.002 * f64::from(k)).collect();
+        let after = |speed: f64| -> Vec<f64> { t_s.iter().map(|t| speed * (t - 1.0).max(0.0)).collect() };
+        let depths_m: Vec<f64> = after(down_m_s).iter().map(|way| 0.025 + way).collect();
+        let trace = Trace::new(t_s.clone(), after(ahead_m_s), vec![5.0; 2000], Channels::default()).unwrap();
+        slid(&trace, &depths_m, 1.0)
+    }
+
+    #[test]
+    fn a_plate_that_goes_down_more_than_ahead_has_slid() {
+        let Some(Indiscernible::Slid { down_m, ahead_m }) = going(0.002, 0.001) else { panic!("it slid") };
+        assert!((down_m - 0.002).abs() < 1e-5 && (ahead_m - 0.001).abs() < 1e-5);
+        assert_eq!(going(0.002, 0.003), None);
+        assert_eq!(going(-0.002, 0.001), None);
+        // A fiftieth of the depth may be play.
+        assert_eq!(going(0.0004, 0.0), None);
+    }
 }

@@ -52,13 +52,16 @@ fn one_depth_is_not_enough() {
 #[test]
 fn lift_tells_the_interface_friction() {
     let mut random = Random(11);
-    let (mut within, mut worst) = (0, 0.0_f64);
+    let (mut within, mut far) = (0, 0);
     for _ in 0..200 {
         let delta = 20.0 + 6.0 * random.uniform();
+        let rate = 0.7 + 0.3 * random.uniform();
+        // What all strokes share: the sensor does not lie quite as it should.
+        let common_deg = 0.3 * random.normal();
         let strokes: Vec<SweepStroke> = (0..12)
             .map(|k| {
                 let set_deg = 18.0 + f64::from(k / 2) * 2.0;
-                let lift_deg = (0.7 * (delta - set_deg)).max(0.0) + 0.25 * random.normal();
+                let lift_deg = (rate * (delta - set_deg)).max(0.0) + common_deg + 0.25 * random.normal();
                 SweepStroke {
                     alpha_deg: if k % 2 == 0 { 80.0 } else { 90.0 },
                     set_deg,
@@ -69,11 +72,11 @@ fn lift_tells_the_interface_friction() {
             .collect();
         let found = interface_friction(&strokes).unwrap();
         let error = (found.delta_deg - delta).abs();
-        worst = worst.max(error);
+        far += i32::from(error > 1.5);
         within += i32::from(error < found.sd_deg);
         assert!(found.above_deg.is_none_or(|above| above < delta + 1.0));
     }
-    assert!(worst < 1.5 && (110..=165).contains(&within));
+    assert!(far <= 10 && (110..=165).contains(&within), "{far} {within}");
 }
 
 #[test]

@@ -14,11 +14,22 @@ use soilctl_process::{
 const SURFACE_M: f64 = -0.3302;
 const NAMES: [&str; 5] = ["base", "shoulder", "elbow", "twist", "wrist"];
 
+#[derive(Clone, Copy)]
 struct Plan {
     alpha_deg: f64,
     radius_m: f64,
     base_deg: f64,
     depth_m: f64,
+    /// By how much the tool angle grows in 20 mm of travel.
+    turn_deg: f64,
+    /// Inclination to which the force turns once the soil has failed; it begins at 23 deg.
+    slip_deg: f64,
+}
+
+impl Plan {
+    const fn steady(alpha_deg: f64, radius_m: f64, base_deg: f64, depth_m: f64) -> Self {
+        Self { alpha_deg, radius_m, base_deg, depth_m, turn_deg: 0.0, slip_deg: 23.0 }
+    }
 }
 
 /// Time, joints, wrench in the sensor frame.
@@ -30,8 +41,10 @@ fn record(plans: &[Plan], tare: [f64; 3], noise_n: f64) -> Vec<Moment> {
     let mut moments = Vec::new();
     let mut t = 100.0;
     for plan in plans {
-        let (alpha, base) = (plan.alpha_deg.to_radians(), plan.base_deg.to_radians());
+        let base = plan.base_deg.to_radians();
+        let tool = |travel: f64| (plan.alpha_deg + plan.turn_deg * travel / 0.02).to_radians();
         let mut add = |travel: f64, z: f64, force_along: f64, force_up: f64| {
+            let alpha = tool(travel);
             let pose = TaskPose::digging(plan.radius_m - travel, base, SURFACE_M + z, alpha).unwrap();
             let joints = arm.inverse(&pose).unwrap();
             // Soil on plate, in the base frame: against the motion, which is towards the base.
@@ -63,7 +76,7 @@ fn record(plans: &[Plan], tare: [f64; 3], noise_n: f64) -> Vec<Moment> {
         }
         // The stroke: the lead of a spring advances, the soil gives way at its limit.
         let scale = (plan.depth_m / 0.0254).powi(2);
-        let (mut u, stiffness) = (0.0, 1500.0);
+        let (mut u, stiffness) = (0.0_f64, 1500.0);
         let force = |u: f64| LIMIT_N * scale * (1.0 + 0.2 * u / plan.depth_m) * (u / 0.0008).min(1.0);
         for i in 0..3000 {
             let lead = 0.020 * f64::from(i) / 3000.0;
@@ -71,8 +84,9 @@ fn record(plans: &[Plan], tare: [f64; 3], noise_n: f64) -> Vec<Moment> {
                 u += 1e-6;
             }
             let size = (stiffness * (lead - u)).min(force(u) + 0.01);
-            // Inclined at 23 deg below the plate's normal.
-            let inclination = (plan.alpha_deg - 90.0 + 23.0_f64).to_radians();
+            // Inclined at 23 deg below the plate's normal, until failed soil has slipped along it for 2 mm.
+            let slipped = ((u - 0.001) / 0.002).clamp(0.0, 1.0);
+            let inclination = tool(u) - (90.0 - 23.0 - (plan.slip_deg - 23.0) * slipped).to_radians();
             add(u, -plan.depth_m, size * inclination.cos(), size * inclination.sin());
         }
         for i in 0..1000 {
@@ -133,9 +147,9 @@ fn check(plan: &Plan, found: &Evaluated) {
 #[test]
 fn strokes_are_found_and_their_forces_with_tare_noise_and_disorder() {
     let plans = [
-        Plan { alpha_deg: 90.0, radius_m: 0.4318, base_deg: -25.0, depth_m: 0.0254 },
-        Plan { alpha_deg: 80.0, radius_m: 0.4318, base_deg: 25.0, depth_m: 0.025 },
-        Plan { alpha_deg: 70.0, radius_m: 0.3048, base_deg: 35.0, depth_m: 0.0239 },
+        Plan::steady(90.0, 0.4318, -25.0, 0.0254),
+        Plan::steady(80.0, 0.4318, 25.0, 0.025),
+        Plan::steady(70.0, 0.3048, 35.0, 0.0239),
     ];
     let moments = record(&plans, [1.5, -0.7, 3.0], 0.02);
     for (joints_every, swap) in [(1, 1_000_000), (5, 7)] {
@@ -202,5 +216,34 @@ fn urdfs_that_cannot_be_used_are_refused() {
         &good.replace("<child link=\"twist_link\"/>", "<child link=\"nowhere\"/>"),
     ] {
         assert!(matches!(Robot::from_urdf(text, "plate_tip", "ft_sensor"), Err(ProcessError::Urdf(_))));
+    }
+}
+
+fn evaluated(plan: &Plan) -> Evaluated {
+    let (strokes, _) = read(&record(&[*plan], [0.5, 0.0, 1.0], 0.02), 3, 1_000_000);
+    assert_eq!(strokes.len(), 1);
+    evaluate(&strokes[0], &Setting { surface_z_m: SURFACE_M, width_m: 0.127, ..Setting::default() }).unwrap()
+}
+
+/// An arm turns the plate while it pulls: friction counts from the plate as it is then.
+#[test]
+fn a_plate_that_turns_has_the_same_friction_angle() {
+    for turn_deg in [-4.0, 3.0] {
+        let found = evaluated(&Plan { turn_deg, ..Plan::steady(90.0, 0.4318, 10.0, 0.0254) });
+        let Outcome::Found(point) = &found.analysis.outcome else { panic!("{:?}", found.analysis.outcome) };
+        assert!((found.row.friction_angle_deg.unwrap() - 23.0).abs() < 0.3);
+        assert!((found.slip.unwrap().angle_deg - 23.0).abs() < 0.3);
+        let turned_deg = found.turned_deg.unwrap();
+        assert!((turned_deg - turn_deg * point.displacement_m / 0.02).abs() < 0.2, "{turned_deg}");
+    }
+}
+
+/// Section 5.4: the force turns to the interface friction when soil slips, whatever it was before.
+#[test]
+fn slipping_soil_shows_its_friction() {
+    for slip_deg in [21.0, 27.0] {
+        let found = evaluated(&Plan { slip_deg, ..Plan::steady(80.0, 0.4318, 0.0, 0.0254) });
+        let slip = found.slip.unwrap();
+        assert!((slip.angle_deg - slip_deg).abs() < 0.4 && slip.sd_deg < 0.5, "{slip:?}");
     }
 }

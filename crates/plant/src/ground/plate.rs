@@ -87,7 +87,9 @@ impl Plate {
         let most_normal = limit * libm::cos(share * delta) * residual;
         let failing = self.mobilise(config, strength, change, alpha, depth_m, way);
 
-        let at_rest = 2.0 * strength.at_rest_n(depth_m, width_m) * friction;
+        // Both faces hold the plate in soil at rest; at the limit the net force of both is inclined by the friction alone.
+        let rests = 1.0 - libm::pow(self.mobilised.abs(), bend(config, strength, alpha));
+        let at_rest = 2.0 * strength.at_rest_n(depth_m, width_m) * friction * rests;
         let edge = change.bearing * strength.edge_n(depth_m, width_m, thickness_m, config.bearing_shape);
         let normal = self.mobilised * most_normal;
         let grip = normal.abs() * friction + at_rest;
@@ -139,10 +141,7 @@ impl Plate {
         let ratio =
             config.loose_mobilisation + dense * (config.dense_mobilisation - config.loose_mobilisation);
         let failure_m = (change.mobilisation_way * ratio * depth_m.max(LEAST_DEPTH_M)).max(1e-6);
-        // Gradual at steep angles and in loose soil, drastic else.
-        let flat = ((config.gradual_above_deg - alpha.to_degrees()) / 10.0).clamp(0.0, 1.0);
-        let bend = config.gradual_exponent + flat * (config.drastic_exponent - config.gradual_exponent);
-        let bend = bend * (1.0 + dense);
+        let bend = bend(config, strength, alpha);
         let slope = (1.0 + 2.0 / bend) / failure_m;
         let left = if way * self.mobilised > 0.0 { 1.0 - libm::pow(self.mobilised.abs(), bend) } else { 1.0 };
         self.mobilised = (self.mobilised + slope * way * left).clamp(-1.0, 1.0);
@@ -168,6 +167,13 @@ impl Plate {
         let [normal, tangent, lateral] = self.forces_n;
         hand.rotation.map(|[x, y, z]| -normal * x - lateral * y - tangent * z)
     }
+}
+
+/// How late the soil yields on the way to its limit: gradually at steep angles and in loose soil, drastically else.
+fn bend(config: &GroundConfig, strength: &Strength, alpha: f64) -> f64 {
+    let flat = ((config.gradual_above_deg - alpha.to_degrees()) / 10.0).clamp(0.0, 1.0);
+    let bend = config.gradual_exponent + flat * (config.drastic_exponent - config.gradual_exponent);
+    bend * (1.0 + strength.relative_density)
 }
 
 /// A spring that slips at its limits: its force in N after a further way in m.

@@ -132,6 +132,23 @@ pub enum Indiscernible {
         /// Standard deviation over force.
         sd_rel: f64,
     },
+    /// The force lies too far from the plate's normal to fail the soil ahead.
+    Inclined {
+        /// Angle between the force and the plate's normal in deg.
+        angle_deg: f64,
+    },
+    /// The plate sank or rose too far for the square of its depth to hold.
+    LeftDepth {
+        /// Depth over that at the beginning.
+        ratio: f64,
+    },
+    /// The plate slid down along itself, and the soil ahead did not fail.
+    Slid {
+        /// Way down in m.
+        down_m: f64,
+        /// Way ahead in the same time in m.
+        ahead_m: f64,
+    },
 }
 
 impl Indiscernible {
@@ -144,6 +161,9 @@ impl Indiscernible {
             Self::NoBreak { .. } => "no_break",
             Self::Incomplete { .. } => "incomplete",
             Self::Uncertain { .. } => "uncertain",
+            Self::Inclined { .. } => "inclined",
+            Self::LeftDepth { .. } => "left_depth",
+            Self::Slid { .. } => "slid",
         }
     }
 }
@@ -171,6 +191,19 @@ impl fmt::Display for Indiscernible {
                     sd_rel * 100.0
                 )
             }
+            Self::Inclined { angle_deg } => write!(
+                out,
+                "the force is inclined by {angle_deg:.0} deg to the plate's normal, so it does not push the soil ahead"
+            ),
+            Self::LeftDepth { ratio } => {
+                write!(out, "the plate went to {ratio:.2} times its depth, too far to scale the force")
+            }
+            Self::Slid { down_m, ahead_m } => write!(
+                out,
+                "the plate slid {:.1} mm down while it went {:.1} mm ahead; choose a lower set-point for the interface friction",
+                down_m * 1e3,
+                ahead_m * 1e3
+            ),
         }
     }
 }

@@ -17,7 +17,8 @@ pub fn write_csv(strokes: &[StrokeRecord], output: impl Write) -> Result<(), Pro
     table.to_writer(&mut known).map_err(|error| failed(&error))?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(known.as_slice());
     let mut writer = csv::Writer::from_writer(output);
-    let numbers = ["failure_time_s", "lift_deg", "lift_sd_deg", "two_lines_force_n", "mobilised"];
+    let numbers =
+        ["failure_time_s", "turned_deg", "lift_deg", "lift_sd_deg", "two_lines_force_n", "mobilised"];
     let texts = ["method", "failure", "flags", "log"];
     for (line, record) in reader.records().enumerate() {
         let mut record = record.map_err(|error| failed(&error))?;

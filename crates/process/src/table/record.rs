@@ -90,7 +90,10 @@ record! {
     x_step_m,
     /// Time of the failure on the log's clock in s.
     failure_time_s,
-    /// Rise of the measured friction angle at failure in deg.
+    /// How far the tool angle had grown at failure, since the arm turns the plate while it pulls, in deg.
+    turned_deg,
+    /// Inclination of the force while failed soil slips along the plate, above the set-point, or without one above that
+    /// before the failure, in deg.
     lift_deg,
     /// Its standard deviation in deg.
     lift_sd_deg,
@@ -115,7 +118,8 @@ impl StrokeRecord {
             crate::Kind::Drastic => "drastic",
             crate::Kind::Gradual => "gradual",
         };
-        let lift = point.evidence.friction_angle_deg;
+        let slip = stroke.evaluated.slip;
+        let asked_deg = row.delta_set_deg.or(row.friction_angle_deg);
         let mut flags: Vec<&str> = stroke.flags.clone();
         if let Some(finish) = stroke.finish.as_deref().filter(|finish| *finish != "completed") {
             flags.push(finish);
@@ -147,11 +151,9 @@ impl StrokeRecord {
             motor_ext_gap_m: row.motor_ext_gap_m,
             x_step_m: row.x_step_m,
             failure_time_s: Some(point.time_s),
-            lift_deg: lift.map(|change| change.change),
-            lift_sd_deg: lift
-                .filter(|change| change.significance != 0.0)
-                .map(|change| (change.change / change.significance).abs())
-                .filter(|sd| sd.is_finite() && *sd > 0.0),
+            turned_deg: stroke.evaluated.turned_deg,
+            lift_deg: slip.zip(asked_deg).map(|(slip, asked)| slip.angle_deg - asked),
+            lift_sd_deg: slip.zip(asked_deg).map(|(slip, _)| slip.sd_deg),
             two_lines_force_n: analysis
                 .two_lines
                 .map(|lines| lines.force_n)

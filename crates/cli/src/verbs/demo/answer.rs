@@ -27,8 +27,8 @@ pub(crate) struct DemoAnswer {
     pub(crate) delta: Option<Delta>,
     /// Why there is none, or why it does not count; null if it does.
     pub(crate) no_delta: Option<String>,
-    /// Interval of the interface friction that friction angle and density were estimated with (deg): from the sweep if it
-    /// tells, else around the published one; null if there is no estimate.
+    /// Interval of the interface friction (deg): from the sweep if it tells, else around the published one; null if there is no
+    /// estimate. The estimate takes the inclination of each stroke's force at failure, up to the end of the interval.
     pub(crate) delta_used_deg: Option<[f64; 2]>,
     /// Friction angle and density from the forces, nothing known of the density; null if there is no estimate.
     pub(crate) density_unknown: Option<Region>,

@@ -61,12 +61,11 @@ pub(super) fn all(
         mark(&mut answer.each, chosen.iter().map(|s| &s.stroke_id), |s| &mut s.used_for_phi);
     let table = folder.file("measurements.csv");
     let campaign = Campaign::read_beside(&table)?.unwrap_or_default();
-    region::measurements(&table, &chosen, &campaign)?;
+    region::measurements(&table, &chosen, interval_deg, &campaign)?;
     answer.files.measurements = Some(table.display().to_string());
     let known = |measurements| Known {
         measurements,
         model: &answer.model,
-        delta_deg: interval_deg,
         cohesion_pa: plan.soil().cohesion_pa,
         gravity_m_s2: plan.soil().gravity_m_s2,
         density_sd_rel: campaign.density_sd_rel,
@@ -78,7 +77,7 @@ pub(super) fn all(
         }),
     );
     let true_table = folder.file("measurements_true.csv");
-    if region::true_measurements(&true_table, &chosen, &answer.each, &campaign)?.is_some() {
+    if region::true_measurements(&true_table, &chosen, &answer.each, interval_deg, &campaign)?.is_some() {
         wanted.push((TRUE_FORCES, None, known(&true_table).args(None)));
     }
     let mut all = Vec::new();

@@ -33,7 +33,7 @@ pub(crate) fn friction(analysis: &Analysis) -> Result<Option<Figure>, CliError> 
     let mut figure = Figure::new(
         "Lift at failure",
         Axis::linear("Set-point of the interface friction (deg)"),
-        Axis::linear("Rise of the friction angle at failure (deg)"),
+        Axis::linear("Inclination above the set-point after failure (deg)"),
     );
     let half = 2.0 * found.sd_deg;
     figure.push(Span::vertical("estimate ± 2 sd", found.delta_deg - half, found.delta_deg + half))?;

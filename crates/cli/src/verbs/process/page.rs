@@ -52,8 +52,8 @@ pub(crate) fn sections(
         show(
             page,
             figures::friction(analysis)?,
-            "A set-point below the true friction lets the soil slip up along the plate: the force's angle lifts when the \
-             soil fails. Where the lift ends is the friction angle.",
+            "Failed soil slips up along the plate and turns the force to the interface friction, whatever the set-point is. Where \
+             nothing is left to turn, the set-point is the friction.",
         )?;
     }
     if let Some(found) = &analysis.rubbing {

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 
-use indicatif::ProgressStyle;
 use soilctl_process::table::StrokeRecord;
 
 use super::inputs::Inputs;
@@ -50,11 +49,8 @@ pub(super) fn process(inputs: &Inputs, output: &Output) -> Result<Done, CliError
         output.note(&format!("{reused} logs are as they were and are not read again"));
     }
     let stop = output.interrupt_keeping(manifest.is_some());
-    let bar = output.progress(inputs.logs.len() as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} logs, {eta} left") {
-        bar.set_style(style);
-    }
-    bar.set_position(reused as u64);
+    let bar = output.bar(inputs.logs.len() as u64, "logs");
+    bar.inc(reused as u64);
     let folder = manifest.as_ref().map(|manifest| manifest.folder.clone());
     let next = AtomicUsize::new(0);
     let mut result = Ok(());
@@ -101,7 +97,7 @@ pub(super) fn process(inputs: &Inputs, output: &Output) -> Result<Done, CliError
             }
         }
     });
-    bar.finish_and_clear();
+    bar.finish();
     result?;
     Ok(Done { stopped: entries.len() < inputs.logs.len(), entries, reused })
 }

@@ -105,12 +105,15 @@ pub(super) fn friction(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn
     show(
         page,
         drawn.friction.as_ref(),
-        "A set-point below the true friction lets the soil slip up along the plate: the force's angle lifts when the soil \
-         fails. Where the lift ends is the friction angle.",
+        "Failed soil slips up along the plate and turns the force to the interface friction, whatever the set-point is. Where nothing is \
+         left to turn, the set-point is the friction.",
     )?;
     if let Some([low, high]) = answer.delta_used_deg {
         let source = if answer.no_delta.is_some() { "around the published value" } else { "from the sweep" };
-        page.paragraph(format!("What follows takes δ to lie between {low:.1} and {high:.1}°, {source}."));
+        page.paragraph(format!(
+            "What follows takes δ to lie between {low:.1} and {high:.1}°, {source}, and for each stroke the inclination that its force \
+             had when the soil failed, ± 1°: less than δ may be mobilised by then, never more."
+        ));
     }
     Ok(())
 }
