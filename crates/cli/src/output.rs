@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use crate::error::CliError;
 use crate::finite;
+use crate::progress::{Bar, Progress};
 
 /// Form of the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -55,6 +56,8 @@ pub(crate) struct Output {
     host: Host,
     /// Set by Ctrl-C; made when it is first asked for, and the same for all work of this run.
     stop: OnceLock<Arc<AtomicBool>>,
+    /// How far the work is.
+    progress: Arc<Progress>,
 }
 
 /// What runs the verb.
@@ -81,14 +84,14 @@ impl Notes {
 }
 
 impl Output {
-    pub(crate) const fn new(format: Format, quiet: bool) -> Self {
-        Self { format, quiet, host: Host::Program, stop: OnceLock::new() }
+    pub(crate) fn new(format: Format, quiet: bool) -> Self {
+        Self { format, quiet, host: Host::Program, stop: OnceLock::new(), progress: Arc::default() }
     }
 
-    /// Keeps the answer in JSON, and writes nothing.
-    pub(crate) const fn kept(stop: Arc<AtomicBool>) -> Self {
+    /// Keeps the answer in JSON, writes nothing, and counts what is done in `progress`.
+    pub(crate) const fn kept(stop: Arc<AtomicBool>, progress: Arc<Progress>) -> Self {
         let host = Host::Library { answer: Vec::new(), stop };
-        Self { format: Format::Json, quiet: true, host, stop: OnceLock::new() }
+        Self { format: Format::Json, quiet: true, host, stop: OnceLock::new(), progress }
     }
 
     /// The answer that was kept; empty for a program.
@@ -183,21 +186,14 @@ impl Output {
         }
     }
 
-    /// A progress bar on stderr; hidden if that is no terminal, or nobody wants to see it.
-    pub(crate) fn progress(&self, steps: u64) -> ProgressBar {
-        self.progress_of(steps, "cells")
+    /// A progress bar on stderr over steps that are called `name`; hidden if that is no terminal, or nobody wants to see it.
+    pub(crate) fn bar(&self, steps: u64, name: &str) -> Bar {
+        Bar::new(steps, name, self.quiet || !std::io::stderr().is_terminal(), Arc::clone(&self.progress))
     }
 
-    /// The same for steps that are called something else.
-    pub(crate) fn progress_of(&self, steps: u64, name: &str) -> ProgressBar {
-        if self.quiet || !std::io::stderr().is_terminal() {
-            return ProgressBar::hidden();
-        }
-        let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {name}, {{eta}} left"));
-        let bar = ProgressBar::new(steps);
-        match style {
-            Ok(style) => bar.with_style(style),
-            Err(_) => bar,
-        }
+    /// Where steps are counted for which there is no bar.
+    pub(crate) fn count(&self, steps: u64) -> Arc<Progress> {
+        self.progress.begin(steps);
+        Arc::clone(&self.progress)
     }
 }

@@ -88,6 +88,9 @@ pub enum SessionError {
         /// The topics that can.
         known: String,
     },
+    /// The caller asked the work to end.
+    #[error("stopped before the end of the log")]
+    Stopped,
     /// A state could not be encoded as a key frame, or decoded.
     #[error("a key frame cannot be read or written: {0}; the log is damaged or of another program")]
     Keyframe(postcard::Error),

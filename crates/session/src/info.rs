@@ -1,8 +1,9 @@
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use crate::messages::{ControllerStep, Keyframe, definition};
-use crate::read::{Ending, Item, RawMessage, scan};
+use crate::read::{Ending, Item, RawMessage, scan_until};
 use crate::setup::{CONFIGURATION_RECORD, END_RECORD, SESSION_RECORD, STROKE_RECORD};
 use crate::write::{MESSAGE_ENCODING, PROFILE, SCHEMA_ENCODING, URDF_NAME};
 use crate::{SessionError, cdr, topics};
@@ -46,10 +47,18 @@ pub struct TopicInfo {
 /// Reads a whole log, counts what is in it and checks what can be checked without running the controller.
 ///
 /// # Errors
-/// Those of [`scan`]; damage and odd content are part of the answer.
+/// Those of [`scan`](crate::read::scan); damage and odd content are part of the answer.
 pub fn info(path: &Path) -> Result<Info, SessionError> {
+    info_until(path, &AtomicBool::new(false))
+}
+
+/// [`info`] that ends when `stop` is set.
+///
+/// # Errors
+/// [`SessionError::Stopped`], and those of [`info`].
+pub fn info_until(path: &Path, stop: &AtomicBool) -> Result<Info, SessionError> {
     let mut check = Check::default();
-    let ending = scan::<SessionError>(path, &mut |item| {
+    let ending = scan_until(path, stop, &mut |item| {
         check.item(item);
         Ok(())
     })?;

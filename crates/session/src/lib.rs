@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod beside;
 mod cdr;
 mod error;
 mod export;
@@ -18,14 +19,15 @@ mod strokes;
 pub mod topics;
 mod write;
 
+pub use beside::Beside;
 pub use error::SessionError;
-pub use export::{Export, Row, TABLES, TableForm, export, table_rows};
+pub use export::{Export, Row, TABLES, TableForm, export, export_until, table_rows};
 pub use fields::Cell;
-pub use info::{Info, TopicInfo, info};
+pub use info::{Info, TopicInfo, info, info_until};
 pub use keyframe::KEYFRAME_VERSION;
 pub use logger::{LogReport, Logger, Pace, Recorder};
 pub use record::{KEYFRAME_STEPS, StepRecord, Truth};
-pub use recover::{Recovery, recover};
-pub use replay::{Difference, Replay, replay};
+pub use recover::{Recovery, recover, recover_until};
+pub use replay::{Difference, Replay, replay, replay_until};
 pub use setup::{CONFIGURATION_RECORD, END_RECORD, FORMAT_VERSION, SESSION_RECORD, STROKE_RECORD, Setup};
 pub use write::LogWriter;

@@ -2,13 +2,15 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use mcap::records::{MessageHeader, Metadata};
 use mcap::write::NoSeek;
 use mcap::{Attachment, McapError};
 
+use crate::beside::Beside;
 use crate::error::reason;
-use crate::read::{Ending, Item, RawMessage, scan};
+use crate::read::{Ending, Item, RawMessage, scan_until};
 use crate::write::options;
 use crate::{SessionError, topics};
 
@@ -31,24 +33,24 @@ pub struct Recovery {
 /// The new file is written beside its final name and moved there when it is done.
 ///
 /// # Errors
-/// Those of [`scan`], [`SessionError::NotALog`] if nothing can be saved, [`SessionError::File`] if the new file cannot
+/// Those of [`scan`](crate::read::scan), [`SessionError::NotALog`] if nothing can be saved, [`SessionError::File`] if the new file cannot
 /// be written.
 pub fn recover(path: &Path, out: &Path) -> Result<Recovery, SessionError> {
-    let mut name = out.file_name().unwrap_or_default().to_owned();
-    name.push(".partial");
-    let partial = out.with_file_name(name);
-    let done = copy(path, &partial).and_then(|recovery| {
-        std::fs::rename(&partial, out).map_err(|error| SessionError::file(out, &error))?;
-        Ok(recovery)
-    });
-    if done.is_err() {
-        // Nothing useful is in it; that it stays is no reason for another message.
-        let _ = std::fs::remove_file(&partial);
-    }
-    done
+    recover_until(path, out, &AtomicBool::new(false))
 }
 
-fn copy(path: &Path, out: &Path) -> Result<Recovery, SessionError> {
+/// [`recover`] that ends when `stop` is set; then there is no new file.
+///
+/// # Errors
+/// [`SessionError::Stopped`], and those of [`recover`].
+pub fn recover_until(path: &Path, out: &Path, stop: &AtomicBool) -> Result<Recovery, SessionError> {
+    let beside = Beside::new(out);
+    let recovery = copy(path, beside.path(), stop)?;
+    beside.keep()?;
+    Ok(recovery)
+}
+
+fn copy(path: &Path, out: &Path, stop: &AtomicBool) -> Result<Recovery, SessionError> {
     let file = File::create(out).map_err(|error| SessionError::file(out, &error))?;
     let failed = |error: &McapError| SessionError::file(out, &reason(error));
     let mut copy = Copy {
@@ -58,7 +60,7 @@ fn copy(path: &Path, out: &Path) -> Result<Recovery, SessionError> {
         messages: 0,
         steps: 0,
     };
-    let ending = scan(path, &mut |item| copy.item(item).map_err(|error| failed(&error)))?;
+    let ending = scan_until(path, stop, &mut |item| copy.item(item).map_err(|error| failed(&error)))?;
     if copy.items == 0 {
         let reason = ending.damage.first().cloned().unwrap_or_else(|| "it is empty".to_owned());
         return Err(SessionError::NotALog { file: path.display().to_string(), reason });

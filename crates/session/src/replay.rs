@@ -1,11 +1,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use soilctl_controller::{Params, State, step};
 
 use crate::fields::{Cell, cells};
 use crate::messages::{ControllerStep, Keyframe};
-use crate::read::{Ending, Item, RawMessage, scan};
+use crate::read::{Ending, Item, RawMessage, scan_until};
 use crate::setup::{CONFIGURATION_RECORD, SESSION_RECORD};
 use crate::{SessionError, Setup, cdr, topics};
 
@@ -55,11 +56,19 @@ pub struct Difference {
 /// # Errors
 /// [`SessionError::Missing`] if the log has no settings or no steps, [`SessionError::NoKeyframe`],
 /// [`SessionError::Version`] for a log of another program, [`SessionError::Message`] for a malformed message, those of
-/// [`Setup::params`], and those of [`scan`].
+/// [`Setup::params`], and those of [`scan`](crate::read::scan).
 pub fn replay(path: &Path, from: u32) -> Result<Replay, SessionError> {
+    replay_until(path, from, &AtomicBool::new(false))
+}
+
+/// [`replay`] that ends when `stop` is set.
+///
+/// # Errors
+/// [`SessionError::Stopped`], and those of [`replay`].
+pub fn replay_until(path: &Path, from: u32, stop: &AtomicBool) -> Result<Replay, SessionError> {
     let file = path.display().to_string();
     let mut run = Run::new(&file, from);
-    let ending = scan(path, &mut |item| run.item(item))?;
+    let ending = scan_until(path, stop, &mut |item| run.item(item))?;
     if run.keyframes_met <= from {
         if run.keyframes_met == 0 {
             let advice = "only logs that soilctl wrote can be replayed";

@@ -6,11 +6,15 @@ mod common;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use std::sync::atomic::AtomicBool;
 
 use common::write_log;
 use proptest::prelude::*;
 use soilctl_session::read::{Item, scan, scan_from};
-use soilctl_session::{SessionError, TableForm, export, info, recover, replay, topics};
+use soilctl_session::{
+    SessionError, TableForm, export, export_until, info, info_until, recover, recover_until, replay,
+    replay_until, topics,
+};
 
 const TICKS: u64 = 1600;
 
@@ -192,4 +196,17 @@ proptest! {
         bytes.extend_from_slice(&noise);
         read_all(&bytes);
     }
+}
+
+#[test]
+fn who_stops_has_no_answer_and_no_file() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = save(dir.path(), &LOG);
+    let (out, stop) = (dir.path().join("out.csv"), AtomicBool::new(true));
+    let stopped = |error: SessionError| assert!(matches!(error, SessionError::Stopped), "{error}");
+    stopped(info_until(&path, &stop).unwrap_err());
+    stopped(replay_until(&path, 0, &stop).unwrap_err());
+    stopped(recover_until(&path, &out, &stop).unwrap_err());
+    stopped(export_until(&path, topics::STEP, &out, TableForm::Csv, &stop).unwrap_err());
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1, "only the log");
 }

@@ -4,8 +4,10 @@ mod csv_file;
 mod parquet_file;
 mod rows;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::beside::Beside;
 use crate::fields::Cell;
 use crate::read::{Ending, Item, scan};
 use crate::{SessionError, topics};
@@ -55,9 +57,23 @@ trait Table {
 /// Those of [`table_rows`], and [`SessionError::File`] if the table cannot be written. After an error there is no table, and
 /// one that was there before is as it was.
 pub fn export(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
+    export_until(path, topic, out, form, &AtomicBool::new(false))
+}
+
+/// [`export`] that ends when `stop` is set; then there is no table.
+///
+/// # Errors
+/// [`SessionError::Stopped`], and those of [`export`].
+pub fn export_until(
+    path: &Path,
+    topic: &str,
+    out: &Path,
+    form: TableForm,
+    stop: &AtomicBool,
+) -> Result<Export, SessionError> {
     known(topic)?;
     let beside = Beside::new(out);
-    let exported = write(path, topic, &beside.path, form)?;
+    let exported = write(path, topic, beside.path(), form, stop)?;
     beside.keep()?;
     Ok(exported)
 }
@@ -110,9 +126,18 @@ fn known(topic: &str) -> Result<(), SessionError> {
     Err(SessionError::NoTable { topic: topic.to_owned(), known: TABLES.join(", ") })
 }
 
-fn write(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
+fn write(
+    path: &Path,
+    topic: &str,
+    out: &Path,
+    form: TableForm,
+    stop: &AtomicBool,
+) -> Result<Export, SessionError> {
     let mut table: Option<Box<dyn Table>> = None;
     let exported = table_rows(path, topic, &mut |row| -> Result<(), SessionError> {
+        if stop.load(Ordering::Relaxed) {
+            return Err(SessionError::Stopped);
+        }
         match &mut table {
             Some(table) => table.row(row),
             None => {
@@ -129,38 +154,4 @@ fn write(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export
     // There is none only if there were no rows, which is an error already.
     table.map_or(Ok(()), Table::finish)?;
     Ok(exported)
-}
-
-/// A file in the making beside the one that it becomes; it goes away unless it is kept.
-struct Beside<'a> {
-    path: PathBuf,
-    out: &'a Path,
-}
-
-impl<'a> Beside<'a> {
-    /// A device or pipe is written to as it is.
-    fn new(out: &'a Path) -> Self {
-        let special = out.metadata().is_ok_and(|found| !found.is_file());
-        let mut name = out.as_os_str().to_owned();
-        if !special {
-            name.push(".part");
-        }
-        Self { path: name.into(), out }
-    }
-
-    fn keep(&self) -> Result<(), SessionError> {
-        if self.path == self.out {
-            return Ok(());
-        }
-        std::fs::rename(&self.path, self.out).map_err(|error| SessionError::file(self.out, &error))
-    }
-}
-
-impl Drop for Beside<'_> {
-    fn drop(&mut self) {
-        if self.path != self.out {
-            // After `keep` there is nothing left to remove.
-            let _ = std::fs::remove_file(&self.path);
-        }
-    }
 }

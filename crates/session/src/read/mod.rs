@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use mcap::records::{Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
@@ -131,6 +132,20 @@ pub fn scan<E: From<SessionError>>(
 ) -> Result<Ending, E> {
     let mut file = File::open(path).map_err(|error| SessionError::file(path, &error))?;
     scan_from(&mut file, path, visit)
+}
+
+/// [`scan`] that ends when `stop` is set, by whatever thread.
+///
+/// # Errors
+/// [`SessionError::Stopped`], and those of [`scan`].
+pub fn scan_until(
+    path: &Path,
+    stop: &AtomicBool,
+    visit: &mut dyn FnMut(Item<'_>) -> Result<(), SessionError>,
+) -> Result<Ending, SessionError> {
+    scan(path, &mut |item| {
+        if stop.load(Ordering::Relaxed) { Err(SessionError::Stopped) } else { visit(item) }
+    })
 }
 
 /// [`scan`] of any source of bytes; `path` is named in messages.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 pub(crate) use answer::LogAnswer;
 use clap::Subcommand;
-use soilctl_session::{TableForm, export, info, recover, topics};
+use soilctl_session::{TableForm, export_until, info_until, recover_until, topics};
 
 use super::Outcome;
 use crate::error::CliError;
@@ -57,6 +57,9 @@ enum Action {
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let spinner = output.spinner("reading the log");
+    // Nothing that is half done can be kept.
+    let stop = output.interrupt_keeping(false);
+    let info = |log: &Path| info_until(log, &stop);
     let (answer, outcome) = match &args.action {
         Action::Info { log } => (LogAnswer::info(info(log)?), Outcome::Done),
         Action::Doctor { log } => {
@@ -66,12 +69,12 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         }
         Action::Recover { log, out } => {
             differ(log, out)?;
-            let saved = recover(log, out)?;
+            let saved = recover_until(log, out, &stop)?;
             (LogAnswer::recover(info(out)?, saved, out), Outcome::Done)
         }
         Action::Export { log, out, topic } => {
             differ(log, out)?;
-            (LogAnswer::export(export(log, topic, out, form(out)?)?, topic, out), Outcome::Done)
+            (LogAnswer::export(export_until(log, topic, out, form(out)?, &stop)?, topic, out), Outcome::Done)
         }
     };
     spinner.finish_and_clear();

@@ -59,7 +59,8 @@ struct FirstDifference {
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let spinner = output.spinner("replaying");
-    let found = soilctl_session::replay(&args.log, args.from_keyframe)?;
+    let stop = output.interrupt_keeping(false);
+    let found = soilctl_session::replay_until(&args.log, args.from_keyframe, &stop)?;
     spinner.finish_and_clear();
     let answer = ReplayAnswer {
         identical: found.is_identical(),
