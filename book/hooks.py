@@ -12,16 +12,19 @@ from mkdocs.plugins import get_plugin_logger
 from mkdocs.structure.files import File
 
 sys.path.insert(0, str(Path(__file__).parent))
+import notebooks  # noqa: E402
 import reference  # noqa: E402
+import verification  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
+TABLE = re.compile(r"^<!-- table: (\w+) -->$", flags=re.MULTILINE)
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
 log = get_plugin_logger("soilctl")
 
 
 def on_files(files, config):
-    """Adds the front page, which is the README, the reference and the figures."""
+    """Adds the front page, which is the README, the reference, the notebooks and the figures."""
     front = (ROOT / "README.md").read_text(encoding="utf-8")
     pages = {
         "index.md": front,
@@ -30,6 +33,10 @@ def on_files(files, config):
         "reference/schemas.md": reference.schemas(DOCS / "schemas"),
     }
     pages |= {f"figures/{name}.svg": image for name, image in reference.figures().items()}
+    for source in sorted(notebooks.SOURCES.glob("*.ipynb")):
+        text, images = notebooks.page(source)
+        pages[f"notebooks/{source.stem}.md"] = text
+        pages |= {f"notebooks/{name}": image for name, image in images.items()}
     for name, text in pages.items():
         files.append(File.generated(config, name, content=text))
     return files
@@ -56,6 +63,8 @@ def on_page_markdown(markdown, page, config, files):
         name = there.relative_to(ROOT) if there.is_relative_to(ROOT) else target
         return f"`{name}`" if text == str(name) else f"{text} (`{name}`)"
 
+    tables = verification.tables()
+    markdown = TABLE.sub(lambda match: tables[match.group(1)], markdown)
     # Not in code.
     parts = re.split(r"(^```.*?^```|`[^`\n]*`)", markdown, flags=re.MULTILINE | re.DOTALL)
     return "".join(part if index % 2 else LINK.sub(changed, part) for index, part in enumerate(parts))

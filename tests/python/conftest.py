@@ -3,10 +3,17 @@
 import json
 import os
 import shutil
+import signal
 import subprocess
 from pathlib import Path
 
 import pytest
+from mcap.reader import make_reader
+from mcap_ros2.decoder import DecoderFactory
+from monitor_page import write_plan
+
+# What was started in the background of a script ignores Ctrl-C, and so would everything that it starts.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ROOT = Path(__file__).resolve().parents[2]
 DATA = ROOT / "data"
@@ -164,3 +171,21 @@ def open_page(browser):
     yield open_file
     for context in contexts:
         context.close()
+
+
+def decoded(log):
+    """Topic to list of (log time in ns, message) of a log, by the `mcap` package."""
+    found = {}
+    with log.open("rb") as file:
+        for _, channel, message, content in make_reader(file, decoder_factories=[DecoderFactory()]).iter_decoded_messages():
+            found.setdefault(channel.topic, []).append((message.log_time, content))
+    return found
+
+
+@pytest.fixture(scope="session")
+def stroke_log(soilctl, tmp_path_factory):
+    """A log of one simulated stroke, 25 mm deep at 80 deg; not to be changed."""
+    folder = tmp_path_factory.mktemp("stroke")
+    plan = write_plan(folder, [(-14.0, 80.0, 0.025)])
+    soilctl("simulate", plan, "--out", folder / "out", code=0)
+    return folder / "out" / "batch_000.mcap"

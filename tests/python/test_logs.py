@@ -10,8 +10,8 @@ import pyarrow.csv
 import pyarrow.parquet
 import pytest
 import rerun.chunk
+from conftest import decoded
 from mcap.reader import make_reader
-from mcap_ros2.decoder import DecoderFactory
 from rosbags.highlevel import AnyReader
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -43,12 +43,7 @@ def log(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def messages(log):
-    """Topic to list of (log time in ns, decoded message), by the `mcap` package."""
-    found = {}
-    with log.open("rb") as file:
-        for _, channel, message, decoded in make_reader(file, decoder_factories=[DecoderFactory()]).iter_decoded_messages():
-            found.setdefault(channel.topic, []).append((message.log_time, decoded))
-    return found
+    return decoded(log)
 
 
 def test_mcap_reads_every_message(log, messages):

@@ -7,7 +7,7 @@ import time
 
 import numpy as np
 import pytest
-from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, Monitor, camera, marker, open_page, project, seek, still, tip_m, until, write_plan
+from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, Monitor, camera, marker, open_page, project, seek, still, tip_m, until
 from test_live import Operator, wait_for
 
 # Taken by the fixture `browser`: this page needs WebGL.
@@ -17,12 +17,8 @@ MOST_PX = 2.0
 
 
 @pytest.fixture(scope="module")
-def log(soilctl, tmp_path_factory):
-    """A log of one stroke."""
-    folder = tmp_path_factory.mktemp("monitor")
-    plan = write_plan(folder, [(-14.0, 80.0, 0.025)])
-    soilctl("simulate", plan, "--out", folder / "out", code=0)
-    return folder / "out" / "batch_000.mcap"
+def log(stroke_log):
+    return stroke_log
 
 
 @pytest.fixture(scope="module")

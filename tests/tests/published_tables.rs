@@ -6,7 +6,7 @@ use soilctl_earth_pressure::table::BracketModel;
 use soilctl_earth_pressure::thesis::{Column, appendix_c};
 use soilctl_earth_pressure::{Case, ForceModel, Input, model, sensitivity_percent};
 use soilctl_soil::Angle;
-use soilctl_tests::data;
+use soilctl_tests::{data, rows};
 
 /// Model against column: (case, ours, printed) for each printed row.
 fn against(id: &str, column: Column) -> Vec<(Case, f64, f64)> {
@@ -86,6 +86,75 @@ fn the_quirks_raise_the_log_spiral_by_up_to_a_quarter() {
     assert!(least > 0.99 && (1.15..1.25).contains(&most), "{least} {most}");
 }
 
+/// A file of `docs/verification`, from which its page is made, holds these numbers to the last digit that it has; with
+/// `SOILCTL_ROWS=write` (`cargo xtask rows`) it is written.
+fn shown(file: &str, header: &str, lines: &[(String, Vec<f64>)]) {
+    const DIGITS: usize = 4;
+    if std::env::var_os("SOILCTL_ROWS").is_some_and(|value| value == "write") {
+        let line = |(key, numbers): &(String, Vec<f64>)| {
+            let numbers: Vec<_> = numbers.iter().map(|n| format!("{n:.DIGITS$}")).collect();
+            format!("{key},{}\n", numbers.join(","))
+        };
+        let text: String = lines.iter().map(line).collect();
+        std::fs::write(rows(file), format!("{header}\n{text}")).unwrap();
+        return;
+    }
+    let text = std::fs::read_to_string(rows(file)).unwrap();
+    let mut kept = text.lines();
+    let advice = "if that is right, `cargo xtask rows` writes docs/verification anew";
+    assert_eq!(kept.next(), Some(header), "{file}; {advice}");
+    assert_eq!(kept.clone().count(), lines.len(), "{file}; {advice}");
+    for ((key, numbers), line) in lines.iter().zip(kept) {
+        let there =
+            line.strip_prefix(key.as_str()).unwrap_or_else(|| panic!("{file}: {line}, not {key}; {advice}"));
+        let there: Vec<f64> = there.split(',').skip(1).map(|n| n.parse().unwrap()).collect();
+        assert_eq!(there.len(), numbers.len(), "{file}: {line}; {advice}");
+        for (a, b) in there.iter().zip(numbers) {
+            assert!((a - b).abs() <= 0.6e-4, "{file}: {line}, now {numbers:?}; {advice}");
+        }
+    }
+}
+
+#[test]
+fn the_documentation_shows_appendix_c_as_it_is_here() {
+    let columns = [
+        against("coulomb", Column::Coulomb),
+        against("log-spiral-thesis", Column::LogSpiral),
+        against("chen", Column::Chen),
+    ];
+    // The two cells that are empty in print have no answer either.
+    let degrees = |case: &Case| [case.tool_angle, case.friction, case.interface].map(|a| a.degrees().round());
+    let lines: Vec<_> = columns[0]
+        .iter()
+        .map(|(case, ..)| {
+            let find = |column: &Vec<(Case, f64, f64)>| {
+                let (_, ours, printed) =
+                    column.iter().find(|(other, ..)| degrees(other) == degrees(case)).unwrap();
+                [*ours, *printed]
+            };
+            let [alpha, phi, delta] = degrees(case);
+            (format!("{alpha},{phi},{delta}"), columns.iter().flat_map(find).collect())
+        })
+        .collect();
+    let header =
+        "alpha_deg,phi_deg,delta_deg,coulomb,coulomb_printed,log_spiral,log_spiral_printed,chen,chen_printed";
+    shown("appendix_c.csv", header, &lines);
+}
+
+#[test]
+fn the_documentation_shows_table_4_3_as_it_is_here() {
+    let mut lines = Vec::new();
+    for (column, id) in ["coulomb", "log-spiral-thesis", "chen"].into_iter().enumerate() {
+        for row in sensitivities() {
+            if let Some(printed) = [row.coulomb, row.log_spiral, row.chen][column] {
+                let key = format!("{id},{},{},{}", row.alpha_deg, row.input, row.step_deg);
+                lines.push((key, vec![row.percent(&*model(id).unwrap()), printed]));
+            }
+        }
+    }
+    shown("table_4_3.csv", "model,alpha_deg,input,step_deg,percent,percent_printed", &lines);
+}
+
 #[derive(Deserialize)]
 struct SensitivityRow {
     step_deg: f64,
@@ -96,20 +165,30 @@ struct SensitivityRow {
     chen: Option<f64>,
 }
 
-/// Worst deviation from one model's blocks of Table 4.3 (phi = 40, delta = 25 deg, level), in per cent points.
-fn table_4_3(model: &dyn ForceModel, pick: impl Fn(&SensitivityRow) -> Option<f64>, skip: &str) -> f64 {
-    let mut worst = 0.0_f64;
-    for row in csv::Reader::from_path(data("table_4_3.csv")).unwrap().deserialize() {
-        let row: SensitivityRow = row.unwrap();
-        let input = match row.input.as_str() {
+impl SensitivityRow {
+    /// By how much the force changes under a model, in per cent.
+    fn percent(&self, model: &dyn ForceModel) -> f64 {
+        let input = match self.input.as_str() {
             "alpha" => Input::ToolAngle,
             "beta" => Input::SurfaceSlope,
             "phi" => Input::Friction,
             _ => Input::Interface,
         };
+        let base = Case::level_deg(self.alpha_deg, 40.0, 25.0);
+        sensitivity_percent(model, &base, input, Angle::from_degrees(self.step_deg)).unwrap()
+    }
+}
+
+fn sensitivities() -> Vec<SensitivityRow> {
+    csv::Reader::from_path(data("table_4_3.csv")).unwrap().deserialize().map(Result::unwrap).collect()
+}
+
+/// Worst deviation from one model's blocks of Table 4.3 (phi = 40, delta = 25 deg, level), in per cent points.
+fn table_4_3(model: &dyn ForceModel, pick: impl Fn(&SensitivityRow) -> Option<f64>, skip: &str) -> f64 {
+    let mut worst = 0.0_f64;
+    for row in sensitivities() {
         let Some(printed) = pick(&row).filter(|_| row.input != skip) else { continue };
-        let base = Case::level_deg(row.alpha_deg, 40.0, 25.0);
-        let ours = sensitivity_percent(model, &base, input, Angle::from_degrees(row.step_deg)).unwrap();
+        let ours = row.percent(model);
         let off = (ours - printed).abs();
         assert!(
             off < 0.2,

@@ -38,6 +38,8 @@ pub(crate) struct Bracket {
     pub(crate) elements: (usize, usize),
     /// What proves the bounds: one solution, or several by name for a factor of safety.
     pub(crate) proofs: Proofs,
+    /// Where the origin of the solutions is in the coordinates of the problem, in m.
+    pub(crate) origin_m: [f64; 2],
 }
 
 /// Saved solutions that prove a bracket.
@@ -64,7 +66,7 @@ impl Bracket {
     #[getter]
     fn solution(&self) -> Answer<Solution> {
         match &self.proofs {
-            Proofs::Both(saved) => Ok(Solution::of(Arc::clone(saved))),
+            Proofs::Both(saved) => Ok(Solution::of(Arc::clone(saved), self.origin_m)),
             Proofs::Several(_) => Err(no_answer(
                 "the bounds of a factor of safety are of soils of different strength; take one of .solutions",
             )),
@@ -76,10 +78,10 @@ impl Bracket {
     fn solutions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
         match &self.proofs {
-            Proofs::Both(saved) => dict.set_item("both", Solution::of(Arc::clone(saved)))?,
+            Proofs::Both(saved) => dict.set_item("both", Solution::of(Arc::clone(saved), self.origin_m))?,
             Proofs::Several(proofs) => {
                 for (name, saved) in proofs {
-                    dict.set_item(name, Solution::of(Arc::clone(saved)))?;
+                    dict.set_item(name, Solution::of(Arc::clone(saved), self.origin_m))?;
                 }
             }
         }

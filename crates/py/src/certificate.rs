@@ -19,11 +19,13 @@ use crate::work::each;
 #[pyclass(module = "soilctl", frozen)]
 pub(crate) struct Solution {
     saved: Arc<Saved>,
+    /// Where the origin of the statement is in the coordinates of its problem, in m; a file does not say.
+    origin_m: [f64; 2],
 }
 
 impl Solution {
-    pub(crate) const fn of(saved: Arc<Saved>) -> Self {
-        Self { saved }
+    pub(crate) const fn of(saved: Arc<Saved>, origin_m: [f64; 2]) -> Self {
+        Self { saved, origin_m }
     }
 
     fn flow(&self) -> Answer<FlowResults> {
@@ -50,7 +52,7 @@ impl Solution {
     ///     InputError: If it is no solution.
     #[staticmethod]
     fn read(path: PathBuf) -> Answer<Self> {
-        Ok(Self { saved: Arc::new(Saved::read(&path)?) })
+        Ok(Self::of(Arc::new(Saved::read(&path)?), [0.0; 2]))
     }
 
     /// Writes a file for ``read`` and ``soilctl certify``.
@@ -76,6 +78,13 @@ impl Solution {
     #[getter]
     fn length_m(&self) -> Option<f64> {
         self.saved.scale.length_m
+    }
+
+    /// Where the fields' origin is in the coordinates of the problem, in m: a point of the fields is at
+    /// ``origin_m + length_m * point`` there. (0, 0) for plates, whose origin is the plate's top, and for solutions that were read.
+    #[getter]
+    const fn origin_m(&self) -> (f64, f64) {
+        (self.origin_m[0], self.origin_m[1])
     }
 
     /// One unit of stress in Pa; None if the file does not say.
@@ -167,7 +176,7 @@ impl Solution {
         faces.collect()
     }
 
-    /// The solution in ParaView's format: velocities, stresses, dissipation, soil.
+    /// The solution in ParaView's format, in the coordinates of the problem: velocities, stresses, dissipation, soil.
     ///
     /// Raises:
     ///     NoAnswerError: If there is neither an upper nor a lower bound.
@@ -176,7 +185,7 @@ impl Solution {
         let stress = self.saved.lower.is_some().then(|| self.stress_field()).transpose()?;
         let (length, pressure) = (self.saved.scale.length_m, self.stress_pa());
         let units = Units {
-            origin: [0.0; 2],
+            origin: self.origin_m,
             length: length.unwrap_or(1.0),
             length_name: length.map_or("L", |_| "m").to_owned(),
             stress: pressure.map_or(1.0, |p| 1e-3 * p),

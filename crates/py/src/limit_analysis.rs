@@ -8,6 +8,7 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use soilctl_certificate::{Claim, LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
+use soilctl_cli::problem_units;
 use soilctl_limit_analysis::describe::{Aim, Quantity};
 use soilctl_limit_analysis::{
     Bound as Proven, Bounds, Description, DescriptionError, EmbeddedPlate, Ended, LimitError, Options,
@@ -67,6 +68,7 @@ fn run<B: Send>(
             Some(progress) => progress.call1((level,)).map(|_| ()),
             None => Ok(()),
         },
+        || Ok(()),
     )?;
     match done.raised {
         None => Ok(bracket(&done.answer?)),
@@ -212,7 +214,7 @@ pub(crate) fn bound(
         let (lower, upper) = (factor * bounds.lower.value, factor * bounds.upper.value);
         let (lower, upper) = (lower - slack * lower.abs(), upper + slack * upper.abs());
         let solution = saved(problem.statement(), scale.clone(), Some(&bounds.lower), Some(&bounds.upper));
-        bracket(bounds, [lower, upper], ("net coefficient per slant length", ""), newtons, solution)
+        bracket(bounds, [lower, upper], ("net coefficient per slant length", ""), newtons, solution, [0.0; 2])
     })
 }
 
@@ -261,7 +263,7 @@ pub(crate) fn solve(
                 report(Progress { elements: level.upper.elements, gap, factor: Some(factor) });
             })
         };
-        return run(py, options, progress, work, safety_bracket);
+        return run(py, options, progress, work, |found| safety_bracket(&description, found));
     }
     let described = description.described()?;
     let problem = described.problem()?;
@@ -271,12 +273,13 @@ pub(crate) fn solve(
         Quantity::WeightFactor => ("factor on the unit weights", ""),
         Quantity::Acceleration => ("acceleration over gravity", ""),
     };
+    let origin_m = problem_units(&description, &described).origin;
     let options = options(max_gap, max_seconds, max_elements, max_memory_mb, threads)?;
     run_both(py, &problem, options, progress, |bounds| {
         let ends = described.in_units([bounds.lower.value, bounds.upper.value]);
         let solution =
             saved(problem.statement(), described.scale(), Some(&bounds.lower), Some(&bounds.upper));
-        bracket(bounds, ends, name, None, solution)
+        bracket(bounds, ends, name, None, solution, origin_m)
     })
 }
 
@@ -287,6 +290,7 @@ fn bracket(
     (quantity, unit): (&'static str, &'static str),
     newtons: Option<f64>,
     solution: Arc<Saved>,
+    origin_m: [f64; 2],
 ) -> Bracket {
     Bracket {
         lower,
@@ -298,10 +302,11 @@ fn bracket(
         force_n: newtons.map(|n| (n * lower, n * upper)),
         elements: (bounds.lower.elements, bounds.upper.elements),
         proofs: Proofs::Both(solution),
+        origin_m,
     }
 }
 
-fn safety_bracket(found: &SafetyBounds) -> Bracket {
+fn safety_bracket(description: &Description, found: &SafetyBounds) -> Bracket {
     let (lower, upper) = (&found.lower, &found.upper);
     let of_lower = |proof: &soilctl_limit_analysis::SafetyProof<LowerField>| {
         saved(&proof.described.statement, proof.described.scale(), Some(&proof.bound), None)
@@ -318,6 +323,7 @@ fn safety_bracket(found: &SafetyBounds) -> Bracket {
         force_n: None,
         elements: (lower.bound.elements, upper.bound.elements),
         proofs: Proofs::Several(proofs),
+        origin_m: problem_units(description, &upper.described).origin,
     }
 }
 

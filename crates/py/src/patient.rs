@@ -1,5 +1,6 @@
 //! Work that takes long and reports on its way: in a thread of its own, while this one looks after Ctrl-C.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
@@ -21,13 +22,28 @@ enum Word<T, R> {
     Done(T),
 }
 
-/// Runs `work`, and hands what it reports to `hear`. If that raises, or at Ctrl-C, `stop` is called, which must make the
-/// work end soon with what it has.
+/// [`patiently`] for work that reports nothing and gives an answer of no use if it is stopped.
+pub(crate) fn stoppable<T: Send, E: Send + Into<Fail>>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> Result<T, E> + Send,
+) -> Answer<T> {
+    let stop = AtomicBool::new(false);
+    let end = || stop.store(true, Ordering::Relaxed);
+    let done = patiently(py, |_: &dyn Fn(())| work(&stop), end, |()| Ok(()), || Ok(()))?;
+    match done.raised {
+        Some(raised) => Err(Fail(raised)),
+        None => done.answer.map_err(Into::into),
+    }
+}
+
+/// Runs `work`, and hands what it reports to `hear`; every now and then it calls `look`. If one of them raises, or at Ctrl-C,
+/// `stop` is called, which must make the work end soon with what it has.
 pub(crate) fn patiently<T: Send, R: Send>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Fn(R)) -> T + Send,
     stop: impl Fn(),
     mut hear: impl FnMut(R) -> PyResult<()>,
+    mut look: impl FnMut() -> PyResult<()>,
 ) -> Answer<Done<T>> {
     let (send, receive) = channel::<Word<T, R>>();
     std::thread::scope(|scope| {
@@ -49,6 +65,9 @@ pub(crate) fn patiently<T: Send, R: Send>(
                 Ok(Word::Done(answer)) => return Ok(Done { answer, raised }),
                 Ok(Word::Report(report)) if raised.is_none() => hear(report),
                 Ok(Word::Report(_)) => Ok(()),
+                Err(RecvTimeoutError::Timeout) if raised.is_none() => {
+                    py.check_signals().and_then(|()| look())
+                }
                 Err(RecvTimeoutError::Timeout) => py.check_signals(),
                 Err(RecvTimeoutError::Disconnected) => {
                     // It panicked, which must not end the interpreter; joining keeps the panic from going on.

@@ -6,11 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use soilctl_session::{Cell, SessionError, info, recover, replay as run_again, table_rows};
+use soilctl_session::{Cell, SessionError, info_until, recover_until, replay_until, table_rows};
 
 use crate::array::shaped;
 use crate::error::{Answer, Fail, file, input, no_answer};
-use crate::patient::patiently;
+use crate::patient::stoppable;
 
 /// Columns of a table, each of one type.
 enum Column {
@@ -59,18 +59,6 @@ impl Column {
     }
 }
 
-/// Why the reading of a table ended early.
-enum Early {
-    Stopped,
-    Failed(SessionError),
-}
-
-impl From<SessionError> for Early {
-    fn from(problem: SessionError) -> Self {
-        Self::Failed(problem)
-    }
-}
-
 /// The messages of a topic as a table, a row a message.
 ///
 /// Args:
@@ -90,21 +78,7 @@ impl From<SessionError> for Early {
 #[pyfunction]
 #[pyo3(signature = (path, topic = "/controller/step"))]
 pub(crate) fn log_table<'py>(py: Python<'py>, path: PathBuf, topic: &str) -> Answer<Bound<'py, PyDict>> {
-    let stop = AtomicBool::new(false);
-    let done = patiently(
-        py,
-        |_: &dyn Fn(())| read_table(&path, topic, &stop),
-        || stop.store(true, Ordering::Relaxed),
-        |()| Ok(()),
-    )?;
-    if let Some(raised) = done.raised {
-        return Err(Fail(raised));
-    }
-    let table = match done.answer {
-        Ok(table) => table,
-        Err(Early::Failed(problem)) => return Err(problem.into()),
-        Err(Early::Stopped) => Vec::new(),
-    };
+    let table = stoppable(py, |stop| read_table(&path, topic, stop))?;
     let dict = PyDict::new(py);
     for (name, column) in table {
         dict.set_item(name, column.into_python(py)?)?;
@@ -112,12 +86,12 @@ pub(crate) fn log_table<'py>(py: Python<'py>, path: PathBuf, topic: &str) -> Ans
     Ok(dict)
 }
 
-fn read_table(path: &Path, topic: &str, stop: &AtomicBool) -> Result<Vec<(String, Column)>, Early> {
+fn read_table(path: &Path, topic: &str, stop: &AtomicBool) -> Result<Vec<(String, Column)>, SessionError> {
     let mut table: Vec<(String, Column)> = Vec::new();
     let mut number = 0;
     table_rows(path, topic, &mut |row| {
         if stop.load(Ordering::Relaxed) {
-            return Err(Early::Stopped);
+            return Err(SessionError::Stopped);
         }
         if table.is_empty() {
             table = row.iter().map(|(name, cell)| (name.clone(), Column::like(cell))).collect();
@@ -125,7 +99,7 @@ fn read_table(path: &Path, topic: &str, stop: &AtomicBool) -> Result<Vec<(String
         for ((name, column), (_, cell)) in table.iter_mut().zip(row) {
             if !column.push(cell) {
                 let reason = format!("{name} is {cell}, which is no value like those before");
-                return Err(SessionError::Message { topic: topic.to_owned(), number, reason }.into());
+                return Err(SessionError::Message { topic: topic.to_owned(), number, reason });
             }
         }
         number += 1;
@@ -134,7 +108,7 @@ fn read_table(path: &Path, topic: &str, stop: &AtomicBool) -> Result<Vec<(String
     Ok(table)
 }
 
-/// What is in a log (.mcap): topics, times, strokes, problems.
+/// What is in a log (.mcap): topics, times, strokes, problems. Ctrl-C ends the reading.
 ///
 /// Returns:
 ///     A dict with ``topics`` (messages and type by name), ``start_ns``, ``end_ns``, ``steps``, ``missing_steps``,
@@ -144,7 +118,7 @@ fn read_table(path: &Path, topic: &str, stop: &AtomicBool) -> Result<Vec<(String
 ///     FileError: If it cannot be read, or is no log.
 #[pyfunction]
 pub(crate) fn log_info(py: Python<'_>, path: PathBuf) -> Answer<Bound<'_, PyDict>> {
-    let found = py.detach(|| info(&path))?;
+    let found = stoppable(py, |stop| info_until(&path, stop))?;
     let topics = PyDict::new(py);
     for (name, topic) in &found.topics {
         let entry = PyDict::new(py);
@@ -167,7 +141,7 @@ pub(crate) fn log_info(py: Python<'_>, path: PathBuf) -> Answer<Bound<'_, PyDict
     Ok(dict)
 }
 
-/// Copies what can be read of a damaged log into a new, whole one.
+/// Copies what can be read of a damaged log into a new, whole one. After Ctrl-C there is no new one.
 ///
 /// Returns:
 ///     A dict with ``messages`` and ``steps`` that were saved, and ``damage``, empty if nothing is lost.
@@ -183,7 +157,7 @@ pub(crate) fn log_recover(py: Python<'_>, path: PathBuf, out: PathBuf) -> Answer
     {
         return Err(input(format!("out is {}, the log itself; give another name", out.display())));
     }
-    let saved = py.detach(|| recover(&path, &out))?;
+    let saved = stoppable(py, |stop| recover_until(&path, &out, stop))?;
     let dict = PyDict::new(py);
     dict.set_item("messages", saved.messages)?;
     dict.set_item("steps", saved.steps)?;
@@ -191,7 +165,7 @@ pub(crate) fn log_recover(py: Python<'_>, path: PathBuf, out: PathBuf) -> Answer
     Ok(dict)
 }
 
-/// Runs the controller again on the inputs of a log, and compares every bit of every output.
+/// Runs the controller again on the inputs of a log, and compares every bit of every output. Ctrl-C ends it.
 ///
 /// Args:
 ///     path: The log (.mcap).
@@ -208,7 +182,7 @@ pub(crate) fn log_recover(py: Python<'_>, path: PathBuf, out: PathBuf) -> Answer
 #[pyfunction]
 #[pyo3(signature = (path, *, from_keyframe = 0))]
 pub(crate) fn replay(py: Python<'_>, path: PathBuf, from_keyframe: u32) -> Answer<Bound<'_, PyDict>> {
-    let found = py.detach(|| run_again(&path, from_keyframe))?;
+    let found = stoppable(py, |stop| replay_until(&path, from_keyframe, stop))?;
     let first = match &found.first_difference {
         None => None,
         Some(difference) => {

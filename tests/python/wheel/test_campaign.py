@@ -1,10 +1,15 @@
 """From a simulated campaign to its logs, failure forces and diagnosis."""
 
 import csv
+import os
+import signal
+import threading
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import counting
 
 import soilctl
 
@@ -94,6 +99,97 @@ def test_a_damaged_log_is_saved_as_far_as_it_goes(log, tmp_path):
     np.testing.assert_array_equal(steps, np.arange(len(steps)))
     with pytest.raises(soilctl.InputError, match="itself"):
         soilctl.log_recover(broken, out=broken)
+
+
+@pytest.fixture(scope="module")
+def long_log(log, tmp_path_factory):
+    """The log many times over behind one header, as far as a reader can tell: seconds of work for whoever reads all of it."""
+    path = tmp_path_factory.mktemp("long") / "long.mcap"
+    magic, data = 8, log.read_bytes()
+    records = data[magic:]
+    # Up to the end of the data: what follows is an index, which a reader from the beginning does not need.
+    end, place = 0, 0
+    while place < len(records) - magic:
+        length = int.from_bytes(records[place + 1 : place + 9], "little")
+        if records[place] == 0x0F:
+            end = place
+            break
+        place += 9 + length
+    header = 9 + int.from_bytes(records[1:9], "little")
+    assert records[0] == 0x01 and end > header
+    path.write_bytes(data[:magic] + records[:header] + 25 * records[header:end])
+    return path
+
+
+@pytest.mark.parametrize("name", ["log_info", "log_recover", "log_table", "replay", "answer"])
+def test_control_c_ends_the_reading_of_a_log(name, long_log, tmp_path):
+    calls = {
+        "log_info": lambda: soilctl.log_info(long_log),
+        "log_recover": lambda: soilctl.log_recover(long_log, out=tmp_path / "saved.mcap"),
+        "log_table": lambda: soilctl.log_table(long_log),
+        "replay": lambda: soilctl.replay(long_log),
+        "answer": lambda: soilctl.answer("log", "doctor", long_log),
+    }
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    begin = time.monotonic()
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        calls[name]()
+    timer.join()
+    print(f"{name}: ended {time.monotonic() - begin - 0.3:.2f} s after Ctrl-C")
+    # Nothing half done is left behind, and the package works on.
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_other_threads_run_while_a_log_is_read(long_log):
+    with counting() as counted:
+        soilctl.log_info(long_log)
+    assert counted[0] > 1000, "the lock is free"
+
+
+def test_progress_is_told(campaign, tmp_path):
+    plan, told = campaign / "plan.toml", []
+    soilctl.simulate(plan, out=tmp_path / "logs", seed=4, progress=lambda *at: told.append(at))
+    assert told[-1] == (1, 1) and told == sorted(told)
+    told.clear()
+    soilctl.process(tmp_path / "logs", out=tmp_path / "strokes.csv", progress=lambda *at: told.append(at))
+    assert told[-1] == (1, 1)
+    table = ["table", "build", "--model", "coulomb", "--grid", "appendix-c", "--out", tmp_path / "table.csv"]
+    told.clear()
+    soilctl.answer(*table, progress=lambda *at: told.append(at))
+    # Seven tool angles, six friction angles, seven of the interface.
+    assert told[-1] == (294, 294)
+    # Without steps to count nothing is told.
+    told.clear()
+    soilctl.answer("shear", DATA / "direct_shear.csv", progress=lambda *at: told.append(at))
+    assert told == []
+
+    def enough(done, total):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        soilctl.simulate(plan, out=tmp_path / "others", seed=5, progress=enough)
+
+
+def test_progress_is_a_bar(campaign, capfd):
+    pytest.importorskip("tqdm")
+    soilctl.process(campaign / "logs", progress=True)
+    assert "1/1" in capfd.readouterr().err
+
+
+def test_a_log_has_named_axes(log):
+    xarray = pytest.importorskip("xarray")
+    from soilctl.xarray import log_table
+
+    table, found = soilctl.log_table(log), log_table(log)
+    assert isinstance(found, xarray.Dataset) and found.sizes["time_s"] == len(table["time_s"])
+    assert found["motor_counts"].dims == ("time_s", "motor_counts_index") and found["wrench"].shape[1] == 6
+    for name, column in table.items():
+        base, _, index = name.rpartition("_")
+        there = found[base][:, int(index)] if index.isdigit() else found[name]
+        np.testing.assert_array_equal(there, column)
+    half = found.sel(time_s=slice(1.0, 2.0))
+    assert half.sizes["time_s"] == pytest.approx(501, abs=1)
 
 
 def test_logs_that_are_none_are_refused(log, tmp_path):

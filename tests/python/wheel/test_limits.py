@@ -4,13 +4,15 @@ import json
 import math
 import os
 import signal
-import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import counting
 
 import soilctl
 
+DATA = Path(__file__).parents[3] / "data"
 SMOOTH = {"tool_angle_deg": 90.0, "friction_angle_deg": 30.0, "interface_friction_deg": 0.0}
 ROUGH = {"tool_angle_deg": 70.0, "friction_angle_deg": 35.0, "interface_friction_deg": 20.0}
 BUDGET = {"max_gap": 0.03, "max_seconds": 120.0}
@@ -80,8 +82,59 @@ def test_meshes_go_to_meshio_and_pyvista(bracket, tmp_path):
     read = meshio.read(tmp_path / "mesh.vtk")
     assert len(read.cells[0].data) == bracket.elements[1]
     assert to_arrays(bracket.solution)["points"].shape == (3 * bracket.elements[1], 2)
+
+    # Three points a triangle, which the formats must not unite: velocities jump.
+    points, triangles = read.points[:, :2], read.cells[0].data
+    corners = bracket.solution.triangles()
+    np.testing.assert_allclose(points[triangles], corners)
+    np.testing.assert_allclose(read.cell_data["velocity"][0][:, :2], bracket.solution.velocity(corners.mean(axis=1)))
+
+
+# VTK's own modules for numpy still use what numpy is about to drop.
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::PendingDeprecationWarning")
+def test_pyvista_takes_the_mesh_and_its_fields(bracket, tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    from soilctl.mesh import to_pyvista
+
     parts = to_pyvista(bracket.solution)
-    assert parts["points"].shape[1] == 3 and parts["faces"].max() == len(parts["points"]) - 1
+    data = parts.pop("cell_data")
+    mesh = pyvista.PolyData.from_regular_faces(**parts)
+    mesh.cell_data.update(data)
+    corners = bracket.solution.triangles()
+    assert mesh.n_cells == bracket.elements[1] and mesh.n_points == 3 * mesh.n_cells
+    sides = corners[:, 1:] - corners[:, :1]
+    areas = 0.5 * (sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+    sizes = mesh.compute_cell_sizes(length=False, volume=False)
+    np.testing.assert_allclose(sizes.cell_data["Area"], areas, rtol=1e-9)
+    np.testing.assert_allclose(mesh.cell_centers().points[:, :2], corners.mean(axis=1), atol=1e-12)
+    # The rate at which the weight is lifted is what the net force does: the upper bound, at a smooth wall in sand without cohesion.
+    lifted = (sizes.cell_data["Area"] * mesh.cell_data["velocity"][:, 1]).sum()
+    assert 2 * lifted == pytest.approx(bracket.upper, rel=0.02)
+    mesh.save(tmp_path / "mesh.vtp")
+    again = pyvista.read(tmp_path / "mesh.vtp")
+    np.testing.assert_array_equal(again.cell_data["shear_rate"], bracket.solution.shear_rate())
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::PendingDeprecationWarning")
+def test_pyvista_reads_the_vtu_where_the_problem_is(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    found = soilctl.solve(strip(20.0, at=(100.0, 7.0)), max_gap=0.1)
+    (tmp_path / "strip.vtu").write_text(found.solution.vtu())
+    low_x, high_x, low_y, high_y, *_ = pyvista.read(tmp_path / "strip.vtu").bounds
+    # The ground is modelled as far as its polygon, 8 m to either side and 6 m down.
+    assert (low_x, high_x, low_y, high_y) == pytest.approx((92.0, 108.0, 1.0, 7.0), abs=1e-9)
+    places = np.array(found.solution.origin_m) + found.solution.length_m * found.solution.triangles().reshape(-1, 2)
+    assert (*places.min(axis=0), *places.max(axis=0)) == pytest.approx((92.0, 1.0, 108.0, 7.0), abs=1e-9)
+    # A file does not say where.
+    found.solution.write(tmp_path / "strip.json")
+    assert soilctl.Solution.read(tmp_path / "strip.json").origin_m == (0.0, 0.0)
+
+
+def test_the_vtu_is_that_of_the_command_line(tmp_path):
+    file, there = DATA / "problems" / "footing_clay.toml", tmp_path / "there.vtu"
+    found = soilctl.solve(file, max_gap=0.2, max_elements=1500)
+    soilctl.answer("solve", file, "--max-gap", 0.2, "--max-elements", 1500, "--vtu", there)
+    assert found.solution.vtu() == there.read_text()
 
 
 def test_progress_is_told_and_may_end_the_run():
@@ -108,20 +161,9 @@ def test_control_c_ends_the_run_and_keeps_the_best():
 
 
 def test_other_threads_run_while_bounds_are_sought():
-    counted, stop = [0], threading.Event()
-
-    def count():
-        while not stop.is_set():
-            counted[0] += 1
-
-    thread = threading.Thread(target=count)
-    thread.start()
-    try:
-        seen = []
+    seen = []
+    with counting() as counted:
         soilctl.bound(**ROUGH, max_gap=0.03, progress=lambda level: seen.append(counted[0]))
-    finally:
-        stop.set()
-        thread.join()
     assert len(seen) > 1 and seen[-1] > seen[0], "the lock is free between reports"
 
 
@@ -144,16 +186,20 @@ def test_the_bracket_is_that_of_the_command_line(bracket, tmp_path):
     assert (tmp_path / "own.json").read_bytes() == (tmp_path / "s.json").read_bytes()
 
 
-def strip(cohesion_kpa):
+def strip(cohesion_kpa, at=(0.0, 0.0)):
     """A rough footing 2 m wide on clay, as a problem file says it."""
+
+    def moved(*points):
+        return [[x + at[0], y + at[1]] for x, y in points]
+
     return {
         "schema": "soilctl.problem/1",
         "default_boundary": "free",
         "objective": {"kind": "structure", "name": "footing", "direction": [0, -1]},
         "soil": [{"name": "clay", "phi_deg": 0, "cohesion_kpa": cohesion_kpa, "unit_weight_kn_m3": 16}],
-        "region": [{"soil": "clay", "polygon": [[-8, -6], [8, -6], [8, 0], [-8, 0]]}],
+        "region": [{"soil": "clay", "polygon": moved((-8, -6), (8, -6), (8, 0), (-8, 0))}],
         "boundary": [{"kind": "far", "sides": ["left", "right", "bottom"]}],
-        "structure": [{"name": "footing", "edge": [[-1, 0], [1, 0]], "adhesion_kpa": cohesion_kpa}],
+        "structure": [{"name": "footing", "edge": moved((-1, 0), (1, 0)), "adhesion_kpa": cohesion_kpa}],
     }
 
 
@@ -168,12 +214,14 @@ def test_a_described_problem_holds_prandtls_load(tmp_path):
 
 
 def test_a_factor_of_safety_is_bracketed():
+    # Not at the origin, which the fields must come back to.
+    polygon = [[48, 2], [52, 2], [52, 4], [50, 4], [50, 3], [48, 3]]
     cut = {
         "schema": "soilctl.problem/1",
         "default_boundary": "free",
         "objective": {"kind": "strength-reduction"},
         "soil": [{"name": "clay", "phi_deg": 0, "cohesion_kpa": 10, "unit_weight_kn_m3": 20}],
-        "region": [{"soil": "clay", "polygon": [[-2, -1], [2, -1], [2, 1], [0, 1], [0, 0], [-2, 0]]}],
+        "region": [{"soil": "clay", "polygon": polygon}],
         "boundary": [{"kind": "fixed", "sides": ["bottom"]}, {"kind": "smooth", "sides": ["left", "right"]}],
     }
     factors = []
@@ -185,6 +233,9 @@ def test_a_factor_of_safety_is_bracketed():
         found.solution  # noqa: B018
     assert all(soilctl.certify(solution) for solution in found.solutions.values())
     assert set(found.solutions) >= {"lower", "upper"}
+    upper = found.solutions["upper"]
+    places = np.array(upper.origin_m) + upper.length_m * upper.triangles().reshape(-1, 2)
+    assert (*places.min(axis=0), *places.max(axis=0)) == pytest.approx((48.0, 2.0, 52.0, 4.0), abs=1e-9)
 
 
 def test_problems_that_make_no_sense_are_refused(tmp_path):

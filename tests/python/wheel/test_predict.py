@@ -155,3 +155,29 @@ def test_failure_surfaces_start_at_the_tip_and_end_at_the_ground():
 def test_the_valid_range_is_told():
     assert soilctl.valid_range("coulomb")["tool_angle_deg"] == (20.0, 140.0)
     assert set(soilctl.predict(**SOUND).to_dict()) == {"model", "coefficient", "lower", "upper"}
+
+
+def test_grids_have_named_axes():
+    xarray = pytest.importorskip("xarray")
+    from soilctl.xarray import predict
+
+    alpha, phi = np.array([70.0, 80.0, 90.0]), [30.0, 40.0]
+    sizes = {"density_kg_m3": 1600.0, "depth_m": 0.025, "width_m": 0.127}
+    found = predict("table", tool_angle_deg=alpha, friction_angle_deg=phi, interface_friction_deg=20.0, **sizes)
+    assert dict(found.sizes) == {"tool_angle_deg": 3, "friction_angle_deg": 2} and found.attrs["model"] == "table"
+    one = soilctl.predict("table", tool_angle_deg=80.0, friction_angle_deg=40.0, interface_friction_deg=20.0, **sizes)
+    there = found.sel(tool_angle_deg=80.0, friction_angle_deg=40.0)
+    assert float(there["force_n"]) == one.force_n and there["force_n"].attrs["units"] == "N"
+    assert float(there["lower"]) == one.lower and "units" in there["upper"].attrs
+    # Axes of one's own, and arrays over the same axis.
+    strokes = xarray.DataArray([0.01, 0.02], dims="stroke", coords={"stroke": ["a", "b"]})
+    angles = xarray.DataArray([70.0, 90.0], dims="stroke", coords={"stroke": ["a", "b"]})
+    pairs = predict(tool_angle_deg=angles, depth_m=strokes, friction_angle_deg=35.0, interface_friction_deg=20.0,
+                    density_kg_m3=1600.0, width_m=0.127)
+    assert pairs["force_n"].dims == ("stroke",) and float(pairs["force_n"].sel(stroke="b")) > float(pairs["force_n"][0])
+    single = predict(tool_angle_deg=80.0, friction_angle_deg=35.0, interface_friction_deg=20.0)
+    assert single["coefficient"].dims == ()
+    with pytest.raises(soilctl.InputTypeError, match="without names"):
+        predict(tool_angle_deg=np.ones((2, 2)), friction_angle_deg=35.0, interface_friction_deg=20.0)
+    with pytest.raises(soilctl.InputError):
+        predict(tool_angle_deg=80.0, friction_angle_deg=np.nan, interface_friction_deg=20.0)

@@ -109,6 +109,34 @@ def test_a_cell_that_kills_its_process_is_named(tmp_path):
     assert list(found) == [n for n in range(12) if n != 5]
 
 
+def test_results_go_on_a_grid_with_named_axes(tmp_path):
+    xarray = pytest.importorskip("xarray")
+    cells = [{"number": n, "offset": o} for n in (3, 1, 2) for o in (0.5, 0.0)]
+    found = soilctl.sweep(square, cells[:-1], store=tmp_path, executor=Serial()).to_xarray()
+    assert isinstance(found, xarray.Dataset) and dict(found.sizes) == {"number": 3, "offset": 2, "values_0": 3}
+    assert found["square"].sel(number=3, offset=0.5) == 9.5
+    np.testing.assert_array_equal(found["values"].sel(number=3, offset=0.0), [0.0, 3.0, 6.0])
+    assert np.isnan(found["square"].sel(number=2, offset=0.0)), "the cell that was left out"
+    frame = soilctl.sweep(square, cells, store=tmp_path, executor=Serial()).to_pandas()
+    series = frame.set_index(["number", "offset"])["square"].sort_index()
+    grid = soilctl.sweep(square, cells, store=tmp_path, executor=Serial()).to_xarray()["square"]
+    xarray.testing.assert_equal(grid.astype(float), series.astype(float).to_xarray())
+    empty = soilctl.sweep(square, [], store=tmp_path, executor=Serial()).to_xarray()
+    assert not empty.sizes
+    mixed = soilctl.sweep(square, [{"number": 1}, {"number": 2, "offset": 1.0}], store=tmp_path, executor=Serial())
+    with pytest.raises(soilctl.InputError, match="parameters"):
+        mixed.to_xarray()
+    array = soilctl.sweep(square, [{"number": np.ones(3)}], store=tmp_path, executor=Serial())
+    with pytest.raises(soilctl.InputError, match="number of cell 0"):
+        array.to_xarray()
+
+
+def test_progress_is_a_bar(tmp_path, capfd):
+    pytest.importorskip("tqdm")
+    soilctl.sweep(square, [{"number": n} for n in range(7)], store=tmp_path, executor=Serial(), progress=True)
+    assert "7/7" in capfd.readouterr().err
+
+
 def test_damaged_results_are_made_again(tmp_path):
     found = soilctl.sweep(square, [{"number": 2}], store=tmp_path, executor=Serial())
     path = found.store.path(found.keys[0])

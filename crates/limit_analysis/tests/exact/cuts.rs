@@ -20,13 +20,24 @@ const BLOCKS: [(f64, f64, f64); 7] = [
 
 fn check(angle_deg: f64, phi_deg: f64, number: f64, elements: usize, gap: f64) {
     let bounds = solve(slope(soil(phi_deg, 1.0), angle_deg), elements);
-    brackets(&format!("slope {angle_deg} {phi_deg}"), &bounds, [0.97 * number, number + 0.01], gap);
+    let source = if phi_deg == 0.0 { "Taylor 1937" } else { "Chen 1975" };
+    brackets(
+        &format!("slope of {angle_deg} deg, phi {phi_deg} deg (rotating blocks, {source})"),
+        &bounds,
+        [0.97 * number, number + 0.01],
+        gap,
+    );
 }
 
 #[test]
 fn a_vertical_cut_in_clay_has_its_critical_height() {
     // Martin (2011): between 3.7764 and 3.7776.
-    brackets("cut", &solve(slope(soil(0.0, 1.0), 90.0), 1000), [3.7764, 3.7776], 0.06);
+    brackets(
+        "vertical cut in clay (Martin 2011)",
+        &solve(slope(soil(0.0, 1.0), 90.0), 1000),
+        [3.7764, 3.7776],
+        0.06,
+    );
 }
 
 #[test]
@@ -47,7 +58,12 @@ fn the_factor_on_all_that_acts_is_that_on_the_weight_if_nothing_else_does() {
     for (angle_deg, phi_deg, numbers) in [(90.0, 0.0, [3.7764, 3.7776]), (45.0, 20.0, [0.97 * 16.16, 16.17])]
     {
         let all = solve(standing(phi_deg, angle_deg, 1.0), 1000);
-        brackets(&format!("slope {angle_deg} {phi_deg}"), &all, numbers, 0.06);
+        brackets(
+            &format!("slope of {angle_deg} deg, phi {phi_deg} deg, factor on all that acts"),
+            &all,
+            numbers,
+            0.06,
+        );
     }
 }
 
@@ -63,7 +79,12 @@ fn a_slope_under_water_stands_as_one_of_soil_that_is_lighter_by_the_water() {
         b.condition = Condition::Loaded { pressure, shear: [0.0; 2], live: false };
     }
     let under = solve(under, 800);
-    brackets("under water", &under, [0.97 * 7.26 / 0.6, 7.27 / 0.6], 0.08);
+    brackets(
+        "slope of 60 deg under water, phi 10 deg (rotating blocks, Chen 1975)",
+        &under,
+        [0.97 * 7.26 / 0.6, 7.27 / 0.6],
+        0.08,
+    );
     // The stresses differ by the water's only, the flows do not.
     let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 2e-3, "{a} {b}");
     near(under.lower.value, lighter.lower.value);
@@ -73,7 +94,12 @@ fn a_slope_under_water_stands_as_one_of_soil_that_is_lighter_by_the_water() {
 #[test]
 #[ignore = "minutes: cargo xtask verify"]
 fn exact_cut() {
-    brackets("cut", &solve(slope(soil(0.0, 1.0), 90.0), 4000), [3.7764, 3.7776], 0.015);
+    brackets(
+        "vertical cut in clay (Martin 2011)",
+        &solve(slope(soil(0.0, 1.0), 90.0), 4000),
+        [3.7764, 3.7776],
+        0.015,
+    );
 }
 
 #[test]

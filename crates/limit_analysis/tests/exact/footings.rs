@@ -28,7 +28,12 @@ fn check(phi_deg: f64, rough: bool, elements: usize, gap: f64) {
     // The load on a half-width of one is N_gamma; six figures are published.
     let digits = 1e-5 * value;
     let kind = if rough { "rough" } else { "smooth" };
-    brackets(&format!("N_gamma {kind} {phi_deg}"), &bounds, [value - digits, value + digits], gap);
+    brackets(
+        &format!("{kind} footing on sand, N_gamma, phi {phi_deg} deg (Martin 2005)"),
+        &bounds,
+        [value - digits, value + digits],
+        gap,
+    );
 }
 
 #[test]

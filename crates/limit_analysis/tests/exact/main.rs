@@ -14,6 +14,7 @@ mod layers;
 mod prandtl;
 mod rankine;
 mod rates;
+mod rows;
 mod slides;
 mod strips;
 
@@ -32,11 +33,13 @@ fn solve(statement: Statement, max_elements: usize) -> Bounds {
     bounds
 }
 
-/// The exact value, known to lie within an interval, lies between the bounds too; and these are as close as asked for.
+/// The exact value, known to lie within an interval, lies between the bounds too; and these are as close as asked for, and what
+/// the documentation shows. Names stand there, so each is of one problem.
 #[track_caller]
 fn brackets(name: &str, bounds: &Bounds, [low, high]: [f64; 2], gap: f64) {
     let (lower, upper) = (bounds.lower.value, bounds.upper.value);
     println!("{name}: {lower:.5} to {upper:.5}, gap {:.2} %, {:.0} s", 100.0 * bounds.gap(), bounds.seconds);
     assert!(lower <= high && upper >= low, "{name}: {lower} to {upper} against {low} to {high}");
     assert!(bounds.gap() < gap, "{name}: {lower} to {upper}");
+    rows::row(name, bounds, [low, high]);
 }

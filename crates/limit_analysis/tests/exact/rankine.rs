@@ -14,7 +14,11 @@ fn check(phi_deg: f64, cohesion: f64, surcharge: f64, direction: f64, elements: 
     let exact = rankine(phi_deg, cohesion, surcharge, direction);
     let bounds =
         solve(wall(&[(1.0, heavy(soil(phi_deg, cohesion)))], [0.0, -1.0], surcharge, direction), elements);
-    brackets(&format!("wall {direction} {phi_deg} {cohesion} {surcharge}"), &bounds, [exact; 2], gap);
+    let kind = if direction > 0.0 { "passive" } else { "active" };
+    let name = format!(
+        "smooth wall, {kind}, phi {phi_deg} deg, cohesion {cohesion}, surcharge {surcharge} (Rankine 1857)"
+    );
+    brackets(&name, &bounds, [exact; 2], gap);
 }
 
 #[test]

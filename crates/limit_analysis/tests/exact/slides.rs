@@ -9,10 +9,20 @@ use crate::{brackets, solve};
 
 #[test]
 fn a_layer_slides_at_the_height_of_the_infinite_slope() {
-    brackets("dry slope", &solve(infinite_slope(30.0, 20.0, 0.0), 600), [1.0; 2], 5e-3);
+    brackets(
+        "infinite slope, dry, factor on the weight",
+        &solve(infinite_slope(30.0, 20.0, 0.0), 600),
+        [1.0; 2],
+        5e-3,
+    );
     // Seepage along the slope: half of the unit weight is water's.
     let water = 0.5 * 30.0_f64.to_radians().cos();
-    brackets("wet slope", &solve(infinite_slope(30.0, 20.0, water), 600), [1.0; 2], 5e-3);
+    brackets(
+        "infinite slope, seepage, factor on the weight",
+        &solve(infinite_slope(30.0, 20.0, water), 600),
+        [1.0; 2],
+        5e-3,
+    );
 }
 
 #[test]
@@ -21,7 +31,7 @@ fn a_layer_slides_at_the_acceleration_of_its_strength() {
     let exact = cohesion + phi_deg.to_radians().tan();
     let objective = Objective::Body { gravity: [1.0, 0.0] };
     let ground = layer(heavy(soil(phi_deg, cohesion)), 1.0, exact, objective, [0.0, -1.0]);
-    brackets("earthquake", &solve(ground, 600), [exact; 2], 5e-3);
+    brackets("layer under an earthquake, critical acceleration", &solve(ground, 600), [exact; 2], 5e-3);
 }
 
 #[test]
@@ -30,7 +40,7 @@ fn a_wall_before_bare_sand_under_an_earthquake_is_pushed_with_the_force_of_the_w
         let wedge = worst_wedge(30.0, 0.0, acceleration);
         let ground = wall(&[(1.0, heavy(soil(30.0, 0.0)))], [acceleration, -1.0], 0.0, 1.0);
         brackets(
-            "bare wall under earthquake",
+            &format!("smooth wall, bare sand, earthquake of {acceleration} g (worst wedge)"),
             &solve(ground, 700),
             [0.96 * wedge, wedge * (1.0 + 1e-6)],
             0.08,
@@ -56,6 +66,11 @@ fn a_wall_under_an_earthquake_is_pushed_with_the_force_of_the_worst_wedge() {
         let wedge = worst_wedge(30.0, 0.2, acceleration);
         let ground = wall(&[(1.0, heavy(soil(30.0, 0.0)))], [acceleration, -1.0], 0.2, 1.0);
         // Wedges give an upper bound that is near the truth.
-        brackets("wall under earthquake", &solve(ground, 700), [0.97 * wedge, wedge * (1.0 + 1e-6)], 0.06);
+        brackets(
+            &format!("smooth wall, surcharge, earthquake of {acceleration} g (worst wedge)"),
+            &solve(ground, 700),
+            [0.97 * wedge, wedge * (1.0 + 1e-6)],
+            0.06,
+        );
     }
 }

@@ -7,12 +7,17 @@ use crate::{brackets, solve};
 
 fn check_nq(phi_deg: f64, elements: usize, gap: f64) {
     let bounds = solve(strip(soil(phi_deg, 0.0), 1.0, size(phi_deg)), elements);
-    brackets(&format!("Nq {phi_deg}"), &bounds, [nq(phi_deg); 2], gap);
+    brackets(
+        &format!("strip with surcharge, Nq, phi {phi_deg} deg (Reissner 1924)"),
+        &bounds,
+        [nq(phi_deg); 2],
+        gap,
+    );
 }
 
 fn check_nc(phi_deg: f64, elements: usize, gap: f64) {
     let bounds = solve(strip(soil(phi_deg, 1.0), 0.0, size(phi_deg)), elements);
-    brackets(&format!("Nc {phi_deg}"), &bounds, [nc(phi_deg); 2], gap);
+    brackets(&format!("strip, Nc, phi {phi_deg} deg (Prandtl 1920)"), &bounds, [nc(phi_deg); 2], gap);
 }
 
 #[test]
@@ -41,5 +46,10 @@ fn exact_strips_from_10_to_40_degrees() {
 #[test]
 fn a_rough_footing_on_a_shallow_layer_carries_more() {
     let bounds = solve(footing(soil(0.0, 1.0), 0.0, 1.0, [4.0, 1.0]), 900);
-    brackets("shallow layer", &bounds, [1.015, 1.025].map(|f| f * nc(0.0)), 0.04);
+    brackets(
+        "rough footing on a layer of clay half as deep as it is wide (Mandel & Salencon 1972)",
+        &bounds,
+        [1.015, 1.025].map(|f| f * nc(0.0)),
+        0.04,
+    );
 }

@@ -19,6 +19,7 @@ from html import escape
 from typing import Any
 
 from ._canonical import decode, encode
+from ._progress import Progress, told
 from ._store import Store
 from .errors import InputError, InputTypeError, SweepError
 
@@ -101,6 +102,19 @@ class SweepResult:
                 rows.append({**cell, **(result if isinstance(result, dict) else {"result": result})})
         return pandas.DataFrame(rows)
 
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset``: the parameters of the cells are its axes, a result that is a dict becomes several variables.
+
+        Cells need not fill the grid: what is missing or failed is NaN. Arrays in results, all of one shape, have axes of their
+        own behind those of the parameters (``curve_0`` and so on).
+
+        Raises:
+            InputError: If parameters are no numbers or texts, differ from cell to cell by name, or results differ in form.
+        """
+        from .xarray import of_sweep
+
+        return of_sweep(self)
+
     def _repr_html_(self) -> str:
         done = len(self) - len(self.failures)
         lines = [f"<p>Sweep: {done} of {len(self)} cells done, {self.submitted} run now.</p>"]
@@ -120,7 +134,7 @@ def sweep(
     executor: Executor | None = None,
     name: str | None = None,
     version: str = "",
-    progress: Callable[[int, int], object] | None = None,
+    progress: Progress = None,
 ) -> SweepResult:
     """Calls ``function(**cell)`` for every cell whose result is not in the store yet.
 
@@ -136,7 +150,7 @@ def sweep(
             ``dask.distributed.Client(...).get_executor()``.
         name: Name under which results are stored; by default the function's module and qualified name.
         version: Change it when the function changes its answers; older results then no longer count.
-        progress: Called with the number of cells that are done and of all cells, after each.
+        progress: Called with the number of cells that are done and of all cells, after each; or True for a bar of tqdm.
 
     Returns:
         The results, with the failures by name. Nothing is raised because of a failed cell; see
@@ -155,9 +169,10 @@ def sweep(
     for index, key in enumerate(keys):
         first.setdefault(key, index)
     todo = {key: plain[index] for key, index in first.items() if not shelf.has(key)}
-    run = _Run(function, name, version, shelf, len(first) - len(todo), len(first), progress)
-    if todo:
-        run.go(todo, executor)
+    with told(progress, "cells") as tell:
+        run = _Run(function, name, version, shelf, len(first) - len(todo), len(first), tell)
+        if todo:
+            run.go(todo, executor)
     failures = [
         Failure(index, plain[index], run.errors[key]) for index, key in enumerate(keys) if key in run.errors
     ]

@@ -11,12 +11,13 @@ from pathlib import Path
 from typing import Any
 
 from ._native import Certificate, Solution, answer_command
+from ._progress import Progress, told
 from .errors import InputError, InputTypeError
 
 _Path = str | os.PathLike[str]
 
 
-def answer(*words: object) -> dict[str, Any]:
+def answer(*words: object, progress: Progress = None) -> dict[str, Any]:
     """The JSON answer of a command line, without a process of its own: ``answer("shear", "points.csv")``.
 
     Everything that the command ``soilctl`` can do can be had this way, and the answer is that of ``--format json``; its
@@ -24,6 +25,8 @@ def answer(*words: object) -> dict[str, Any]:
 
     Args:
         words: The words of the command line after ``soilctl``; numbers and paths are turned into text.
+        progress: For ``simulate``, ``process``, ``table build`` and ``diagnose --self-test``: called with the number of strokes,
+            logs, cells or campaigns that are done, and of all; or True for a bar of tqdm. If it raises, the work ends.
 
     Returns:
         The answer, with the key ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
@@ -34,7 +37,8 @@ def answer(*words: object) -> dict[str, Any]:
         FileError: If a file cannot be read or written.
     """
     line = ["soilctl", *(os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words)]
-    exit_code, text = answer_command(line)
+    with told(progress, "steps") as tell:
+        exit_code, text = answer_command(line, tell)
     found: dict[str, Any] = json.loads(text) if text else {}
     return {**found, "exit_code": exit_code}
 
@@ -124,6 +128,7 @@ def simulate(
     seed: int | None = None,
     threads: int | None = None,
     model_file: _Path | None = None,
+    progress: Progress = None,
 ) -> dict[str, Any]:
     """Runs a campaign on the simulated arm and soil, a log for each batch.
 
@@ -136,6 +141,7 @@ def simulate(
         seed: Of noise and scatter; that of the plan if not given.
         threads: Batches that run at a time; all cores if not given.
         model_file: Replaces soil, force model and effects of the plan.
+        progress: Called with the number of strokes that are made and of all, or True for a bar of tqdm.
 
     Returns:
         The answer of ``soilctl simulate``.
@@ -145,7 +151,7 @@ def simulate(
         FileError: If a file cannot be read or written.
     """
     options = {"--out": out, "--seed": seed, "--threads": threads, "--model-file": model_file}
-    return answer("simulate", plan, *(word for option in options.items() for word in _option(*option)))
+    return answer("simulate", plan, *_options(options), progress=progress)
 
 
 def process(
@@ -155,6 +161,7 @@ def process(
     threads: int | None = None,
     report: _Path | None = None,
     options: Iterable[object] = (),
+    progress: Progress = None,
 ) -> dict[str, Any]:
     """Failure forces of the strokes in logs, and what they say together.
 
@@ -164,6 +171,7 @@ def process(
         threads: Logs that are read at a time; all cores if not given.
         report: One HTML page to write.
         options: Further words of the command line, such as ``["--urdf", "arm.urdf", "--surface-z", -0.33]``.
+        progress: Called with the number of logs that are done and of all, or True for a bar of tqdm.
 
     Returns:
         The answer of ``soilctl process``.
@@ -174,8 +182,11 @@ def process(
     """
     paths = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
     named = {"--out": out, "--threads": threads, "--report": report}
-    words = [word for option in named.items() for word in _option(*option)]
-    return answer("process", *paths, *words, *options)
+    return answer("process", *paths, *_options(named), *options, progress=progress)
+
+
+def _options(values: Mapping[str, object]) -> Iterable[object]:
+    return (word for name, value in values.items() for word in _option(name, value))
 
 
 def _option(name: str, value: object) -> tuple[object, ...]:

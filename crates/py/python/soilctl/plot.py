@@ -68,6 +68,9 @@ def brackets(at: Any, found: list[Bracket], *, axes: Axes | None = None, **optio
 def mesh(solution: Solution, *, bound: str = "upper", axes: Axes | None = None, **options: Any) -> Axes:
     """The mesh of a bound; that of the upper bound is coloured by the speed of the soil, and shows what moves.
 
+    Lengths are in m, in the coordinates of the problem, or in the solution's own if it does not say how long they are. A plate's top
+    is at (0, 0), with x along the surface.
+
     Args:
         solution: ``bracket.solution``, or one that was read.
         bound: ``"upper"`` or ``"lower"``.
@@ -76,7 +79,9 @@ def mesh(solution: Solution, *, bound: str = "upper", axes: Axes | None = None, 
     """
     axes = _axes(axes)
     triangles = solution.triangles(bound)
-    corners = triangles.reshape(-1, 2)
+    # In m where it is known, in the coordinates of the problem.
+    scale, origin = solution.length_m or 1.0, np.array(solution.origin_m)
+    corners = origin + scale * triangles.reshape(-1, 2)
     index = np.arange(len(corners)).reshape(-1, 3)
     if bound == "upper":
         speed = np.hypot(*solution.velocity(triangles.mean(axis=1)).T)
@@ -84,12 +89,11 @@ def mesh(solution: Solution, *, bound: str = "upper", axes: Axes | None = None, 
         drawn = axes.tripcolor(corners[:, 0], corners[:, 1], index, facecolors=speed, **style)
         axes.figure.colorbar(drawn, ax=axes, label="speed over that of the structure", shrink=0.7)
         for line in solution.failure_surface():
-            axes.plot(line[:, 0], line[:, 1], color="tab:red", linewidth=1.0)
+            axes.plot(*(origin + scale * line).T, color="tab:red", linewidth=1.0)
     else:
         axes.triplot(corners[:, 0], corners[:, 1], index, **{"color": "0.4", "linewidth": 0.3, **options})
-    unit = "m" if solution.length_m is not None else "unit lengths"
-    scale = f", one is {solution.length_m:.4g} m" if unit == "m" else ""
-    axes.set_xlabel(f"along the surface{scale}")
-    axes.set_ylabel("across it")
+    unit = "m" if solution.length_m is not None else "slant lengths"
+    axes.set_xlabel(f"x in {unit}")
+    axes.set_ylabel(f"y in {unit}")
     axes.set_aspect("equal")
     return axes

@@ -1,0 +1,27 @@
+"""Progress of long work: a callback, or a bar of tqdm."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+#: What a function with ``progress`` takes: called with the steps done and of all steps, or True for a bar of tqdm.
+Progress = Callable[[int, int], object] | bool | None
+
+
+@contextmanager
+def told(progress: Progress, unit: str) -> Iterator[Callable[[int, int], object] | None]:
+    """The callback that stands behind ``progress``, for the length of the work."""
+    if progress is not True:
+        yield progress or None
+        return
+    from tqdm import tqdm
+
+    with tqdm(unit=f" {unit}") as bar:
+
+        def show(done: int, total: int) -> None:
+            bar.total = total
+            bar.update(done - bar.n)
+            bar.refresh()
+
+        yield show

@@ -1,0 +1,113 @@
+"""Results with named axes (``pip install soilctl[xarray]``)."""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray
+
+from ._native import log_table as _columns
+from ._native import predict as _predict
+from .errors import InputError, InputTypeError
+
+if TYPE_CHECKING:
+    from ._sweep import SweepResult
+
+__all__ = ["log_table", "predict"]
+
+_MEMBER = re.compile(r"(.+)_(\d+)$")
+
+
+def predict(model: str = "chen", **arguments: Any) -> xarray.Dataset:
+    """:func:`soilctl.predict` on a grid.
+
+    Args:
+        model: One of ``soilctl.MODELS``.
+        arguments: Those of :func:`soilctl.predict`. A ``DataArray`` keeps its axes, a list or an array of one axis becomes an axis
+            with the name of the argument, and a number holds everywhere.
+
+    Returns:
+        ``coefficient``, ``lower``, ``upper`` and, with density, depth and width, ``force_n`` and its ends, over all the axes.
+
+    Raises:
+        InputTypeError: If an array of several axes has no names for them.
+        InputError, NoAnswerError: As :func:`soilctl.predict`.
+    """
+    given = {name: _named(name, value) for name, value in arguments.items()}
+    full = xarray.broadcast(*given.values())
+    found = _predict(model, **{name: array.values for name, array in zip(given, full, strict=True)})
+    values = found.to_dict()
+    values.pop("model")
+    unit = {True: {"units": "N"}, False: {"units": "1"}}
+    variables = {key: (full[0].dims, value, unit[key.endswith("_n")]) for key, value in values.items()}
+    return xarray.Dataset(variables, full[0].coords, {"model": found.model, "reference": found.reference})
+
+
+def _named(name: str, value: Any) -> xarray.DataArray:
+    if isinstance(value, xarray.DataArray):
+        return value
+    array = np.asarray(value)
+    if array.ndim > 1:
+        raise InputTypeError(f"{name} has {array.ndim} axes without names; give an xarray.DataArray")
+    return xarray.DataArray(array, {name: array}, (name,)) if array.ndim else xarray.DataArray(array)
+
+
+def log_table(path: str | os.PathLike[str], topic: str = "/controller/step") -> xarray.Dataset:
+    """:func:`soilctl.log_table` over time: elements of an array are one variable, with the second axis ``<name>_index``.
+
+    Raises:
+        FileError, InputError, NoAnswerError: As :func:`soilctl.log_table`.
+    """
+    table = _columns(path, topic)
+    time = table.pop("time_s")
+    groups: dict[str, list[Any]] = {}
+    for column in table:
+        member = _MEMBER.match(column)
+        # Elements come in order and from 0.
+        if member and int(member[2]) == len(groups.get(member[1], [])):
+            groups.setdefault(member[1], []).append(table[column])
+        else:
+            groups[column] = [table[column]]
+    variables: dict[str, tuple[tuple[str, ...], Any]] = {}
+    for name, columns in groups.items():
+        if f"{name}_0" in table:
+            variables[name] = (("time_s", f"{name}_index"), np.column_stack(columns))
+        else:
+            variables[name] = (("time_s",), np.asarray(columns[0]))
+    return xarray.Dataset(variables, {"time_s": ("time_s", time, {"units": "s"})}, {"topic": topic})
+
+
+def of_sweep(done: SweepResult) -> xarray.Dataset:
+    """What :meth:`soilctl.SweepResult.to_xarray` gives."""
+    names = list(done.cells[0]) if done.cells else []
+    axes: dict[str, list[Any]] = {}
+    for index, cell in enumerate(done.cells):
+        if set(cell) != set(names):
+            raise InputError(f"cell {index} has the parameters {sorted(cell)}, the first one {sorted(names)}")
+        for name, value in cell.items():
+            if not isinstance(value, (int, float, str)):
+                raise InputError(f"{name} of cell {index} is of type {type(value).__name__}; an axis takes numbers and texts")
+    for name in names:
+        axes[name] = sorted({cell[name] for cell in done.cells}, key=lambda value: (isinstance(value, str), value))
+    failed = {failure.index for failure in done.failures}
+    variables: dict[str, tuple[tuple[str, ...], Any]] = {}
+    for index, cell in enumerate(done.cells):
+        if index in failed:
+            continue
+        result = done[index]
+        at = tuple(axes[name].index(cell[name]) for name in names)
+        for key, value in (result if isinstance(result, dict) else {"result": result}).items():
+            array = np.asarray(value)
+            if key not in variables:
+                shape = (*(len(axis) for axis in axes.values()), *array.shape)
+                own = (f"{key}_{axis}" for axis in range(array.ndim))
+                kind = float if array.dtype.kind in "biuf" else object
+                variables[key] = ((*names, *own), np.full(shape, np.nan, kind))
+            place = variables[key][1]
+            if place[at].shape != array.shape if array.ndim else np.ndim(place[at]) != 0:
+                raise InputError(f"{key} of cell {index} has shape {array.shape}, unlike that of earlier cells")
+            place[at] = array if array.ndim else value
+    return xarray.Dataset(variables, axes)
