@@ -26,9 +26,10 @@ pub(crate) enum Task {
     Test,
     Lint,
     Verify,
+    Rows,
 }
 
-const TASKS: [(Task, &str, &str); 4] = [
+const TASKS: [(Task, &str, &str); 5] = [
     (
         Task::Setup,
         "setup",
@@ -44,6 +45,11 @@ const TASKS: [(Task, &str, &str); 4] = [
         Task::Verify,
         "verify",
         "property tests with 20000 cases each, known collapse loads, tests that take minutes (optimised build)",
+    ),
+    (
+        Task::Rows,
+        "rows",
+        "write what docs/verification.md shows anew: published tables and exact solutions, minutes",
     ),
 ];
 
@@ -66,6 +72,7 @@ impl Task {
             Self::Test => "test",
             Self::Lint => "lint",
             Self::Verify => "verify",
+            Self::Rows => "rows",
         }
     }
 
@@ -76,6 +83,7 @@ impl Task {
             Self::Test => test(workspace),
             Self::Lint => lint(workspace),
             Self::Verify => verify(workspace),
+            Self::Rows => rows(workspace),
         }
     }
 }
@@ -156,7 +164,29 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .args(["test", "--release", "--locked", "-p", "soilctl-controller", "-p", "soilctl-plant"])
         .args(["-p", "soilctl-session", "-p", "soilctl-live", "--tests", "--", "--ignored"])
         .args(skipped)
+        .run()?;
+    // From simulated strokes to the soil, against the truth.
+    cargo(workspace, "the whole chain")
+        .args(["test", "--release", "--locked", "-p", "soilctl", "--test", "chain"])
+        .args(["--", "--ignored", "--nocapture"])
         .run()
+}
+
+/// The tests that compare with the rows write them if they are told so. In the profile of the tests, so little is compiled.
+fn rows(workspace: &Workspace) -> Result<(), XtaskError> {
+    let exact = workspace.root().join("docs/verification/exact.json");
+    std::fs::write(&exact, "[]\n").map_err(|problem| {
+        let (step, file) = ("begin the rows anew".to_owned(), exact.display().to_string());
+        XtaskError::File { step, file, problem }
+    })?;
+    for (name, arguments) in [
+        ("published tables", &["--test", "published_tables", "documentation"][..]),
+        ("known collapse loads", &["--test", "exact", "--", "--include-ignored"]),
+    ] {
+        let words = ["test", "--workspace", "--locked"];
+        cargo(workspace, name).args(words).args(arguments).env("SOILCTL_ROWS", "write").run()?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]

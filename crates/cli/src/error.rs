@@ -10,6 +10,7 @@ use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_live::LiveError;
 use soilctl_monitor::MonitorError;
 use soilctl_process::ProcessError;
+use soilctl_recording::RecordingError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
 use soilctl_strokes::StrokesError;
@@ -64,6 +65,9 @@ pub(crate) enum CliError {
     /// The monitor.
     #[error(transparent)]
     Monitor(#[from] MonitorError),
+    /// A recording for a viewer.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
     /// A simulated campaign.
     #[error(transparent)]
     Campaign(#[from] CampaignError),
@@ -121,6 +125,10 @@ impl CliError {
                 | Self::Certificate(CertificateError::File { .. })
                 | Self::Session(
                     SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
+                )
+                | Self::Recording(
+                    RecordingError::Write { .. }
+                        | RecordingError::Session(SessionError::File { .. } | SessionError::NotALog { .. })
                 )
                 | Self::Campaign(CampaignError::File { .. })
         )

@@ -7,6 +7,7 @@ mod args;
 mod error;
 mod finite;
 mod output;
+mod progress;
 mod text;
 mod verbs;
 
@@ -19,7 +20,9 @@ use clap::Parser;
 
 use crate::args::Cli;
 use crate::output::Output;
+pub use crate::progress::Progress;
 use crate::verbs::Outcome;
+pub use crate::verbs::solve::units as problem_units;
 
 /// Runs the command line `args`, the program's name first; answers go to standard output, all else to standard error.
 ///
@@ -82,18 +85,22 @@ pub enum Refused {
 
 /// The JSON answer to the command line `args`, the program's name first; nothing is printed.
 ///
-/// Setting `stop` ends long work with what there is, as Ctrl-C does in the program.
+/// Setting `stop` ends long work with what there is, as Ctrl-C does in the program. How far it is stands in `progress`.
 ///
 /// # Errors
 /// [`Refused`] where [`run`] would have given exit code 2.
-pub fn answer(args: impl IntoIterator<Item = OsString>, stop: Arc<AtomicBool>) -> Result<Answered, Refused> {
+pub fn answer(
+    args: impl IntoIterator<Item = OsString>,
+    stop: Arc<AtomicBool>,
+    progress: Arc<Progress>,
+) -> Result<Answered, Refused> {
     let cli = Cli::try_parse_from(args).map_err(|usage| Refused::Input(usage.render().to_string()))?;
     if !cli.verb.is_one_answer() {
         return Err(Refused::Input(
             "this verb talks to its user or runs until it is ended; use the command soilctl".into(),
         ));
     }
-    let mut output = Output::kept(stop);
+    let mut output = Output::kept(stop, progress);
     let outcome = cli.verb.run(&mut output).map_err(|error| match error.is_of_a_file() {
         true => Refused::File(error.to_string()),
         false => Refused::Input(error.to_string()),

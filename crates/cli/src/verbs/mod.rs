@@ -19,8 +19,9 @@ mod run;
 mod schemas;
 mod shear;
 mod simulate;
-mod solve;
+pub(crate) mod solve;
 mod table;
+mod view;
 
 use std::path::Path;
 
@@ -67,6 +68,8 @@ pub(crate) enum Verb {
     Console(console::Args),
     /// Shows a live session or a log in 3-D, on a page in the browser
     Monitor(monitor::Args),
+    /// Shows a log in the Rerun viewer: arm, forces, curves, states and events in a layout
+    View(view::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
     #[command(hide = true)]
@@ -110,6 +113,7 @@ impl Verb {
             Self::Run(args) => run::run(&args, output),
             Self::Console(args) => console::run(&args, output),
             Self::Monitor(args) => monitor::run(&args, output),
+            Self::View(args) => view::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),
         }

@@ -11,7 +11,7 @@ use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
 use super::{
     Outcome, bound, certify, demo, diagnose, estimate, log, monitor, predict, process, replay, report,
-    run as run_verb, shear, simulate, solve, table,
+    run as run_verb, shear, simulate, solve, table, view,
 };
 use crate::error::CliError;
 use crate::output::{Answer, Document};
@@ -43,6 +43,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
     write::<run_verb::RunAnswer>(&args.dir)?;
     write::<monitor::MonitorAnswer>(&args.dir)?;
+    write::<view::ViewAnswer>(&args.dir)?;
     Ok(Outcome::Done)
 }
 

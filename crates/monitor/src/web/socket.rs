@@ -4,6 +4,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use soilctl_live::protocol::{LINES_PER_SECOND, MOST_LINE_BYTES, Problem, Rate};
+use tungstenite::error::ProtocolError;
 use tungstenite::protocol::frame::CloseFrame;
 use tungstenite::protocol::frame::coding::CloseCode;
 use tungstenite::protocol::{WebSocket, WebSocketConfig};
@@ -160,6 +161,8 @@ impl<'a> Page<'a> {
                     return Err(End::Close(CloseCode::Size, "a message has at most 4096 bytes"));
                 }
                 Err(Error::Utf8(_)) => return Err(End::Close(CloseCode::Invalid, "a message is not UTF-8")),
+                // A page that is closed need not take its leave; that is nothing to refuse.
+                Err(Error::Protocol(ProtocolError::ResetWithoutClosingHandshake)) => return Err(End::Gone),
                 Err(Error::Protocol(_)) => {
                     return Err(End::Close(CloseCode::Protocol, "the page broke the WebSocket protocol"));
                 }

@@ -41,7 +41,7 @@ pub(crate) struct Rate {
 pub(super) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let test = SelfTest::new(&args.model, args.seed)?;
     let cases = cases(args.rounds);
-    let bar = output.progress(cases.len() as u64);
+    let bar = output.bar(cases.len() as u64, "campaigns");
     let mut outcomes = Vec::new();
     for case in &cases {
         if let Some(outcome) = run_case(&test, case)? {
@@ -49,7 +49,7 @@ pub(super) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         }
         bar.inc(1);
     }
-    bar.finish_and_clear();
+    bar.finish();
     let Tally { rates, confusion } = tally(&outcomes);
     output.answer(&SelfTestAnswer {
         model: args.model.clone(),

@@ -1,11 +1,11 @@
-use indicatif::ProgressBar;
 use soilctl_campaign::{Notice, Plan};
 
 use crate::output::Output;
+use crate::progress::Bar;
 
 /// Strokes made so far on stderr: a bar on a terminal, else a line a batch.
 pub(super) struct Progress<'a> {
-    bar: ProgressBar,
+    bar: Bar,
     output: &'a Output,
     batches: usize,
 }
@@ -13,7 +13,7 @@ pub(super) struct Progress<'a> {
 impl<'a> Progress<'a> {
     pub(super) fn new(output: &'a Output, plan: &Plan) -> Self {
         let strokes = u64::try_from(plan.strokes().strokes().len()).unwrap_or(u64::MAX);
-        Self { bar: output.progress_of(strokes, "strokes"), output, batches: plan.batches() }
+        Self { bar: output.bar(strokes, "strokes"), output, batches: plan.batches() }
     }
 
     pub(super) fn show(&self, notice: &Notice<'_>) {
@@ -28,17 +28,13 @@ impl<'a> Progress<'a> {
                     report.strokes,
                     report.log
                 );
-                if self.bar.is_hidden() {
-                    self.output.note(&line);
-                } else {
-                    self.bar.println(line);
-                }
+                self.bar.suspend(|| self.output.note(&line));
             }
             _ => {}
         }
     }
 
     pub(super) fn end(&self) {
-        self.bar.finish_and_clear();
+        self.bar.finish();
     }
 }

@@ -10,6 +10,7 @@ use std::path::PathBuf;
 
 pub(crate) use answer::SolveAnswer;
 pub(crate) use check::CheckAnswer;
+pub use scale::units;
 use soilctl_limit_analysis::describe::Aim;
 use soilctl_limit_analysis::{Description, bound};
 

@@ -5,7 +5,8 @@ use soilctl_limit_analysis::{Described, Description};
 
 /// Metres and kilopascals, and where the statement's origin is: in the middle of the soil, at the height at which the lowest
 /// points are the same.
-pub(super) fn units(description: &Description, described: &Described) -> Units {
+#[must_use]
+pub fn units(description: &Description, described: &Described) -> Units {
     let corners = || description.regions.iter().flat_map(|r| &r.polygon);
     let least = |axis: usize| corners().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
     let greatest_x = corners().map(|p| p[0]).fold(f64::NEG_INFINITY, f64::max);

@@ -104,7 +104,7 @@ fn fill(
 ) -> Result<(PredictionTable, Option<String>), CliError> {
     let mut table = PredictionTable::new(model.id(), Quantity::Estimate, axes.clone())?;
     let mut first_refusal = None;
-    let progress = output.progress(table.len() as u64);
+    let progress = output.bar(table.len() as u64, "cells");
     for &alpha in &axes[0] {
         for &phi in &axes[1] {
             for &delta in axes[2].iter().filter(|delta| **delta <= phi) {
@@ -120,6 +120,6 @@ fn fill(
             progress.inc(axes[2].len() as u64);
         }
     }
-    progress.finish_and_clear();
+    progress.finish();
     Ok((table, first_refusal))
 }

@@ -167,11 +167,13 @@ fn run(
     let stop = output.interrupt();
     let mut watch = cost.watch(todo, args.threads());
     let progress = output.spinner("first cases");
+    let counted = output.count(todo.len() as u64);
     let solver = Solver { rules: header.rules, save: args.save.as_deref(), stop };
     let before = entries.len();
     solver.solve(todo, args.threads(), |entry| {
         journal.add(&entry)?;
         watch.done(&entry);
+        counted.add(1);
         progress.set_message(watch.words());
         entries.push(entry);
         Ok(())
