@@ -25,6 +25,13 @@ const FIRST: f64 = 600.0;
 const GROWTH: f64 = 1.5;
 const LEAST_GROWTH: f64 = 1.15;
 
+/// A lower bound takes about as long as an upper one on a mesh of so many times the elements.
+const LOWER_COST: f64 = 1.8;
+
+/// The two programs of a level.
+const LOWER: usize = 0;
+const UPPER: usize = 1;
+
 /// Time of a solve grows with about this power of the elements.
 const COST: f64 = 1.3;
 
@@ -152,17 +159,27 @@ impl<'a> Run<'a> {
         let own = lower_mesh.map(|m| self.lower_mesh(m)).transpose()?.flatten();
         let run = &*self;
         let lower_mesh = lower_mesh.map(|m| own.as_ref().unwrap_or(&run.meshes[m]));
-        // With one thread or two, a lower bound counts only if the upper one alone does not bring the gap asked for.
-        let needless = Arc::new(AtomicBool::new(false));
+        // The cheaper one goes first, and the other counts only if that alone does not bring the gap asked for: with two
+        // threads it is given up then.
+        let elements = run.meshes[number].0.triangles.len() as f64;
+        let lower_first = lower_mesh.is_some_and(|(m, _)| LOWER_COST * (m.triangles.len() as f64) < elements);
+        let needless: [Arc<AtomicBool>; 2] = Default::default();
+        let is_needed = |side: usize| !needless[side].load(Ordering::Relaxed);
         let solve_upper = || {
-            let upper = run.solve_upper(number);
-            let proven = upper.as_ref().ok().and_then(|solved| solved.1.proven);
-            needless.store(proven.is_some_and(|value| run.is_enough(value)), Ordering::Relaxed);
+            let upper = is_needed(UPPER).then(|| run.solve_upper(number, &needless[UPPER])).transpose();
+            let proven = upper.as_ref().ok().and_then(|u| u.as_ref()?.1.proven);
+            let enough = !lower_first && proven.is_some_and(|value| run.is_enough([None, Some(value)]));
+            needless[LOWER].store(enough, Ordering::Relaxed);
             upper
         };
-        let is_needed = || !needless.load(Ordering::Relaxed);
-        let solve_lower =
-            || lower_mesh.filter(|_| is_needed()).map(|m| run.solve_lower(m, &needless)).transpose();
+        let solve_lower = || {
+            let mesh = lower_mesh.filter(|_| is_needed(LOWER));
+            let lower = mesh.map(|m| run.solve_lower(m, &needless[LOWER])).transpose();
+            let proven = lower.as_ref().ok().and_then(|l| l.as_ref()?.0.proven);
+            let enough = lower_first && proven.is_some_and(|value| run.is_enough([Some(value), None]));
+            needless[UPPER].store(enough, Ordering::Relaxed);
+            lower
+        };
         let (upper, lower) = if self.options.threads > 1 {
             std::thread::scope(|scope| {
                 let lower = scope.spawn(solve_lower);
@@ -170,14 +187,26 @@ impl<'a> Run<'a> {
                 let lower = lower.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
                 (upper, lower)
             })
+        } else if lower_first {
+            let lower = solve_lower();
+            (solve_upper(), lower)
         } else {
             (solve_upper(), solve_lower())
         };
-        let lower = if is_needed() { lower } else { Ok(None) };
-        let (tightening, upper_solve, upper_field, velocity, objective) = upper?;
+        let lower = if is_needed(LOWER) { lower? } else { None };
+        let Some(upper) = (if is_needed(UPPER) { upper? } else { None }) else {
+            // The lower bound was enough for the mesh before.
+            self.meshes.pop();
+            if let Some((solve, field, stress, objective)) = lower {
+                self.keep_lower(&solve, field, stress, objective);
+                self.tell_lower(solve, progress);
+            }
+            return Ok(Some(Ended::Gap));
+        };
+        let (tightening, upper_solve, upper_field, velocity, objective) = upper;
         self.tightening = tightening;
         let mut level = Level { upper: upper_solve, lower: None, identity: None };
-        if let Some((solve, field, stress, objective)) = lower? {
+        if let Some((solve, field, stress, objective)) = lower {
             level.lower = Some(solve);
             self.keep_lower(&solve, field, stress, objective);
         }
@@ -255,12 +284,17 @@ impl<'a> Run<'a> {
         let mesh = own.as_ref().unwrap_or(&self.meshes[number]);
         let (solve, field, stress, objective) = self.solve_lower(mesh, &Arc::default())?;
         self.keep_lower(&solve, field, stress, objective);
+        self.tell_lower(solve, progress);
+        Ok(())
+    }
+
+    /// Adds a lower bound to the last level, which had none.
+    fn tell_lower(&mut self, solve: Solve, progress: &mut dyn FnMut(&Level, Option<f64>)) {
         let gap = self.gap();
         if let Some(level) = self.levels.last_mut().filter(|l| l.lower.is_none()) {
             level.lower = Some(solve);
             progress(level, gap);
         }
-        Ok(())
     }
 
     /// Takes over a lower bound, with the stress field behind it, if it is the best.
@@ -271,9 +305,11 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Whether an upper bound of this value ends the run, with the lower bound there is.
-    fn is_enough(&self, upper: f64) -> bool {
-        self.lower.as_ref().is_some_and(|lower| relative_gap(lower.value, upper) <= self.options.max_gap)
+    /// Whether bounds of these values, or the best so far, end the run.
+    fn is_enough(&self, [lower, upper]: [Option<f64>; 2]) -> bool {
+        let lower = lower.or(self.lower.as_ref().map(|b| b.value));
+        let upper = upper.or(self.upper.as_ref().map(|b| b.value));
+        lower.zip(upper).is_some_and(|(l, u)| relative_gap(l, u) <= self.options.max_gap)
     }
 
     fn gap(&self) -> Option<f64> {

@@ -54,13 +54,14 @@ impl Run<'_> {
     pub(super) fn solve_upper(
         &self,
         number: usize,
+        needless: &Arc<AtomicBool>,
     ) -> Result<(usize, Solve, UpperField, VelocityField, f64), LimitError> {
         let (mesh, topology) = &self.meshes[number];
         let still = self.bowl.still(mesh);
         let mut spent = 0.0;
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let answer = self.solve(&upper.program, Accuracy::FLOW, "upper", &Arc::default())?;
+            let answer = self.solve(&upper.program, Accuracy::FLOW, "upper", needless)?;
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proof = prove_upper(self.problem.statement(), &field);

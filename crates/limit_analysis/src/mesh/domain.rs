@@ -43,7 +43,7 @@ impl<'a> Domain<'a> {
         let frame = frame(&at);
         let mut points = frame.to_vec();
         points.extend(at);
-        let base = triangulate(&points, Vec::new())?;
+        let base = triangulate(&points, &[])?;
         let mut domain = Self { outline, frame, least, base, sides, corners, between: BTreeMap::new() };
         domain.add_lines()?;
         domain.check_touching()?;

@@ -68,7 +68,7 @@ impl<'a> Work<'a> {
         let on_lines: BTreeSet<[usize; 2]> = constraints.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         constraints.extend(held.keys().filter(|e| !on_lines.contains(*e)));
         let points: Vec<Point> = nodes.iter().map(|n| n.at).collect();
-        let cdt = triangulate(&points, constraints)?;
+        let cdt = triangulate(&points, &constraints)?;
         let mut work = Self { domain, wanted, nodes, cdt, held, triangles: 0 };
         work.count()?;
         work.grade_all();

@@ -52,9 +52,9 @@ impl Work<'_> {
     /// Triangulates anew, after vertices have moved.
     pub(super) fn rebuild(&mut self) -> Result<(), MeshError> {
         let edges = self.cdt.undirected_edges().filter(|e| e.is_constraint_edge());
-        let constraints = edges.map(|e| e.vertices().map(|v| v.index())).collect();
+        let constraints: Vec<_> = edges.map(|e| e.vertices().map(|v| v.index())).collect();
         let points: Vec<Point> = self.nodes.iter().map(|n| n.at).collect();
-        self.cdt = triangulate(&points, constraints)?;
+        self.cdt = triangulate(&points, &constraints)?;
         self.count()
     }
 
