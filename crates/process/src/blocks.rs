@@ -43,6 +43,26 @@ impl Blocks {
         }
     }
 
+    /// The blocks in which the plate goes where it has not been before, within a tolerance in m: soil that was let go and is
+    /// pushed again follows another curve until then.
+    pub(crate) fn virgin(&self, tolerance_m: f64) -> Self {
+        let mut furthest_m = f64::NEG_INFINITY;
+        let is_new = |u: &f64| {
+            furthest_m = furthest_m.max(*u);
+            *u >= furthest_m - tolerance_m
+        };
+        let kept: Vec<bool> = self.u_m.iter().map(is_new).collect();
+        let only =
+            |values: &[f64]| values.iter().zip(&kept).filter_map(|(v, kept)| kept.then_some(*v)).collect();
+        Self {
+            t_s: only(&self.t_s),
+            u_m: only(&self.u_m),
+            f_n: only(&self.f_n),
+            samples: self.samples,
+            noise_n: self.noise_n,
+        }
+    }
+
     /// Force against displacement at `count` places evenly spaced along the curve, both axes scaled to their
     /// range: so a stroke that waits long at small displacement doesn't drown its short end.
     pub(crate) fn nodes(&self, count: usize) -> Vec<[f64; 2]> {

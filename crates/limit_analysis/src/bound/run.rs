@@ -1,19 +1,19 @@
 //! The levels of a run.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use soilctl_certificate::{LowerField, UpperField};
 
 use super::memory::capacity;
 use super::{Bound, Ended, Level, Options, Solve, relative_gap};
-use crate::adapt::wanted_sizes;
+
 use crate::bowl::Bowl;
 use crate::error::LimitError;
 use crate::fields::StressField;
 use crate::gap::shares;
-use crate::mesh::{Fan, Guide, Mesh, Request, SizeField, generate};
+use crate::mesh::{Guide, Mesh};
 use crate::problem::Problem;
 use crate::solver::Status;
 use crate::start::Start;
@@ -21,16 +21,9 @@ use crate::topology::Topology;
 
 /// Elements of the first mesh, roughly, and how much each next one is larger; one that grows less than this is not
 /// worth its time.
-const FIRST: f64 = 600.0;
+pub(super) const FIRST: f64 = 600.0;
 const GROWTH: f64 = 1.5;
 const LEAST_GROWTH: f64 = 1.15;
-
-/// A lower bound takes about as long as an upper one on a mesh of so many times the elements.
-const LOWER_COST: f64 = 1.8;
-
-/// The two programs of a level.
-const LOWER: usize = 0;
-const UPPER: usize = 1;
 
 /// Time of a solve grows with about this power of the elements.
 const COST: f64 = 1.3;
@@ -49,7 +42,7 @@ pub(super) struct Run<'a> {
     pub(super) problem: &'a Problem,
     pub(super) options: &'a Options,
     pub(super) start: Instant,
-    begin: Start,
+    pub(super) begin: Start,
     pub(super) meshes: Vec<(Mesh, Topology)>,
     pub(super) levels: Vec<Level>,
     pub(super) lower: Option<Bound<LowerField>>,
@@ -62,9 +55,9 @@ pub(super) struct Run<'a> {
     /// Elements asked for on the last mesh.
     target: f64,
     /// Shares in the gap of the triangles of the last mesh for which they are known.
-    shares: Option<(usize, Vec<f64>)>,
+    pub(super) shares: Option<(usize, Vec<f64>)>,
     /// Slip lines for the next mesh.
-    guides: Vec<Guide>,
+    pub(super) guides: Vec<Guide>,
 }
 
 impl<'a> Run<'a> {
@@ -157,44 +150,8 @@ impl<'a> Run<'a> {
             number == 0 || self.estimate(self.meshes[*m].0.triangles.len(), |l| l.lower) < self.remaining()
         });
         let own = lower_mesh.map(|m| self.lower_mesh(m)).transpose()?.flatten();
-        let run = &*self;
-        let lower_mesh = lower_mesh.map(|m| own.as_ref().unwrap_or(&run.meshes[m]));
-        // The cheaper one goes first, and the other counts only if that alone does not bring the gap asked for: with two
-        // threads it is given up then.
-        let elements = run.meshes[number].0.triangles.len() as f64;
-        let lower_first = lower_mesh.is_some_and(|(m, _)| LOWER_COST * (m.triangles.len() as f64) < elements);
-        let needless: [Arc<AtomicBool>; 2] = Default::default();
-        let is_needed = |side: usize| !needless[side].load(Ordering::Relaxed);
-        let solve_upper = || {
-            let upper = is_needed(UPPER).then(|| run.solve_upper(number, &needless[UPPER])).transpose();
-            let proven = upper.as_ref().ok().and_then(|u| u.as_ref()?.1.proven);
-            let enough = !lower_first && proven.is_some_and(|value| run.is_enough([None, Some(value)]));
-            needless[LOWER].store(enough, Ordering::Relaxed);
-            upper
-        };
-        let solve_lower = || {
-            let mesh = lower_mesh.filter(|_| is_needed(LOWER));
-            let lower = mesh.map(|m| run.solve_lower(m, &needless[LOWER])).transpose();
-            let proven = lower.as_ref().ok().and_then(|l| l.as_ref()?.0.proven);
-            let enough = lower_first && proven.is_some_and(|value| run.is_enough([Some(value), None]));
-            needless[UPPER].store(enough, Ordering::Relaxed);
-            lower
-        };
-        let (upper, lower) = if self.options.threads > 1 {
-            std::thread::scope(|scope| {
-                let lower = scope.spawn(solve_lower);
-                let upper = solve_upper();
-                let lower = lower.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                (upper, lower)
-            })
-        } else if lower_first {
-            let lower = solve_lower();
-            (solve_upper(), lower)
-        } else {
-            (solve_upper(), solve_lower())
-        };
-        let lower = if is_needed(LOWER) { lower? } else { None };
-        let Some(upper) = (if is_needed(UPPER) { upper? } else { None }) else {
+        let (upper, lower) = self.solve_both(number, own.as_ref().or(lower_mesh.map(|m| &self.meshes[m])))?;
+        let Some((tightening, upper_solve, upper_field, velocity, objective)) = upper else {
             // The lower bound was enough for the mesh before.
             self.meshes.pop();
             if let Some((solve, field, stress, objective)) = lower {
@@ -203,7 +160,6 @@ impl<'a> Run<'a> {
             }
             return Ok(Some(Ended::Gap));
         };
-        let (tightening, upper_solve, upper_field, velocity, objective) = upper;
         self.tightening = tightening;
         let mut level = Level { upper: upper_solve, lower: None, identity: None };
         if let Some((solve, field, stress, objective)) = lower {
@@ -234,39 +190,6 @@ impl<'a> Run<'a> {
             return Ok(Some(Ended::Stopped));
         }
         Ok((upper_solve.status == Status::Stopped || self.remaining() <= 0.0).then_some(Ended::Time))
-    }
-
-    /// A mesh of about `target` triangles.
-    fn mesh(&self, target: f64, fans: &[Fan], guides: &[Guide]) -> Result<(Mesh, Topology), LimitError> {
-        // Until shares are known, all of it gets finer.
-        let finer = (FIRST / target).sqrt();
-        let first = |p: [f64; 2]| finer * self.begin.size(p);
-        let of = |(m, shares): &(usize, Vec<f64>)| {
-            wanted_sizes(&self.meshes[*m].0, shares, target as usize, self.begin.largest)
-        };
-        let later = self.shares.as_ref().map(of).transpose()?;
-        let later = later.as_ref().map(|field: &SizeField| |p: [f64; 2]| field.size(p));
-        let size: &dyn Fn([f64; 2]) -> f64 = match &later {
-            Some(size) => size,
-            None => &first,
-        };
-        let mesh = generate(&Request {
-            outline: &self.problem.outline,
-            guides,
-            fans,
-            size,
-            // The size field asks for about the target; the fans come on top.
-            max_triangles: 4 * self.options.max_elements + 10_000,
-        })?;
-        let topology = Topology::new(&mesh);
-        Ok((mesh, topology))
-    }
-
-    /// A mesh for the lower bound, as fine as that of a level, where it differs.
-    fn lower_mesh(&self, level: usize) -> Result<Option<(Mesh, Topology)>, LimitError> {
-        let Some(fans) = self.begin.lower_fans(level) else { return Ok(None) };
-        let target = if level == 0 { FIRST } else { self.meshes[level].0.triangles.len() as f64 };
-        Ok(Some(self.mesh(target, &fans, &self.guides)?))
     }
 
     /// Spends what is left on a lower bound on the finest mesh that fits.
@@ -303,13 +226,6 @@ impl<'a> Run<'a> {
             self.lower = Some(Bound { value, elements: solve.elements, field });
             self.stress = Some((stress, objective));
         }
-    }
-
-    /// Whether bounds of these values, or the best so far, end the run.
-    fn is_enough(&self, [lower, upper]: [Option<f64>; 2]) -> bool {
-        let lower = lower.or(self.lower.as_ref().map(|b| b.value));
-        let upper = upper.or(self.upper.as_ref().map(|b| b.value));
-        lower.zip(upper).is_some_and(|(l, u)| relative_gap(l, u) <= self.options.max_gap)
     }
 
     fn gap(&self) -> Option<f64> {

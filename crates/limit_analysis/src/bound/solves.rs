@@ -25,6 +25,12 @@ const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
 const LEFT: f64 = 0.5;
 
+/// An upper bound: which tightening it took, its figures, its flow as proven and as solved, and its objective.
+pub(super) type SolvedUpper = (usize, Solve, UpperField, VelocityField, f64);
+
+/// A lower bound: its figures, its stresses as proven and as solved, and its objective.
+pub(super) type SolvedLower = (Solve, LowerField, StressField, f64);
+
 /// What a proof says, and what it does not cover.
 fn proven(proof: Result<f64, CertificateError>) -> (Option<f64>, Option<&'static str>) {
     match proof {
@@ -55,13 +61,17 @@ impl Run<'_> {
         &self,
         number: usize,
         needless: &Arc<AtomicBool>,
-    ) -> Result<(usize, Solve, UpperField, VelocityField, f64), LimitError> {
+    ) -> Result<SolvedUpper, LimitError> {
         let (mesh, topology) = &self.meshes[number];
         let still = self.bowl.still(mesh);
         let mut spent = 0.0;
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let answer = self.solve(&upper.program, Accuracy::FLOW, "upper", needless)?;
+            let mut answer = self.solve(&upper.program, Accuracy::FLOW, "upper", needless)?;
+            if answer.status == Status::Infeasible {
+                spent += answer.seconds;
+                answer = self.solve(&upper.program, Accuracy::FLOW_AGAIN, "upper", needless)?;
+            }
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proof = prove_upper(self.problem.statement(), &field);
@@ -91,7 +101,7 @@ impl Run<'_> {
         &self,
         (mesh, topology): &(Mesh, Topology),
         needless: &Arc<AtomicBool>,
-    ) -> Result<(Solve, LowerField, StressField, f64), LimitError> {
+    ) -> Result<SolvedLower, LimitError> {
         let mut spent = 0.0;
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);

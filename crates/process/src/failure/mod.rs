@@ -213,6 +213,9 @@ const NODES: usize = 120;
 /// So much of a curve after failure is looked at: a share of the way to failure, and at least so many depths.
 const AFTER_FAILURE: f64 = 1.5;
 const AFTER_DEPTHS: f64 = 0.3;
+/// A plate that went back by more depths than this was let go.
+const LET_GO: f64 = 0.02;
+
 /// Least travel in depths: below, there is no curve.
 const LEAST_TRAVEL: f64 = 2e-3;
 
@@ -256,7 +259,7 @@ pub fn failure_force(trace: &Trace, settings: &FailureSettings) -> Analysis {
 /// Nodes of the curve and how it saturates. What the plate does long after the failure, when it has left its depth or has a
 /// heap ahead, is left out as soon as it is known where that begins.
 fn curve(loading: &Blocks, settings: &FailureSettings) -> (Vec<[f64; 2]>, Option<Saturation>) {
-    let mut part = loading.clone();
+    let mut part = loading.virgin(LET_GO * settings.depth_m);
     loop {
         let nodes = part.nodes(NODES);
         let found = saturation::fit(&from_rest(&nodes), part.noise_n, settings.depth_m);

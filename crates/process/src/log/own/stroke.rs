@@ -111,7 +111,7 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
         });
         tips[1].push(tip_and_sensor(arm, &sample.motor)?.0.origin_m);
     }
-    let surface = touched(arm, &logged.approach, &tare, logged.stated_surface_m)?.or_else(|| {
+    let surface = touched(arm, &logged.approach, &tare)?.or_else(|| {
         flags.push("surface_as_stated");
         logged.stated_surface_m
     });

@@ -3,7 +3,6 @@
 
 use soilctl_kinematics::Arm;
 
-use super::joints::mean_gap;
 use super::sample::{Phase, Sample, tip_and_sensor};
 use crate::ProcessError;
 
@@ -13,24 +12,13 @@ const BLOCK: usize = 10;
 const CONTACT_N: f64 = 0.08;
 /// Blocks in contact that are no jolt of the arm.
 const STEADY: usize = 3;
-/// Over this time in s before contact both encoders are compared.
-const COMPARED_S: f64 = 0.8;
+/// Over so many samples before and after contact the height of the edge is fitted by a line.
+const FITTED: usize = 50;
 
-/// Way in m in which firm soil ends a touch.
-const FIRM_M: f64 = 0.002;
-/// The encoders may err by as much in m, if joints turned back shortly before the contact.
-const ASTRAY_M: f64 = 0.0012;
-
-/// Height of the soil where the plate met it, in m; `None` if the approach shows no such place.
+/// Height of the soil where the plate met it, in m, by the external encoders; `None` if the approach shows no such place.
 ///
-/// `stated_m` is what the controller made of the end of the touch, which it knows by more than one moment: on firm soil it
-/// corrects what the encoders say.
-pub(super) fn touched(
-    arm: &Arm,
-    approach: &[Sample],
-    tare: &[f64; 6],
-    stated_m: Option<f64>,
-) -> Result<Option<f64>, ProcessError> {
+/// The motors would be finer, but a plate that comes down slowly takes up free play on its way, which they count as motion.
+pub(super) fn touched(arm: &Arm, approach: &[Sample], tare: &[f64; 6]) -> Result<Option<f64>, ProcessError> {
     let touch: Vec<&Sample> = approach.iter().filter(|s| s.phase == Phase::Touch).collect();
     // Forwards: soft soil may give way for a while after the edge has met it.
     let (mut first, mut pressed) = (None, 0);
@@ -48,18 +36,22 @@ pub(super) fn touched(
         }
     }
     // In contact from the first block on: the way down was not recorded.
-    let Some(contact) = first.and_then(|first| touch.get(first)).filter(|s| s.t_s > touch[0].t_s) else {
-        return Ok(None);
-    };
-    let moving = touch.iter().copied().filter(|s| s.t_s < contact.t_s && s.t_s > contact.t_s - COMPARED_S);
-    let Some(gap) = mean_gap(moving) else { return Ok(None) };
-    let height = |motor: &[f64; 5]| -> Result<f64, ProcessError> {
-        let joints = std::array::from_fn(|i| motor[i] + gap[i]);
-        Ok(tip_and_sensor(arm, &joints)?.0.origin_m[2])
-    };
-    let seen_m = height(&contact.motor)?;
-    let (Some(stated_m), Some(end)) = (stated_m, touch.last()) else { return Ok(Some(seen_m)) };
-    let way_m = seen_m - height(&end.motor)?;
-    let astray = way_m < FIRM_M && (stated_m + way_m - seen_m).abs() > ASTRAY_M;
-    Ok(Some(if astray { stated_m + way_m } else { seen_m }))
+    let Some(contact) = first.filter(|first| *first > 0) else { return Ok(None) };
+    let near = &touch[contact.saturating_sub(FITTED)..(contact + FITTED).min(touch.len())];
+    let Some(met) = touch.get(contact) else { return Ok(None) };
+    let heights = near
+        .iter()
+        .map(|sample| Ok((sample.t_s - met.t_s, tip_and_sensor(arm, &sample.external)?.0.origin_m[2])));
+    let heights: Vec<(f64, f64)> = heights.collect::<Result<_, ProcessError>>()?;
+    Ok(line_at_zero(&heights))
+}
+
+/// Value at 0 of the line that fits best; `None` where there is no line.
+fn line_at_zero(points: &[(f64, f64)]) -> Option<f64> {
+    let count = points.len() as f64;
+    let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (t, z) = (mean(&|p| p.0), mean(&|p| p.1));
+    let (tt, tz) = (mean(&|p| (p.0 - t).powi(2)), mean(&|p| (p.0 - t) * (p.1 - z)));
+    let found = z - t * tz / tt;
+    found.is_finite().then_some(found)
 }
