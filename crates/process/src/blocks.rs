@@ -102,3 +102,18 @@ impl Blocks {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn soil_that_is_pushed_again_counts_from_where_it_was_let_go() {
+        let u_m = vec![0.0, 1.0, 2.0, 3.0, 2.95, 2.0, 1.0, 2.0, 2.95, 3.0, 4.0];
+        let f_n: Vec<f64> = (0..u_m.len()).map(|k| k as f64).collect();
+        let blocks = Blocks { t_s: f_n.clone(), u_m, f_n, samples: 1, noise_n: 0.1 };
+        let new = blocks.virgin(0.1);
+        assert_eq!(new.f_n, [0.0, 1.0, 2.0, 3.0, 4.0, 8.0, 9.0, 10.0]);
+        assert_eq!((new.u_m.len(), new.t_s), (8, new.f_n));
+    }
+}

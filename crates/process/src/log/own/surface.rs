@@ -55,3 +55,16 @@ fn line_at_zero(points: &[(f64, f64)]) -> Option<f64> {
     let found = z - t * tz / tt;
     found.is_finite().then_some(found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_line_is_read_where_the_edge_met_the_soil() {
+        let points: Vec<(f64, f64)> =
+            (-50..40).map(|k| (0.002 * f64::from(k), -0.33 - 0.00002 * f64::from(k))).collect();
+        assert!((line_at_zero(&points).unwrap() + 0.33).abs() < 1e-12);
+        assert_eq!((line_at_zero(&points[..1]), line_at_zero(&[])), (None, None));
+    }
+}
