@@ -4,6 +4,7 @@
 //! same answers without a process of their own.
 
 mod args;
+mod command;
 mod error;
 mod finite;
 mod output;
@@ -36,7 +37,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
 }
 
 fn exit_code(args: impl IntoIterator<Item = OsString>) -> u8 {
-    let cli = match Cli::try_parse_from(args) {
+    let args: Vec<OsString> = args.into_iter().collect();
+    let cli = match Cli::try_parse_from(&args) {
         Ok(cli) => cli,
         Err(usage) => {
             // Help and version are an answer (0), anything else is wrong usage (2); a closed pipe changes neither.
@@ -44,7 +46,7 @@ fn exit_code(args: impl IntoIterator<Item = OsString>) -> u8 {
             return if usage.use_stderr() { 2 } else { 0 };
         }
     };
-    let mut output = Output::new(cli.format, cli.quiet);
+    let mut output = Output::new(cli.format, cli.quiet).of_command(command::line(&args));
     match cli.verb.run(&mut output) {
         Ok(outcome) => code(outcome),
         Err(error) if error.is_broken_pipe() => 0,
@@ -94,13 +96,14 @@ pub fn answer(
     stop: Arc<AtomicBool>,
     progress: Arc<Progress>,
 ) -> Result<Answered, Refused> {
-    let cli = Cli::try_parse_from(args).map_err(|usage| Refused::Input(usage.render().to_string()))?;
+    let args: Vec<OsString> = args.into_iter().collect();
+    let cli = Cli::try_parse_from(&args).map_err(|usage| Refused::Input(usage.render().to_string()))?;
     if !cli.verb.is_one_answer() {
         return Err(Refused::Input(
             "this verb talks to its user or runs until it is ended; use the command soilctl".into(),
         ));
     }
-    let mut output = Output::kept(stop, progress);
+    let mut output = Output::kept(stop, progress).of_command(command::line(&args));
     let outcome = cli.verb.run(&mut output).map_err(|error| match error.is_of_a_file() {
         true => Refused::File(error.to_string()),
         false => Refused::Input(error.to_string()),

@@ -58,6 +58,8 @@ pub(crate) struct Output {
     stop: OnceLock<Arc<AtomicBool>>,
     /// How far the work is.
     progress: Arc<Progress>,
+    /// The command line, as pages show it.
+    command: String,
 }
 
 /// What runs the verb.
@@ -85,13 +87,38 @@ impl Notes {
 
 impl Output {
     pub(crate) fn new(format: Format, quiet: bool) -> Self {
-        Self { format, quiet, host: Host::Program, stop: OnceLock::new(), progress: Arc::default() }
+        Self {
+            format,
+            quiet,
+            host: Host::Program,
+            stop: OnceLock::new(),
+            progress: Arc::default(),
+            command: String::new(),
+        }
     }
 
     /// Keeps the answer in JSON, writes nothing, and counts what is done in `progress`.
     pub(crate) const fn kept(stop: Arc<AtomicBool>, progress: Arc<Progress>) -> Self {
         let host = Host::Library { answer: Vec::new(), stop };
-        Self { format: Format::Json, quiet: true, host, stop: OnceLock::new(), progress }
+        Self {
+            format: Format::Json,
+            quiet: true,
+            host,
+            stop: OnceLock::new(),
+            progress,
+            command: String::new(),
+        }
+    }
+
+    /// Says which command line this is the output of.
+    pub(crate) fn of_command(mut self, line: String) -> Self {
+        self.command = line;
+        self
+    }
+
+    /// The command line, as pages show it.
+    pub(crate) fn command(&self) -> &str {
+        &self.command
     }
 
     /// The answer that was kept; empty for a program.

@@ -7,9 +7,36 @@ pub(crate) fn number(value: f64) -> String {
     if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
+/// Four significant digits that are not above the number: a lower bound still holds.
+pub(crate) fn rounded_down(value: f64) -> String {
+    towards(value, -1.0)
+}
+
+/// Four significant digits that are not below the number: an upper bound still holds.
+pub(crate) fn rounded_up(value: f64) -> String {
+    towards(value, 1.0)
+}
+
+fn towards(value: f64, sign: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if sign * (rounded - value) >= 0.0 || value == 0.0 {
+        return number(rounded);
+    }
+    // The next number of four digits on that side.
+    let step = 10.0_f64.powf(value.abs().log10().floor() - 3.0);
+    let next: f64 = format!("{:.3e}", rounded + sign * step).parse().unwrap_or(value);
+    number(next)
+}
+
 /// A number, or a dash where there is none.
 pub(crate) fn number_or_dash(value: Option<f64>) -> String {
     value.map_or_else(|| "-".into(), number)
+}
+
+/// With a capital letter at the beginning.
+pub(crate) fn sentence_case(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Rows with their columns aligned to the right, two spaces apart.
@@ -37,6 +64,19 @@ pub(crate) fn columns(rows: &[Vec<String>]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rounded_bounds_still_hold() {
+        for value in
+            [1.23456, 12.3456, 0.000_123_456, 99.999, 1e5 + 0.1, -3.14159, 8.0 / 3.0, -0.099_999, 4.0]
+        {
+            let (down, up): (f64, f64) =
+                (rounded_down(value).parse().unwrap(), rounded_up(value).parse().unwrap());
+            assert!(down <= value && value <= up, "{value}: {down} {up}");
+            assert!(up - down <= 2e-3 * value.abs(), "{value}: {down} {up}");
+        }
+        assert_eq!((rounded_down(4.0), rounded_up(4.0)), ("4".into(), "4".into()));
+    }
 
     #[test]
     fn numbers_keep_six_digits_at_any_size() {

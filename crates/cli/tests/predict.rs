@@ -173,7 +173,7 @@ fn figures_are_written_in_the_form_of_their_name() {
             assert!(std::fs::read(&file).unwrap().starts_with(magic), "{kind}.{ending}");
         }
     }
-    assert!(refused(&case(&["--plot", "figure.pdf"])).contains(".svg or .png"));
+    assert!(refused(&case(&["--plot", "figure.pdf"])).contains(".svg, .png or .csv"));
     assert!(refused(&case(&["--plot", "no/such/folder.svg"])).contains("no/such/folder.svg"));
 }
 

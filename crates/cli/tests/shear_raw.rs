@@ -70,6 +70,6 @@ fn figures_are_written_in_the_form_of_their_name() {
         &["nevada_fine", "extrapolated", "stresses of the stroke"],
     );
     let table = data("direct_shear.csv");
-    says(&refused(&["shear", &table, "--plot", "x.pdf"]), &[".svg or .png"]);
+    says(&refused(&["shear", &table, "--plot", "x.pdf"]), &[".svg, .png or .csv"]);
     says(&refused(&["shear", &table, "--plot", "x.svg", "--plot-kind", "records"]), &["--raw"]);
 }

@@ -43,8 +43,8 @@ mod report;
 pub use draw::FigureGrid;
 pub use error::FigureError;
 pub use model::{
-    Axis, Band, DataPoint, Figure, Layer, Legend, Line, Orientation, Paths, Points, Polygon, Polygons,
-    RefLine, Scale, Shade, Shades, Size, Span, Text, TextPlace,
+    Axis, Band, DataPoint, Figure, Layer, Legend, Line, Motion, MovingPoint, Orientation, Paths, Points,
+    Polygon, Polygons, RefLine, Scale, Shade, Shades, Size, Span, Text, TextPlace,
 };
 pub use palette::{Dash, Marker};
-pub use report::{Align, CalloutKind, HtmlReport, RichText, Table};
+pub use report::{Align, CalloutKind, HtmlReport, RichText, Shown, Table};

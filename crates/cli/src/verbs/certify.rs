@@ -5,12 +5,14 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_certificate::{CertificateError, Solution, prove_lower, prove_upper};
+use soilctl_figure::CalloutKind;
 use soilctl_limit_analysis::results::Units;
 
 use super::Outcome;
-use super::limits::{Show, Shown};
+use super::limits::{ResultsAnswer, Show, Shown, Told, bounds_table};
 use crate::error::CliError;
 use crate::output::{Answer, Output};
+use crate::text::number_or_dash;
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -36,7 +38,7 @@ pub(crate) struct CertifyAnswer {
     upper: Option<Checked>,
     /// What the problem is, in the words of the file.
     description: Option<String>,
-    /// Files written for --plot, --vtu and --mesh, named as they were given.
+    /// Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
     files: Vec<String>,
 }
 
@@ -93,8 +95,19 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         )));
     }
     let certified = [&lower, &upper].into_iter().flatten().all(|c| c.confirmed);
-    let files = if args.show.any() { args.show.write(&shown(&solution)?)? } else { Vec::new() };
-    let answer = CertifyAnswer { certified, lower, upper, description: solution.scale.description, files };
+    let mut answer = CertifyAnswer {
+        certified,
+        lower,
+        upper,
+        description: solution.scale.description.clone(),
+        files: Vec::new(),
+    };
+    if args.show.any() {
+        let shown = shown(&solution)?;
+        let mut results = ResultsAnswer::new(&shown, args.show.write(&shown, output)?)?;
+        args.show.report(&shown, &mut results, answer.told()?, output)?;
+        answer.files = results.into_files();
+    }
     output.answer(&answer)?;
     Ok(if certified { Outcome::Done } else { Outcome::Negative })
 }
@@ -115,6 +128,42 @@ fn shown(solution: &Solution) -> Result<Shown, CliError> {
         units,
         title.unwrap_or_default().to_owned(),
     )
+}
+
+impl CertifyAnswer {
+    /// What the page tells.
+    fn told(&self) -> Result<Told, CliError> {
+        let mut bounds = bounds_table();
+        let row = |of: fn(&Checked) -> Option<f64>| {
+            [&self.lower, &self.upper].map(|c| number_or_dash(c.as_ref().and_then(of)))
+        };
+        let ([lower, upper], [claimed_lower, claimed_upper]) = (row(|c| c.proven), row(|c| Some(c.claimed)));
+        bounds.row(["Proven".to_owned(), lower, upper])?;
+        bounds.row(["Claimed".to_owned(), claimed_lower, claimed_upper])?;
+        let verdict = if self.certified {
+            (
+                CalloutKind::Good,
+                "Every claim is proven",
+                "Each field was read from the file and checked anew with interval arithmetic.".to_owned(),
+            )
+        } else {
+            let lines = [("lower bound", &self.lower), ("upper bound", &self.upper)]
+                .map(|(name, c)| c.as_ref().filter(|c| !c.confirmed).map(|c| c.line(name).trim().to_owned()));
+            (
+                CalloutKind::Bad,
+                "Not every claim is proven",
+                lines.into_iter().flatten().collect::<Vec<_>>().join("; "),
+            )
+        };
+        Ok(Told {
+            kind: "Saved solution",
+            subtitle: self.description.clone().unwrap_or_default(),
+            verdict: (verdict.0, verdict.1.to_owned(), verdict.2),
+            bounds,
+            given: Vec::new(),
+            steps: None,
+        })
+    }
 }
 
 impl Answer for CertifyAnswer {

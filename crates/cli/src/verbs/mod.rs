@@ -11,6 +11,7 @@ mod estimate;
 mod limits;
 mod log;
 mod monitor;
+mod pages;
 mod predict;
 mod process;
 mod replay;
@@ -125,13 +126,13 @@ fn save_figure(figure: &Figure, path: &Path, size: Size) -> Result<(), CliError>
     let bytes = match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => figure.to_svg(size)?.into_bytes(),
         Some("png") => figure.to_png(size)?,
+        Some("csv") => figure.to_csv().into_bytes(),
         _ => {
             return Err(CliError::Usage(format!(
-                "--plot is {}; the name must end in .svg or .png",
+                "--plot is {}; the name must end in .svg, .png or .csv",
                 path.display()
             )));
         }
     };
-    std::fs::write(path, bytes)
-        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+    process::save(path, &bytes)
 }

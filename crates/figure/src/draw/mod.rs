@@ -22,7 +22,18 @@ pub use grid::FigureGrid;
 
 use crate::error::FigureError;
 use crate::model::{Figure, Size};
+pub(crate) use frame::Frame;
 use scene::Scene;
+
+/// The axes of a figure without its layers, and where things go between them.
+pub(crate) fn axes_of(figure: &Figure, size: Size) -> Result<(Scene, Frame), FigureError> {
+    fonts::register()?;
+    let mut scene = Scene::new(size, &figure.title);
+    let frame = Frame::new(figure, f64::from(size.width()), f64::from(size.height()));
+    axes::draw(figure, &frame, &mut scene);
+    axes::draw_border(&frame, &mut scene);
+    Ok((scene, frame))
+}
 
 /// Lays a figure out on a page of its own.
 pub(crate) fn scene_of(figure: &Figure, size: Size) -> Result<Scene, FigureError> {
@@ -31,7 +42,7 @@ pub(crate) fn scene_of(figure: &Figure, size: Size) -> Result<Scene, FigureError
         return Err(FigureError::EmptyFigure { title: figure.title.clone() });
     }
     let mut scene = Scene::new(size, &figure.title);
-    let frame = frame::Frame::new(figure, f64::from(size.width()), f64::from(size.height()));
+    let frame = Frame::new(figure, f64::from(size.width()), f64::from(size.height()));
     axes::draw(figure, &frame, &mut scene);
     layers::draw(figure, &frame, &mut scene);
     axes::draw_border(&frame, &mut scene);

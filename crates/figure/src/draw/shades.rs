@@ -27,7 +27,7 @@ pub(crate) fn draw_shades(shades: &Shades, frame: &Frame, scene: &mut Scene) {
 
 fn bars(figure: &Figure) -> impl Iterator<Item = &Shades> {
     figure.layers.iter().filter_map(|layer| match layer {
-        Layer::Shades(shades) => Some(shades),
+        Layer::Shades(shades) if shades.bar => Some(shades),
         _ => None,
     })
 }

@@ -67,7 +67,9 @@ pub(super) fn shades_traces(shades: &Shades) -> Vec<Value> {
             json
         })
         .collect();
-    traces.push(color_bar(shades));
+    if shades.bar {
+        traces.push(color_bar(shades));
+    }
     traces
 }
 

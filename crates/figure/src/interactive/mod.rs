@@ -2,8 +2,10 @@
 
 mod fields;
 mod layout;
+mod motion;
 mod traces;
 
+pub(crate) use motion::to_json as motion_to_json;
 use serde_json::{Value, json};
 
 use crate::model::Figure;

@@ -1,8 +1,7 @@
-use std::collections::BTreeMap;
-
 use serde::Serialize;
 
 use super::DataPoint;
+use super::outline::{bits, outline};
 use crate::palette::{Rgb, shade};
 
 /// A polygon and its value.
@@ -27,6 +26,8 @@ pub struct Shades {
     pub parts: Vec<Shade>,
     /// Values at the ends of the colour bar; what is beyond has the colour of the end.
     pub range: (f64, f64),
+    /// Whether there is a colour bar beside the plot.
+    pub bar: bool,
 }
 
 /// Steps of the colour bar.
@@ -35,7 +36,14 @@ pub(crate) const STEPS: usize = 10;
 impl Shades {
     /// Polygons coloured by their values between `low` and `high`.
     pub fn new(name: impl Into<String>, parts: impl Into<Vec<Shade>>, low: f64, high: f64) -> Self {
-        Self { name: name.into(), parts: parts.into(), range: (low, high) }
+        Self { name: name.into(), parts: parts.into(), range: (low, high), bar: true }
+    }
+
+    /// Leaves the colour bar out, for colours that only keep things apart.
+    #[must_use]
+    pub fn without_bar(mut self) -> Self {
+        self.bar = false;
+        self
     }
 
     /// Lowest value of a step.
@@ -51,42 +59,11 @@ impl Shades {
             .map(|step| {
                 let least = self.threshold(step);
                 let rings = self.parts.iter().filter(|p| p.value >= least).map(|p| p.ring.as_slice());
-                (shade(step as f64 / (STEPS - 1) as f64), outline(rings))
+                (shade(step as f64 / (STEPS - 1) as f64), outline(rings, |p| [p.0, p.1].map(bits)))
             })
             .filter(|(_, rings)| !rings.is_empty())
             .collect()
     }
-}
-
-/// The outline of polygons that may have edges in common: what of their edges is not walked both ways.
-fn outline<'a>(rings: impl Iterator<Item = &'a [DataPoint]>) -> Vec<Vec<DataPoint>> {
-    type Key = [u64; 2];
-    let key = |p: DataPoint| -> Key { [p.0, p.1].map(|x| (x + 0.0).to_bits()) };
-    let mut from: BTreeMap<Key, Vec<DataPoint>> = BTreeMap::new();
-    for ring in rings {
-        for (i, &a) in ring.iter().enumerate() {
-            let b = ring[(i + 1) % ring.len()];
-            // The same edge walked the other way is gone.
-            let back = from.get_mut(&key(b)).and_then(|ends| {
-                ends.iter().position(|end| key(*end) == key(a)).map(|at| ends.swap_remove(at))
-            });
-            if back.is_none() {
-                from.entry(key(a)).or_default().push(b);
-            }
-        }
-    }
-    let mut outlines = Vec::new();
-    while let Some((&start, _)) = from.iter().find(|(_, ends)| !ends.is_empty()) {
-        let mut ring = Vec::new();
-        let mut here = start;
-        while let Some(next) = from.get_mut(&here).and_then(Vec::pop) {
-            ring.push(next);
-            here = key(next);
-        }
-        from.retain(|_, ends| !ends.is_empty());
-        outlines.push(ring);
-    }
-    outlines
 }
 
 #[cfg(test)]

@@ -14,11 +14,11 @@ use crate::verbs::limits::{LevelAnswer, ResultsAnswer, ended, level_table};
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct BoundAnswer {
     /// Lower bound on the net coefficient per slant length, `2 F / (gamma L^2 w)`.
-    lower: f64,
+    pub(super) lower: f64,
     /// Upper bound on it.
-    upper: f64,
+    pub(super) upper: f64,
     /// `(U - L) / ((U + L) / 2)`.
-    gap: f64,
+    pub(super) gap: f64,
     /// Whether both bounds are proven with interval arithmetic.
     certified: bool,
     /// Triangles of the mesh of the lower bound; each has three parts.
@@ -28,48 +28,48 @@ pub(crate) struct BoundAnswer {
     /// Time spent in s.
     seconds: f64,
     /// Lower bound on the force in N; null without depth, width or density.
-    force_lower_n: Option<f64>,
+    pub(super) force_lower_n: Option<f64>,
     /// Upper bound on the force in N; null likewise.
-    force_upper_n: Option<f64>,
+    pub(super) force_upper_n: Option<f64>,
     /// Why the run ended: gap, time, elements, memory or stopped.
-    ended: &'static str,
+    pub(super) ended: &'static str,
     /// All levels, coarse to fine.
-    levels: Vec<LevelAnswer>,
+    pub(super) levels: Vec<LevelAnswer>,
     /// How far the moving soil reaches along the surface ahead of the plate's top; in the unit of `results`.
     wedge_ahead: f64,
     /// The same behind it.
     wedge_behind: f64,
     /// What the fields behind the bounds show: x along the surface from the plate's top, y across it.
-    results: ResultsAnswer,
+    pub(super) results: ResultsAnswer,
     /// What was asked.
-    inputs: Inputs,
+    pub(super) inputs: Inputs,
 }
 
 /// The inputs.
 #[derive(Debug, Serialize, JsonSchema)]
-struct Inputs {
+pub(super) struct Inputs {
     /// Tool angle.
-    alpha_deg: f64,
+    pub(super) alpha_deg: f64,
     /// Surface slope.
-    beta_deg: f64,
+    pub(super) beta_deg: f64,
     /// Friction angle of the soil.
-    phi_deg: f64,
+    pub(super) phi_deg: f64,
     /// Interface friction angle.
-    delta_deg: f64,
+    pub(super) delta_deg: f64,
     /// Cohesion.
-    cohesion_pa: f64,
+    pub(super) cohesion_pa: f64,
     /// Adhesion.
-    adhesion_pa: f64,
+    pub(super) adhesion_pa: f64,
     /// Surcharge.
-    surcharge_pa: f64,
+    pub(super) surcharge_pa: f64,
     /// Bulk density; null if not given.
-    density_kg_m3: Option<f64>,
+    pub(super) density_kg_m3: Option<f64>,
     /// Gravity.
-    gravity_m_s2: f64,
+    pub(super) gravity_m_s2: f64,
     /// Vertical depth of the lower edge; null if not given.
-    depth_m: Option<f64>,
+    pub(super) depth_m: Option<f64>,
     /// Width of the plate; null if not given.
-    width_m: Option<f64>,
+    pub(super) width_m: Option<f64>,
 }
 
 impl BoundAnswer {

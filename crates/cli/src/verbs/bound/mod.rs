@@ -1,6 +1,7 @@
 //! `soilctl bound`: proven bounds on the force of an embedded plate.
 
 mod answer;
+mod page;
 mod plate;
 
 use std::path::PathBuf;
@@ -85,8 +86,10 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         scaled.shown_in(),
         scaled.title(),
     )?;
-    let results = ResultsAnswer::new(&shown, args.show.write(&shown)?)?;
-    let answer = BoundAnswer::new(args, &scaled, &bounds, results);
+    let results = ResultsAnswer::new(&shown, args.show.write(&shown, output)?)?;
+    let mut answer = BoundAnswer::new(args, &scaled, &bounds, results);
+    let told = answer.told(args.budget.max_gap)?;
+    args.show.report(&shown, &mut answer.results, told, output)?;
     output.answer(&answer)?;
     Ok(if bounds.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
 }

@@ -11,7 +11,8 @@ use super::steps::Told;
 use crate::error::CliError;
 use crate::text::number;
 use crate::verbs::estimate::figures as estimate;
-use crate::verbs::process::{figures as process, save};
+use crate::verbs::process::figures as process;
+use crate::verbs::save_figure;
 
 /// Samples a second of the traces.
 pub(super) const TRACE_RATE_HZ: f64 = 50.0;
@@ -53,7 +54,7 @@ pub(super) fn all(answer: &DemoAnswer, told: &Told<'_>) -> Result<Drawn, CliErro
     })
 }
 
-/// Writes all figures as SVG; their paths.
+/// Writes all figures as SVG, PNG and CSV; their paths.
 pub(super) fn save_all(drawn: &Drawn, folder: &Folder) -> Result<Vec<String>, CliError> {
     let figures = folder.file("figures");
     std::fs::create_dir_all(&figures)
@@ -61,9 +62,11 @@ pub(super) fn save_all(drawn: &Drawn, folder: &Folder) -> Result<Vec<String>, Cl
     let mut written = Vec::new();
     for (name, figure) in drawn.named() {
         if let Some(figure) = figure {
-            let path = figures.join(format!("{name}.svg"));
-            save(&path, figure.to_svg(Size::default())?.as_bytes())?;
-            written.push(path.display().to_string());
+            for form in ["svg", "png", "csv"] {
+                let path = figures.join(format!("{name}.{form}"));
+                save_figure(figure, &path, Size::default())?;
+                written.push(path.display().to_string());
+            }
         }
     }
     Ok(written)

@@ -10,6 +10,7 @@ use super::folder::{Folder, Made};
 use super::{delta, figures, page, plan, words};
 use crate::error::CliError;
 use crate::output::Output;
+use crate::verbs::pages::{self, FigureFiles};
 use crate::verbs::process::{self, ProcessAnswer, Skipped, save};
 use crate::verbs::simulate::{self, SimulateAnswer};
 
@@ -70,7 +71,7 @@ pub(super) fn run(args: &Args, soil: &SoilPreset, output: &Output) -> Result<Dem
     answer.files.figures = figures::save_all(&drawn, &folder)?;
     let path = folder.file("report.html");
     answer.files.report = Some(path.display().to_string());
-    save(&path, page::render(&answer, &told, &drawn)?.as_bytes())?;
+    pages::write(&mut page::render(&answer, &told, &drawn)?, Some(&path), &FigureFiles::default(), output)?;
     Ok(answer)
 }
 
@@ -152,6 +153,7 @@ fn process_args(
             model: answer.model.clone(),
         },
         report: None,
+        figures: FigureFiles::default(),
         plot: None,
         plot_kind: None,
     })

@@ -15,6 +15,7 @@ use soilctl_earth_pressure::model;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use super::Outcome;
+use super::pages::{self, FigureFiles};
 use crate::error::CliError;
 use crate::output::Output;
 
@@ -34,6 +35,9 @@ pub(crate) struct Args {
     /// Folder to write to [default: DIR/diagnosis]
     #[arg(long, value_name = "DIR2", conflicts_with = "self_test")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    figures: FigureFiles,
 
     /// Diagnose hidden campaigns instead, and count how often it is right
     #[arg(long)]
@@ -67,8 +71,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         .map_err(|problem| CliError::File { path: out.display().to_string(), problem })?;
     let written = files::write(&work, &strokes, &out)?;
     let answer = DiagnosisAnswer::new(&work, &written);
-    std::fs::write(&written.report, page::render(&work, &answer)?)
-        .map_err(|problem| CliError::File { path: written.report.display().to_string(), problem })?;
+    pages::write(&mut page::render(&work, &answer)?, Some(&written.report), &args.figures, output)?;
     output.answer(&answer)?;
     Ok(Outcome::Done)
 }

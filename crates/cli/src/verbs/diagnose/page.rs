@@ -5,29 +5,29 @@ use soilctl_figure::{Align, CalloutKind, HtmlReport, Size, Table};
 
 use super::{DiagnosisAnswer, Work, figures};
 use crate::error::CliError;
-use crate::text::number;
+use crate::text::{number, sentence_case};
 
 /// Most covariates that residuals are drawn over.
 const MOST_FIGURES: usize = 3;
 /// Explanations that are listed.
 const MOST_RIVALS: usize = 8;
 
-pub(super) fn render(work: &Work, answer: &DiagnosisAnswer) -> Result<String, CliError> {
-    let mut page = HtmlReport::new(format!("Diagnosis: {}", work.title));
-    page.subtitle(format!("{} strokes against the force model {}", answer.strokes, answer.model));
-    page.footer(format!("soilctl {}", env!("CARGO_PKG_VERSION")));
+pub(super) fn render(work: &Work, answer: &DiagnosisAnswer) -> Result<HtmlReport, CliError> {
+    let mut page = HtmlReport::new(&work.title);
+    page.kind("Diagnosis")
+        .subtitle(format!("{} strokes against the force model {}", answer.strokes, answer.model));
     let kind = match answer.status.as_str() {
         "none" | "named" => CalloutKind::Good,
         _ => CalloutKind::Warning,
     };
-    page.callout(kind, answer.status.replace('_', " "), answer.sentence());
+    page.verdict(kind, sentence_case(&answer.status.replace('_', " ")), answer.sentence());
     places(&mut page, work, answer)?;
     what(&mut page, answer)?;
     rivals(&mut page, work, answer)?;
     changes(&mut page, work, answer)?;
     next(&mut page, answer)?;
     testability(&mut page, answer)?;
-    Ok(page.to_html())
+    Ok(page)
 }
 
 fn places(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Result<(), CliError> {

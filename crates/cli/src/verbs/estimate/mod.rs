@@ -45,7 +45,7 @@ pub(crate) struct Args {
     #[arg(long)]
     exact: bool,
 
-    /// Draws a figure (.svg or .png)
+    /// Draws a figure (.svg, .png) or writes its data (.csv)
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 

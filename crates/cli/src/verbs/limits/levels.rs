@@ -2,8 +2,10 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use soilctl_figure::{Align, Table};
 use soilctl_limit_analysis::{Ended, IDENTITY, Level, Solve, Status};
 
+use crate::error::CliError;
 use crate::output::Output;
 use crate::text::{columns, number, number_or_dash};
 
@@ -99,6 +101,22 @@ pub(crate) fn level_table(levels: &[LevelAnswer]) -> String {
         rows.push(row);
     }
     columns(&rows)
+}
+
+/// All levels as a table of a page; without times, which are different each time.
+pub(crate) fn level_page_table(levels: &[LevelAnswer]) -> Result<Option<Table>, CliError> {
+    if levels.is_empty() {
+        return Ok(None);
+    }
+    let columns = ["level", "elements", "upper bound", "elements", "lower bound"].map(|c| (c, Align::Right));
+    let mut table = Table::new("Meshes from coarse to fine, and what was proven on each", columns);
+    for (index, level) in levels.iter().enumerate() {
+        let two = |s: &SolveAnswer| [s.elements.to_string(), number_or_dash(s.proven)];
+        let [upper, lower] = [Some(&level.upper), level.lower.as_ref()]
+            .map(|s| s.map_or_else(|| ["-".to_owned(), "-".to_owned()], two));
+        table.row([(index + 1).to_string()].into_iter().chain(upper).chain(lower))?;
+    }
+    Ok(Some(table))
 }
 
 impl SolveAnswer {

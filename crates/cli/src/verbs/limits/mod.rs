@@ -7,8 +7,8 @@ mod why;
 
 use std::path::PathBuf;
 
-pub(crate) use levels::{LevelAnswer, ended, level_table, note_doubts};
-pub(crate) use show::{ResultsAnswer, Show, Shown};
+pub(crate) use levels::{LevelAnswer, ended, level_page_table, level_table, note_doubts};
+pub(crate) use show::{ResultsAnswer, Show, Shown, Told, bounds_table, proven};
 use soilctl_limit_analysis::{Level, Options};
 pub(crate) use why::Watch;
 

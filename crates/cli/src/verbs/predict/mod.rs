@@ -80,7 +80,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     strokes: Option<PathBuf>,
 
-    /// Draws a figure (.svg or .png)
+    /// Draws a figure (.svg, .png) or writes its data (.csv)
     #[arg(long, value_name = "FILE", conflicts_with = "strokes")]
     plot: Option<PathBuf>,
 

@@ -20,6 +20,7 @@ pub(crate) use manifest::Skipped;
 pub(crate) use outputs::save;
 
 use super::Outcome;
+use super::pages::{self, FigureFiles};
 use crate::args::finite;
 use crate::error::CliError;
 use crate::output::Output;
@@ -61,7 +62,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     pub(crate) report: Option<PathBuf>,
 
-    /// A figure (.svg or .png)
+    #[command(flatten)]
+    pub(crate) figures: FigureFiles,
+
+    /// A figure (.svg, .png) or its data (.csv)
     #[arg(long, value_name = "FILE", requires = "plot_kind")]
     pub(crate) plot: Option<PathBuf>,
 
@@ -192,9 +196,9 @@ pub(crate) fn process(args: &Args, output: &Output) -> Result<(ProcessAnswer, Ou
         super::save_figure(&figure, path, soilctl_figure::Size::default())?;
         written.push(path.display().to_string());
     }
-    if let Some(path) = &args.report {
-        outputs::save(path, page::render(&done, &analysis)?.as_bytes())?;
-        written.push(path.display().to_string());
+    if args.report.is_some() || args.figures.figures.is_some() {
+        let mut page = page::render(&done, &analysis)?;
+        written.extend(pages::write(&mut page, args.report.as_deref(), &args.figures, output)?);
     }
     let answer = ProcessAnswer::new(&done, analysis, written);
     if done.all_failed() {

@@ -6,19 +6,45 @@ use super::figures;
 use super::findings::{Analysis, Friction};
 use super::work::Done;
 use crate::error::CliError;
-use crate::text::number;
+use crate::text::{number, sentence_case};
 
-pub(super) fn render(done: &Done, analysis: &Analysis) -> Result<String, CliError> {
+pub(super) fn render(done: &Done, analysis: &Analysis) -> Result<HtmlReport, CliError> {
     let strokes = done.strokes();
     let mut page = HtmlReport::new("Strokes of a campaign");
-    let skipped: usize = done.entries.values().map(|entry| entry.skipped.len()).sum();
-    page.subtitle(format!("{} strokes with a failure force from {} logs", strokes.len(), done.entries.len()));
-    page.footer(format!("soilctl {}", env!("CARGO_PKG_VERSION")));
+    page.kind("Failure forces");
+    let skipped = verdict(&mut page, done, strokes.len());
     sections(&mut page, analysis, &strokes)?;
     if skipped > 0 || done.is_partial() {
         left_out(&mut page, done)?;
     }
-    Ok(page.to_html())
+    Ok(page)
+}
+
+/// How many strokes have a force; returns how many have none.
+fn verdict(page: &mut HtmlReport, done: &Done, strokes: usize) -> usize {
+    let skipped: usize = done.entries.values().map(|entry| entry.skipped.len()).sum();
+    let kind = match strokes {
+        0 => CalloutKind::Bad,
+        _ if skipped > 0 || done.is_partial() => CalloutKind::Warning,
+        _ => CalloutKind::Good,
+    };
+    let title = match strokes {
+        0 => "No stroke has a failure force".to_owned(),
+        1 => "One stroke has a failure force".to_owned(),
+        n => format!("{n} strokes have a failure force"),
+    };
+    let left = match (skipped, done.is_partial()) {
+        (0, false) => "nothing was left out",
+        (0, true) => "some logs are damaged or could not be used, see the end of the page",
+        (_, false) => "parts without one are listed at the end of the page",
+        (_, true) => "parts without one, and logs that are damaged, are listed at the end of the page",
+    };
+    let logs = match done.entries.len() {
+        1 => "one log was".to_owned(),
+        n => format!("{n} logs were"),
+    };
+    page.verdict(kind, title, format!("{} read; {left}.", sentence_case(&logs)));
+    skipped
 }
 
 /// What strokes say together; also part of the page of `demo`.

@@ -13,6 +13,7 @@ use serde::Serialize;
 use super::Outcome;
 use super::estimate::args::EstimateArgs;
 use super::estimate::{EstimateAnswer, work};
+use super::pages::{self, FigureFiles};
 use crate::error::CliError;
 use crate::output::{Answer, Output};
 
@@ -24,6 +25,9 @@ pub(crate) struct Args {
     /// Page to write
     #[arg(long, value_name = "FILE", default_value = "report.html")]
     out: PathBuf,
+
+    #[command(flatten)]
+    figures: FigureFiles,
 
     /// Title of the page; default: the name of the folder or file of the strokes
     #[arg(long, value_name = "TEXT")]
@@ -63,9 +67,8 @@ impl Answer for ReportAnswer {
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let work = work::run(&args.estimate, false)?;
     let title = args.title.clone().unwrap_or_else(|| name_of(&args.estimate.file));
-    let html = page::render(args, &title, &work)?;
-    std::fs::write(&args.out, html)
-        .map_err(|problem| CliError::File { path: args.out.display().to_string(), problem })?;
+    let mut page = page::render(args, &title, &work)?;
+    pages::write(&mut page, Some(&args.out), &args.figures, output)?;
     if args.open
         && let Err(problem) = open::that_detached(&args.out)
     {

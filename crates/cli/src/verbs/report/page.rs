@@ -11,10 +11,9 @@ use crate::verbs::estimate::{figures, words};
 /// Tool angles for which the models are drawn against the friction angle.
 const MOST_CURVES: usize = 6;
 
-pub(super) fn render(args: &Args, title: &str, work: &Work) -> Result<String, CliError> {
-    let mut page = HtmlReport::new(format!("Soil estimate: {title}"));
-    page.subtitle(subtitle(args, work));
-    page.footer(format!("soilctl {}", env!("CARGO_PKG_VERSION")));
+pub(super) fn render(args: &Args, title: &str, work: &Work) -> Result<HtmlReport, CliError> {
+    let mut page = HtmlReport::new(title);
+    page.kind("Soil estimate").subtitle(subtitle(args, work));
     verdict(&mut page, work)?;
     measurements(&mut page, work)?;
     regions(&mut page, args, work)?;
@@ -26,7 +25,7 @@ pub(super) fn render(args: &Args, title: &str, work: &Work) -> Result<String, Cl
     next(&mut page, work)?;
     optimisers(&mut page, work)?;
     method(&mut page, work);
-    Ok(page.to_html())
+    Ok(page)
 }
 
 fn subtitle(args: &Args, work: &Work) -> String {
@@ -50,7 +49,7 @@ fn verdict(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
     let kind = if a.consistent { CalloutKind::Good } else { CalloutKind::Bad };
     let title =
         if a.consistent { "The measurements agree" } else { "The measurements contradict each other" };
-    page.callout(kind, title, a.verdict.as_str());
+    page.verdict(kind, title, a.verdict.as_str());
     for warning in &a.warnings {
         page.callout(CalloutKind::Warning, "Keep in mind", warning.as_str());
     }

@@ -60,7 +60,7 @@ pub(crate) struct Args {
     #[command(flatten, next_help_heading = "Stroke of a plate")]
     stroke: stroke::StrokeArgs,
 
-    /// Draws a figure (.svg or .png)
+    /// Draws a figure (.svg, .png) or writes its data (.csv)
     #[arg(long, value_name = "FILE", help_heading = "Figure")]
     plot: Option<PathBuf>,
 

@@ -15,13 +15,13 @@ pub(crate) struct SolveAnswer {
     /// Title of the problem; null if it has none.
     title: Option<String>,
     /// What is bounded: force_kn_per_m, load_factor, weight_factor, acceleration_over_g or factor_of_safety.
-    quantity: &'static str,
+    pub(super) quantity: &'static str,
     /// Lower bound. A force is negative where the soil pushes the structure on.
-    lower: f64,
+    pub(super) lower: f64,
     /// Upper bound.
-    upper: f64,
+    pub(super) upper: f64,
     /// `|(U - L) / ((U + L) / 2)|`; null if the bounds are on both sides of zero.
-    gap: Option<f64>,
+    pub(super) gap: Option<f64>,
     /// Whether both bounds are proven with interval arithmetic.
     certified: bool,
     /// Triangles of the mesh of the lower bound; each has three parts.
@@ -31,25 +31,25 @@ pub(crate) struct SolveAnswer {
     /// Time spent in s.
     seconds: f64,
     /// Why the run ended: gap, time, elements, memory or stopped.
-    ended: &'static str,
+    pub(super) ended: &'static str,
     /// All levels, coarse to fine; empty for a factor of safety.
-    levels: Vec<LevelAnswer>,
+    pub(super) levels: Vec<LevelAnswer>,
     /// For a factor of safety, all factors that were tried; else empty.
-    trials: Vec<TrialAnswer>,
+    pub(super) trials: Vec<TrialAnswer>,
     /// What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety are of soil whose
     /// strength is divided by its bounds.
-    results: ResultsAnswer,
+    pub(super) results: ResultsAnswer,
 }
 
 /// A factor that strength was divided by, and bounds on the factor on all that acts that the soil then bears.
 #[derive(Debug, Serialize, JsonSchema)]
-struct TrialAnswer {
+pub(super) struct TrialAnswer {
     /// The factor.
-    factor: f64,
+    pub(super) factor: f64,
     /// Lower bound on that; null if none is proven.
-    borne_lower: Option<f64>,
+    pub(super) borne_lower: Option<f64>,
     /// Upper bound on it; null likewise.
-    borne_upper: Option<f64>,
+    pub(super) borne_upper: Option<f64>,
 }
 
 /// The name of a quantity in JSON, and what it is in words.
@@ -125,7 +125,7 @@ impl SolveAnswer {
         self.gap.unwrap_or(f64::INFINITY)
     }
 
-    fn words(&self) -> &'static str {
+    pub(super) fn words(&self) -> &'static str {
         use Quantity::{Acceleration, ForceKnPerM, LoadFactor, WeightFactor};
         let all = [ForceKnPerM, LoadFactor, WeightFactor, Acceleration].map(names);
         all.into_iter().chain([SAFETY]).find(|n| n[0] == self.quantity).map_or("", |n| n[1])

@@ -2,6 +2,7 @@
 
 mod answer;
 mod check;
+mod page;
 mod safety;
 mod save;
 mod scale;
@@ -76,8 +77,10 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         scale::units(&description, &described),
         described.title.clone().unwrap_or_default(),
     )?;
-    let results = ResultsAnswer::new(&shown, args.show.write(&shown)?)?;
-    let answer = SolveAnswer::new(&described, &bounds, results);
+    let results = ResultsAnswer::new(&shown, args.show.write(&shown, output)?)?;
+    let mut answer = SolveAnswer::new(&described, &bounds, results);
+    let told = answer.told(&args.file, args.budget.max_gap)?;
+    args.show.report(&shown, &mut answer.results, told, output)?;
     output.answer(&answer)?;
     Ok(if answer.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
 }

@@ -35,8 +35,10 @@ pub(super) fn run(
         scale::units(description, &upper.described),
         description.title.clone().unwrap_or_default(),
     )?;
-    let results = ResultsAnswer::new(&shown, args.show.write(&shown)?)?;
-    let answer = SolveAnswer::of_safety(description.title.as_ref(), &safety, results);
+    let results = ResultsAnswer::new(&shown, args.show.write(&shown, output)?)?;
+    let mut answer = SolveAnswer::of_safety(description.title.as_ref(), &safety, results);
+    let told = answer.told(&args.file, args.budget.max_gap)?;
+    args.show.report(&shown, &mut answer.results, told, output)?;
     output.answer(&answer)?;
     Ok(if answer.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
 }

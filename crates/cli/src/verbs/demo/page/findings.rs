@@ -8,7 +8,7 @@ use super::super::region::SIGMA;
 use super::super::words::named;
 use super::show;
 use crate::error::CliError;
-use crate::text::number;
+use crate::text::{number, sentence_case};
 
 pub(super) fn forces(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn) -> Result<(), CliError> {
     page.heading("Failure forces");
@@ -148,7 +148,7 @@ pub(super) fn estimate(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn
             (true, false) => " The truth lies outside.",
             (false, _) => "",
         };
-        page.callout(kind, capital(name), format!("{}{end}", region.verdict));
+        page.callout(kind, sentence_case(name), format!("{}{end}", region.verdict));
     }
     show(
         page,
@@ -161,11 +161,6 @@ pub(super) fn estimate(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn
         "What each measured force alone allows at the middle δ: steep bands tell friction angles apart, flat ones densities.",
     )?;
     Ok(())
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 pub(super) fn honest(page: &mut HtmlReport, answer: &DemoAnswer) -> Result<(), CliError> {

@@ -12,14 +12,13 @@ use super::words::{named, range, yes};
 use crate::error::CliError;
 use crate::text::number;
 
-pub(super) fn render(answer: &DemoAnswer, told: &Told<'_>, drawn: &Drawn) -> Result<String, CliError> {
-    let mut page = HtmlReport::new(format!("Demonstration: {}", answer.title));
+pub(super) fn render(answer: &DemoAnswer, told: &Told<'_>, drawn: &Drawn) -> Result<HtmlReport, CliError> {
+    let mut page = HtmlReport::new(&answer.title);
     let count = answer.strokes;
-    page.subtitle(format!(
+    page.kind("Demonstration").subtitle(format!(
         "{} strokes on the simulated arm, {} with a failure force; model {}, seed {}",
         count.asked, count.with_force, answer.model, answer.seed
     ));
-    page.footer(format!("soilctl {}", env!("CARGO_PKG_VERSION")));
     summary(&mut page, answer)?;
     soil(&mut page, answer, told)?;
     arm(&mut page, answer, told, drawn)?;
@@ -28,7 +27,7 @@ pub(super) fn render(answer: &DemoAnswer, told: &Told<'_>, drawn: &Drawn) -> Res
     findings::estimate(&mut page, answer, drawn)?;
     findings::honest(&mut page, answer)?;
     again(&mut page, answer, told);
-    Ok(page.to_html())
+    Ok(page)
 }
 
 fn show(page: &mut HtmlReport, figure: Option<&Figure>, caption: &str) -> Result<(), CliError> {
@@ -49,7 +48,7 @@ fn summary(page: &mut HtmlReport, answer: &DemoAnswer) -> Result<(), CliError> {
             .to_owned(),
         list => format!("{}.", list.join("; ")),
     };
-    page.callout(kind, &title, text);
+    page.verdict(kind, &title, text);
     let columns = [
         ("", Align::Left),
         ("estimate", Align::Right),

@@ -25,7 +25,7 @@ pub(crate) struct ResultsAnswer {
     moving: f64,
     /// The faces of structures, with the resultants of the lower bound's contact stresses.
     contacts: Vec<ContactAnswer>,
-    /// Files written for --plot, --vtu and --mesh, named as they were given.
+    /// Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
     files: Vec<String>,
 }
 
@@ -40,20 +40,20 @@ struct StretchAnswer {
 
 /// Contact stresses along a face.
 #[derive(Debug, Serialize, JsonSchema)]
-struct ContactAnswer {
+pub(super) struct ContactAnswer {
     /// `front`, `back` or `side` as seen along the structure's motion, `around` for a buried structure; numbered if there are
     /// several.
-    face: String,
+    pub(super) face: String,
     /// Length of the face.
-    length: f64,
+    pub(super) length: f64,
     /// Resultant of the pressure, per unit width.
-    normal_force: f64,
+    pub(super) normal_force: f64,
     /// Resultant of the shear stress on the soil, per unit width; positive downwards along the face, from its upper end.
-    shear_force: f64,
+    pub(super) shear_force: f64,
     /// Distance of the pressure's resultant from the upper end, along the face; null if there is none.
-    centre: Option<f64>,
+    pub(super) centre: Option<f64>,
     /// Greatest pressure.
-    greatest_pressure: f64,
+    pub(super) greatest_pressure: f64,
 }
 
 impl ResultsAnswer {
@@ -88,6 +88,33 @@ impl ResultsAnswer {
     /// How far moving ground that starts at x = 0 reaches, to the right (1) or to the left (-1).
     pub(crate) fn reach(&self, sign: f64) -> f64 {
         self.moving_ground.iter().flat_map(|s| [s.from[0], s.to[0]]).fold(0.0, |most, x| most.max(sign * x))
+    }
+
+    /// Adds files that were written.
+    pub(super) fn add_files(&mut self, files: Vec<String>) {
+        self.files.extend(files);
+    }
+
+    /// Only the names of the files.
+    pub(crate) fn into_files(self) -> Vec<String> {
+        self.files
+    }
+
+    pub(super) fn length_unit(&self) -> &str {
+        &self.length_unit
+    }
+
+    pub(super) fn stress_unit(&self) -> &str {
+        &self.stress_unit
+    }
+
+    pub(super) fn contacts(&self) -> &[ContactAnswer] {
+        &self.contacts
+    }
+
+    /// From and to of x along moving ground.
+    pub(super) fn stretches(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.moving_ground.iter().map(|s| [s.from[0], s.to[0]])
     }
 
     /// The same in words.

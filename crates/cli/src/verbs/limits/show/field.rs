@@ -5,7 +5,7 @@ use soilctl_limit_analysis::results::{MOVING, Point, Principal, shear_work};
 
 use super::Shown;
 use super::frame::{INK, Window, add_outline, drawn};
-use super::trails::trails;
+use super::trails::{bits, trails};
 use crate::error::CliError;
 
 /// Arrows and crosses in a figure, where there is soil everywhere and all of it moves.
@@ -31,7 +31,7 @@ const SATURATED: f64 = 0.02;
 pub(super) fn velocity(shown: &Shown, window: &Window) -> Result<Option<Figure>, CliError> {
     let Some(flow) = &shown.flow else { return Ok(None) };
     let mut figure = window.figure(shown, "Upper bound, mesh and velocities")?;
-    let edges = trails(flow.triangles().iter().filter(|t| window.shows(t)));
+    let edges = trails(flow.triangles().iter().filter(|t| window.shows(t)), bits);
     figure.push(Paths::new("", drawn(shown, edges)).width(0.3))?;
     let (points, step) = window.grid(ARROWS);
     let scale = ARROW * step / flow.speed();

@@ -96,6 +96,12 @@ fn on_lines(statement: &Statement, wanted: impl Fn(Option<Condition>) -> bool) -
     lines.map(|(_, l)| vec![statement.points[l.from], statement.points[l.to]]).collect()
 }
 
+/// Faces of structures.
+pub(super) fn face_lines(statement: &Statement) -> Vec<[Point; 2]> {
+    let lines = on_lines(statement, |c| matches!(c, Some(Condition::Face { .. })));
+    lines.into_iter().filter_map(|line| line.try_into().ok()).collect()
+}
+
 /// Lines as a figure has them.
 pub(super) fn drawn(shown: &Shown, lines: Vec<Vec<Point>>) -> Vec<Vec<(f64, f64)>> {
     let place = |p: Point| shown.units.point(p).into();

@@ -4,21 +4,33 @@ mod answer;
 mod contact;
 mod field;
 mod frame;
+mod mechanism;
+mod page;
 mod plot;
 mod trails;
 
 use std::path::{Path, PathBuf};
 
 pub(crate) use answer::ResultsAnswer;
+pub(crate) use page::{Told, bounds_table, proven};
 use soilctl_certificate::{LowerField, Statement, UpperField};
 use soilctl_limit_analysis::results::{FlowResults, StressResults, Units, write_vtu};
 
 use crate::error::CliError;
+use crate::output::Output;
+use crate::verbs::pages::{self, FigureFiles};
 use plot::Kind;
 
 /// Files to write beside the answer.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Show {
+    /// One HTML page with bounds, figures, and the failure mechanism in motion
+    #[arg(long, value_name = "FILE", help_heading = "Figures and files")]
+    report: Option<PathBuf>,
+
+    #[command(flatten, next_help_heading = "Figures and files")]
+    figures: FigureFiles,
+
     /// Draws a figure (.svg, .png, .html) or writes its data (.csv)
     #[arg(long, value_name = "FILE", help_heading = "Figures and files")]
     plot: Option<PathBuf>,
@@ -82,14 +94,39 @@ impl Show {
 
     /// Whether any file is asked for.
     pub(crate) fn any(&self) -> bool {
-        self.plot.is_some() || self.vtu.is_some() || self.mesh.is_some()
+        self.plot.is_some() || self.vtu.is_some() || self.mesh.is_some() || self.page()
     }
 
-    /// Writes the files that were asked for; their names as they were given.
-    pub(crate) fn write(&self, shown: &Shown) -> Result<Vec<String>, CliError> {
+    /// Whether the page is asked for, or its figures.
+    fn page(&self) -> bool {
+        self.report.is_some() || self.figures.figures.is_some()
+    }
+
+    /// Writes the page and its figures if they are asked for, and adds their names to those of the results.
+    pub(crate) fn report(
+        &self,
+        shown: &Shown,
+        results: &mut ResultsAnswer,
+        told: Told,
+        output: &Output,
+    ) -> Result<(), CliError> {
+        if self.page() {
+            let mut page = page::page(shown, told, results)?;
+            results.add_files(pages::write(&mut page, self.report.as_deref(), &self.figures, output)?);
+        }
+        Ok(())
+    }
+
+    /// Writes the other files that were asked for; their names as they were given.
+    pub(crate) fn write(&self, shown: &Shown, output: &Output) -> Result<Vec<String>, CliError> {
         let mut files = Vec::new();
         if let Some(path) = &self.plot {
-            plot::plot(path, self.plot_kind, shown)?;
+            match plot::page(path, self.plot_kind, shown)? {
+                Some(mut page) => {
+                    pages::write(&mut page, Some(path), &FigureFiles::default(), output)?;
+                }
+                None => plot::plot(path, self.plot_kind, shown)?,
+            }
             files.push(path);
         }
         if let Some(path) = &self.vtu {
@@ -111,6 +148,5 @@ impl Show {
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    std::fs::write(path, bytes)
-        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+    crate::verbs::process::save(path, bytes)
 }

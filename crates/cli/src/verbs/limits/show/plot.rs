@@ -1,9 +1,12 @@
+//! Figures of a solution in files and on pages.
+
 use std::path::Path;
 
 use clap::ValueEnum;
-use soilctl_figure::{Figure, FigureGrid, HtmlReport, Size};
+use soilctl_figure::{Figure, FigureGrid, HtmlReport, Motion, Size};
 
 use super::frame::Window;
+use super::mechanism::mechanism;
 use super::{Shown, contact, field, save};
 use crate::error::CliError;
 
@@ -12,6 +15,8 @@ use crate::error::CliError;
 pub(super) enum Kind {
     /// Mesh and velocities of the upper bound, and the failure surface
     Velocity,
+    /// The mesh moved by the velocities: how the soil fails; in .html it moves
+    Mechanism,
     /// Where the soil shears: shear strength times shear rate, and lines along which it slips
     Dissipation,
     /// Principal stresses of the lower bound
@@ -20,6 +25,67 @@ pub(super) enum Kind {
     Contact,
     /// All of these, in one .html, .svg or .png
     All,
+}
+
+impl Kind {
+    /// The figures that it stands for.
+    fn each(self) -> Vec<Self> {
+        match self {
+            Self::All => {
+                vec![Self::Mechanism, Self::Velocity, Self::Dissipation, Self::Stress, Self::Contact]
+            }
+            one => vec![one],
+        }
+    }
+
+    const fn caption(self) -> &'static str {
+        match self {
+            Self::Mechanism => {
+                "The mesh of the upper bound, moved by its velocities; every other layer of soil has a tone, so that shearing and \
+                 slipping show. Velocities are those at the moment of failure, drawn out as far as can be seen. Where soil dilates, \
+                 gaps open along lines of slip."
+            }
+            Self::Velocity | Self::All => {
+                "Mesh of the upper bound with its velocities; the boundary of the soil that moves."
+            }
+            Self::Dissipation => {
+                "Greatest shear stress that the soil bears at the mean stress of the lower bound's stress field, times greatest \
+                 shear strain rate of the upper bound's flow; lines along which the flow slips."
+            }
+            Self::Stress => {
+                "Principal stresses of the lower bound's stress field, as crosses whose arms are as long as the stresses are great."
+            }
+            Self::Contact => "Stresses between structure and soil in the lower bound's stress field.",
+        }
+    }
+}
+
+/// A figure that stands still, or one that moves.
+enum Drawn {
+    Still(Figure),
+    Moving(Motion),
+}
+
+impl Drawn {
+    fn still(self) -> Result<Figure, CliError> {
+        match self {
+            Self::Still(figure) => Ok(figure),
+            Self::Moving(motion) => Ok(motion.at(1.0)?),
+        }
+    }
+}
+
+/// A figure of one kind; none if the solution lacks what it shows.
+fn draw(shown: &Shown, kind: Kind) -> Result<Option<(Drawn, Size)>, CliError> {
+    let window = Window::new(shown)?;
+    let field = match kind {
+        Kind::Mechanism => return Ok(mechanism(shown, &window)?.map(|m| (Drawn::Moving(m), window.size))),
+        Kind::Contact => return Ok(contact::figure(shown)?.map(|f| (Drawn::Still(f), Size::default()))),
+        Kind::Velocity | Kind::All => field::velocity(shown, &window)?,
+        Kind::Dissipation => field::dissipation(shown, &window)?,
+        Kind::Stress => field::stress(shown, &window)?,
+    };
+    Ok(field.map(|f| (Drawn::Still(f), window.size)))
 }
 
 fn form(path: &Path) -> Option<&str> {
@@ -34,41 +100,46 @@ pub(super) fn check(path: &Path, kind: Kind) -> Result<(), CliError> {
             path.display()
         ))),
         Some("csv") if kind == Kind::All => Err(CliError::Usage(
-            "a .csv file holds one figure; give --plot-kind velocity, dissipation, stress or contact".into(),
+            "a .csv file holds one figure; give --plot-kind velocity, mechanism, dissipation, stress or contact".into(),
         )),
         Some(_) => Ok(()),
     }
 }
 
-/// Draws a figure into a file, in the form that its name asks for.
-pub(super) fn plot(path: &Path, kind: Kind, shown: &Shown) -> Result<(), CliError> {
-    check(path, kind)?;
-    let mut figures: Vec<(Figure, Size, &str)> = Vec::new();
-    let window = Window::new(shown)?;
-    let wanted = |k| kind == k || kind == Kind::All;
-    if wanted(Kind::Velocity) {
-        figures.extend(field::velocity(shown, &window)?.map(|f| (f, window.size, VELOCITY)));
+/// The page of --plot, if its name asks for one.
+pub(super) fn page(path: &Path, kind: Kind, shown: &Shown) -> Result<Option<HtmlReport>, CliError> {
+    if form(path) != Some("html") {
+        return Ok(None);
     }
-    if wanted(Kind::Dissipation) {
-        figures.extend(field::dissipation(shown, &window)?.map(|f| (f, window.size, DISSIPATION)));
+    let mut page = HtmlReport::new(if shown.title.is_empty() { "Figures" } else { &shown.title });
+    page.kind("Limit analysis");
+    for kind in kind.each() {
+        add(&mut page, shown, kind)?;
     }
-    if wanted(Kind::Stress) {
-        figures.extend(field::stress(shown, &window)?.map(|f| (f, window.size, STRESS)));
-    }
-    if wanted(Kind::Contact) {
-        figures.extend(contact::figure(shown)?.map(|f| (f, Size::default(), CONTACT)));
-    }
-    let Some((first, size, _)) = figures.first() else {
-        let needs = match kind {
-            Kind::Contact => "contact stresses need a lower bound and a structure",
-            Kind::Stress => "stresses need a lower bound",
-            _ => "velocities need an upper bound",
-        };
-        return Err(CliError::Usage(format!("there is nothing to draw: {needs}")));
+    if page.shown().next().is_none() { Err(nothing(kind)) } else { Ok(Some(page)) }
+}
+
+/// Adds a figure to a page, if there is something to show.
+pub(super) fn add(page: &mut HtmlReport, shown: &Shown, kind: Kind) -> Result<(), CliError> {
+    match draw(shown, kind)? {
+        Some((Drawn::Still(figure), size)) => page.figure(&figure, size, kind.caption())?,
+        Some((Drawn::Moving(motion), size)) => page.motion(&motion, size, kind.caption())?,
+        None => page,
     };
+    Ok(())
+}
+
+/// Draws a figure into a file, in the form that its name asks for; not a page.
+pub(super) fn plot(path: &Path, kind: Kind, shown: &Shown) -> Result<(), CliError> {
+    let mut figures: Vec<(Figure, Size)> = Vec::new();
+    for kind in kind.each() {
+        if let Some((drawn, size)) = draw(shown, kind)? {
+            figures.push((drawn.still()?, size));
+        }
+    }
+    let Some((first, size)) = figures.first() else { return Err(nothing(kind)) };
     let bytes = match form(path) {
         Some("csv") => first.to_csv().into_bytes(),
-        Some("html") => page(shown, &figures)?.into_bytes(),
         form if figures.len() == 1 => match form {
             Some("png") => first.to_png(*size)?,
             _ => first.to_svg(*size)?.into_bytes(),
@@ -84,19 +155,11 @@ pub(super) fn plot(path: &Path, kind: Kind, shown: &Shown) -> Result<(), CliErro
     save(path, &bytes)
 }
 
-const VELOCITY: &str = "Mesh of the upper bound with its velocities; the boundary of the soil that moves.";
-const DISSIPATION: &str = "Greatest shear stress that the soil bears at the mean stress of the lower bound's stress field, \
-    times greatest shear strain rate of the upper bound's flow; lines along which the flow slips.";
-const STRESS: &str = "Principal stresses of the lower bound's stress field, as crosses whose arms are as long as the \
-    stresses are great.";
-const CONTACT: &str = "Stresses between structure and soil in the lower bound's stress field.";
-
-fn page(shown: &Shown, figures: &[(Figure, Size, &str)]) -> Result<String, CliError> {
-    let mut report = HtmlReport::new("Limit analysis");
-    report.subtitle(&shown.title);
-    for (figure, size, caption) in figures {
-        report.figure(figure, *size, *caption)?;
-    }
-    report.footer(format!("soilctl {}", env!("CARGO_PKG_VERSION")));
-    Ok(report.to_html())
+fn nothing(kind: Kind) -> CliError {
+    let needs = match kind {
+        Kind::Contact => "contact stresses need a lower bound and a structure",
+        Kind::Stress => "stresses need a lower bound",
+        _ => "velocities need an upper bound",
+    };
+    CliError::Usage(format!("there is nothing to draw: {needs}"))
 }

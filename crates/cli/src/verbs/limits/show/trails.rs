@@ -2,18 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_limit_analysis::results::Point;
-
-/// A point to the last digit.
-type Key = [u64; 2];
-
-fn key(p: Point) -> Key {
-    p.map(|x| (x + 0.0).to_bits())
+/// Numbers to the last digit.
+pub(super) fn bits<const N: usize>(numbers: [f64; N]) -> [u64; N] {
+    numbers.map(|x| (x + 0.0).to_bits())
 }
 
-/// All edges of some triangles, each once, in lines that are walked from edge to edge as long as there is one left.
-pub(super) fn trails<'a>(triangles: impl Iterator<Item = &'a [Point; 3]>) -> Vec<Vec<Point>> {
-    let mut met: BTreeMap<Key, BTreeMap<Key, Point>> = BTreeMap::new();
+/// All edges of some triangles, each once, in lines that are walked from edge to edge as long as there is one left. Corners
+/// are the same where their keys are.
+pub(super) fn trails<'a, P: Copy + 'a, K: Ord + Copy>(
+    triangles: impl Iterator<Item = &'a [P; 3]>,
+    key: impl Fn(P) -> K,
+) -> Vec<Vec<P>> {
+    let mut met: BTreeMap<K, BTreeMap<K, P>> = BTreeMap::new();
     for t in triangles {
         for k in 0..3 {
             let (a, b) = (t[k], t[(k + 1) % 3]);
@@ -22,11 +22,11 @@ pub(super) fn trails<'a>(triangles: impl Iterator<Item = &'a [Point; 3]>) -> Vec
         }
     }
     // A trail ends where an odd number of edges meet, so it had better start at such a point.
-    let (odd, even): (Vec<Key>, Vec<Key>) = met.keys().copied().partition(|k| met[k].len() % 2 == 1);
+    let (odd, even): (Vec<K>, Vec<K>) = met.keys().copied().partition(|k| met[k].len() % 2 == 1);
     let mut trails = Vec::new();
     for start in odd.into_iter().chain(even) {
         loop {
-            let mut trail: Vec<Point> = Vec::new();
+            let mut trail: Vec<P> = Vec::new();
             let mut here = start;
             while let Some((there, p)) = met.get_mut(&here).and_then(BTreeMap::pop_first) {
                 let back = met.get_mut(&there).and_then(|m| m.remove(&here));
@@ -52,11 +52,13 @@ mod tests {
     #[test]
     fn each_edge_is_walked_once() {
         let (a, b, c, d) = ([0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]);
-        let found = trails([[a, b, c], [a, c, d]].iter());
-        let mut edges: Vec<[Key; 2]> = found
+        let found = trails([[a, b, c], [a, c, d]].iter(), bits);
+        let mut edges: Vec<[[u64; 2]; 2]> = found
             .iter()
             .flat_map(|t| t.windows(2))
-            .map(|w| if key(w[0]) < key(w[1]) { [key(w[0]), key(w[1])] } else { [key(w[1]), key(w[0])] })
+            .map(
+                |w| if bits(w[0]) < bits(w[1]) { [bits(w[0]), bits(w[1])] } else { [bits(w[1]), bits(w[0])] },
+            )
             .collect();
         edges.sort_unstable();
         assert_eq!(edges.len(), 5);
