@@ -73,6 +73,11 @@ pub(super) fn shades_traces(shades: &Shades) -> Vec<Value> {
     traces
 }
 
+/// The colours of a map from little to much, without that of nothing.
+pub(crate) fn colors() -> Value {
+    (1..STEPS).map(|step| hex(shade(step as f64 / (STEPS - 1) as f64))).collect()
+}
+
 /// A trace without a point that brings the colour bar.
 fn color_bar(shades: &Shades) -> Value {
     let color = |step: usize| hex(if step == 0 { PAPER } else { shade(step as f64 / (STEPS - 1) as f64) });

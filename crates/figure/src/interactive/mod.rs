@@ -5,6 +5,7 @@ mod layout;
 mod motion;
 mod traces;
 
+pub(crate) use fields::colors as shades;
 pub(crate) use motion::to_json as motion_to_json;
 use serde_json::{Value, json};
 

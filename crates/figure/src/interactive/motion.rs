@@ -10,6 +10,9 @@ use crate::palette::{NEUTRAL, series};
 /// Steps a px: places are whole numbers of these, which takes a third of the space.
 const STEPS: f64 = 16.0;
 
+/// What areas are painted with on dark paper.
+const NIGHT_TONE: &str = "#57462a";
+
 /// What moves, in steps from the left upper corner of the axes, and where on the figure that is, as parts of its size.
 /// A point is four numbers: x, y and how far it goes along both.
 pub(crate) fn to_json(motion: &Motion, frame: &Frame) -> Value {
@@ -35,6 +38,6 @@ pub(crate) fn to_json(motion: &Motion, frame: &Frame) -> Value {
         "left": plot.left / frame.page_width, "top": plot.top / frame.page_height,
         "width": plot.width() / frame.page_width, "height": plot.height() / frame.page_height,
         "steps": [steps(plot.width()), steps(plot.height())],
-        "tone": hex(motion.tone()), "areas": parts(&motion.areas), "lines": lines.collect::<Vec<_>>(),
+        "tones": [hex(motion.tone()), NIGHT_TONE], "areas": parts(&motion.areas), "lines": lines.collect::<Vec<_>>(),
     })
 }

@@ -42,7 +42,7 @@
       pen.clearRect(0, 0, width, height);
       const scale = width / data.steps[0];
       pen.setTransform(scale, 0, 0, height / data.steps[1], 0, 0);
-      pen.fillStyle = soilctlPage.color(data.tone);
+      pen.fillStyle = data.tones[soilctlPage.isDark() ? 1 : 0];
       pen.beginPath();
       data.areas.forEach(trace);
       pen.fill();

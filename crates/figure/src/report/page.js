@@ -17,8 +17,10 @@ const soilctlPage = (() => {
     ["#0072b2", "#3a9ad9"], // blue of the palette
     ["rgba(0,114,178,0.22)", "rgba(58,154,217,0.28)"],
     ["rgba(0,114,178,0.16)", "rgba(58,154,217,0.2)"],
-    ["#fdde9f", "#57462a"], // areas that move
   ]);
+  // Steps of shades, from little to much: on dark paper much is light.
+  const shades = [SHADES];
+  shades.forEach((value, step) => dark.set(value, shades[shades.length - 1 - step]));
   const color = (value) => (isDark() && dark.has(value) ? dark.get(value) : value);
   const listeners = [];
   const button = document.createElement("button");
@@ -68,5 +70,5 @@ const soilctlPage = (() => {
     link(figure, "SVG", svg);
     link(figure, "PNG", png);
   }
-  return { color, onColors: (listener) => listeners.push(listener) };
+  return { isDark, color, onColors: (listener) => listeners.push(listener) };
 })();

@@ -1,7 +1,7 @@
 //! The page around the parts of a report.
 
 use super::{Block, HtmlReport};
-use crate::escape;
+use crate::{escape, interactive};
 
 const STYLE: &str = include_str!("style.css");
 /// Light and dark, and files of figures.
@@ -28,6 +28,7 @@ pub(crate) fn render(report: &HtmlReport) -> String {
     let library = if drawn(true) { library() } else { String::new() };
     let scripts = [(true, PAGE_SCRIPT), (drawn(true), PLOT_SCRIPT), (drawn(false), MOTION_SCRIPT)];
     let script: String = scripts.iter().filter(|(wanted, _)| *wanted).map(|(_, script)| *script).collect();
+    let script = script.replacen("[SHADES]", &interactive::shades().to_string(), 1);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\

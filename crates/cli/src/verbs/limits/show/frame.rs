@@ -45,6 +45,12 @@ impl Window {
         Ok(Self { low, high, size: Size::new(WIDTH as u32, height as u32)? })
     }
 
+    /// With as much more of what is above.
+    pub(super) fn with_room_above(&self, height: f64) -> Self {
+        let high = [self.high[0], self.high[1] + height];
+        Self { low: self.low, high, size: self.size }
+    }
+
     /// Whether a triangle may be seen.
     pub(super) fn shows(&self, t: &[Point; 3]) -> bool {
         let [low, high] = bounds(t.iter());

@@ -12,8 +12,9 @@ use crate::error::CliError;
 const FARTHEST: f64 = 0.09;
 /// Layers of soil, every other one in a tone, over the height of what is shown.
 const LAYERS: f64 = 11.0;
-/// Velocities are rounded to this part of the greatest one, so that neighbours that move alike do so to the last digit.
-const ROUNDED: f64 = 1e-6;
+/// Velocities are rounded to this part of the greatest one, so that neighbours that move alike do so to the last digit,
+/// and a jump that cannot be seen is none.
+const ROUNDED: f64 = 1.0 / 512.0;
 
 type Triangle = [MovingPoint; 3];
 
@@ -31,14 +32,13 @@ pub(super) fn mechanism(shown: &Shown, window: &Window) -> Result<Option<Motion>
         let length = shown.units.length;
         MovingPoint { at: shown.units.point(at).into(), by: (length * x, length * y) }
     };
-    let triangles: Vec<Triangle> = flow
-        .triangles()
-        .iter()
-        .zip(corner_velocities(flow))
-        .filter(|(t, _)| window.shows(t))
-        .map(|(t, v)| [0, 1, 2].map(|k| moving(t[k], v[k])))
-        .collect();
-    let rings: Vec<Vec<MovingPoint>> = triangles.iter().map(|t| t.to_vec()).collect();
+    // Ground that heaves stays in view.
+    let window = window.with_room_above(scale * top);
+    let all = || flow.triangles().iter().zip(corner_velocities(flow));
+    let triangle = |(t, v): (&[Point; 3], [Point; 3])| [0, 1, 2].map(|k| moving(t[k], v[k]));
+    let triangles: Vec<Triangle> = all().filter(|(t, _)| window.shows(t)).map(triangle).collect();
+    // Also those out of view, so that no outline is where the view ends.
+    let rings: Vec<Vec<MovingPoint>> = all().map(|t| triangle(t).to_vec()).collect();
 
     let mut motion = Motion::new(window.figure(shown, "Upper bound, how the soil fails")?);
     motion.areas(&layers(&triangles, shown.units.point(window.high)[1], shown.units.length * high / LAYERS));

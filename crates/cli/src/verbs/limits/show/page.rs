@@ -111,8 +111,8 @@ fn contacts(page: &mut HtmlReport, results: &ResultsAnswer) -> Result<(), CliErr
     let columns = [
         ("face".to_owned(), Align::Left),
         (format!("length ({length})"), Align::Right),
-        (format!("pressure ({stress} {length})"), Align::Right),
-        (format!("shear ({stress} {length})"), Align::Right),
+        (format!("pressure ({stress}·{length})"), Align::Right),
+        (format!("shear ({stress}·{length})"), Align::Right),
         (format!("centre from the upper end ({length})"), Align::Right),
         (format!("greatest pressure ({stress})"), Align::Right),
     ];
