@@ -1,5 +1,5 @@
 // The 3-D view. Everything is in the base frame, in m.
-const FORCE_SCALE = .005, LEAD_SCALE = 5, FOV_DEG = 32, SHADOW_PX = 1024, TIP_PX = 9;
+const FORCE_SCALE = /*FORCE_M_PER_N*/, LEAD_SCALE = /*LEAD_SCALE*/, FOV_DEG = 32, SHADOW_PX = 1024, TIP_PX = 9;
 const LOOKS = {
   light: {sky: [.46, .50, .56], ground: [.26, .24, .22], sun: .66, floor: [.88, .89, .90, 1], clear: [.914, .933, .953], table: [.76, .76, .75, 1], edge: [.35, .4, .45, .8]},
   dark: {sky: [.26, .30, .36], ground: [.12, .11, .11], sun: .72, floor: [.15, .17, .19, 1], clear: [.063, .082, .102], table: [.36, .38, .40, 1], edge: [.65, .72, .78, .7]},

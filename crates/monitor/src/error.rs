@@ -17,7 +17,10 @@ pub enum MonitorError {
         reason: std::io::Error,
     },
     /// The log has nothing to show.
-    #[error("{file} cannot be played: it has no {what}; only logs that soilctl wrote can be")]
+    #[error(
+        "{file} cannot be played: it has no {what}; only logs that soilctl wrote can be, \
+             `rerun FILE` shows what can be seen of others"
+    )]
     NotPlayable {
         /// Name of the log.
         file: String,

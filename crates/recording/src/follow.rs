@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 use soilctl_kinematics::{Arm, JointAngles};
-use soilctl_live::protocol::{Memory, StateMessage};
+use soilctl_live::protocol::{Memory, SafeForce, StateMessage};
 use soilctl_session::messages::{
     ControllerStep, JointState, SoilTruth, StringMessage, TfMessage, WrenchStamped, decode,
 };
@@ -17,6 +17,7 @@ use urdf_rs::Robot;
 
 use crate::about::about;
 use crate::rrd::{WriteError, Writer};
+use crate::safe_force;
 use crate::shapes::shapes;
 use crate::style::{TRUE_DEPTH, styles};
 use crate::{FORCE_M_PER_N, LEAD_SCALE, Recording, RecordingError, rows, unwritten};
@@ -33,6 +34,7 @@ pub(crate) struct Follower {
     session: Record,
     strokes: Vec<Record>,
     arm: Option<Arm>,
+    safe_force: SafeForce,
     /// Entities of the frames.
     frames: BTreeMap<String, String>,
     joints: JointAngles,
@@ -57,6 +59,7 @@ impl Follower {
             session: Record::new(),
             strokes: Vec::new(),
             arm: None,
+            safe_force: SafeForce::default(),
             frames: BTreeMap::new(),
             joints: JointAngles::default(),
             true_joints: JointAngles::default(),
@@ -87,6 +90,7 @@ impl Follower {
             Item::Metadata { name: CONFIGURATION_RECORD, content } => {
                 let text = content.get("arm").map_or("", String::as_str);
                 self.arm = Some(Arm::from_toml(text, "arm").map_err(|error| self.wrong_arm(&error))?);
+                self.safe_force = safe_force::of_record(content);
             }
             // A log of another program may have topics of these names and other types.
             Item::Message(message) if self.arm.is_some() => self.message(&message)?,
@@ -133,7 +137,7 @@ impl Follower {
                 Ok(())
             }
             topics::TRUE_SOIL => {
-                let soil: SoilTruth = self.read(topics::TRUE_SOIL, message)?;
+                let soil = self.read_with(topics::TRUE_SOIL, message, SoilTruth::read)?;
                 self.true_soil(time_ns, &soil)
             }
             _ => Ok(()),
@@ -145,6 +149,15 @@ impl Follower {
         &mut self,
         topic: &'static str,
         message: &RawMessage<'_>,
+    ) -> Result<T, SessionError> {
+        self.read_with(topic, message, decode)
+    }
+
+    fn read_with<T>(
+        &mut self,
+        topic: &'static str,
+        message: &RawMessage<'_>,
+        decode: impl Fn(&[u8]) -> Result<T, String>,
     ) -> Result<T, SessionError> {
         let count = self.counts.entry(topic).or_default();
         let number = *count;
@@ -251,10 +264,17 @@ impl Follower {
                 self.writer.row("/friction_angle", time_ns, rows::curves(&[]))?;
                 self.writer.row("/displacement", time_ns, rows::curves(&[]))?;
                 self.writer.row("/world/lead", time_ns, rows::arrow([f64::NAN; 3], [0.0; 3]))?;
+                self.safe_area(time_ns, &[])?;
             }
             return Ok(());
         };
-        self.in_stroke = true;
+        if !std::mem::replace(&mut self.in_stroke, true) {
+            let plate = self.arm.as_ref().zip(state.plate.as_ref());
+            let fan = plate.and_then(|(arm, plate)| {
+                safe_force::fan(&self.safe_force, arm, joints, plate.tool_angle_deg)
+            });
+            self.safe_area(time_ns, &fan.unwrap_or_default())?;
+        }
         self.writer.row("/friction_angle", time_ns, rows::curves(&[angle_deg, setpoint_deg]))?;
         let displacement_m = state.displacement_m.unwrap_or(f64::NAN);
         self.writer.row("/displacement", time_ns, rows::curves(&[displacement_m * 1e3, lead_m * 1e3]))?;
@@ -263,12 +283,20 @@ impl Follower {
         self.writer.row("/world/lead", time_ns, rows::arrow(tip, scaled(lead, LEAD_SCALE)))
     }
 
+    /// Forces that the soil bears safely, as an area that hangs on the plate; none without corners.
+    fn safe_area(&mut self, time_ns: i64, fan: &[[f64; 3]]) -> Result<(), WriteError> {
+        let Some(plate) = self.frames.get(safe_force::LINK) else { return Ok(()) };
+        self.writer.row(&format!("{plate}/safe_force"), time_ns, rows::fan(fan))
+    }
+
     fn true_soil(&mut self, time_ns: i64, soil: &SoilTruth) -> Result<(), WriteError> {
         let (tip, force) = self.force(&self.true_joints, soil.force_rtz_n);
         self.writer.row("/world/force/truth", time_ns, rows::arrow(tip, force))?;
         self.writer.row("/force/truth", time_ns, rows::curves(&soil.force_rtz_n))?;
         let limits = [soil.limit_force_n, soil.limit_force_now_n];
-        self.writer.row("/force/limit", time_ns, rows::curves(&limits))?;
+        // Early logs have only the first.
+        let known = if limits[1].is_finite() { &limits[..] } else { &limits[..1] };
+        self.writer.row("/force/limit", time_ns, rows::curves(known))?;
         self.writer.row(TRUE_DEPTH.0, time_ns, rows::curves(&[soil.depth_m * 1e3]))
     }
 

@@ -6,6 +6,7 @@ mod follow;
 mod layout;
 mod rows;
 mod rrd;
+mod safe_force;
 mod shapes;
 mod style;
 
@@ -17,12 +18,8 @@ use std::path::Path;
 pub use error::RecordingError;
 use follow::Follower;
 use rrd::Writer;
+pub use soilctl_live::protocol::{FORCE_M_PER_N, LEAD_SCALE};
 use soilctl_session::{Beside, SessionError};
-
-/// Length of force arrows in the scene, in m a newton.
-pub const FORCE_M_PER_N: f64 = 0.005;
-/// Length of the lead's arrow, in m a metre.
-pub const LEAD_SCALE: f64 = 5.0;
 
 /// A layout for Foxglove: the arm, curves and states of the topics that soilctl writes.
 pub const FOXGLOVE_LAYOUT: &str = include_str!("../foxglove.json");

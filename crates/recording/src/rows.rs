@@ -42,6 +42,23 @@ pub(crate) fn arrow_style(label: &str, colour: u32, radius_m: f32) -> Vec<Column
     ]
 }
 
+/// Triangles from the first corner to each edge between the others, translucent.
+pub(crate) fn fan(corners: &[[f64; 3]]) -> Vec<Column> {
+    const POSITIONS: Component = Component::new("Mesh3D", "vertex_positions", "Position3D");
+    const TRIANGLES: Component = Component::new("Mesh3D", "triangle_indices", "TriangleIndices");
+    const COLOUR: Component = Component::new("Mesh3D", "albedo_factor", "AlbedoFactor");
+    const GREEN: u32 = 0x2eb5_8073;
+    let count = u32::try_from(corners.len()).unwrap_or(0);
+    // From both sides.
+    let triangles = (1..count.saturating_sub(1)).flat_map(|k| [[0, k, k + 1], [0, k + 1, k]]).collect();
+    let colour = if corners.is_empty() { Vec::new() } else { vec![GREEN] };
+    vec![
+        Column::row(COLOUR, Values::Colours(colour)),
+        Column::row(TRIANGLES, Values::Triangles(triangles)),
+        Column::row(POSITIONS, Values::Vectors(corners.iter().map(|corner| single(*corner)).collect())),
+    ]
+}
+
 /// A frame in its parent.
 pub(crate) fn transform(origin_m: [f64; 3], quaternion_xyzw: [f64; 4]) -> Vec<Column> {
     const QUATERNION: Component = Component::new("Transform3D", "quaternion", "RotationQuat");

@@ -6,6 +6,7 @@ mod lines;
 mod message;
 mod outbox;
 mod rate;
+mod scales;
 mod state;
 mod words;
 
@@ -18,6 +19,7 @@ pub use message::{
 };
 pub use outbox::{MOST_OUTBOX_BYTES, Outbox};
 pub use rate::{BURST_LINES, LINES_PER_SECOND, Rate};
+pub use scales::{FORCE_M_PER_N, LEAD_SCALE};
 pub(crate) use state::seconds;
 pub use state::{Dropped, FaultState, Memory, Pose, StateMessage};
 pub use words::{COMMANDS, CommandWord, parse_command};

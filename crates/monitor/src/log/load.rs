@@ -13,6 +13,8 @@ use crate::messages::StrokeSpan;
 use crate::scene::Scene;
 use crate::soil::Surface;
 
+/// The event of an arm that has found the sand by touch; its value is the level.
+const SURFACE_FOUND: &str = "surface_found";
 /// Steps between two states: some 31 a second.
 const STATE_STEPS: u64 = 16;
 /// Kept surfaces; when there are more, every second one goes.
@@ -56,6 +58,8 @@ struct Loader {
     truth: Vec<u8>,
     steps: u64,
     spacing: usize,
+    /// Whether the level is one that was touched.
+    touched: bool,
 }
 
 impl Loader {
@@ -102,6 +106,14 @@ impl Loader {
         }
         let Some((track, surface)) = &mut self.track else { return Ok(()) };
         self.memory.step(step);
+        // The sand is where the arm first touched it, rather than where the settings say.
+        let found = step.events.iter().find(|event| event.kind == SURFACE_FOUND);
+        if let Some(event) = found.filter(|event| event.value.is_finite() && !self.touched) {
+            self.touched = true;
+            track.scene.sandbox.surface_z_m = event.value;
+            *surface = Surface::new(&track.scene)?;
+            track.surfaces = vec![(0, surface.snapshot())];
+        }
         for event in &step.events {
             if track.events.len() < MOST_EVENTS {
                 track.events.push(Event::new(step.tick, event));

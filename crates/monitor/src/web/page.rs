@@ -1,9 +1,14 @@
 //! The page: one document, put together from its parts.
 
+use soilctl_live::protocol::{FORCE_M_PER_N, LEAD_SCALE};
+
 /// Where the style goes, where the scripts go, and the number that allows them.
 const STYLE_MARK: &str = "/*STYLE*/";
 const SCRIPT_MARK: &str = "/*SCRIPT*/";
 const NONCE_MARK: &str = "NONCE";
+
+/// Where the scales of arrows go, which are those of all programs.
+const SCALE_MARKS: [(&str, f64); 2] = [("/*FORCE_M_PER_N*/", FORCE_M_PER_N), ("/*LEAD_SCALE*/", LEAD_SCALE)];
 
 const DOCUMENT: &str = include_str!("../../page/page.html");
 const STYLE: &str = include_str!("../../page/style.css");
@@ -25,7 +30,10 @@ const SCRIPTS: [&str; 11] = [
 /// The page with a number used once.
 pub(super) fn page(nonce: &str) -> String {
     // First the number, which must not get into what stands in scripts.
-    DOCUMENT.replace(NONCE_MARK, nonce).replace(STYLE_MARK, STYLE).replace(SCRIPT_MARK, &SCRIPTS.concat())
+    let script = SCALE_MARKS
+        .iter()
+        .fold(SCRIPTS.concat(), |script, (mark, scale)| script.replace(mark, &scale.to_string()));
+    DOCUMENT.replace(NONCE_MARK, nonce).replace(STYLE_MARK, STYLE).replace(SCRIPT_MARK, &script)
 }
 
 /// The policy that allows the page its own style and script, its own server, and nothing else.
@@ -43,6 +51,7 @@ mod tests {
     #[test]
     fn the_page_is_one_document_that_asks_for_nothing() {
         let page = page("abc");
+        assert!(page.contains("FORCE_SCALE = 0.005, LEAD_SCALE = 5,"));
         assert!(!page.contains(STYLE_MARK) && !page.contains(SCRIPT_MARK) && !page.contains(NONCE_MARK));
         for sign in ["http://", "https://", "src=", "@import", "url("] {
             let found = page.match_indices(sign).map(|(place, _)| &page[place..(place + 60).min(page.len())]);

@@ -62,6 +62,8 @@ pub(crate) enum Values {
     Vectors(Vec<[f32; 3]>),
     /// Quaternions x, y, z, w.
     Quaternions(Vec<[f32; 4]>),
+    /// Numbers of the corners of triangles.
+    Triangles(Vec<[u32; 3]>),
     /// Directions of the axes of a scene.
     Axes(Vec<[u8; 3]>),
     /// Ids in layouts.
@@ -98,6 +100,7 @@ impl Column {
             (Values::Texts(all), Values::Texts(more)) => all.extend(more),
             (Values::Vectors(all), Values::Vectors(more)) => all.extend(more),
             (Values::Quaternions(all), Values::Quaternions(more)) => all.extend(more),
+            (Values::Triangles(all), Values::Triangles(more)) => all.extend(more),
             (Values::Axes(all), Values::Axes(more)) => all.extend(more),
             (Values::Ids(all), Values::Ids(more)) => all.extend(more),
             // A component has one type of values, so this is never reached; the row would be an empty one.
@@ -122,6 +125,7 @@ impl Column {
             Values::Texts(all) => Arc::new(StringArray::from(all.clone())),
             Values::Vectors(all) => fixed(3, Arc::new(Float32Array::from(all.as_flattened().to_vec())))?,
             Values::Quaternions(all) => fixed(4, Arc::new(Float32Array::from(all.as_flattened().to_vec())))?,
+            Values::Triangles(all) => fixed(3, Arc::new(UInt32Array::from(all.as_flattened().to_vec())))?,
             Values::Axes(all) => fixed(3, Arc::new(UInt8Array::from(all.as_flattened().to_vec())))?,
             Values::Ids(all) => fixed(16, Arc::new(UInt8Array::from(all.as_flattened().to_vec())))?,
         })
@@ -139,6 +143,7 @@ impl Values {
             Self::Texts(all) => all.len(),
             Self::Vectors(all) => all.len(),
             Self::Quaternions(all) => all.len(),
+            Self::Triangles(all) => all.len(),
             Self::Axes(all) => all.len(),
             Self::Ids(all) => all.len(),
         }

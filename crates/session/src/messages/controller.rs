@@ -214,6 +214,33 @@ pub struct Keyframe {
     pub state: Vec<u8>,
 }
 
+impl SoilTruth {
+    /// The message in these bytes, also one of an early log, which ends with the force: what that lacks is not a number, and
+    /// not failing.
+    ///
+    /// # Errors
+    /// In words what is wrong with it.
+    pub fn read(bytes: &[u8]) -> Result<Self, String> {
+        #[derive(Deserialize)]
+        struct Early {
+            depth_m: f64,
+            limit_force_n: f64,
+            force_rtz_n: [f64; 3],
+        }
+        super::decode(bytes).or_else(|problem: String| {
+            let Early { depth_m, limit_force_n, force_rtz_n } = super::decode(bytes).map_err(|_| problem)?;
+            Ok(Self {
+                depth_m,
+                limit_force_n,
+                force_rtz_n,
+                limit_force_now_n: f64::NAN,
+                mobilisation: f64::NAN,
+                failing: false,
+            })
+        })
+    }
+}
+
 /// `soilctl_msgs/msg/SoilTruth`: what a simulated soil knows and nobody measures.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SoilTruth {
