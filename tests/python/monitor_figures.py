@@ -1,13 +1,14 @@
-"""Makes the picture of the monitor in the docs, and measures how soon a state is on the page. Not a test: it says numbers.
+"""Measures the monitor: how soon a state is on the page, what pages cost the servo, and memory over an hour of log. Not a test: it says
+numbers.
 
-    SOILCTL=target/debug/soilctl .venv/bin/python tests/python/monitor_figures.py --image docs/images/monitor.png
-    SOILCTL=target/debug/soilctl .venv/bin/python tests/python/monitor_figures.py --latency --servo
+    SOILCTL=target/debug/soilctl .venv/bin/python tests/python/monitor_figures.py --latency --servo --memory
 """
 
 import argparse
 import contextlib
 import json
 import os
+import re
 import socket
 import subprocess
 import tempfile
@@ -16,26 +17,8 @@ import time
 from pathlib import Path
 
 import numpy as np
-from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, Monitor, open_page, seek, still, write_plan
+from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, Monitor, open_page, write_plan
 from playwright.sync_api import sync_playwright
-
-# Where the picture is taken: share of the way through the last stroke.
-SHARE = 0.6
-
-
-def picture(binary, browser, folder, path, scheme):
-    plan = write_plan(folder, [(-24.0, 80.0, 0.025), (24.0, 90.0, 0.025), (0.0, 80.0, 0.03)])
-    subprocess.run([binary, "simulate", plan, "--out", folder / "out", "--quiet"], check=True, stdout=subprocess.DEVNULL)
-    monitor = Monitor(binary, "--play", folder / "out" / "batch_000.mcap")
-    page = open_page(browser, monitor.url, color_scheme=scheme)
-    stroke = page.evaluate("monitor.player.log.strokes.at(-1)")
-    seek(page, stroke["start_s"] + SHARE * (stroke["end_s"] - stroke["start_s"]))
-    page.evaluate("monitor.scene.turn(-10, 2); monitor.scene.zoom(.82); document.getElementById('rate').hidden = true")
-    still(page)
-    page.screenshot(path=path)
-    page.context.close()
-    monitor.end()
-    print(f"{path}: {Path(path).stat().st_size} bytes")
 
 
 def latency(binary, browser, folder, seconds):
@@ -72,7 +55,7 @@ def latency(binary, browser, folder, seconds):
     print(out)
 
 
-def client(listen):
+def connected(listen):
     """A program that is connected like a page."""
     host, port = listen.rsplit(":", 1)
     end = socket.create_connection((host, int(port)))
@@ -100,7 +83,7 @@ def servo(binary, folder, seconds):
             time.sleep(0.05)
         if watched:
             monitor = Monitor(binary, "--connect", live)
-            ends = [client(monitor.listen) for _ in range(6)]
+            ends = [connected(monitor.listen) for _ in range(6)]
             for end in ends[1:]:
                 threading.Thread(target=swallow, args=(end,), daemon=True).start()
         timing = json.loads(run.communicate(timeout=seconds + LONG_S)[0])["timing"]
@@ -111,23 +94,55 @@ def servo(binary, folder, seconds):
         print("with pages:" if watched else "alone:", json.dumps(timing))
 
 
+def resident_mb(pid):
+    return int(re.search(r"VmRSS:\s+(\d+)", Path(f"/proc/{pid}/status").read_text())[1]) / 1024
+
+
+def memory(binary, folder):
+    """Memory of the monitor while a page plays an hour of log at 60 times real time."""
+    # The arm stands still for most of it, which makes as many states as if it moved.
+    plan = write_plan(folder, [(-14.0, 80.0, 0.025)])
+    socket_path, log = folder / "hour", folder / "hour.mcap"
+    words = [binary, "run", plan, "--socket", socket_path, "--log", log, "--seconds", "3600", "--quiet", "--format", "json"]
+    begin = time.monotonic()
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+    print(f"an hour of log: {log.stat().st_size / 1e6:.0f} MB, made in {time.monotonic() - begin:.0f} s")
+    begin = time.monotonic()
+    monitor = Monitor(binary, "--play", log)
+    print(f"read in {time.monotonic() - begin:.1f} s; {resident_mb(monitor.process.pid):.0f} MB")
+    end = connected(monitor.listen)
+    threading.Thread(target=swallow, args=(end,), daemon=True).start()
+    for message in [{"type": "speed", "speed": 60}, {"type": "play"}]:
+        end.sendall(frame(json.dumps(message).encode()))
+    for _ in range(7):
+        print(f"{resident_mb(monitor.process.pid):.1f} MB")
+        time.sleep(10)
+    end.close()
+    print(monitor.end().strip())
+
+
+def frame(payload):
+    """A text frame of a client with a mask of zeros."""
+    assert len(payload) < 126
+    return bytes([0x81, 0x80 | len(payload), 0, 0, 0, 0]) + payload
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--image")
-    parser.add_argument("--scheme", default="light", choices=["light", "dark"])
     parser.add_argument("--latency", action="store_true")
     parser.add_argument("--servo", action="store_true")
+    parser.add_argument("--memory", action="store_true")
     parser.add_argument("--seconds", type=float, default=30)
     args = parser.parse_args()
     binary = Path(os.environ["SOILCTL"]).resolve()
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=CHROMIUM_ARGS)
-        if args.image:
-            picture(binary, browser, Path(folder), args.image, args.scheme)
         if args.latency:
             latency(binary, browser, Path(folder), args.seconds)
         if args.servo:
             servo(binary, Path(folder), args.seconds)
+        if args.memory:
+            memory(binary, Path(folder))
         browser.close()
 
 

@@ -13,6 +13,9 @@ import numpy as np
 import pytest
 import rerun.chunk
 from conftest import decoded
+from mcap.reader import make_reader
+from mcap.writer import Writer
+from monitor_page import SAFE_FORCE
 
 FORCE_M_PER_N = 0.005
 LEAD_SCALE = 5.0
@@ -156,6 +159,7 @@ def test_rows_are_the_messages(answer, validate, recording, messages):
     expected |= dict.fromkeys(["/joints/position", "/joints/torque"], count["/joint_states"])
     # A row without values ends each stroke.
     expected |= dict.fromkeys(["/world/lead", "/friction_angle", "/displacement"], len(in_stroke) + ends)
+    expected[f"{hand}/plate_tip/safe_force"] = 2 * ends
     expected["/events"] = sum(len(step.events) for step in steps)
     homed = np.cumsum([any(event.kind == "homed" for event in step.events) or any(step.pose) for step in steps]) > 0
     expected["/height"] = int(homed.sum())
@@ -200,6 +204,38 @@ def test_the_arrows_of_controller_truth_and_lead(recording, messages, chain):
     origins, vectors = recording.vectors("/world/lead")
     drawn = np.isfinite(vectors).all(axis=1)
     assert close(vectors[drawn], expected) and close(origins[drawn], chain.frame("plate_tip", at)[1])
+
+
+def test_the_safe_area_is_the_table_around_the_plate_s_normal(recording, messages, chain):
+    table_deg, table_n = (np.array([float(v) for v in re.findall(r"-?\d+\.\d+", text)]) for text in SAFE_FORCE)
+    (entity,) = [name for name in recording.rows if name.endswith("/plate_tip/safe_force")]
+    rows = recording.rows[entity]
+    shape, gone = rows["Mesh3D:vertex_positions"][:2]
+    assert not gone and not rows["Mesh3D:triangle_indices"][1]
+    corners = np.array(shape)
+    faces = np.array(rows["Mesh3D:triangle_indices"][0])
+    assert faces.min() == 0 and faces.max() == len(corners) - 1 and (corners[0] == 0).all()
+    rim = corners[1:]
+    assert np.abs(rim[:, 1]).max() < 1e-6
+    angles = np.linspace(table_deg[0], table_deg[-1], len(rim))
+    assert np.linalg.norm(rim, axis=1) == pytest.approx(FORCE_M_PER_N * np.interp(angles, table_deg, table_n), rel=1e-4)
+    # By which angle in the frame of the plate a force of some angle to its normal is told from the rim, and the measured
+    # force from the controller's own friction angle: both must agree.
+    turned = np.degrees(np.unwrap(np.arctan2(rim[:, 2], rim[:, 0])))
+    assert np.abs(np.diff(turned)) == pytest.approx(np.full(len(rim) - 1, 60 / (len(rim) - 1)), rel=1e-3)
+    inside, _ = strokes(messages)
+    told = dict(zip(recording.times["/friction_angle"], recording.rows["/friction_angle"]["Scalars:scalars"], strict=True))
+    times = {step.tick: time for time, step in messages["/controller/step"]}
+    steps = [step for step in inside if np.linalg.norm(step.force_rtz_n) > 2][::50]
+    assert len(steps) > 5
+    joints = np.array([step.external_joints_rad for step in steps])
+    rotation, _ = chain.frame("plate_tip", joints)
+    force = rtz_to_base([step.force_rtz_n for step in steps], joints[:, 0])
+    x, _, z = (np.swapaxes(rotation, 1, 2) @ force[:, :, None])[:, :, 0].T
+    slope = np.sign(turned[-1] - turned[0])
+    found = angles[0] + slope * ((np.degrees(np.arctan2(z, x)) - turned[0] + 180) % 360 - 180)
+    expected = np.array([told[times[step.tick]][0] for step in steps])
+    assert np.median(np.abs((found - expected + 180) % 360 - 180)) < 1.0
 
 
 def test_frames_chain_to_the_forward_kinematics(recording, messages, chain):
@@ -312,6 +348,29 @@ def test_the_same_log_gives_the_same_bytes(soilctl, answer, log, tmp_path):
     soilctl.json("view", log, "--no-open", "--out", again)
     assert again.read_bytes() == Path(answer["recording"]).read_bytes()
     assert not list(tmp_path.glob("*.part"))
+
+
+def test_early_logs_whose_truth_is_shorter(soilctl, log, tmp_path):
+    early = tmp_path / "early.mcap"
+    with log.open("rb") as source, early.open("wb") as target:
+        reader = make_reader(source)
+        writer = Writer(target)
+        writer.start(profile="ros2", library="early")
+        summary = reader.get_summary()
+        schemas = {s.id: writer.register_schema(s.name, s.encoding, s.data) for s in summary.schemas.values()}
+        channels = {c.id: writer.register_channel(c.topic, c.message_encoding, schemas[c.schema_id], c.metadata) for c in summary.channels.values()}
+        for record in reader.iter_metadata():
+            writer.add_metadata(record.name, record.metadata)
+        for _, channel, message in reader.iter_messages():
+            # The encapsulation and five numbers: depth, limit, force along r, t, z.
+            data = message.data[: 4 + 5 * 8] if channel.topic == "/truth/soil" else message.data
+            writer.add_message(channels[channel.id], message.log_time, data, message.publish_time, message.sequence)
+        writer.finish()
+    whole, answer = (soilctl.json("view", file, "--no-open", "--out", tmp_path / f"{file.stem}.rrd") for file in (log, early))
+    rows = [{entity["entity"]: entity["rows"] for entity in found["entities"]} for found in (whole, answer)]
+    assert rows[0] == rows[1] and rows[0]["/force/limit"] > 0
+    limits = Recording(tmp_path / "early.rrd").rows["/force/limit"]["Scalars:scalars"]
+    assert {len(row) for row in limits} == {1} and np.isfinite(limits).all()
 
 
 def test_damaged_logs(soilctl, validate, log, tmp_path):

@@ -27,9 +27,10 @@ pub(crate) enum Task {
     Lint,
     Verify,
     Rows,
+    Pictures,
 }
 
-const TASKS: [(Task, &str, &str); 5] = [
+const TASKS: [(Task, &str, &str); 6] = [
     (
         Task::Setup,
         "setup",
@@ -51,11 +52,12 @@ const TASKS: [(Task, &str, &str); 5] = [
         "rows",
         "write what docs/verification.md shows anew: published tables and exact solutions, minutes",
     ),
+    (Task::Pictures, "pictures", "make the pictures of pages in docs/images anew, in the browser"),
 ];
 
 /// What to type.
 pub(crate) fn usage() -> String {
-    let lines = TASKS.map(|(_, word, does)| format!("  {word:<8}{does}"));
+    let lines = TASKS.map(|(_, word, does)| format!("  {word:<9}{does}"));
     format!("usage: cargo xtask <task>\n\n{}", lines.join("\n"))
 }
 
@@ -73,6 +75,7 @@ impl Task {
             Self::Lint => "lint",
             Self::Verify => "verify",
             Self::Rows => "rows",
+            Self::Pictures => "pictures",
         }
     }
 
@@ -84,6 +87,7 @@ impl Task {
             Self::Lint => lint(workspace),
             Self::Verify => verify(workspace),
             Self::Rows => rows(workspace),
+            Self::Pictures => pictures(workspace),
         }
     }
 }
@@ -133,6 +137,15 @@ fn executable(messages: &str, program: &str) -> Option<PathBuf> {
             message["executable"].as_str().filter(|_| of_program).map(PathBuf::from)
         },
     )
+}
+
+fn pictures(workspace: &Workspace) -> Result<(), XtaskError> {
+    setup(workspace)?;
+    Step::new("pictures", workspace.venv_python())
+        .args(["book/pictures.py"])
+        .dir(workspace.root())
+        .env("SOILCTL", find_soilctl(workspace)?)
+        .run()
 }
 
 fn lint(workspace: &Workspace) -> Result<(), XtaskError> {

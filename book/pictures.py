@@ -1,0 +1,62 @@
+"""Makes the pictures of docs/images that show pages: the monitor during a stroke, and the page of a plate.
+
+    cargo xtask pictures
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests" / "python"))
+
+from monitor_page import CHROMIUM_ARGS, Monitor, open_page, seek, still, write_plan  # noqa: E402
+from playwright.sync_api import sync_playwright  # noqa: E402
+
+IMAGES = ROOT / "docs" / "images"
+# Where the monitor's picture is taken: share of the way through the last stroke.
+SHARE = 0.6
+
+
+def monitor(binary, browser, folder, path):
+    """A stroke, seen from the side."""
+    plan = write_plan(folder, [(-24.0, 80.0, 0.025), (24.0, 90.0, 0.025), (0.0, 80.0, 0.03)])
+    subprocess.run([binary, "simulate", plan, "--out", folder / "out", "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    running = Monitor(binary, "--play", folder / "out" / "batch_000.mcap")
+    page = open_page(browser, running.url, color_scheme="light")
+    stroke = page.evaluate("monitor.player.log.strokes.at(-1)")
+    seek(page, stroke["start_s"] + SHARE * (stroke["end_s"] - stroke["start_s"]))
+    page.evaluate("monitor.scene.turn(-10, 2); monitor.scene.zoom(.82); document.getElementById('rate').hidden = true")
+    still(page)
+    page.screenshot(path=path)
+    page.context.close()
+    running.end()
+    print(f"{path}: {Path(path).stat().st_size} bytes")
+
+
+def page(binary, browser, folder, path):
+    """The page of a plate: verdict and mechanism."""
+    words = [binary, "bound", "--alpha", "90", "--phi", "30", "--delta", "15", "--report", folder / "plate.html", "--quiet"]
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+    context = browser.new_context(viewport={"width": 1000, "height": 1090}, color_scheme="light", reduced_motion="reduce")
+    shown = context.new_page()
+    shown.goto((folder / "plate.html").as_uri())
+    shown.wait_for_selector("figure.moving.live canvas[data-moved]")
+    shown.screenshot(path=path)
+    context.close()
+    print(f"{path}: {Path(path).stat().st_size} bytes")
+
+
+def main():
+    binary = Path(os.environ["SOILCTL"]).resolve()
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=CHROMIUM_ARGS)
+        monitor(binary, browser, Path(folder), IMAGES / "monitor.png")
+        page(binary, browser, Path(folder), IMAGES / "page.png")
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()
