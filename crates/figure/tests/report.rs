@@ -71,7 +71,7 @@ fn figures_are_complete() {
         assert_eq!(html.matches(part).count(), 1, "{part}");
     }
     assert_eq!(html.matches("<svg ").count() - own_svg_strings(&html), 2);
-    let start = html.find("class=\"plot-data\">").unwrap() + "class=\"plot-data\">".len();
+    let start = html.find("class=\"figure-data\">").unwrap() + "class=\"figure-data\">".len();
     let json = &html[start..start + html[start..].find("</script>").unwrap()];
     let parsed: serde_json::Value = serde_json::from_str(json).unwrap();
     let data = parsed["data"].as_array().unwrap();
