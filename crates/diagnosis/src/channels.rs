@@ -4,6 +4,9 @@ use soilctl_effects::Channel;
 
 use crate::data::{Data, Prior};
 
+/// How far baselines may be from those of a simulated arm, over what they may be without one.
+const SIMULATED: f64 = 0.5;
+
 /// Baseline and scatter of a channel.
 pub(crate) struct Baseline {
     /// What is subtracted before anything is fitted, by stroke.
@@ -35,7 +38,7 @@ impl Baseline {
         let spread = spread(&cells).max(1e-9);
         let given = |sd: f64| Prior { mean: if sd > 0.0 { sd } else { spread }.ln(), sd: 0.5 };
         let own = Prior { mean: (0.7 * spread).ln(), sd: 0.7 };
-        let (terms, ln_scatter): (Vec<(Vec<f64>, Prior)>, Prior) = match channel {
+        let (mut terms, ln_scatter): (Vec<(Vec<f64>, Prior)>, Prior) = match channel {
             Channel::TareBefore | Channel::TareAfter => {
                 (vec![(one(), zero((0.5 * instrument.tare_sd).max(0.02)))], given(instrument.tare_sd))
             }
@@ -73,6 +76,10 @@ impl Baseline {
                 ],
                 own,
             ),
+            Channel::GapSlope => {
+                let stretch = 1.0 / instrument.joint_stiffness_n_per_m;
+                (vec![(one(), Prior { mean: stretch, sd: stretch })], own)
+            }
             Channel::PostSlope => {
                 let mean = if data.campaign.dense_preparation { -0.6 } else { -0.1 };
                 (vec![(one(), Prior { mean, sd: 0.4 }), (lean, zero(0.03))], own)
@@ -82,8 +89,21 @@ impl Baseline {
                 (vec![(one(), Prior { mean, sd: 0.12 }), (lean, zero(0.01))], own)
             }
         };
+        if channel == Channel::Displacement && data.derived.contains(&channel) {
+            // A trace has the encoders' reading; whether it holds the stretch of the drives depends on where they sit.
+            let stretch = force.iter().map(|f| f / instrument.joint_stiffness_n_per_m).collect();
+            terms.push((stretch, Prior { mean: 0.5, sd: 0.5 }));
+        }
         let reads_delta = channel == Channel::FrictionAngle;
-        let known = if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
+        let mut known: Vec<f64> =
+            if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
+        if let Some(expected) = data.expected.get(&channel) {
+            // What is left of a baseline is how far the simulated arm is from the real one.
+            known.clone_from(expected);
+            for (_, prior) in &mut terms {
+                *prior = Prior { mean: 0.0, sd: SIMULATED * prior.sd };
+            }
+        }
         Self { known, terms, ln_scatter, reads_delta }
     }
 }

@@ -1,12 +1,13 @@
 //! A campaign as the diagnosis sees it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use soilctl_effects::{Channel, Reading, Reference, Stroke};
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
-use soilctl_strokes::{Campaign, StrokeRow};
+use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
+use crate::traces::{PhaseKey, traced};
 
 /// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation.
 const USUAL_DENSITY: (f64, f64) = (1550.0, 0.1);
@@ -24,12 +25,15 @@ pub struct Prior {
     pub sd: f64,
 }
 
+/// Rows up to which a table is a summary.
+const MOST_SUMMARIES: usize = 6;
+
 /// Strokes and all that is known beside them.
 #[derive(Debug, Clone)]
 pub struct Data {
     /// Name of the stroke table, for messages.
     pub name: String,
-    /// Rows as they were read.
+    /// Rows as they were read; [`Data::add_traces`] fills empty cells.
     pub rows: Vec<StrokeRow>,
     /// What was known of the campaign.
     pub campaign: Campaign,
@@ -47,8 +51,16 @@ pub struct Data {
     pub level: Vec<usize>,
     /// Different tool angles, ascending, in deg.
     pub levels_deg: Vec<f64>,
-    /// Trace-derived columns that have at least one cell.
+    /// Trace-derived columns that have at least one cell, and what only traces have.
     pub channels: BTreeMap<Channel, Vec<Option<f64>>>,
+    /// Columns of which every cell comes from the traces.
+    pub(crate) derived: BTreeSet<Channel>,
+    /// Readings phase by phase.
+    pub(crate) phases: BTreeMap<PhaseKey, Vec<Option<f64>>>,
+    /// What a simulated arm without effects read in the same strokes.
+    pub(crate) expected: BTreeMap<Channel, Vec<f64>>,
+    /// The same phase by phase.
+    pub(crate) expected_phases: BTreeMap<PhaseKey, Vec<f64>>,
     /// Friction angle, deg.
     pub phi: Prior,
     /// Interface friction minus its set-point, deg.
@@ -84,13 +96,6 @@ impl Data {
         levels_deg.sort_by(f64::total_cmp);
         levels_deg.dedup_by(|a, b| (*a - *b).abs() < 1.0);
         let level = rows.iter().map(|row| nearest(&levels_deg, row.alpha_deg)).collect();
-        let mut channels = BTreeMap::new();
-        for channel in Channel::ALL {
-            let cells: Vec<Option<f64>> = rows.iter().map(|row| channel.of(row)).collect();
-            if cells.iter().any(Option::is_some) {
-                channels.insert(channel, cells);
-            }
-        }
         let densities: Vec<f64> = rows.iter().filter_map(|row| row.density_kg_m3).collect();
         let density = if densities.is_empty() {
             Prior { mean: USUAL_DENSITY.0, sd: USUAL_DENSITY.1 }
@@ -110,7 +115,6 @@ impl Data {
         Ok(Self {
             name: name.into(),
             ln_force: rows.iter().map(|row| row.force_n.ln()).collect(),
-            rows,
             campaign,
             reference,
             strokes,
@@ -118,7 +122,12 @@ impl Data {
             batches,
             level,
             levels_deg,
-            channels,
+            channels: columns(&rows),
+            rows,
+            derived: BTreeSet::new(),
+            phases: BTreeMap::new(),
+            expected: BTreeMap::new(),
+            expected_phases: BTreeMap::new(),
             phi,
             delta,
             density,
@@ -126,11 +135,67 @@ impl Data {
         })
     }
 
+    /// Fills empty cells from the traces and takes what only traces have. `failure_time_s` says, by stroke, when the soil
+    /// failed on the clock of the traces, where that is known; otherwise it is where the failure force is reached. The answer
+    /// is the number of strokes with a trace in which the failure was found.
+    pub fn add_traces(&mut self, traces: &TraceTable, failure_time_s: &[Option<f64>]) -> usize {
+        let found = traced(&self.rows, traces, failure_time_s);
+        for (channel, cells) in found.channels {
+            if !self.channels.contains_key(&channel) {
+                self.derived.insert(channel);
+            }
+            let column = self.channels.entry(channel).or_insert_with(|| vec![None; cells.len()]);
+            for ((old, new), row) in column.iter_mut().zip(cells).zip(&mut self.rows) {
+                if let Some(value) = new {
+                    old.get_or_insert(value);
+                    channel.fill(row, value);
+                }
+            }
+        }
+        self.phases = found.phases;
+        found.used
+    }
+
+    /// Takes what a simulated arm without effects read in the same strokes, found by their names, as what is to be expected.
+    /// Where a stroke is missing there, the mean at its tool angle stands for it.
+    pub fn expect(&mut self, simulated: &Self) {
+        let place = |row: &StrokeRow| {
+            simulated
+                .rows
+                .iter()
+                .position(|other| row.stroke_id.is_some() && other.stroke_id == row.stroke_id)
+        };
+        let places: Vec<Option<usize>> = self.rows.iter().map(place).collect();
+        let all = |cells: &[Option<f64>]| -> Option<Vec<f64>> {
+            let mean = |level: Option<f64>| {
+                let of = cells.iter().zip(&simulated.rows);
+                let of = of.filter(|(_, row)| level.is_none_or(|level| (row.alpha_deg - level).abs() < 1.0));
+                let known: Vec<f64> = of.filter_map(|(cell, _)| *cell).collect();
+                (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
+            };
+            let of = |i: usize| {
+                let same = places[i].and_then(|place| cells[place]);
+                same.or_else(|| mean(Some(self.rows[i].alpha_deg))).or_else(|| mean(None))
+            };
+            (0..self.rows.len()).map(of).collect()
+        };
+        let channels = simulated.channels.iter().filter(|(channel, _)| self.channels.contains_key(channel));
+        self.expected = channels.filter_map(|(channel, cells)| Some((*channel, all(cells)?))).collect();
+        let phases = simulated.phases.iter().filter(|(key, _)| self.phases.contains_key(key));
+        self.expected_phases = phases.filter_map(|(key, cells)| Some((*key, all(cells)?))).collect();
+    }
+
     /// Number of strokes.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a campaign is never empty")]
     pub fn len(&self) -> usize {
         self.rows.len()
+    }
+
+    /// Whether the table is a summary and no campaign: it has as many rows as there are unknowns.
+    #[must_use]
+    pub fn is_summary(&self) -> bool {
+        self.len() <= MOST_SUMMARIES
     }
 
     /// Set-point of the interface friction of a stroke, deg; the mean set-point where the cell is empty.
@@ -148,6 +213,13 @@ impl Data {
             encoder_step_m: self.campaign.instrument.encoder_step_m,
         }
     }
+}
+
+/// Trace-derived columns that have at least one cell.
+fn columns(rows: &[StrokeRow]) -> BTreeMap<Channel, Vec<Option<f64>>> {
+    let cells = |channel: Channel| rows.iter().map(|row| channel.of(row)).collect::<Vec<_>>();
+    let found = Channel::ALL.into_iter().map(|channel| (channel, cells(channel)));
+    found.filter(|(_, cells)| cells.iter().any(Option::is_some)).collect()
 }
 
 fn nearest(levels: &[f64], value: f64) -> usize {

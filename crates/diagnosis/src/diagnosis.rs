@@ -65,8 +65,7 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     let expected: Vec<Expected> =
         catalogue().iter().map(|&effect| expected(&setup, phi_deg, effect)).collect();
     // With a handful of strokes the largest amplitudes alone could be seen, which is no test of anything.
-    let testable =
-        expected.iter().filter(|of| of.lambda >= LEAST_LAMBDA).count() > 0 && data.len() > MOST_SUMMARIES;
+    let testable = expected.iter().filter(|of| of.lambda >= LEAST_LAMBDA).count() > 0 && !data.is_summary();
     let verdict = judge(&search);
     let status = if testable { verdict.status } else { Status::NotTestable };
     let mut effects = Vec::new();
@@ -110,5 +109,3 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
 
 /// Relative error of an amplitude because nature's formula is not ours.
 const FORM_ERROR: f64 = 0.08;
-/// Rows up to which a table is a summary and no campaign: there are as many unknowns.
-const MOST_SUMMARIES: usize = 6;

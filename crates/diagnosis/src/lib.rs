@@ -18,6 +18,7 @@ mod setup;
 mod spec;
 mod surface;
 mod testability;
+mod traces;
 mod verdict;
 
 pub use data::{Data, Prior};
@@ -28,4 +29,5 @@ pub use localise::Where;
 pub use next::NextExperiment;
 pub use surface::Surface;
 pub use testability::{Expected, LEAST_LAMBDA, Testable};
+pub use traces::{Course, Phase, courses, typical_course};
 pub use verdict::Status;

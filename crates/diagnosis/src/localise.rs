@@ -9,13 +9,16 @@ use crate::chi_square;
 use crate::fit::Fit;
 use crate::generic::{Covariate, covariates, standard};
 use crate::setup::Setup;
+use crate::traces::{Phase, PhaseKey};
 
 /// A disagreement that is more than chance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Where {
-    /// Column of the stroke table.
+    /// Column of the stroke table, or of the traces.
     pub channel: String,
-    /// Covariate over which the residuals vary.
+    /// Phase of the stroke, for readings of traces; `None` for the column itself.
+    pub phase: Option<Phase>,
+    /// Covariate over which the residuals vary; `all` if all strokes are off what a simulated arm reads.
     pub covariate: String,
     /// Probability of as much by chance, adjusted for the number of tests (Benjamini & Hochberg 1995).
     pub p_adjusted: f64,
@@ -26,19 +29,27 @@ const RATE: f64 = 0.05;
 /// Part of a pattern that must be left after the fit, if a test is to mean anything.
 const LEAST_OPEN: f64 = 0.15;
 
+/// Covariate of a difference that all strokes share.
+const ALL: &str = "all";
+
 /// Whitened residuals of a column and what was fitted to it.
 struct Residuals {
     strokes: Vec<usize>,
     z: DVector<f64>,
     /// What takes a fit's directions out, softly where these have priors.
     hat: DMatrix<f64>,
+    /// Probability that the mean differs by so much from what was expected by chance, if anything was.
+    shared: Option<f64>,
 }
 
 /// All tests that survive the control of false discoveries, least probable first.
 pub(crate) fn localise(setup: &Setup<'_>, baseline: &Fit) -> Vec<Where> {
     let found = covariates(setup.data);
     let mut tests = Vec::new();
-    let mut test = |name: &str, residuals: &Residuals| {
+    let mut test = |name: &str, phase: Option<Phase>, residuals: &Residuals| {
+        if let Some(p) = residuals.shared {
+            tests.push((p, name.to_owned(), phase, ALL.to_owned()));
+        }
         for covariate in &found {
             let trend: Option<f64> = residuals.p_value(&[&covariate.values]);
             let p = match (
@@ -49,25 +60,30 @@ pub(crate) fn localise(setup: &Setup<'_>, baseline: &Fit) -> Vec<Where> {
                 (Some(a), None) | (None, Some(a)) => a,
                 (None, None) => continue,
             };
-            tests.push((p, name.to_owned(), covariate.name.to_owned()));
+            tests.push((p, name.to_owned(), phase, covariate.name.to_owned()));
         }
     };
     if let Some(residuals) = forces(setup, baseline) {
-        test("force_n", &residuals);
+        test("force_n", None, &residuals);
     }
     for channel in setup.baselines.keys() {
         if let Some(residuals) = column(setup, *channel) {
-            test(channel.column(), &residuals);
+            test(channel.column(), None, &residuals);
+        }
+    }
+    for &(name, phase) in setup.data.phases.keys() {
+        if let Some(residuals) = of_phase(setup, (name, phase)) {
+            test(name, Some(phase), &residuals);
         }
     }
     tests.sort_by(|a, b| a.0.total_cmp(&b.0));
     let count = tests.len() as f64;
     let mut adjusted = 1.0_f64;
     let mut out: Vec<Where> = Vec::new();
-    for (rank, (p, channel, covariate)) in tests.into_iter().enumerate().rev() {
+    for (rank, (p, channel, phase, covariate)) in tests.into_iter().enumerate().rev() {
         adjusted = adjusted.min(p * count / (rank as f64 + 1.0));
         if adjusted <= RATE {
-            out.push(Where { channel, covariate, p_adjusted: adjusted });
+            out.push(Where { channel, phase, covariate, p_adjusted: adjusted });
         }
     }
     out.reverse();
@@ -130,11 +146,38 @@ fn column(setup: &Setup<'_>, channel: Channel) -> Option<Residuals> {
         .iter()
         .map(|(v, prior)| (strokes.iter().map(|&i| v[i]).collect(), 1e3 * prior.sd))
         .collect();
+    let shared = setup.data.expected.contains_key(&channel);
+    about_baseline(strokes, values, &directions, shared)
+}
+
+/// A reading of one phase of the strokes, about a mean and a trend over the tool angle, or about what a simulated arm read.
+fn of_phase(setup: &Setup<'_>, key: PhaseKey) -> Option<Residuals> {
+    let data = setup.data;
+    let cells = data.phases.get(&key)?;
+    let strokes: Vec<usize> = (0..cells.len()).filter(|&i| cells[i].is_some()).collect();
+    let expected = data.expected_phases.get(&key);
+    let known = |i: usize| expected.map_or(0.0, |values| values[i]);
+    let values: Vec<f64> = strokes.iter().filter_map(|&i| Some(cells[i]? - known(i))).collect();
+    let lean = |i: &usize| (data.rows[*i].alpha_deg - data.reference.alpha_deg) / 10.0;
+    let size = spread(&values).max(1e-9);
+    let directions =
+        [(vec![1.0; strokes.len()], 1e3 * size), (strokes.iter().map(lean).collect(), 1e3 * size)];
+    about_baseline(strokes, values, &directions, expected.is_some())
+}
+
+/// Residuals about free directions. `shared` asks whether their mean differs from zero, too.
+fn about_baseline(
+    strokes: Vec<usize>,
+    values: Vec<f64>,
+    directions: &[(Vec<f64>, f64)],
+    shared: bool,
+) -> Option<Residuals> {
     let n = values.len();
     if n < directions.len() + 4 {
         return None;
     }
     let design = DMatrix::from_fn(n, directions.len(), |i, k| directions[k].0[i] * directions[k].1);
+    let mean = values.iter().sum::<f64>() / n as f64;
     let solved = (design.transpose() * &design
         + DMatrix::identity(directions.len(), directions.len()) * 1e-12)
         .cholesky()?
@@ -145,7 +188,11 @@ fn column(setup: &Setup<'_>, channel: Channel) -> Option<Residuals> {
     if scatter <= 0.0 {
         return None;
     }
-    Residuals::new(strokes, &residual, &vec![scatter; n], &directions)
+    let mut found = Residuals::new(strokes, &residual, &vec![scatter; n], directions)?;
+    if shared {
+        found.shared = Some(chi_square::tail((mean / scatter).powi(2) * n as f64, 1));
+    }
+    Some(found)
 }
 
 impl Residuals {
@@ -161,7 +208,7 @@ impl Residuals {
             DMatrix::from_fn(n, directions.len(), |i, k| directions[k].0[i] * directions[k].1 / sd[i]);
         let inner = design.transpose() * &design + DMatrix::identity(directions.len(), directions.len());
         let hat = &design * inner.cholesky()?.solve(&design.transpose());
-        Some(Self { strokes, z, hat })
+        Some(Self { strokes, z, hat, shared: None })
     }
 
     /// Score test of several regressors over all strokes of the campaign.

@@ -128,9 +128,11 @@ impl<'a> Search<'a> {
     fn variants(&self, effect: &'static dyn Effect) -> Vec<(Choice, f64)> {
         let data = self.setup.data;
         let shape = effect.shape();
-        let shapes = shape.map_or(&[0.0][..], |shape| shape.values);
-        let signs = effect.range().signs();
         let present = |channel: &Channel| data.channels.contains_key(channel);
+        let told = |shape: &f64| effect.needs(*shape).is_none_or(|channel| present(&channel));
+        let shapes = shape.map_or(&[0.0][..], |shape| shape.values);
+        let shapes: Vec<f64> = shapes.iter().copied().filter(told).collect();
+        let signs = effect.range().signs();
         let linked: &[(bool, f64)] = if !effect.linked().iter().any(present) {
             &[(false, 0.0)]
         } else if effect.acts_on_force() {
@@ -145,7 +147,7 @@ impl<'a> Search<'a> {
         };
         let even = -((shapes.len() * signs.len()) as f64).ln();
         let mut variants = Vec::new();
-        for &shape in shapes {
+        for &shape in &shapes {
             for &sign in signs {
                 for &(linked, a) in linked {
                     for &(responds, b) in responds {

@@ -45,7 +45,12 @@ pub(crate) fn stroke_sd(setup: &Setup<'_>, scatter: Option<f64>) -> Vec<f64> {
         .rows
         .iter()
         .map(|row| {
-            let force = row.force_sd_n.map_or(scatter.unwrap_or(USUAL_SCATTER), |sd| sd / row.force_n);
+            let usual = scatter.unwrap_or(USUAL_SCATTER);
+            let force = match row.force_sd_n.map(|sd| sd / row.force_n) {
+                Some(own) if setup.data.is_summary() => own,
+                Some(own) => own.hypot(usual),
+                None => usual,
+            };
             let depth = 2.0 * campaign.depth_sd_m / row.depth_m;
             (force * force + depth * depth + campaign.density_sd_rel.powi(2)).sqrt()
         })
@@ -122,8 +127,10 @@ fn signal(
 ) -> (f64, f64) {
     let data = setup.data;
     let shapes = effect.shape().map_or(&[0.0][..], |shape| shape.values);
+    let told =
+        |shape: &&f64| effect.needs(**shape).is_none_or(|channel| data.channels.contains_key(&channel));
     let (mut most, mut raw) = (0.0_f64, 0.0_f64);
-    for &shape in shapes {
+    for &shape in shapes.iter().filter(told) {
         let active = Active { effect, amplitude, shape };
         let change: Option<Vec<f64>> = (0..data.len())
             .map(|i| {

@@ -1,6 +1,7 @@
 use soilctl_strokes::StrokeRow;
 
-/// A column of the stroke table that comes from the trace of the stroke and not from its failure force.
+/// A reading that comes from the trace of a stroke and not from its failure force: a column of the stroke table, or, if only a
+/// trace itself has it, a number a stroke.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Channel {
     /// Free-air reading before the stroke, N.
@@ -25,11 +26,13 @@ pub enum Channel {
     MotorExtGap,
     /// Smallest repeated encoder step, m.
     XStep,
+    /// Change of motor-side minus external position with the force while it rises, m/N; no column has it.
+    GapSlope,
 }
 
 impl Channel {
     /// All channels.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::TareBefore,
         Self::TareAfter,
         Self::CmdMinusForce,
@@ -41,9 +44,10 @@ impl Channel {
         Self::HeapHeight,
         Self::MotorExtGap,
         Self::XStep,
+        Self::GapSlope,
     ];
 
-    /// Name of the column in the stroke table.
+    /// Name of the column in the stroke table, or of what only traces have.
     #[must_use]
     pub const fn column(self) -> &'static str {
         match self {
@@ -58,10 +62,11 @@ impl Channel {
             Self::HeapHeight => "heap_height_m",
             Self::MotorExtGap => "motor_ext_gap_m",
             Self::XStep => "x_step_m",
+            Self::GapSlope => "motor_ext_gap_slope_m_per_n",
         }
     }
 
-    /// The cell of a stroke; `None` if it is empty.
+    /// The cell of a stroke; `None` if it is empty, or if no column has it.
     #[must_use]
     pub const fn of(self, row: &StrokeRow) -> Option<f64> {
         match self {
@@ -76,6 +81,26 @@ impl Channel {
             Self::HeapHeight => row.heap_height_m,
             Self::MotorExtGap => row.motor_ext_gap_m,
             Self::XStep => row.x_step_m,
+            Self::GapSlope => None,
         }
+    }
+
+    /// Puts a reading into an empty cell of a stroke; nothing happens to one that is not empty, or if no column has it.
+    pub fn fill(self, row: &mut StrokeRow, value: f64) {
+        let cell = match self {
+            Self::TareBefore => &mut row.tare_before_n,
+            Self::TareAfter => &mut row.tare_after_n,
+            Self::CmdMinusForce => &mut row.cmd_minus_force_n,
+            Self::FrictionAngle => &mut row.friction_angle_deg,
+            Self::ZDrift => &mut row.z_drift_m,
+            Self::Displacement => &mut row.displacement_at_failure_m,
+            Self::PostSlope => &mut row.post_slope_norm,
+            Self::ResidualRatio => &mut row.residual_ratio,
+            Self::HeapHeight => &mut row.heap_height_m,
+            Self::MotorExtGap => &mut row.motor_ext_gap_m,
+            Self::XStep => &mut row.x_step_m,
+            Self::GapSlope => return,
+        };
+        cell.get_or_insert(value);
     }
 }

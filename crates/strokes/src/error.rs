@@ -39,6 +39,14 @@ pub enum StrokesError {
         /// Name of the file.
         file: String,
     },
+    /// Nothing in a file of traces.
+    #[error(
+        "{file} is empty; it must start with a header that names at least stroke_id, t_s, x_ext_m, force_n"
+    )]
+    EmptyTraces {
+        /// Name of the file.
+        file: String,
+    },
     /// A header without rows.
     #[error("{file} has a header but no strokes; add at least one row")]
     NoRows {

@@ -3,7 +3,7 @@
 //!
 //! [`StrokeTable`] is one row a stroke, typed and checked; columns it does not know are kept as text.
 //! [`measurements`] turns rows into what an estimator needs: a force with its standard deviation for each
-//! geometry. [`Campaign`] is what was known about the instrument and the preparation. Units are in the names;
+//! geometry. [`TraceTable`] is the recorded course of each stroke, `traces.csv`. [`Campaign`] is what was known about the instrument and the preparation. Units are in the names;
 //! every error says where, which value, what is allowed and what to do.
 //!
 //! ```
@@ -31,6 +31,7 @@ mod row;
 mod spread;
 mod table;
 mod text_column;
+mod traces;
 mod write;
 
 pub use campaign::{Campaign, Instrument};
@@ -40,3 +41,4 @@ pub use read::{MAX_BYTES, MAX_ROWS, ReadOptions};
 pub use row::StrokeRow;
 pub use table::StrokeTable;
 pub use text_column::TextColumn;
+pub use traces::{TraceSample, TraceTable};

@@ -23,14 +23,14 @@ pub struct ReadOptions {
 type Input<R> = Chain<LineGuard<Take<R>>, &'static [u8]>;
 
 /// Rows of a csv file with the line on which each one starts.
-struct Records<'a, R> {
+pub(crate) struct Records<'a, R> {
     reader: csv::Reader<Input<R>>,
-    record: ByteRecord,
+    pub(crate) record: ByteRecord,
     file: &'a str,
 }
 
 impl<'a, R: Read> Records<'a, R> {
-    fn new(input: R, file: &'a str) -> Self {
+    pub(crate) fn new(input: R, file: &'a str) -> Self {
         // Lines end at LF, so that the line count is right after every record (in CRLF mode it is not); a CR
         // before it is taken off below. The last line gets an LF if it has none, for the same reason.
         let input = LineGuard::new(input.take(MAX_BYTES)).chain(&b"\n"[..]);
@@ -44,7 +44,7 @@ impl<'a, R: Read> Records<'a, R> {
     }
 
     /// Reads the next row that is not blank; its line, or `None` at the end.
-    fn next(&mut self) -> Result<Option<usize>, StrokesError> {
+    pub(crate) fn next(&mut self) -> Result<Option<usize>, StrokesError> {
         loop {
             let before = self.reader.position().line();
             let more = self.reader.read_byte_record(&mut self.record).map_err(|problem| {

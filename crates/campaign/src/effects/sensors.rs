@@ -44,7 +44,7 @@ impl Sensors {
         for entry in entries {
             let value = amplitude(entry);
             match entry.id.as_str() {
-                "force_scale" => sensors.scale *= value,
+                "force_scale" => sensors.scale *= 1.0 + value,
                 "force_bias" => sensors.bias_n += value,
                 "force_drift" => sensors.drift_n += value,
                 "ft_crosstalk" => sensors.crosstalk += value,

@@ -2,6 +2,7 @@
 
 pub mod file;
 mod live;
+mod logged;
 
 use std::ops::Range;
 use std::path::Path;

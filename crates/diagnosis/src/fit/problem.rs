@@ -214,12 +214,14 @@ impl<'a> Problem<'a> {
             Row::Force(i) => {
                 let row = &self.setup.data.rows[i];
                 let depth = 2.0 * self.setup.data.campaign.depth_sd_m / row.depth_m;
+                // What a force is known to says nothing of how far strokes scatter; rows of a summary hold both.
                 let (own, fitted) = match row.force_sd_n {
-                    Some(sd) => (sd / row.force_n, 0.0),
-                    None => (s, 1.0),
+                    Some(sd) if self.setup.data.is_summary() => (sd / row.force_n, 0.0),
+                    Some(sd) => (sd / row.force_n, s),
+                    None => (0.0, s),
                 };
-                let variance = own * own + depth * depth;
-                (variance.sqrt().max(1e-4), fitted * own * own / variance)
+                let variance = own * own + fitted * fitted + depth * depth;
+                (variance.sqrt().max(1e-4), fitted * fitted / variance)
             }
             Row::Channel { .. } => (s, 1.0),
         }

@@ -1,7 +1,8 @@
 use super::{Effect, Reading};
-use crate::{Channel, Parameter, Range, Stroke};
+use crate::{Channel, Parameter, Range, Shape, Stroke};
 
-/// Cables stretch more than the flexion model takes out: displacement grows with force.
+/// Cables stretch more than the flexion model takes out: displacement grows with force where the stretch is beyond all
+/// encoders (shape 0), motor-side minus external position where it is between them (1), or both (2).
 pub(super) struct CableFlex;
 
 impl Effect for CableFlex {
@@ -26,17 +27,30 @@ impl Effect for CableFlex {
     }
 
     fn linked(&self) -> &'static [Channel] {
-        &[Channel::Displacement]
+        &[Channel::Displacement, Channel::MotorExtGap, Channel::GapSlope]
+    }
+
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape { parameter: None, values: &[0.0, 1.0, 2.0] })
+    }
+
+    fn needs(&self, shape: f64) -> Option<Channel> {
+        (shape > 0.5).then_some(Channel::GapSlope)
     }
 
     fn shift(
         &self,
-        _channel: Channel,
+        channel: Channel,
         amplitude: f64,
-        _shape: f64,
+        shape: f64,
         _stroke: &Stroke,
         reading: &Reading,
     ) -> f64 {
-        amplitude * reading.force_n
+        match (channel, shape > 0.5) {
+            (Channel::Displacement, _) if shape > 0.5 && shape < 1.5 => 0.0,
+            (Channel::Displacement, _) | (Channel::MotorExtGap, true) => amplitude * reading.force_n,
+            (Channel::GapSlope, true) => amplitude,
+            _ => 0.0,
+        }
     }
 }

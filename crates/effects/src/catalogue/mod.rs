@@ -111,6 +111,12 @@ pub trait Effect: Sync {
         0.0
     }
 
+    /// A channel without which a shape means the same as another one; `None` if there is no such channel.
+    fn needs(&self, shape: f64) -> Option<Channel> {
+        let _ = shape;
+        None
+    }
+
     /// Channels that show it with a strength of their own.
     fn responses(&self) -> &'static [Response] {
         &[]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_diagnosis::Testable;
+use soilctl_diagnosis::{Phase, Testable};
 
 use super::Work;
 use super::files::{Written, parameters, status};
@@ -35,6 +35,8 @@ pub(crate) struct DiagnosisAnswer {
     pub(super) model: String,
     /// Strokes.
     pub(super) strokes: usize,
+    /// Strokes whose trace was used.
+    pub(super) traces: usize,
     /// Recalibrated friction angle with the effects, deg.
     pub(super) phi_deg: f64,
     /// Recalibrated density with the effects, kg/m3.
@@ -91,9 +93,11 @@ pub(crate) struct GapAnswer {
 /// One disagreement.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct WhereAnswer {
-    /// Column of the stroke table.
+    /// Column of the stroke table, or of the traces.
     pub(super) channel: String,
-    /// Covariate.
+    /// Phase of the stroke, for readings of traces: before_rise, loading, failure or after; null for the column itself.
+    pub(super) phase: Option<String>,
+    /// Covariate; `all` if all strokes are off what a simulated arm reads.
     pub(super) covariate: String,
     /// Probability of as much by chance, adjusted for the number of tests.
     pub(super) p_adjusted: f64,
@@ -157,6 +161,7 @@ impl DiagnosisAnswer {
                 .iter()
                 .map(|w| WhereAnswer {
                     channel: w.channel.clone(),
+                    phase: w.phase.map(phase),
                     covariate: w.covariate.clone(),
                     p_adjusted: w.p_adjusted,
                 })
@@ -170,6 +175,7 @@ impl DiagnosisAnswer {
             report: written.report.display().to_string(),
             model: work.model.clone(),
             strokes: work.data.len(),
+            traces: work.recorded.as_ref().map_or(0, |recorded| recorded.used),
             phi_deg: d.comparison.soil_after.phi_deg,
             density_kg_m3: d.comparison.soil_after.density_kg_m3,
             scatter: d.scatter,
@@ -203,6 +209,17 @@ impl DiagnosisAnswer {
             _ => "these strokes cannot tell any effect from the soil itself; see the next experiment".into(),
         }
     }
+}
+
+/// A phase as it is written.
+fn phase(phase: Phase) -> String {
+    match phase {
+        Phase::BeforeRise => "before_rise",
+        Phase::Loading => "loading",
+        Phase::Failure => "failure",
+        Phase::After => "after",
+    }
+    .into()
 }
 
 /// What the design could show, in words.
@@ -245,8 +262,9 @@ impl Answer for DiagnosisAnswer {
         text += &columns(&rows);
         for place in &self.located {
             text += &format!(
-                "where: {} over {} (p {})\n",
+                "where: {}{} over {} (p {})\n",
                 place.channel,
+                place.phase.as_ref().map_or_else(String::new, |phase| format!(" ({phase})")),
                 place.covariate,
                 number(place.p_adjusted)
             );

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use soilctl_diagnosis::Status;
+use soilctl_diagnosis::{Comparison, Data, Diagnosis, Status};
 use soilctl_effects::{
     EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry, effect,
 };
@@ -24,7 +24,7 @@ pub(super) struct Written {
 pub(super) fn write(work: &Work, strokes: &Path, out: &Path) -> Result<Written, CliError> {
     let bytes = std::fs::read(strokes).map_err(|problem| failed(strokes, problem))?;
     let patch = out.join("patch.json");
-    let file = model_file(work, &bytes);
+    let file = model_file(&work.model, &work.data, &work.diagnosis, &bytes);
     file.write(&patch)?;
     predictions(work, file, &patch, &out.join("predictions.csv"))?;
     let next = match &work.diagnosis.next {
@@ -46,8 +46,8 @@ fn value(value: f64, sd: f64, unit: &str) -> ParameterValue {
     ParameterValue { value, sd, unit: unit.into() }
 }
 
-fn model_file(work: &Work, bytes: &[u8]) -> ModelFile {
-    let (data, d) = (&work.data, &work.diagnosis);
+/// The model file of a diagnosis; `bytes` are those of the stroke table.
+pub(super) fn model_file(model: &str, data: &Data, d: &Diagnosis, bytes: &[u8]) -> ModelFile {
     let soil = &d.comparison.soil_after;
     let set = data.delta_set_deg(0);
     let mean = data.reference.delta_set_deg.unwrap_or(set);
@@ -65,7 +65,7 @@ fn model_file(work: &Work, bytes: &[u8]) -> ModelFile {
     };
     ModelFile {
         schema: FILE_SCHEMA.into(),
-        model: work.model.clone(),
+        model: model.into(),
         status: status(d.status).into(),
         soil: SoilEntry {
             phi_deg: value(soil.phi_deg, soil.phi_sd_deg, "deg"),
@@ -111,7 +111,7 @@ pub(super) fn parameters(id: &str, amplitude: f64, sd: f64, shape: f64) -> BTree
 }
 
 /// FNV-1a, 64 bits: says whether two files are the same, not more.
-fn fnv(bytes: &[u8]) -> u64 {
+pub(super) fn fnv(bytes: &[u8]) -> u64 {
     bytes
         .iter()
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
@@ -146,17 +146,23 @@ fn write_design(rows: &[soilctl_strokes::StrokeRow], path: &Path) -> Result<(), 
     std::fs::write(path, out).map_err(|problem| failed(path, problem))
 }
 
+/// The same file with the soil that fits best without effects.
+pub(super) fn without_effects(file: &ModelFile, c: &Comparison) -> ModelFile {
+    let mut plain = file.clone();
+    plain.effects.clear();
+    plain.soil.phi_deg.value = c.soil_before.phi_deg;
+    plain.soil.delta_offset_deg.value = c.soil_before.delta_offset_deg;
+    plain.soil.density_kg_m3.value = c.soil_before.density_kg_m3;
+    let shift = c.soil_before.delta_offset_deg - c.soil_after.delta_offset_deg;
+    plain.soil.delta_deg.value = (plain.soil.delta_deg.value + shift).max(0.0);
+    plain
+}
+
 fn predictions(work: &Work, file: ModelFile, patch: &Path, path: &Path) -> Result<(), CliError> {
     let c = &work.diagnosis.comparison;
     let name = patch.display().to_string();
-    let mut before_file = file.clone();
-    before_file.effects.clear();
-    before_file.soil.phi_deg.value = c.soil_before.phi_deg;
-    before_file.soil.delta_offset_deg.value = c.soil_before.delta_offset_deg;
-    before_file.soil.density_kg_m3.value = c.soil_before.density_kg_m3;
-    let shift = c.soil_before.delta_offset_deg - c.soil_after.delta_offset_deg;
-    before_file.soil.delta_deg.value = (before_file.soil.delta_deg.value + shift).max(0.0);
-    let (before, after) = (Loaded::new(before_file, &name)?, Loaded::new(file, &name)?);
+    let before = Loaded::new(without_effects(&file, c), &name)?;
+    let after = Loaded::new(file, &name)?;
     let mut text = String::from("stroke_id,force_before_n,force_after_n,heldout_before_n,heldout_after_n\n");
     for (i, row) in work.data.rows.iter().enumerate() {
         let id = row.stroke_id.clone().unwrap_or_else(|| (i + 1).to_string());

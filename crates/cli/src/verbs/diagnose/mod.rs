@@ -4,16 +4,22 @@ mod answer;
 mod figures;
 mod files;
 mod page;
+mod recorded;
+mod resimulated;
 mod self_test;
+mod traces;
 
 use std::path::{Path, PathBuf};
 
 pub(crate) use answer::DiagnosisAnswer;
 pub(crate) use self_test::SelfTestAnswer;
+use soilctl_campaign::CampaignError;
 use soilctl_diagnosis::{Data, Diagnosis, Surface, diagnose};
 use soilctl_earth_pressure::model;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
+use self::recorded::Recorded;
+use self::resimulated::{Resimulated, first_log, resimulate};
 use super::Outcome;
 use super::pages::{self, FigureFiles};
 use crate::error::CliError;
@@ -24,13 +30,23 @@ use crate::output::Output;
     after_help = "Writes patch.json (the model file), predictions.csv, next_experiment.csv and report.html into --out."
 )]
 pub(crate) struct Args {
-    /// Folder with strokes.csv and, beside it, campaign.json
+    /// Folder with strokes.csv and, beside it, campaign.json and traces.csv
     #[arg(value_name = "DIR", required_unless_present = "self_test", conflicts_with = "self_test")]
     dir: Option<PathBuf>,
 
     /// Force model without effects: table (the bracket of bounds), chen, log-spiral, caquot, coulomb, ...
     #[arg(long, value_name = "NAME", default_value = "table")]
     model: String,
+
+    /// Traces of the strokes [default: DIR/traces.csv, if it is there]
+    #[arg(long, value_name = "FILE", conflicts_with = "self_test")]
+    traces: Option<PathBuf>,
+
+    /// Run the campaign again on the simulated arm, without and with what is found, and compare the traces; LOGS is the folder
+    /// of its logs [default: DIR]
+    #[arg(long, value_name = "LOGS", num_args = 0..=1, conflicts_with = "self_test")]
+    #[expect(clippy::option_option, reason = "an option that may stand alone")]
+    resimulate: Option<Option<PathBuf>>,
 
     /// Folder to write to [default: DIR/diagnosis]
     #[arg(long, value_name = "DIR2", conflicts_with = "self_test")]
@@ -58,15 +74,22 @@ struct Work {
     model: String,
     data: Data,
     diagnosis: Diagnosis,
+    recorded: Option<Recorded>,
+    simulated: Simulated,
+}
+
+/// The campaign on the simulated arm, without effects and with those that were found.
+#[derive(Default)]
+struct Simulated {
+    before: Option<Resimulated>,
+    after: Option<Resimulated>,
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let Some(dir) = &args.dir else { return self_test::run(args, output) };
     let strokes = dir.join("strokes.csv");
-    let spinner = output.spinner("weighing explanations");
-    let work = work(args, dir, &strokes)?;
-    spinner.finish_and_clear();
     let out = args.out.clone().unwrap_or_else(|| dir.join("diagnosis"));
+    let work = work(args, dir, &strokes, &out, output)?;
     std::fs::create_dir_all(&out)
         .map_err(|problem| CliError::File { path: out.display().to_string(), problem })?;
     let written = files::write(&work, &strokes, &out)?;
@@ -76,13 +99,45 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     Ok(Outcome::Done)
 }
 
-fn work(args: &Args, dir: &Path, strokes: &Path) -> Result<Work, CliError> {
+fn work(args: &Args, dir: &Path, strokes: &Path, out: &Path, output: &Output) -> Result<Work, CliError> {
     let table = StrokeTable::read(strokes, ReadOptions { allow_zero_sd: false })?;
     let campaign = Campaign::read_beside(strokes)?.unwrap_or_default();
-    let data = Data::new(table.name(), table.rows().collect(), campaign)?;
+    let mut data = Data::new(table.name(), table.rows().collect(), campaign)?;
+    let recorded = Recorded::read(args.traces.as_deref(), dir, &table)?;
+    let recorded = recorded.map(|recorded| recorded.added(&mut data));
     let ends = (data.levels_deg[0], data.levels_deg[data.levels_deg.len() - 1]);
     let surface = Surface::new(model(&args.model)?, ends)?;
-    let diagnosis = diagnose(&data, &surface)?;
+    let weigh = |data: &Data| -> Result<Diagnosis, CliError> {
+        let spinner = output.spinner("weighing explanations");
+        let found = diagnose(data, &surface)?;
+        spinner.finish_and_clear();
+        Ok(found)
+    };
+    let mut diagnosis = weigh(&data)?;
+    let mut simulated = Simulated::default();
+    if let Some(logs) = &args.resimulate {
+        let log = first_log(logs.as_deref().unwrap_or(dir))?;
+        let file = files::model_file(&args.model, &data, &diagnosis, &[]);
+        let plain = files::without_effects(&file, &diagnosis.comparison);
+        output.note("the same commands on the simulated arm, without effects");
+        simulated.before = resimulate(&log, &plain, &data.campaign, out, output)?;
+        if let Some(before) = &simulated.before {
+            data.expect(&before.data);
+            diagnosis = weigh(&data)?;
+        }
+        if !diagnosis.effects.is_empty() && simulated.before.is_some() {
+            let file = files::model_file(&args.model, &data, &diagnosis, &[]);
+            output.note("the same commands on the simulated arm, with the effects");
+            match resimulate(&log, &file, &data.campaign, out, output) {
+                Ok(after) => simulated.after = after,
+                // An effect that the simulated arm cannot show stays named.
+                Err(CliError::Campaign(problem @ CampaignError::Effect { .. })) => {
+                    output.note(&problem.to_string());
+                }
+                Err(problem) => return Err(problem),
+            }
+        }
+    }
     let title = dir.file_name().map_or_else(|| "campaign".into(), |name| name.to_string_lossy().into_owned());
-    Ok(Work { title, model: args.model.clone(), data, diagnosis })
+    Ok(Work { title, model: args.model.clone(), data, diagnosis, recorded, simulated })
 }

@@ -3,7 +3,7 @@
 use soilctl_effects::effect;
 use soilctl_figure::{Align, CalloutKind, HtmlReport, Size, Table};
 
-use super::{DiagnosisAnswer, Work, figures};
+use super::{DiagnosisAnswer, Work, figures, traces};
 use crate::error::CliError;
 use crate::text::{number, sentence_case};
 
@@ -35,12 +35,18 @@ fn places(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Resul
     if answer.located.is_empty() {
         page.paragraph("No column varies over any recorded condition by more than chance, once the soil is recalibrated.");
     } else {
-        let columns = [("column", Align::Left), ("over", Align::Left), ("adjusted p", Align::Right)];
+        let columns = [
+            ("column", Align::Left),
+            ("when", Align::Left),
+            ("over", Align::Left),
+            ("adjusted p", Align::Right),
+        ];
         let mut table =
             Table::new("Disagreements that are more than chance (false discoveries held at 5 %)", columns);
         for place in &answer.located {
             table.row([
                 place.channel.clone(),
+                place.phase.as_deref().unwrap_or("whole stroke").replace('_', " "),
                 place.covariate.clone(),
                 format!("{:.2e}", place.p_adjusted),
             ])?;
@@ -62,6 +68,12 @@ fn places(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Resul
         if let Some(figure) = figures::residuals(work, name)? {
             page.figure(&figure, Size::new(760, 380)?, "Each point is a stroke; zero is perfect agreement.")?;
         }
+    }
+    if work.recorded.is_some() {
+        page.paragraph(format!(
+            "{} of {} strokes have a trace in which the failure was found.",
+            answer.traces, answer.strokes
+        ));
     }
     Ok(())
 }
@@ -119,6 +131,9 @@ fn rivals(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Resul
 fn changes(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Result<(), CliError> {
     page.heading("What changes when it is added");
     page.figure(&figures::forces(work)?, Size::new(640, 480)?, "On the line, model and measurement agree.")?;
+    for (figure, caption) in traces::figures(work)? {
+        page.figure(&figure, Size::new(760, 380)?, &caption)?;
+    }
     let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| format!("{v:.3}"));
     let columns = [("", Align::Left), ("without effects", Align::Right), ("with effects", Align::Right)];
     let mut table =

@@ -174,6 +174,31 @@ pub(crate) enum PlotKind {
     Campaign,
 }
 
+impl Args {
+    /// All logs of a folder, with what they say themselves, into a stroke table.
+    pub(crate) fn plain(folder: &std::path::Path, out: &std::path::Path) -> Self {
+        Self {
+            logs: vec![folder.to_owned()],
+            out: Some(out.to_owned()),
+            threads: None,
+            trace_rate: 50.0,
+            bag: BagArgs::default(),
+            analysis: AnalysisArgs {
+                slant: 0.0254,
+                rubbing: Vec::new(),
+                density: None,
+                phi: None,
+                delta: None,
+                gravity: soilctl_soil::STANDARD_GRAVITY_M_S2,
+                model: "table".to_owned(),
+            },
+            report: None,
+            plot: None,
+            plot_kind: None,
+        }
+    }
+}
+
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let (answer, outcome) = process(args, output)?;
     output.answer(&answer)?;
