@@ -37,6 +37,9 @@ impl Baseline {
             data.channels.get(&channel).into_iter().flatten().filter_map(|cell| *cell).collect();
         let spread = spread(&cells).max(1e-9);
         let given = |sd: f64| Prior { mean: if sd > 0.0 { sd } else { spread }.ln(), sd: 0.5 };
+        // Where readings scatter by far more than the instrument does, the arm moves for reasons of its own, and nobody knows
+        // about which mean.
+        let beyond = |sd: f64| (spread - 1.3 * sd).max(0.0);
         let own = Prior { mean: (0.7 * spread).ln(), sd: 0.7 };
         let (mut terms, ln_scatter): (Vec<(Vec<f64>, Prior)>, Prior) = match channel {
             Channel::TareBefore | Channel::TareAfter => {
@@ -45,12 +48,13 @@ impl Baseline {
             Channel::CmdMinusForce => {
                 let mean = force.iter().sum::<f64>() / n as f64;
                 let relative = force.iter().map(|f| f / mean - 1.0).collect();
-                let sd = (0.25 * instrument.cmd_sd).max(0.2);
+                let sd = (0.25 * instrument.cmd_sd).max(0.2).hypot(beyond(instrument.cmd_sd));
                 (vec![(one(), zero(sd)), (relative, zero(sd))], given(instrument.cmd_sd))
             }
             Channel::FrictionAngle => (vec![(one(), zero(0.4))], given(instrument.friction_angle_sd)),
             Channel::ZDrift => {
-                (vec![(one(), zero((0.25 * instrument.z_sd).max(1e-5)))], given(instrument.z_sd))
+                let sd = (0.25 * instrument.z_sd).max(1e-5).hypot(beyond(instrument.z_sd));
+                (vec![(one(), zero(sd))], given(instrument.z_sd))
             }
             Channel::HeapHeight => {
                 (vec![(one(), zero((0.25 * instrument.heap_sd).max(2e-4)))], given(instrument.heap_sd))

@@ -156,6 +156,12 @@ impl Data {
         found.used
     }
 
+    /// Says that the free-air readings of the table have been taken off the forces, so that a bias in them is in no force.
+    pub fn tare_taken_off(&mut self) {
+        self.channels.remove(&Channel::TareBefore);
+        self.channels.remove(&Channel::TareAfter);
+    }
+
     /// Takes what a simulated arm without effects read in the same strokes, found by their names, as what is to be expected.
     /// Where a stroke is missing there, the mean at its tool angle stands for it.
     pub fn expect(&mut self, simulated: &Self) {

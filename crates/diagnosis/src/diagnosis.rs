@@ -93,7 +93,17 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     let comparison = compare(&setup, &spec, &amplitudes).ok_or_else(failed)?;
     effects.sort_by(|a, b| b.log_bayes_factor.total_cmp(&a.log_bayes_factor));
     let equivalence_set = if testable { verdict.equivalents } else { Vec::new() };
-    let next = next(&setup, phi_deg, &effects, &equivalence_set, &expected);
+    // Effects as they were fitted together come before the same ones alone.
+    let mut fitted: Vec<(&'static str, f64, f64)> =
+        effects.iter().map(|effect| (effect.id, effect.amplitude, effect.shape)).collect();
+    for single in &verdict.singles {
+        if let (Some(choice), Some((amplitude, _))) =
+            (single.spec.choices.first(), single.fit.amplitudes.first())
+        {
+            fitted.push((choice.effect.id(), *amplitude, choice.shape));
+        }
+    }
+    let next = next(&setup, phi_deg, &fitted, &equivalence_set, &expected);
     Ok(Diagnosis {
         status,
         effects,

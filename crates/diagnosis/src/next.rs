@@ -6,7 +6,6 @@ use soilctl_strokes::StrokeRow;
 
 use crate::chi_square;
 use crate::data::Data;
-use crate::diagnosis::FoundEffect;
 use crate::setup::Setup;
 use crate::testability::{Expected, LEAST_LAMBDA, left_after_soil, stroke_sd};
 
@@ -21,6 +20,16 @@ pub struct NextExperiment {
     pub power: f64,
 }
 
+/// Strokes in a preparation.
+const BATCH: usize = 6;
+/// Most levels of a menu entry that are gone through before the next tool angle.
+const LEVELS: usize = 4;
+/// Sizes of a follow-up, and the power from which a larger one is not needed.
+const STROKES: [usize; 3] = [12, 24, 48];
+const ENOUGH: f64 = 0.97;
+/// Most explanations that are told apart at a time.
+const MOST_RIVALS: usize = 5;
+
 /// Standard deviations by which two explanations must differ before one of them is named.
 const NEEDED: f64 = 2.9;
 
@@ -33,7 +42,7 @@ fn cycle(values: &[f64], i: usize) -> f64 {
     values[i % values.len()]
 }
 
-const MENU: [Menu; 9] = [
+const MENU: [Menu; 10] = [
     Menu {
         name: "a depth ladder from half the usual depth to one and a half times it",
         change: |data, i, row| row.depth_m = cycle(&[0.5, 1.5, 0.75, 1.25], i) * data.reference.depth_m,
@@ -43,6 +52,13 @@ const MENU: [Menu; 9] = [
         change: |data, i, row| {
             row.width_m *= if i % 4 < 2 { 0.4 } else { 1.0 };
             row.depth_m = cycle(&[0.6, 1.4], i) * data.reference.depth_m;
+        },
+    },
+    Menu {
+        name: "a depth ladder from half the usual depth to one and a half times it, with a narrower plate in every other batch",
+        change: |data, i, row| {
+            row.width_m *= if (i / BATCH).is_multiple_of(2) { 0.4 } else { 1.0 };
+            row.depth_m = cycle(&[0.5, 1.5, 0.75, 1.25], i) * data.reference.depth_m;
         },
     },
     Menu {
@@ -77,19 +93,20 @@ const MENU: [Menu; 9] = [
     Menu { name: "the first batch once more, at the end", change: |_, _, _| {} },
 ];
 
-/// Strokes of a menu entry: two batches made after the campaign.
-fn design(data: &Data, entry: &Menu) -> Vec<StrokeRow> {
+/// Strokes of a menu entry: batches of six made after the campaign.
+fn design(data: &Data, entry: &Menu, count: usize) -> Vec<StrokeRow> {
     let last = data.rows.iter().filter_map(|row| row.time_s).fold(0.0, f64::max);
-    (0..12)
+    (0..count)
         .map(|i| {
             let like = &data.rows[(i * 5) % data.len().min(12)];
             let mut row = StrokeRow {
                 line: i + 2,
                 stroke_id: Some(format!("next{:02}", i + 1)),
-                batch: Some(format!("next{}", 1 + i / 6)),
-                order: Some((i % 6) as u32 + 1),
+                batch: Some(format!("next{}", 1 + i / BATCH)),
+                order: Some((i % BATCH) as u32 + 1),
                 time_s: data.reference.time_s.map(|_| last + 3600.0 + 300.0 * i as f64),
-                alpha_deg: data.levels_deg[i % data.levels_deg.len()],
+                // One tool angle further in each round, so that no angle always meets the same level of the menu.
+                alpha_deg: data.levels_deg[(i + i / LEVELS) % data.levels_deg.len()],
                 depth_m: like.depth_m,
                 width_m: like.width_m,
                 speed_mps: like.speed_mps,
@@ -108,57 +125,68 @@ fn design(data: &Data, entry: &Menu) -> Vec<StrokeRow> {
         .collect()
 }
 
-/// The best follow-up for what is left open; `None` if nothing on the menu would tell anything.
+/// An effect with its amplitude and shape.
+type Explanation = (&'static dyn Effect, f64, f64);
+
+/// The best follow-up for what is left open; `None` if nothing on the menu would tell anything. `fitted` holds amplitude and
+/// shape of every effect that was fitted, by id.
 pub(crate) fn next(
     setup: &Setup<'_>,
     phi_deg: f64,
-    found: &[FoundEffect],
+    fitted: &[(&'static str, f64, f64)],
     equivalents: &[String],
     expected: &[Expected],
 ) -> Option<NextExperiment> {
     let data = setup.data;
-    let amplitude = |id: &str| found.iter().find(|f| f.id == id).map(|f| (f.amplitude, f.shape));
-    let known = |id: &str| -> Option<(&'static dyn Effect, f64, f64)> {
+    let known = |id: &str| -> Option<Explanation> {
         let effect = effect(id)?;
         let shape = effect.shape().map_or(0.0, |shape| shape.values[shape.values.len() / 2]);
-        let (size, shape) = amplitude(id).unwrap_or((effect.range().typical(), shape));
+        let found = fitted.iter().find(|(of, ..)| *of == id).map(|(_, size, shape)| (*size, *shape));
+        let (size, shape) = found.unwrap_or((effect.range().typical(), shape));
         Some((effect, size, shape))
     };
-    // What is to be told apart: the first two explanations, or, if one stands alone, it and nothing; if nothing was
+    // What is to be told apart: all explanations that are left, or, if one stands alone, it and nothing; if nothing was
     // found, an effect that this design hides and nothing.
-    let (first, second, question) = match equivalents {
-        [a, b, ..] if effect(a).is_some() && effect(b).is_some() => {
-            (known(a)?, known(b), format!("tells {a} from {b}"))
-        }
-        [a, ..] if effect(a).is_some() => (known(a)?, None, format!("confirms {a}")),
-        _ => {
+    let on_force = |id: &&String| effect(id).is_some_and(|effect| effect.acts_on_force());
+    let rivals: Vec<&String> = equivalents.iter().filter(on_force).take(MOST_RIVALS).collect();
+    let (explanations, question): (Vec<Explanation>, String) = match rivals.as_slice() {
+        [first, second, ..] => (
+            rivals.iter().map(|id| known(id)).collect::<Option<_>>()?,
+            format!("tells {first} from {second}{}", if rivals.len() > 2 { " and the others" } else { "" }),
+        ),
+        [only] => (vec![known(only)?], format!("confirms {only}")),
+        [] => {
             let hidden = expected
                 .iter()
                 .filter(|e| e.lambda < LEAST_LAMBDA)
                 .min_by(|a, b| a.lambda.total_cmp(&b.lambda));
             let id = hidden.map_or(catalogue()[0].id(), |e| e.id);
-            (known(id)?, None, format!("would show {id}, which this design hides"))
+            (vec![known(id)?], format!("would show {id}, which this design hides"))
         }
     };
     let mut best: Option<NextExperiment> = None;
-    for entry in &MENU {
-        let rows = design(data, entry);
-        let Some(lambda) = told_apart(setup, phi_deg, first, second, &rows) else { continue };
-        let power = normal_tail(NEEDED - lambda.sqrt());
-        if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
-            best = Some(NextExperiment { text: format!("{}: {question}", entry.name), rows, power });
+    for count in STROKES {
+        for entry in &MENU {
+            let rows = design(data, entry, count);
+            let Some(lambda) = told_apart(setup, phi_deg, &explanations, &rows) else { continue };
+            let power = normal_tail(NEEDED - lambda.sqrt());
+            if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
+                best = Some(NextExperiment { text: format!("{}: {question}", entry.name), rows, power });
+            }
+        }
+        if best.as_ref().is_some_and(|best| best.power >= ENOUGH) {
+            break;
         }
     }
     best
 }
 
-/// Squared signal-to-noise ratio of the difference of two explanations in campaign and follow-up together, after the
-/// soil has been fitted anew and the rival has taken the amplitude that suits it best.
+/// Least squared signal-to-noise ratio of the difference of two explanations (or of the only one and nothing) in campaign and
+/// follow-up together, after the soil has been fitted anew and the rival has taken the amplitude that suits it best.
 fn told_apart(
     setup: &Setup<'_>,
     phi_deg: f64,
-    first: (&'static dyn Effect, f64, f64),
-    second: Option<(&'static dyn Effect, f64, f64)>,
+    explanations: &[Explanation],
     follow_up: &[StrokeRow],
 ) -> Option<f64> {
     let mut rows = setup.data.rows.clone();
@@ -166,23 +194,33 @@ fn told_apart(
     let data = Data::new(&setup.data.name, rows, setup.data.campaign.clone()).ok()?;
     let joint = Setup::new(&data, setup.surface, phi_deg);
     let sd = stroke_sd(&joint, None);
-    let a = change(&joint, phi_deg, first, &setup.data.reference)?;
-    let a = left_after_soil(&joint, phi_deg, &a, &sd)?;
     let weight: Vec<f64> = sd.iter().map(|s| 1.0 / (s * s)).collect();
     let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).zip(&weight).map(|((x, y), w)| x * y * w).sum::<f64>();
-    let all = dot(&a, &a);
-    let Some(second) = second else { return Some(all) };
-    let b = change(&joint, phi_deg, second, &setup.data.reference)?;
-    let b = left_after_soil(&joint, phi_deg, &b, &sd)?;
-    let of_b = dot(&b, &b);
-    Some(if of_b > 0.0 { (all - dot(&a, &b).powi(2) / of_b).max(0.0) } else { all })
+    let left = explanations.iter().map(|of| {
+        let change = change(&joint, phi_deg, *of, &setup.data.reference)?;
+        left_after_soil(&joint, phi_deg, &change, &sd)
+    });
+    let left: Vec<Vec<f64>> = left.collect::<Option<_>>()?;
+    if let [only] = left.as_slice() {
+        return Some(dot(only, only));
+    }
+    let mut least = f64::INFINITY;
+    for (i, a) in left.iter().enumerate() {
+        for (j, b) in left.iter().enumerate() {
+            let of_b = dot(b, b);
+            if i != j && of_b > 0.0 {
+                least = least.min((dot(a, a) - dot(a, b).powi(2) / of_b).max(0.0));
+            }
+        }
+    }
+    least.is_finite().then_some(least)
 }
 
 /// Change of ln force by an effect, by stroke.
 fn change(
     setup: &Setup<'_>,
     phi_deg: f64,
-    (effect, amplitude, shape): (&'static dyn Effect, f64, f64),
+    (effect, amplitude, shape): Explanation,
     reference: &Reference,
 ) -> Option<Vec<f64>> {
     let data = setup.data;

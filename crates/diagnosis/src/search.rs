@@ -18,6 +18,8 @@ const LN_RESPONDS: [f64; 2] = [-0.511, -0.916];
 const BEAM: usize = 4;
 /// Most effects in a set.
 const MOST_EFFECTS: usize = 3;
+/// ln Bayes factor by which forces alone may speak against an effect on them.
+const DENIED: f64 = 1.0;
 /// What an effect must earn in ln evidence to be believed: the odds against any one of the catalogue, and a margin.
 pub(crate) const THRESHOLD: f64 = 3.6;
 
@@ -121,8 +123,30 @@ impl<'a> Search<'a> {
             }
         }
         let (most, gain, spec, fit) = best?;
+        if gain > seed.map_or(0.0, |scored| scored.gain) + 0.5 * THRESHOLD
+            && self.denied_by_forces(&start, &spec)
+        {
+            return None;
+        }
         let log_bayes = most + terms.iter().map(|t| (t - most).exp()).sum::<f64>().ln();
         Some(Scored { spec, fit, log_bayes, gain })
+    }
+
+    /// Whether the last effect of a set changes forces, but the forces by themselves speak against it: then readings of
+    /// traces, whose baselines are less well known, do not make it.
+    fn denied_by_forces(&self, start: &Spec, spec: &Spec) -> bool {
+        let Some(last) = spec.choices.last().filter(|choice| choice.effect.acts_on_force()) else {
+            return false;
+        };
+        if !(last.linked || last.responds) {
+            return false;
+        }
+        let forces = |spec: &Spec| -> Option<f64> {
+            let choices = spec.choices.iter().filter(|choice| choice.effect.acts_on_force());
+            let bare = choices.map(|choice| Choice { linked: false, responds: false, ..*choice }).collect();
+            self.evaluate(&Spec { choices: bare, ..Spec::default() }).map(|(_, gain)| gain)
+        };
+        matches!((forces(start), forces(spec)), (Some(before), Some(after)) if after < before - DENIED)
     }
 
     fn variants(&self, effect: &'static dyn Effect) -> Vec<(Choice, f64)> {
@@ -150,7 +174,9 @@ impl<'a> Search<'a> {
         for &shape in &shapes {
             for &sign in signs {
                 for &(linked, a) in linked {
-                    for &(responds, b) in responds {
+                    // What the amplitude fixes and a reading denies is not saved by readings of any strength.
+                    let denied = !linked && effect.linked().iter().any(present);
+                    for &(responds, b) in responds.iter().filter(|(responds, _)| !(denied && *responds)) {
                         variants.push((Choice { effect, sign, shape, linked, responds }, even + a + b));
                     }
                 }

@@ -25,6 +25,7 @@ pub struct HiddenCampaign {
     pub ln_true: Vec<f64>,
     /// The same without it.
     pub ln_plain: Vec<f64>,
+    pub(super) truth: Truth,
 }
 
 /// Draws soil, geometry and scatter around hidden effects.
@@ -57,8 +58,6 @@ pub(super) fn generate(
     };
     let plain_name = design.true_model.unwrap_or(base_model);
     let true_name = if hidden.iter().any(|h| h.id == "model_form") { "coulomb" } else { plain_name };
-    let (true_model, plain_model) =
-        (DirectMechanics::new(model(true_name)?), DirectMechanics::new(model(plain_name)?));
     let count = rows.len() as f64;
     let span = Span {
         depth_m: rows.iter().map(|row| row.depth_m).sum::<f64>() / count,
@@ -66,30 +65,106 @@ pub(super) fn generate(
         batches: (count / 6.0).ceil(),
     };
     let habits = Habits::draw(&campaign, dense, random);
-    let (mut ln_true, mut ln_plain) = (Vec::new(), Vec::new());
-    let mut batch_density = 1.0;
-    for row in &mut rows {
-        let (Some(plain), Some(with)) = (
-            force_n(&plain_model, &world, &span, row, &[]),
-            force_n(&true_model, &world, &span, row, &hidden),
-        ) else {
-            return Ok(None);
-        };
-        ln_plain.push(plain.ln());
-        ln_true.push(with.ln());
-        if row.order == Some(1) {
-            batch_density = 1.0 + random.normal(campaign.density_sd_rel);
+    let truth = Truth {
+        models: [true_name.to_owned(), plain_name.to_owned()],
+        world,
+        span,
+        habits,
+        delta_set,
+        design: design.clone(),
+    };
+    let Some((ln_true, ln_plain)) = truth.fill(&mut rows, &campaign, &hidden, random)? else {
+        return Ok(None);
+    };
+    Ok(Some(HiddenCampaign { attempt: 0, rows, campaign, hidden, ln_true, ln_plain, truth }))
+}
+
+/// What is true of a hidden campaign beside its effects.
+#[derive(Debug, Clone)]
+pub(super) struct Truth {
+    /// Force models with the effects and without.
+    models: [String; 2],
+    world: World,
+    span: Span,
+    habits: Habits,
+    delta_set: f64,
+    design: Design,
+}
+
+impl Truth {
+    /// Fills forces and columns of rows that have geometry; ln of the forces without scatter, with the effects and without.
+    /// `None` if a stroke has no force.
+    #[allow(clippy::type_complexity, reason = "two columns")]
+    fn fill(
+        &self,
+        rows: &mut [StrokeRow],
+        campaign: &Campaign,
+        hidden: &[Hidden],
+        random: &mut Random,
+    ) -> Result<Option<(Vec<f64>, Vec<f64>)>, DiagnosisError> {
+        let span = &self.span;
+        let [true_model, plain_model] = self.models.each_ref().map(|id| model(id).map(DirectMechanics::new));
+        let (true_model, plain_model) = (true_model?, plain_model?);
+        let (mut ln_true, mut ln_plain) = (Vec::new(), Vec::new());
+        let mut batch_density = 1.0;
+        for row in rows {
+            // Set-points that bracket the first one move the force's inclination with them.
+            let moved = row.delta_set_deg.map_or(0.0, |set| set - self.delta_set);
+            let world = &World { delta_deg: self.world.delta_deg + moved, ..self.world };
+            let (Some(plain), Some(with)) = (
+                force_n(&plain_model, world, span, row, &[]),
+                force_n(&true_model, world, span, row, hidden),
+            ) else {
+                return Ok(None);
+            };
+            ln_plain.push(plain.ln());
+            ln_true.push(with.ln());
+            if row.order == Some(1) {
+                batch_density = 1.0 + random.normal(campaign.density_sd_rel);
+            }
+            let recorded = row.depth_m;
+            row.depth_m = (recorded + random.normal(campaign.depth_sd_m)).max(0.3 * recorded);
+            let Some(real) = force_n(&true_model, world, span, row, hidden) else { return Ok(None) };
+            row.depth_m = recorded;
+            row.force_n = (real * batch_density * (1.0 + random.normal(self.design.scatter))).max(0.02);
+            row.density_kg_m3 = Some(world.density_kg_m3 * batch_density * (1.0 + random.normal(0.005)));
+            row.delta_set_deg.get_or_insert(self.delta_set);
+            if self.design.traces {
+                fill(row, hidden, world, span, campaign, &self.habits, random);
+            }
         }
-        let recorded = row.depth_m;
-        row.depth_m = (recorded + random.normal(campaign.depth_sd_m)).max(0.3 * recorded);
-        let Some(real) = force_n(&true_model, &world, &span, row, &hidden) else { return Ok(None) };
-        row.depth_m = recorded;
-        row.force_n = (real * batch_density * (1.0 + random.normal(design.scatter))).max(0.02);
-        row.density_kg_m3 = Some(world.density_kg_m3 * batch_density * (1.0 + random.normal(0.005)));
-        row.delta_set_deg = Some(delta_set);
-        if design.traces {
-            fill(row, &hidden, &world, &span, &campaign, &habits, random);
-        }
+        Ok(Some((ln_true, ln_plain)))
     }
-    Ok(Some(HiddenCampaign { attempt: 0, rows, campaign, hidden, ln_true, ln_plain }))
+}
+
+impl HiddenCampaign {
+    /// Makes the strokes of a follow-up: the same soil, instrument and effects. The answer is all strokes together, or
+    /// `None` if a stroke of the follow-up has no force.
+    ///
+    /// # Errors
+    /// [`DiagnosisError::Model`] if the design names an unknown force model.
+    pub fn followed_by(
+        &self,
+        design: &[StrokeRow],
+        seed: u64,
+    ) -> Result<Option<Vec<StrokeRow>>, DiagnosisError> {
+        let mut random = Random::new(seed, 1 << 60);
+        let mut rows = design.to_vec();
+        // The generator counts batches by their names.
+        let batches = self.truth.span.batches as usize;
+        let mut names: Vec<Option<String>> = Vec::new();
+        for row in &mut rows {
+            if names.last() != Some(&row.batch) {
+                names.push(row.batch.clone());
+            }
+            row.batch = Some(format!("b{:02}", batches + names.len()));
+        }
+        if self.truth.fill(&mut rows, &self.campaign, &self.hidden, &mut random)?.is_none() {
+            return Ok(None);
+        }
+        for (row, of) in rows.iter_mut().zip(design) {
+            row.batch.clone_from(&of.batch);
+        }
+        Ok(Some(self.rows.iter().cloned().chain(rows).collect()))
+    }
 }

@@ -30,6 +30,7 @@ pub(super) struct World {
 }
 
 /// Ends of a campaign that effects refer to.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Span {
     pub(super) depth_m: f64,
     pub(super) time_s: (f64, f64),

@@ -28,6 +28,8 @@ pub enum Kind {
     Pair,
     /// An effect outside the catalogue.
     Outside,
+    /// One effect in a design that cannot tell it from others: one width, one speed, forces alone.
+    Confounded,
 }
 
 /// One hidden campaign to be drawn.
@@ -52,7 +54,21 @@ pub struct Outcome {
     pub lambdas: Vec<f64>,
     /// What the diagnosis said.
     pub diagnosis: Diagnosis,
+    /// What it said of a confounded design once its follow-up was made; `None` if it was not asked for.
+    pub followed: Option<Diagnosis>,
 }
+
+/// Effects that one width, one speed and forces alone do not tell from each other.
+const CONFOUNDED: [&str; 8] = [
+    "side_effects_3d",
+    "density_gradient",
+    "cohesion",
+    "stress_dependent_friction",
+    "surface_slope",
+    "base_angle_dependence",
+    "force_bias",
+    "preparation_drift",
+];
 
 /// Draws of a soil and an amplitude until there is a force for every stroke.
 const ATTEMPTS: u64 = 20;
@@ -102,6 +118,16 @@ pub fn cases(rounds: u64) -> Vec<Case> {
                 Design { traces: (round as usize + k).is_multiple_of(2), ..Design::default() },
             );
         }
+        for id in CONFOUNDED {
+            let design = Design {
+                widths_m: vec![0.127],
+                speeds_mps: vec![0.01],
+                depths_m: vec![0.0169, 0.0212, 0.0254],
+                traces: false,
+                ..Design::default()
+            };
+            push(Kind::Confounded, vec![id], design);
+        }
     }
     cases
 }
@@ -124,8 +150,9 @@ impl SelfTest {
         for attempt in 0..ATTEMPTS {
             let mut random = self.stream(case, attempt);
             let hidden = case.ids.iter().map(|&id| draw(id, &mut random)).collect();
-            if let Some(found) = generate(&case.design, &self.model, hidden, &mut random)? {
-                return Ok(Some(HiddenCampaign { attempt, ..found }));
+            if let Some(mut found) = generate(&case.design, &self.model, hidden, &mut random)? {
+                found.attempt = attempt;
+                return Ok(Some(found));
             }
         }
         Ok(None)
@@ -145,7 +172,14 @@ pub fn run_case(test: &SelfTest, case: &Case) -> Result<Option<Outcome>, Diagnos
     let data = Data::new("hidden campaign", campaign.rows.clone(), campaign.campaign.clone())?;
     let diagnosis = diagnose(&data, &test.surface)?;
     let lambdas = case.ids.iter().map(|id| signal(test, &data, &campaign, case, id)).collect();
-    Ok(Some(Outcome { campaign, lambdas, diagnosis }))
+    let mut followed = None;
+    if let (Kind::Confounded, Status::Ambiguous, Some(next)) = (case.kind, diagnosis.status, &diagnosis.next)
+        && let Some(rows) = campaign.followed_by(&next.rows, case.number)?
+    {
+        let data = Data::new("hidden campaign with its follow-up", rows, campaign.campaign.clone())?;
+        followed = Some(diagnose(&data, &test.surface)?);
+    }
+    Ok(Some(Outcome { campaign, lambdas, diagnosis, followed }))
 }
 
 /// Squared signal-to-noise ratio of one hidden effect: in its own channel if no force shows it.

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::run::{Case, Kind, Outcome};
-use crate::Status;
 use crate::channels::median;
+use crate::{Diagnosis, Status};
 
 /// A rate with the number of campaigns behind it.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,6 +101,18 @@ pub fn tally(outcomes: &[(Case, Outcome)]) -> Tally {
         kind(Kind::Outside).map(|(_, o)| o.diagnosis.status == Status::Unknown).collect(),
     );
     rate("outside the catalogue: firm wrong name", kind(Kind::Outside).map(|e| firm_wrong(&e)).collect());
+    let confounded = || kind(Kind::Confounded).filter(strength(25.0, all));
+    rate(
+        "confounded: ambiguous",
+        confounded().map(|(_, o)| o.diagnosis.status == Status::Ambiguous).collect(),
+    );
+    rate("confounded: firm wrong name", confounded().map(|e| firm_wrong(&e)).collect());
+    let followed = || confounded().filter_map(|(case, o)| Some((case, o.followed.as_ref()?)));
+    let first = |d: &Diagnosis| d.effects.first().map(|effect| effect.id);
+    rate(
+        "confounded: right name first after the follow-up",
+        followed().map(|(case, d)| first(d) == case.ids.first().copied()).collect(),
+    );
     let mut ratios = Vec::new();
     let mut closed = Vec::new();
     let (mut covered, mut chi2, mut gains) = (Vec::new(), Vec::new(), Vec::new());

@@ -6,6 +6,7 @@ use super::hidden::{Hidden, Span, World};
 use super::random::Random;
 
 /// Baselines that differ from campaign to campaign.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Habits {
     mobilisation: f64,
     post_slope: f64,

@@ -62,10 +62,8 @@ pub(super) fn phases(parts: &Parts<'_>) -> Vec<(PhaseKey, f64)> {
     let height = |sample: &TraceSample| sample.z_m;
     let at_failure = parts.median(parts.about(), gap);
     let found = [
-        (("force_n", Phase::BeforeRise), median_of(parts.before())),
         (("force_n", Phase::Loading), fullness(parts)),
         (("force_n", Phase::After), median_of(parts.after())),
-        (("motor_ext_gap_m", Phase::BeforeRise), parts.median(parts.before(), gap)),
         (("motor_ext_gap_m", Phase::After), difference(parts.median(parts.after(), gap), at_failure)),
         (("friction_angle_deg", Phase::Loading), parts.median(parts.loading(), angle)),
         (("friction_angle_deg", Phase::After), parts.median(parts.after(), angle)),

@@ -11,6 +11,9 @@ use super::files::{Written, parameters, status};
 use crate::output::Answer;
 use crate::text::{columns, number};
 
+/// Most disagreements in the answer in words.
+const MOST_PLACES: usize = 8;
+
 /// Where model and measurement disagree, which effect is missing, and the gap after it is added.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct DiagnosisAnswer {
@@ -260,7 +263,7 @@ impl Answer for DiagnosisAnswer {
             shown(self.gap.chi2_per_n_after),
         ]);
         text += &columns(&rows);
-        for place in &self.located {
+        for place in self.located.iter().take(MOST_PLACES) {
             text += &format!(
                 "where: {}{} over {} (p {})\n",
                 place.channel,
@@ -268,6 +271,9 @@ impl Answer for DiagnosisAnswer {
                 place.covariate,
                 number(place.p_adjusted)
             );
+        }
+        if self.located.len() > MOST_PLACES {
+            text += &format!("where: and {} more\n", self.located.len() - MOST_PLACES);
         }
         if let Some(next) = &self.next_experiment {
             text += &format!("next: {} (power {:.2}; {})\n", next.text, next.power, next.design_csv);

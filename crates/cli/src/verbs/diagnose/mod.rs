@@ -103,6 +103,10 @@ fn work(args: &Args, dir: &Path, strokes: &Path, out: &Path, output: &Output) ->
     let table = StrokeTable::read(strokes, ReadOptions { allow_zero_sd: false })?;
     let campaign = Campaign::read_beside(strokes)?.unwrap_or_default();
     let mut data = Data::new(table.name(), table.rows().collect(), campaign)?;
+    // `process` takes the tare off; of a table of somebody else nobody knows.
+    if table.unknown_columns().any(|column| column.name() == "failure_time_s") {
+        data.tare_taken_off();
+    }
     let recorded = Recorded::read(args.traces.as_deref(), dir, &table)?;
     let recorded = recorded.map(|recorded| recorded.added(&mut data));
     let ends = (data.levels_deg[0], data.levels_deg[data.levels_deg.len() - 1]);

@@ -9,6 +9,8 @@ use crate::text::{number, sentence_case};
 
 /// Most covariates that residuals are drawn over.
 const MOST_FIGURES: usize = 3;
+/// Most disagreements that are listed.
+const MOST_PLACES: usize = 12;
 /// Explanations that are listed.
 const MOST_RIVALS: usize = 8;
 
@@ -43,7 +45,7 @@ fn places(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Resul
         ];
         let mut table =
             Table::new("Disagreements that are more than chance (false discoveries held at 5 %)", columns);
-        for place in &answer.located {
+        for place in answer.located.iter().take(MOST_PLACES) {
             table.row([
                 place.channel.clone(),
                 place.phase.as_deref().unwrap_or("whole stroke").replace('_', " "),
@@ -52,6 +54,9 @@ fn places(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Resul
             ])?;
         }
         page.table(table);
+        if answer.located.len() > MOST_PLACES {
+            page.paragraph(format!("{} more are in the answer.", answer.located.len() - MOST_PLACES));
+        }
     }
     let mut over: Vec<&str> = Vec::new();
     let found = answer

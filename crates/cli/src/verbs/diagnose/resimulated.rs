@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use soilctl_campaign::{Options, Plan};
-use soilctl_diagnosis::{Course, Data, courses};
+use soilctl_diagnosis::{Course, Data};
 use soilctl_effects::ModelFile;
-use soilctl_strokes::{Campaign, ReadOptions, StrokeTable, TraceTable};
+use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use super::recorded::Recorded;
 use crate::error::CliError;
@@ -76,6 +76,7 @@ pub(super) fn resimulate(
     }
     let table = StrokeTable::read(&strokes, ReadOptions { allow_zero_sd: false })?;
     let mut data = Data::new(table.name(), table.rows().collect(), campaign.clone())?;
+    data.tare_taken_off();
     let traces = folder.join("traces.csv");
     let mut found = Vec::new();
     if let Some(recorded) = Recorded::read(Some(&traces), &folder, &table)? {
