@@ -98,11 +98,11 @@ def test_published_soils_are_not_firmly_named(soilctl, tmp_path):
         assert answer["effects"] == []
 
 
-def test_forces_without_an_effect_are_not_named(soilctl, tmp_path):
+def plain_campaign(soilctl, folder):
     """Forces from the model itself, scattered here: a generator that shares nothing with the program."""
     source = rows(CAMPAIGNS / "campaign_a" / "strokes.csv")
     keep = ["stroke_id", "batch", "order", "time_s", "alpha_deg", "depth_m", "width_m", "speed_mps", "delta_set_deg"]
-    table = tmp_path / "strokes.csv"
+    table = folder / "strokes.csv"
     plain = ["predict", "--model", "table", "--phi", 37, "--delta", "column", "--density", 1500, "--strokes"]
     forces = soilctl.json(*plain, CAMPAIGNS / "campaign_a" / "strokes.csv")["strokes"]
     chance = random.Random(4)
@@ -112,8 +112,48 @@ def test_forces_without_an_effect_are_not_named(soilctl, tmp_path):
         for row, force in zip(source, forces, strict=True):
             scattered = force["force_n"] * math.exp(chance.gauss(0, 0.06))
             writer.writerow({**{name: row[name] for name in keep}, "force_n": scattered})
+    return rows(table)
+
+
+def test_forces_without_an_effect_are_not_named(soilctl, tmp_path):
+    plain_campaign(soilctl, tmp_path)
     answer = soilctl.json("diagnose", tmp_path, "--out", tmp_path / "out")
     assert answer["status"] in {"none", "ambiguous"}
+    assert answer["traces"] == 0
+
+
+def test_free_play_is_found_in_the_traces_alone(soilctl, tmp_path, validate):
+    strokes = plain_campaign(soilctl, tmp_path)
+    instrument = {"joint_stiffness_n_per_m": 10000, "gap_sd": 0.0002}
+    (tmp_path / "campaign.json").write_text(json.dumps({"instrument": instrument}), encoding="utf-8")
+    chance = random.Random(5)
+    with open(tmp_path / "traces.csv", "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(["stroke_id", "t_s", "x_ext_m", "x_mtr_m", "force_n", "friction_angle_deg", "z_m"])
+        for row in strokes:
+            full, depth = float(row["force_n"]), float(row["depth_m"])
+            for i in range(300):
+                x = depth * 0.003 * max(i - 30, 0)
+                force = full * min(1.0, math.sqrt(x / (0.2 * depth))) * (1 + chance.gauss(0, 0.01))
+                motor = x + force / 10000 + (0.0008 if force > 0.05 * full else 0.0) + chance.gauss(0, 5e-5)
+                angle = float(row["delta_set_deg"]) + chance.gauss(0, 1)
+                writer.writerow([row["stroke_id"], 0.02 * i, x, motor, force, angle, -depth])
+    answer = soilctl.json("diagnose", tmp_path, "--out", tmp_path / "out")
+    validate(answer)
+    assert answer["traces"] == len(strokes)
+    backlash = {effect["id"]: effect for effect in answer["effects"]}["backlash"]
+    gap = backlash["parameters"]["gap_m"]
+    assert abs(gap["value"] - 0.0008) < 3 * gap["sd"] + 1e-4
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Displacement since the force began to rise" in page
+
+
+def test_traces_that_cannot_be_meant_are_refused(soilctl, tmp_path):
+    plain_campaign(soilctl, tmp_path)
+    bad = tmp_path / "bad.csv"
+    bad.write_text("stroke_id,t_s,x_ext_m,force_n\ns01,0,0,1\ns01,0,0,1\n", encoding="utf-8")
+    soilctl.refuses("diagnose", tmp_path, "--traces", bad, mentions=["bad.csv", "line 3", "t_s"])
+    soilctl.refuses("diagnose", tmp_path, "--resimulate", mentions=[".mcap", "--resimulate"])
 
 
 def test_refuses_what_is_not_there(soilctl, tmp_path):

@@ -56,12 +56,22 @@ def certify(solution: Solution | _Path) -> Certificate:
     return (solution if isinstance(solution, Solution) else Solution.read(solution)).certify()
 
 
-def diagnose(folder: _Path, *, model: str = "table", out: _Path | None = None) -> dict[str, Any]:
+def diagnose(
+    folder: _Path,
+    *,
+    model: str = "table",
+    traces: _Path | None = None,
+    resimulate: _Path | None = None,
+    out: _Path | None = None,
+) -> dict[str, Any]:
     """Where model and measurement disagree, which effect is missing, and the gap after it is added.
 
     Args:
-        folder: Holds ``strokes.csv`` and, beside it, ``campaign.json``.
+        folder: Holds ``strokes.csv`` and, beside it, ``campaign.json`` and ``traces.csv``.
         model: Force model without effects, one of ``soilctl.MODELS``.
+        traces: Traces of the strokes; by default ``traces.csv`` in ``folder``, if it is there.
+        resimulate: Folder with the campaign's logs: runs it again on the simulated arm, without and with what is found, and
+            compares the traces. Takes some seconds a stroke.
         out: Folder for ``patch.json``, ``predictions.csv``, ``next_experiment.csv`` and ``report.html``; by default
             ``diagnosis`` in ``folder``.
 
@@ -72,7 +82,8 @@ def diagnose(folder: _Path, *, model: str = "table", out: _Path | None = None) -
         InputError: If the table has errors; the message names file and line.
         FileError: If a file cannot be read or written.
     """
-    return answer("diagnose", folder, "--model", model, *_option("--out", out))
+    named = [*_option("--traces", traces), *_option("--resimulate", resimulate), *_option("--out", out)]
+    return answer("diagnose", folder, "--model", model, *named)
 
 
 def shear(

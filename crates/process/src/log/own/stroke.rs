@@ -203,10 +203,12 @@ fn commanded_n(arm: &Arm, sample: &Sample, direction: [f64; 2]) -> Option<f64> {
     Some((x * direction[0] + y * direction[1]).hypot(z))
 }
 
-/// Usual step of a displacement that comes in steps, in m: the median of the plateaus' distances.
+/// Usual step of a displacement that comes in steps, in m: the median of the plateaus' distances, without the small ones that
+/// joints with finer steps and the plate's turning make.
 fn encoder_step(displacement_m: &[f64]) -> Option<f64> {
     // The readings are smoothed over some hundredths of a second, so a step takes some samples.
     const STILL_M: f64 = 2e-6;
+    const LEAST_SHARE: f64 = 0.4;
     let mut steps = Vec::new();
     let mut plateau: Option<f64> = None;
     let mut still = 0;
@@ -221,5 +223,8 @@ fn encoder_step(displacement_m: &[f64]) -> Option<f64> {
             plateau = Some(pair[1]);
         }
     }
+    steps.sort_by(f64::total_cmp);
+    let large = steps.get(steps.len() * 9 / 10).copied().unwrap_or_default();
+    steps.retain(|step| *step >= LEAST_SHARE * large);
     (steps.len() >= 3).then(|| median(&mut steps))
 }
