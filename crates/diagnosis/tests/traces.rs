@@ -67,7 +67,7 @@ fn trace(row: &StrokeRow, stiffness_n_per_m: f64, hidden: &Hidden, chance: &mut 
 
 fn campaign() -> HiddenCampaign {
     let test = SelfTest::new("chen", 77).unwrap();
-    let design = Design { traces: false, ..Design::default() };
+    let design = Design { strokes: 24, traces: false, ..Design::default() };
     test.campaign(&Case { kind: Kind::Null, number: 1, ids: Vec::new(), design }).unwrap().unwrap()
 }
 
@@ -102,7 +102,7 @@ fn columns_are_those_that_the_trace_was_drawn_with() {
         assert!((-3e-4..=1.1e-3).contains(&gap), "{gap}");
         assert!((row.x_step_m.unwrap() - 1e-3).abs() < 1e-6, "{:?}", row.x_step_m);
         assert!((row.friction_angle_deg.unwrap() - row.delta_set_deg.unwrap()).abs() < 0.8);
-        assert!(row.z_drift_m.unwrap().abs() < 2e-4);
+        assert!(row.z_drift_m.unwrap().abs() < 4e-4);
         let way = row.displacement_at_failure_m.unwrap() / row.depth_m;
         assert!((0.06..0.25).contains(&way), "{way}");
     }

@@ -45,7 +45,6 @@ pub(crate) struct Args {
     /// Run the campaign again on the simulated arm, without and with what is found, and compare the traces; LOGS is the folder
     /// of its logs [default: DIR]
     #[arg(long, value_name = "LOGS", num_args = 0..=1, conflicts_with = "self_test")]
-    #[expect(clippy::option_option, reason = "an option that may stand alone")]
     resimulate: Option<Option<PathBuf>>,
 
     /// Folder to write to [default: DIR/diagnosis]

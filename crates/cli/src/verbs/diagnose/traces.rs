@@ -24,10 +24,7 @@ pub(super) fn figures(work: &Work) -> Result<Vec<(Figure, String)>, CliError> {
         if levels.contains(&work.data.level[i]) || figures.len() == MOST {
             continue;
         }
-        let found = match models(work, &recorded.courses, i) {
-            Some(found) => found,
-            None => continue,
-        };
+        let Some(found) = models(work, &recorded.courses, i) else { continue };
         levels.push(work.data.level[i]);
         figures.push(figure(work, i, measured, &found)?);
     }
