@@ -51,7 +51,9 @@ impl Baseline {
                 let sd = (0.25 * instrument.cmd_sd).max(0.2).hypot(beyond(instrument.cmd_sd));
                 (vec![(one(), zero(sd)), (relative, zero(sd))], given(instrument.cmd_sd))
             }
-            Channel::FrictionAngle => (vec![(one(), zero(0.4))], given(instrument.friction_angle_sd)),
+            Channel::FrictionAngle | Channel::SlipAngle => {
+                (vec![(one(), zero(0.4))], given(instrument.friction_angle_sd))
+            }
             Channel::ZDrift => {
                 let sd = (0.25 * instrument.z_sd).max(1e-5).hypot(beyond(instrument.z_sd));
                 (vec![(one(), zero(sd))], given(instrument.z_sd))
@@ -98,7 +100,7 @@ impl Baseline {
             let stretch = force.iter().map(|f| f / instrument.joint_stiffness_n_per_m).collect();
             terms.push((stretch, Prior { mean: 0.5, sd: 0.5 }));
         }
-        let reads_delta = channel == Channel::FrictionAngle;
+        let reads_delta = matches!(channel, Channel::FrictionAngle | Channel::SlipAngle);
         let mut known: Vec<f64> =
             if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
         if let Some(expected) = data.expected.get(&channel) {

@@ -1,7 +1,7 @@
 //! The whole diagnosis of a campaign.
 
 use serde::Serialize;
-use soilctl_effects::catalogue;
+use soilctl_effects::{catalogue, effect};
 
 use crate::DiagnosisError;
 use crate::data::Data;
@@ -62,8 +62,7 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = Setup::new(data, surface, phi_deg);
     let search = Search::new(&setup)?;
-    let expected: Vec<Expected> =
-        catalogue().iter().map(|&effect| expected(&setup, phi_deg, effect)).collect();
+    let expected: Vec<Expected> = catalogue().iter().map(|&of| expected(&setup, phi_deg, of)).collect();
     // With a handful of strokes the largest amplitudes alone could be seen, which is no test of anything.
     let testable = expected.iter().filter(|of| of.lambda >= LEAST_LAMBDA).count() > 0 && !data.is_summary();
     let verdict = judge(&search);
@@ -103,7 +102,13 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
             fitted.push((choice.effect.id(), *amplitude, choice.shape));
         }
     }
-    let next = next(&setup, phi_deg, &fitted, &equivalence_set, &expected);
+    let open =
+        match (status, effects.iter().find(|found| effect(found.id).is_some_and(|e| e.acts_on_force()))) {
+            // What is named together is not to be told apart.
+            (Status::Named, Some(first)) => vec![first.id.to_owned()],
+            _ => equivalence_set.clone(),
+        };
+    let next = next(&setup, phi_deg, &fitted, &open, &expected);
     Ok(Diagnosis {
         status,
         effects,

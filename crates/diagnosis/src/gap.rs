@@ -1,9 +1,6 @@
 //! The gap between model and forces, before and after effects are added, also on batches that the fit has not seen.
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
-use soilctl_effects::Channel;
 
 use crate::fit::{Fit, everything, fit};
 use crate::setup::Setup;
@@ -71,8 +68,7 @@ pub struct Comparison {
 /// Compares a set of effects (amplitudes fixed) with none. `None` if a fit fails.
 pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<Comparison> {
     let setup = full.without_model_error();
-    let core: BTreeSet<Channel> =
-        setup.baselines.keys().copied().filter(|c| *c == Channel::FrictionAngle).collect();
+    let core = setup.core();
     let all = everything(&setup);
     let forces = Spec {
         choices: spec.choices.iter().filter(|choice| choice.effect.acts_on_force()).copied().collect(),

@@ -70,8 +70,7 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     pub(crate) fn new(setup: &'a Setup<'a>) -> Result<Self, DiagnosisError> {
         let include = everything(setup);
-        let core: BTreeSet<Channel> =
-            setup.baselines.keys().copied().filter(|c| *c == Channel::FrictionAngle).collect();
+        let core = setup.core();
         let failed = || DiagnosisError::NoFit {
             file: setup.data.name.clone(),
             model: "the baseline".into(),

@@ -1,6 +1,6 @@
 //! Everything a fit needs that does not change from one candidate to the next.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use soilctl_effects::{ALTERNATIVE_MODELS, Channel, Mechanics};
 
@@ -64,6 +64,15 @@ impl<'a> Setup<'a> {
         }
         Self { data, surface, baselines, nuisance, batch_terms, batch_sd }
     }
+    /// Channels that read the interface friction, which every fit of forces has.
+    pub(crate) fn core(&self) -> BTreeSet<Channel> {
+        self.baselines
+            .iter()
+            .filter(|(_, baseline)| baseline.reads_delta)
+            .map(|(channel, _)| *channel)
+            .collect()
+    }
+
     /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.
     pub(crate) fn without_model_error(&self) -> Self {
         Self {

@@ -28,11 +28,13 @@ pub enum Channel {
     XStep,
     /// Change of motor-side minus external position with the force while it rises, m/N; no column has it.
     GapSlope,
+    /// Friction angle after failure, while failed soil slips along the plate, deg; no column has it.
+    SlipAngle,
 }
 
 impl Channel {
     /// All channels.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::TareBefore,
         Self::TareAfter,
         Self::CmdMinusForce,
@@ -45,6 +47,7 @@ impl Channel {
         Self::MotorExtGap,
         Self::XStep,
         Self::GapSlope,
+        Self::SlipAngle,
     ];
 
     /// Name of the column in the stroke table, or of what only traces have.
@@ -63,6 +66,7 @@ impl Channel {
             Self::MotorExtGap => "motor_ext_gap_m",
             Self::XStep => "x_step_m",
             Self::GapSlope => "motor_ext_gap_slope_m_per_n",
+            Self::SlipAngle => "slip_angle_deg",
         }
     }
 
@@ -81,7 +85,7 @@ impl Channel {
             Self::HeapHeight => row.heap_height_m,
             Self::MotorExtGap => row.motor_ext_gap_m,
             Self::XStep => row.x_step_m,
-            Self::GapSlope => None,
+            Self::GapSlope | Self::SlipAngle => None,
         }
     }
 
@@ -99,7 +103,7 @@ impl Channel {
             Self::HeapHeight => &mut row.heap_height_m,
             Self::MotorExtGap => &mut row.motor_ext_gap_m,
             Self::XStep => &mut row.x_step_m,
-            Self::GapSlope => return,
+            Self::GapSlope | Self::SlipAngle => return,
         };
         cell.get_or_insert(value);
     }

@@ -43,6 +43,7 @@ pub(super) fn channels(parts: &Parts<'_>, row: &StrokeRow) -> Vec<(Channel, f64)
         (Channel::ResidualRatio, residual),
         (Channel::MotorExtGap, parts.median(parts.about(), gap)),
         (Channel::GapSlope, gap_slope(parts, row.force_n)),
+        (Channel::SlipAngle, parts.median(parts.after(), |s| s.friction_angle_deg)),
         (Channel::XStep, repeated_step(&positions)),
     ];
     found
@@ -66,7 +67,6 @@ pub(super) fn phases(parts: &Parts<'_>) -> Vec<(PhaseKey, f64)> {
         (("force_n", Phase::After), median_of(parts.after())),
         (("motor_ext_gap_m", Phase::After), difference(parts.median(parts.after(), gap), at_failure)),
         (("friction_angle_deg", Phase::Loading), parts.median(parts.loading(), angle)),
-        (("friction_angle_deg", Phase::After), parts.median(parts.after(), angle)),
         (
             ("z_m", Phase::After),
             difference(parts.median(parts.after(), height), parts.median(parts.about(), height)),

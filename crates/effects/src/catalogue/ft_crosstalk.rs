@@ -1,8 +1,8 @@
 use super::{Effect, Reading};
-use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
 
 /// Normal force leaks into the tangential channel: the tangent of the friction angle is read high by the crosstalk,
-/// and the resultant with it.
+/// and the resultant with it. A controller that holds the angle that is read (shape 1) shows it only after failure.
 pub(super) struct FtCrosstalk;
 
 /// True and read tangent of the friction angle.
@@ -43,17 +43,28 @@ impl Effect for FtCrosstalk {
     }
 
     fn linked(&self) -> &'static [Channel] {
-        &[Channel::FrictionAngle]
+        &[Channel::FrictionAngle, Channel::SlipAngle]
+    }
+
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape { parameter: None, values: &[0.0, 1.0] })
+    }
+
+    fn needs(&self, shape: f64) -> Option<Channel> {
+        (shape > 0.5).then_some(Channel::SlipAngle)
     }
 
     fn shift(
         &self,
-        _channel: Channel,
+        channel: Channel,
         amplitude: f64,
-        _shape: f64,
+        shape: f64,
         _stroke: &Stroke,
         reading: &Reading,
     ) -> f64 {
+        if channel == Channel::FrictionAngle && shape > 0.5 {
+            return 0.0;
+        }
         let (tan, leaky) = tangents(reading.delta_deg, amplitude);
         (leaky.atan() - tan.atan()).to_degrees()
     }

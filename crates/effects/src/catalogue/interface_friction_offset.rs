@@ -1,7 +1,8 @@
 use super::{Effect, Reading, Response};
-use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
 
-/// The true interface friction differs from the set-point: the plate lifts or sinks at failure.
+/// The true interface friction differs from the set-point: the plate lifts or sinks at failure. The force turns to the true
+/// friction once failed soil slips; before that it does so, too (shape 0), or a controller holds it at the set-point (1).
 pub(super) struct InterfaceFrictionOffset;
 
 impl Effect for InterfaceFrictionOffset {
@@ -35,18 +36,26 @@ impl Effect for InterfaceFrictionOffset {
     }
 
     fn linked(&self) -> &'static [Channel] {
-        &[Channel::FrictionAngle]
+        &[Channel::FrictionAngle, Channel::SlipAngle]
+    }
+
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape { parameter: None, values: &[0.0, 1.0] })
+    }
+
+    fn needs(&self, shape: f64) -> Option<Channel> {
+        (shape > 0.5).then_some(Channel::SlipAngle)
     }
 
     fn shift(
         &self,
-        _channel: Channel,
+        channel: Channel,
         amplitude: f64,
-        _shape: f64,
+        shape: f64,
         _stroke: &Stroke,
         _reading: &Reading,
     ) -> f64 {
-        amplitude
+        if channel == Channel::FrictionAngle && shape > 0.5 { 0.0 } else { amplitude }
     }
 
     fn responses(&self) -> &'static [Response] {

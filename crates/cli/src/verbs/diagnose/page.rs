@@ -120,7 +120,7 @@ fn what(page: &mut HtmlReport, answer: &DiagnosisAnswer) -> Result<(), CliError>
 
 fn rivals(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Result<(), CliError> {
     page.heading("What else it could be");
-    if answer.equivalence_set.len() > 1 {
+    if answer.equivalence_set.len() > answer.effects.len().max(1) {
         page.paragraph(format!("Not told apart by these data: {}.", answer.equivalence_set.join(", ")));
     }
     let columns =
