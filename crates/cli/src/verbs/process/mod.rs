@@ -193,6 +193,7 @@ impl Args {
                 model: "table".to_owned(),
             },
             report: None,
+            figures: FigureFiles::default(),
             plot: None,
             plot_kind: None,
         }
