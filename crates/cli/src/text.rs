@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn rounded_bounds_still_hold() {
         for value in
-            [1.23456, 12.3456, 0.000_123_456, 99.999, 1e5 + 0.1, -3.14159, 8.0 / 3.0, -0.099_999, 4.0]
+            [1.23456, 12.3456, 0.000_123_456, 99.999, 1e5 + 0.1, -3.21987, 8.0 / 3.0, -0.099_999, 4.0]
         {
             let (down, up): (f64, f64) =
                 (rounded_down(value).parse().unwrap(), rounded_up(value).parse().unwrap());
