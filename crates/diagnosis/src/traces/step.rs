@@ -8,6 +8,8 @@ const STILL: f64 = 0.3;
 const OFF: f64 = 0.15;
 /// Part of the changes that must be multiples.
 const REGULAR: f64 = 0.9;
+/// Steps that the smallest change may have.
+const MOST_STEPS: u32 = 3;
 /// Times that a change must be followed by one of another size: what moves evenly makes equal changes, too.
 const ALTERNATIONS: usize = 6;
 
@@ -23,11 +25,17 @@ pub(super) fn repeated_step(displacement: &[f64]) -> Option<f64> {
     }
     let steps: Vec<f64> = sorted.iter().copied().filter(|change| *change >= STILL * large).collect();
     let smallest = steps[steps.len() / 10];
-    let multiple = |change: f64| (change / smallest).round();
-    let step = median(steps.iter().map(|change| change / multiple(*change)).collect());
+    // What moves fast makes no single steps: the smallest change may be some of them.
+    (1..=MOST_STEPS).find_map(|count| lattice(&changes, &sorted, &steps, smallest / f64::from(count)))
+}
+
+/// The step near a guess of which all large changes are multiples.
+fn lattice(changes: &[f64], sorted: &[f64], steps: &[f64], guess: f64) -> Option<f64> {
+    let step = median(steps.iter().map(|change| change / (change / guess).round()).collect());
     let regular =
         steps.iter().filter(|change| (*change / step - (*change / step).round()).abs() < OFF).count();
-    let still = sorted.iter().filter(|change| **change < STILL * large).all(|change| *change < OFF * step);
+    let least = steps.first()?;
+    let still = sorted.iter().filter(|change| *change < least).all(|change| *change < OFF * step);
     let alternations =
         changes.windows(2).filter(|pair| (pair[0] / step).round() != (pair[1] / step).round()).count();
     let stepped = still
