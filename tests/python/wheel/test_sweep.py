@@ -29,6 +29,22 @@ class Serial(Executor):
         return future
 
 
+class Forgetful(Serial):
+    """Loses the results of its first calls, as a cluster may that loses a worker."""
+
+    def __init__(self, lost):
+        super().__init__()
+        self.lost = lost
+
+    def submit(self, function, /, *args, **kwargs):
+        future = super().submit(function, *args, **kwargs)
+        if self.submitted > self.lost:
+            return future
+        lost = Future()
+        lost.set_exception(ValueError("lost"))
+        return lost
+
+
 def files(store):
     """Bytes of all results by name; nothing else may lie beside them."""
     results = Path(store) / "results"
@@ -194,6 +210,13 @@ def test_a_store_that_cannot_be_written_is_an_error(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(soilctl.FileError):
         soilctl.sweep(square, [{"number": 1}], store=tmp_path / "file", executor=Serial())
+
+
+def test_what_an_executor_loses_is_run_a_second_time(tmp_path):
+    found = soilctl.sweep(square, [{"number": n} for n in range(4)], store=tmp_path, executor=(once := Forgetful(3)))
+    assert not found.failures and once.submitted == 7
+    found = soilctl.sweep(square, [{"number": 9}], store=tmp_path, executor=(twice := Forgetful(2)))
+    assert [f.error for f in found.failures] == ["ValueError: lost"] and twice.submitted == 2
 
 
 def test_a_dask_cluster_loses_a_worker_and_no_result(tmp_path):

@@ -154,7 +154,7 @@ def sweep(
 
     Returns:
         The results, with the failures by name. Nothing is raised because of a failed cell; see
-        :meth:`SweepResult.raise_for_failures`.
+        :meth:`SweepResult.raise_for_failures`. What the executor itself loses is run a second time before it counts as failed.
 
     Raises:
         InputError: If a cell is no mapping or has values without a canonical form.
@@ -208,6 +208,14 @@ def _call(function: Callable[..., Any], cell: bytes) -> tuple[bool, bytes]:
         return False, (f"{kind}: {text}" if text else kind).encode("utf-8", "replace")
 
 
+def _problem(future: Future[tuple[bool, bytes]]) -> BaseException | None:
+    """What the executor says went wrong, not the cell."""
+    try:
+        return future.exception()
+    except CancelledError as cancelled:
+        return cancelled
+
+
 class _Run:
     """One run of a sweep: cells in flight, results to the store, errors by key."""
 
@@ -252,8 +260,13 @@ class _Run:
         return key in self.errors or self.store.has(key)
 
     def through(self, executor: Executor, todo: dict[str, dict[str, Any]], in_flight: int) -> list[str]:
-        """Runs cells until all are done or the executor breaks; what was in flight then."""
+        """Runs cells until all are done or the executor breaks; what was in flight then.
+
+        Errors of a cell itself are results. One of the executor's own gets the cell a second try: a cluster that loses a
+        worker with finished results on it may give up a task, or say "lost" of one whose result it holds in its hands.
+        """
         waiting = deque(todo)
+        second: set[str] = set()
         running: dict[Future[tuple[bool, bytes]], str] = {}
         broken: list[str] = []
         try:
@@ -269,33 +282,30 @@ class _Run:
                 finished, _ = wait(running, return_when=FIRST_COMPLETED)
                 for future in finished:
                     key = running.pop(future)
-                    if not self.take(key, todo[key], future):
+                    problem = _problem(future)
+                    if isinstance(problem, BrokenExecutor):
+                        # That says nothing about the cell.
                         broken.append(key)
+                    elif problem is None:
+                        self.take(key, todo[key], future)
+                    elif key in second:
+                        self.failed(key, todo[key], f"{type(problem).__name__}: {problem}")
+                    else:
+                        second.add(key)
+                        waiting.append(key)
         finally:
             # After Ctrl-C or a full disk nothing more is started.
             for future in running:
                 future.cancel()
         return broken
 
-    def take(self, key: str, cell: dict[str, Any], future: Future[tuple[bool, bytes]]) -> bool:
-        """False if the executor broke, which says nothing about the cell."""
-        try:
-            problem = future.exception()
-        except CancelledError as cancelled:
-            problem = cancelled
-        if isinstance(problem, BrokenExecutor):
-            return False
-        if problem is not None:
-            # The cell could not be sent, or the executor gave it up.
-            self.failed(key, cell, f"{type(problem).__name__}: {problem}")
-            return True
+    def take(self, key: str, cell: dict[str, Any], future: Future[tuple[bool, bytes]]) -> None:
         fine, data = future.result()
         if not fine:
             self.failed(key, cell, data.decode("utf-8"))
-            return True
+            return
         self.store.publish(key, self.name, self.version, cell, data)
         self.step()
-        return True
 
     def failed(self, key: str, cell: dict[str, Any], error: str) -> None:
         self.errors[key] = error
