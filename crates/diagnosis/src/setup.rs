@@ -64,6 +64,7 @@ impl<'a> Setup<'a> {
         }
         Self { data, surface, baselines, nuisance, batch_terms, batch_sd }
     }
+
     /// Channels that read the interface friction, which every fit of forces has.
     pub(crate) fn core(&self) -> BTreeSet<Channel> {
         self.baselines

@@ -92,6 +92,35 @@ fn what_comes_before_the_push_is_no_part_of_the_curve() {
     assert!(point.displacement_m < 0.4 * DEPTH_M, "{}", point.displacement_m);
 }
 
+/// Soil that was let go follows another curve until the plate is where it was: that is no part of the loading.
+#[test]
+fn a_plate_that_is_let_go_and_pushed_again_has_the_same_failure_force() {
+    let pushed = stroke(|u| LIMIT_N * (u / (0.05 * DEPTH_M)).tanh(), 0.016, 8.0, 0.05, 9);
+    let (let_go_m, half) = (0.06 * DEPTH_M, pushed.t_s().len() / 2);
+    let (mut t, mut u, mut f) = (Vec::new(), Vec::new(), Vec::new());
+    let samples = pushed.t_s().iter().zip(pushed.displacement_m()).zip(pushed.force_n());
+    for (k, ((time, way), force)) in samples.enumerate() {
+        t.push(time + if k < half { 0.0 } else { 2.0 });
+        u.push(*way);
+        f.push(*force);
+        if k + 1 == half {
+            for step in 0..1000 {
+                // There and back in two seconds; the force goes down by two fifths and comes back.
+                let back = 1.0 - (f64::from(step) / 500.0 - 1.0).abs();
+                t.push(time + f64::from(step + 1) / 500.0);
+                u.push(way - let_go_m * back);
+                f.push(force * (1.0 - 0.4 * back) + 0.05 * f64::from(step % 3 - 1));
+            }
+        }
+    }
+    let force = |trace: &Trace| match failure_force(trace, &settings()).outcome {
+        Outcome::Found(point) => point.force_n,
+        other => panic!("{other:?}"),
+    };
+    let (plain, again) = (force(&pushed), force(&Trace::new(t, u, f, Channels::default()).unwrap()));
+    assert!((again / plain - 1.0).abs() < 0.02, "{plain} and {again}");
+}
+
 #[test]
 fn a_straight_line_has_no_break() {
     let found = failure_force(&stroke(|u| 2000.0 * u, 0.01, 6.0, 0.02, 3), &settings());

@@ -16,12 +16,8 @@ use soilctl_strokes::{StrokeRow, TraceTable};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Phase {
-    /// Before a tenth of the failure force is reached.
-    BeforeRise,
-    /// From there to failure.
+    /// From a tenth of the failure force to failure.
     Loading,
-    /// About failure.
-    Failure,
     /// Up to half a depth after failure.
     After,
 }
@@ -31,9 +27,7 @@ impl Phase {
     #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
-            Self::BeforeRise => "before the force rises",
             Self::Loading => "while the force rises",
-            Self::Failure => "at failure",
             Self::After => "after failure",
         }
     }

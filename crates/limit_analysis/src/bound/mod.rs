@@ -91,16 +91,13 @@ pub struct Level {
     pub upper: Solve,
     /// A lower bound, on the mesh of this level or of one before.
     pub lower: Option<Solve>,
-    /// Gap by the objectives of the two programs, and by the sum of its shares over the soil: the same quantity by two
-    /// ways that have nothing in common, so a check of both programs. See [`Level::identity_residual`].
+    /// Gap by the proven dissipation and the lower program's objective, and by the sum of its shares over the soil: the same
+    /// quantity by two ways that have nothing in common, so a check of both programs. See [`Level::identity_residual`].
     pub identity: Option<[f64; 2]>,
 }
 
 impl Level {
-    /// By how much the two gaps differ, over the objective of the upper bound; zero where they are not known.
-    ///
-    /// Where dissipation is linear in the unknowns (soil with friction) only rounding is left. Soil without friction and
-    /// cut-offs have unknowns for the size of shear rates, which exceed it by as much as the solver's accuracy allows.
+    /// By how much the two gaps differ, over the upper bound; zero where they are not known. Only rounding is left of it.
     #[must_use]
     pub fn identity_residual(&self) -> f64 {
         match (self.identity, self.upper.proven) {
@@ -161,9 +158,8 @@ impl Bounds {
 }
 
 /// What is left of the [identity](Level::identity) in sound runs. More says that a program is not what it should be, or
-/// was solved badly: the level's shares are not used to refine meshes. Proven bounds hold all the same. As much as the gap of
-/// a program that the solver calls almost solved.
-pub const IDENTITY: f64 = 5e-5;
+/// was solved badly: the level's shares are not used to refine meshes. Proven bounds hold all the same.
+pub const IDENTITY: f64 = 1e-8;
 
 fn relative_gap(lower: f64, upper: f64) -> f64 {
     2.0 * (upper - lower) / (upper + lower).abs()

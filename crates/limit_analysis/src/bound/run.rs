@@ -151,7 +151,7 @@ impl<'a> Run<'a> {
         });
         let own = lower_mesh.map(|m| self.lower_mesh(m)).transpose()?.flatten();
         let (upper, lower) = self.solve_both(number, own.as_ref().or(lower_mesh.map(|m| &self.meshes[m])))?;
-        let Some((tightening, upper_solve, upper_field, velocity, objective)) = upper else {
+        let Some((tightening, upper_solve, upper_field, velocity)) = upper else {
             // The lower bound was enough for the mesh before.
             self.meshes.pop();
             if let Some((solve, field, stress, objective)) = lower {
@@ -171,10 +171,9 @@ impl<'a> Run<'a> {
         }
         let gap = self.gap();
         let (mesh, topology) = &self.meshes[number];
-        if let Some((stress, lower_objective)) = self.stress.as_ref().filter(|_| upper_solve.proven.is_some())
-        {
+        if let (Some((stress, lower_objective)), Some(proven)) = (&self.stress, upper_solve.proven) {
             let by_triangle = shares(self.problem, mesh, topology, &velocity, stress);
-            level.identity = Some([objective - lower_objective, by_triangle.iter().sum()]);
+            level.identity = Some([proven - lower_objective, by_triangle.iter().sum()]);
             // Shares that do not add up to the gap say nothing about where it is.
             if level.identity_holds() {
                 self.shares = Some((number, by_triangle));

@@ -25,8 +25,8 @@ const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
 const LEFT: f64 = 0.5;
 
-/// An upper bound: which tightening it took, its figures, its flow as proven and as solved, and its objective.
-pub(super) type SolvedUpper = (usize, Solve, UpperField, VelocityField, f64);
+/// An upper bound: which tightening it took, its figures, its flow as proven and as solved.
+pub(super) type SolvedUpper = (usize, Solve, UpperField, VelocityField);
 
 /// A lower bound: its figures, its stresses as proven and as solved, and its objective.
 pub(super) type SolvedLower = (Solve, LowerField, StressField, f64);
@@ -90,8 +90,7 @@ impl Run<'_> {
             let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
             if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == TIGHTENING.len() {
                 let velocity = VelocityField::new(&upper, &answer.x);
-                let objective = upper.force.value(&answer.x);
-                return Ok((attempt, solve, field, velocity, objective));
+                return Ok((attempt, solve, field, velocity));
             }
         }
         Err(LimitError::NothingProven { spent: format!("{spent:.1} s") })

@@ -44,6 +44,9 @@ pub(crate) type Velocity = [Form; 2];
 #[derive(Debug)]
 pub(crate) struct Upper {
     pub(crate) program: Program,
+    /// What the program minimises: the force on the structure, or the factor on the loads.
+    #[cfg(test)]
+    pub(crate) force: Form,
     pub(crate) elements: Vec<Element>,
     motions: Vec<Motion>,
     pub(crate) velocities: Vec<Velocity>,
@@ -51,8 +54,6 @@ pub(crate) struct Upper {
     /// Velocities of the control points of the triangles that have a stream function, which are exact along the edges.
     pub(crate) control: Vec<Option<[Velocity; 6]>>,
     pub(crate) corners: Vec<[Point; 3]>,
-    /// What the program minimises: the force on the structure, or the factor on the loads.
-    pub(crate) force: Form,
     /// Power of the live loads; one if there are none.
     pub(crate) live: f64,
     /// Which limit of each triangle's strength counts.
@@ -108,7 +109,19 @@ impl Upper {
         program.objective.extend(force.terms.iter().map(|(index, c)| (*index, c * unit)));
         let corners: Vec<[Point; 3]> = (0..mesh.triangles.len()).map(|t| ground.corners(t)).collect();
         let limits = (0..corners.len()).map(|t| Limit::around(ground.soil(t), &corners[t])).collect();
-        Self { program, elements, motions, velocities, stream, control, corners, force, live, limits }
+        Self {
+            program,
+            elements,
+            motions,
+            velocities,
+            stream,
+            control,
+            corners,
+            live,
+            limits,
+            #[cfg(test)]
+            force,
+        }
     }
 
     /// Values and slopes of the stream function of a triangle, if it has one: see [`StreamFunction::local`].

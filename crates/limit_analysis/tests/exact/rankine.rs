@@ -41,14 +41,23 @@ fn walls_that_give_way_carry_rankines_active_force() {
 #[test]
 #[ignore = "minutes: cargo xtask verify"]
 fn exact_walls_of_many_soils() {
-    // At 43 deg and more nothing is proven on a smooth base: every flow seems infeasible.
     for phi_deg in [10.0, 20.0, 30.0, 40.0] {
-        for (cohesion, surcharge) in [(0.0, 0.0), (0.0, 1.0), (0.5, 0.0), (0.5, 1.0)] {
-            check(phi_deg, cohesion, surcharge, 1.0, 1500, 1e-3);
-            // Rankine's active pressure at the surface must not be a tension.
-            if cohesion == 0.0 {
-                check(phi_deg, cohesion, surcharge, -1.0, 1500, 1e-3);
-            }
+        walls(phi_deg);
+    }
+}
+
+#[test]
+#[ignore = "not met: on a smooth base every flow seems infeasible from 43 deg on, so nothing is proven"]
+fn exact_walls_at_45_degrees() {
+    walls(45.0);
+}
+
+fn walls(phi_deg: f64) {
+    for (cohesion, surcharge) in [(0.0, 0.0), (0.0, 1.0), (0.5, 0.0), (0.5, 1.0)] {
+        check(phi_deg, cohesion, surcharge, 1.0, 1500, 1e-3);
+        // Rankine's active pressure at the surface must not be a tension.
+        if cohesion == 0.0 {
+            check(phi_deg, cohesion, surcharge, -1.0, 1500, 1e-3);
         }
     }
 }

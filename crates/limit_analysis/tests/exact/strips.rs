@@ -36,11 +36,18 @@ fn strips_on_weightless_soil_carry_prandtls_and_reissners_loads() {
 fn exact_strips_from_10_to_40_degrees() {
     check_nc(0.0, 3000, 0.008);
     for phi_deg in [10.0, 20.0, 30.0, 40.0] {
-        // Both factors grow like the exponential of pi tan(phi), and so does what is missed on a mesh.
-        let elements = if phi_deg < 40.0 { 3000 } else { 5000 };
-        check_nq(phi_deg, elements, 0.04);
-        check_nc(phi_deg, elements, 0.04);
+        check_nq(phi_deg, 3000, 0.04);
+        if phi_deg < 40.0 {
+            check_nc(phi_deg, 3000, 0.04);
+        }
     }
+    check_nc(40.0, 5000, 0.04);
+}
+
+#[test]
+#[ignore = "not met: the gap is 4.06 %"]
+fn exact_strip_at_40_degrees_on_3000_elements() {
+    check_nc(40.0, 3000, 0.04);
 }
 
 /// A rough footing on a layer half as deep as it is wide, on a rough base: Mandel & Salencon (1972) print 1.02 times

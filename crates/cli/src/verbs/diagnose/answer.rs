@@ -98,7 +98,7 @@ pub(crate) struct GapAnswer {
 pub(crate) struct WhereAnswer {
     /// Column of the stroke table, or of the traces.
     pub(super) channel: String,
-    /// Phase of the stroke, for readings of traces: before_rise, loading, failure or after; null for the column itself.
+    /// Phase of the stroke, for readings of traces: loading or after; null for the column itself.
     pub(super) phase: Option<String>,
     /// Covariate; `all` if all strokes are off what a simulated arm reads.
     pub(super) covariate: String,
@@ -217,9 +217,7 @@ impl DiagnosisAnswer {
 /// A phase as it is written.
 fn phase(phase: Phase) -> String {
     match phase {
-        Phase::BeforeRise => "before_rise",
         Phase::Loading => "loading",
-        Phase::Failure => "failure",
         Phase::After => "after",
     }
     .into()

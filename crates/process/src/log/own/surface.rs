@@ -5,6 +5,7 @@ use soilctl_kinematics::Arm;
 
 use super::sample::{Phase, Sample, tip_and_sensor};
 use crate::ProcessError;
+use crate::robust::least_squares;
 
 /// Samples in a mean force.
 const BLOCK: usize = 10;
@@ -39,32 +40,9 @@ pub(super) fn touched(arm: &Arm, approach: &[Sample], tare: &[f64; 6]) -> Result
     let Some(contact) = first.filter(|first| *first > 0) else { return Ok(None) };
     let near = &touch[contact.saturating_sub(FITTED)..(contact + FITTED).min(touch.len())];
     let Some(met) = touch.get(contact) else { return Ok(None) };
-    let heights = near
+    let rows: Vec<([f64; 2], f64, f64)> = near
         .iter()
-        .map(|sample| Ok((sample.t_s - met.t_s, tip_and_sensor(arm, &sample.external)?.0.origin_m[2])));
-    let heights: Vec<(f64, f64)> = heights.collect::<Result<_, ProcessError>>()?;
-    Ok(line_at_zero(&heights))
-}
-
-/// Value at 0 of the line that fits best; `None` where there is no line.
-fn line_at_zero(points: &[(f64, f64)]) -> Option<f64> {
-    let count = points.len() as f64;
-    let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
-    let (t, z) = (mean(&|p| p.0), mean(&|p| p.1));
-    let (tt, tz) = (mean(&|p| (p.0 - t).powi(2)), mean(&|p| (p.0 - t) * (p.1 - z)));
-    let found = z - t * tz / tt;
-    found.is_finite().then_some(found)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_line_is_read_where_the_edge_met_the_soil() {
-        let points: Vec<(f64, f64)> =
-            (-50..40).map(|k| (0.002 * f64::from(k), -0.33 - 0.00002 * f64::from(k))).collect();
-        assert!((line_at_zero(&points).unwrap() + 0.33).abs() < 1e-12);
-        assert_eq!((line_at_zero(&points[..1]), line_at_zero(&[])), (None, None));
-    }
+        .map(|s| Ok(([1.0, s.t_s - met.t_s], tip_and_sensor(arm, &s.external)?.0.origin_m[2], 1.0)))
+        .collect::<Result<_, ProcessError>>()?;
+    Ok(least_squares(rows.into_iter()).map(|line| line.x[0]))
 }
