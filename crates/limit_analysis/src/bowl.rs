@@ -4,6 +4,8 @@
 //! way out, so what is free to move must be a bowl: with walls no steeper than `90 deg - phi`, all of it could be lifted
 //! out along any path between the walls. Below the bowl nothing moves; along it velocities may jump. Around a structure in
 //! the soil the bowl follows the slip lines; otherwise its walls start where steep sides that hold the soil end above.
+//! On a smooth base soil can move away from a wall only along the base, so only if the wall is no flatter than `phi`: where
+//! it cannot be both, above 42 degrees, there is no wall, and the soil slides away from the side itself.
 //!
 //! Soil without friction keeps its volume with any flow, so nothing of it is held.
 
@@ -20,6 +22,14 @@ const STEP: f64 = 0.1;
 
 fn slope(phi: f64) -> f64 {
     (std::f64::consts::FRAC_PI_2 - phi - SPARE).max(0.1).tan()
+}
+
+fn is_on_smooth_base(problem: &Problem, foot: [f64; 2]) -> bool {
+    problem
+        .statement()
+        .boundaries
+        .iter()
+        .any(|b| matches!(b.condition, Condition::Smooth) && problem.ends(b.line).contains(&foot))
 }
 
 /// The least set of points above V-shaped walls under each slip line point.
@@ -52,7 +62,8 @@ impl Bowl {
             }
             let [p, q] = problem.ends(b.line);
             let (low, high) = if p[1] < q[1] { (p, q) } else { (q, p) };
-            if (high[1] - low[1]) > slope(phi) * (high[0] - low[0]).abs() {
+            let is_steep = (high[1] - low[1]) > slope(phi) * (high[0] - low[0]).abs();
+            if is_steep && !(slope(phi) < phi.tan() && is_on_smooth_base(problem, low)) {
                 // The soil is on the left of the side as it is walked.
                 let up = (q[1] > p[1]) == b.forward;
                 rims.push((high, if up { -1.0 } else { 1.0 }));

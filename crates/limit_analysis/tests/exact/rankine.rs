@@ -23,9 +23,14 @@ fn check(phi_deg: f64, cohesion: f64, surcharge: f64, direction: f64, elements: 
 
 #[test]
 fn walls_that_are_pushed_carry_rankines_passive_force() {
-    for (phi_deg, cohesion, surcharge) in
-        [(30.0, 0.0, 0.0), (40.0, 0.0, 0.5), (20.0, 0.3, 0.0), (30.0, 0.3, 0.5), (0.0, 1.0, 0.0)]
-    {
+    for (phi_deg, cohesion, surcharge) in [
+        (30.0, 0.0, 0.0),
+        (40.0, 0.0, 0.5),
+        (45.0, 0.0, 0.5),
+        (20.0, 0.3, 0.0),
+        (30.0, 0.3, 0.5),
+        (0.0, 1.0, 0.0),
+    ] {
         check(phi_deg, cohesion, surcharge, 1.0, 600, 2e-3);
     }
 }
@@ -41,15 +46,9 @@ fn walls_that_give_way_carry_rankines_active_force() {
 #[test]
 #[ignore = "minutes: cargo xtask verify"]
 fn exact_walls_of_many_soils() {
-    for phi_deg in [10.0, 20.0, 30.0, 40.0] {
+    for phi_deg in [10.0, 20.0, 30.0, 40.0, 45.0, 50.0] {
         walls(phi_deg);
     }
-}
-
-#[test]
-#[ignore = "not met: on a smooth base every flow seems infeasible from 43 deg on, so nothing is proven"]
-fn exact_walls_at_45_degrees() {
-    walls(45.0);
 }
 
 fn walls(phi_deg: f64) {
