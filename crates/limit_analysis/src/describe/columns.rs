@@ -16,6 +16,9 @@ use super::segments::{Cut, Drawing, Owner, Point, Segment};
 /// A region of other unit weight, and its top: one line, or one height.
 type Layer = (u64, [Point; 2]);
 
+/// A side of a face that lies above it, and the face beyond if it is an interface.
+type Top = ([Point; 2], Option<usize>);
+
 /// Index of the face that each walk has on its left.
 fn owners(faces: &[Face]) -> BTreeMap<Walk, usize> {
     let walks = faces.iter().enumerate().flat_map(|(i, f)| f.loops.iter().flatten().map(move |w| (*w, i)));
@@ -32,43 +35,52 @@ pub(super) fn weight_cuts(
 ) -> Vec<Segment> {
     let owner = owners(faces);
     let weight = |face: &Face| description.soils[description.soil_of(face.region)].unit_weight_kn_m3;
-    let tops = |index: usize| -> Vec<([Point; 2], usize)> {
-        let walks = faces[index].loops.iter().flatten();
-        let above = |walk: &Walk| {
+    // Interfaces above a face; what is held or free above it, if there are none.
+    let tops = |index: usize| -> Vec<Top> {
+        let (mut interfaces, mut boundaries) = (Vec::new(), Vec::new());
+        for walk in faces[index].loops.iter().flatten() {
             let ends = map.walked_points(*walk);
-            let above = *owner.get(&walk.turned())?;
-            let top = ends[1][0] < ends[0][0] && above != index && !holds.contains_key(walk);
-            top.then_some((ends, above))
-        };
-        walks.filter_map(above).collect()
+            if ends[1][0] >= ends[0][0] {
+                continue;
+            }
+            match owner.get(&walk.turned()).filter(|_| !holds.contains_key(walk)) {
+                Some(above) if *above == index => {}
+                Some(above) => interfaces.push((ends, Some(*above))),
+                None => boundaries.push((ends, None)),
+            }
+        }
+        if interfaces.is_empty() { boundaries } else { interfaces }
     };
-    let tops: Vec<Vec<([Point; 2], usize)>> = (0..faces.len()).map(tops).collect();
+    let tops: Vec<Vec<Top>> = (0..faces.len()).map(tops).collect();
     let mut layers: Vec<Option<Vec<Layer>>> = vec![None; faces.len()];
     let mut cuts = Vec::new();
     for _ in 0..faces.len() {
         for (index, face) in faces.iter().enumerate() {
-            if layers[index].is_some() || tops[index].iter().any(|(_, above)| layers[*above].is_none()) {
+            let tops = &tops[index];
+            let waits = |(_, above): &Top| above.is_some_and(|above| layers[above].is_none());
+            if layers[index].is_some() || tops.iter().any(waits) {
                 continue;
             }
-            let above = |i: usize| layers[tops[index][i].1].clone().unwrap_or_default();
-            let count = tops[index].len();
-            if weight(face) == base && (0..count).all(|i| above(i).is_empty()) {
+            let above = |top: &Top| top.1.and_then(|above| layers[above].clone()).unwrap_or_default();
+            if weight(face) == base && tops.iter().all(|top| above(top).is_empty()) {
                 layers[index] = Some(Vec::new());
                 continue;
             }
-            let level = |i: usize| {
-                let [a, b] = tops[index][i].0;
-                a[1] == b[1] && a[1] == tops[index][0].0[0][1]
+            let is_like = |first: &Top, top: &Top| {
+                let level = |([a, b], _): &Top| a[1] == b[1] && a[1] == first.0[0][1];
+                level(first) && level(top) && above(first) == above(top)
             };
-            if count > 1 && !(0..count).all(|i| level(i) && above(i) == above(0)) {
-                let corners = tops[index].iter().flat_map(|(ends, _)| *ends);
+            let first = tops.first().filter(|f| tops.len() == 1 || tops.iter().all(|top| is_like(f, top)));
+            if first.is_none() && tops.iter().any(|top| top.1.is_some()) {
+                let corners = tops.iter().flat_map(|(ends, _)| *ends);
                 cuts.extend(corners.filter_map(|p| downwards(map, face, p)));
             }
-            let mut own = if count > 0 { above(0) } else { Vec::new() };
-            let top = match tops[index].first() {
+            let mut own = tops.first().map(above).unwrap_or_default();
+            let top = match first {
                 Some((ends, _)) if ends[0][1] == ends[1][1] => [[0.0, ends[0][1]]; 2],
                 Some((ends, _)) => *ends,
-                None => [[0.0; 2]; 2],
+                // From zero at the datum.
+                None => [[f64::INFINITY; 2]; 2],
             };
             own.push((weight(face).to_bits(), top));
             layers[index] = Some(own);

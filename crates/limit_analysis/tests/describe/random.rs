@@ -197,3 +197,21 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn soil_under_a_plate_in_two_pieces_is_cut_below_their_joint() {
+    let ground = Ground {
+        stations: vec![-10.0, -0.44403992751625054, 10.0],
+        heights: vec![
+            vec![-0.9989370289726277, 0.0, 0.0],
+            vec![-2.679215303339283, -1.4357283849785831, -0.5],
+            vec![-3.723720196919057, -3.0616753959235097, -1.0],
+        ],
+        more: vec![vec![], vec![0.3377557889082863]],
+        weights: vec![16.0, 18.0],
+        water: vec![-2.6068813649094937],
+        plate: Some([0.0, -1.7864910531826161, -4.108394799107894, -2.6681629028667717]),
+    };
+    let refusals = refusals(&ground.description().described().unwrap().statement);
+    assert!(refusals.is_empty(), "{refusals:?}");
+}
