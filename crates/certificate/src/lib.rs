@@ -77,7 +77,8 @@
 //!
 //! *Soil without friction* has the velocity `(s_y, -s_x)` of a stream function, the piecewise cubic of the lower bound with
 //! the same gluing: no volume changes and nothing jumps, by construction. It dissipates `c g`; `g` is convex
-//! in the strain rate, so in each part it is at most the linear function through its values at the nodes.
+//! in the strain rate, so in each part it is at most the linear function through its values at the nodes. With a limit to its
+//! tension it may tear, and may flow like soil with friction, with `sin(phi) = 0`.
 //!
 //! - *Walls.* Where the velocity across a side is given, `s` is linear along it and known but for a constant that is
 //!   common to the whole run of such sides ([`StreamJet`]): from `a` to `b` it grows by `V_x (b - a)_y - V_y (b - a)_x`. On

@@ -54,10 +54,12 @@ pub enum LimitError {
         advice: &'static str,
     },
     /// The budget ended before the first pair of bounds was proven.
-    #[error("no pair of bounds was proven within the budget ({spent}); allow more time, elements or memory")]
+    #[error("no pair of bounds was proven within the budget ({spent}); {advice}")]
     NothingProven {
         /// What was done so far.
         spent: String,
+        /// What the user can do.
+        advice: &'static str,
     },
     /// A program that failed could not be written.
     #[error("{}: {message}; give another folder for failed programs, or none", path.display())]
@@ -73,4 +75,17 @@ pub enum LimitError {
         /// The solver's words.
         message: String,
     },
+}
+
+impl LimitError {
+    /// Nothing proven, with what may help: some soil may bear no tension at all.
+    pub(crate) fn nothing_proven(without_tension: bool, spent: String) -> Self {
+        let advice = if without_tension {
+            "allow more time, elements or memory, or soil that bears no tension at all a thousandth of its cohesion: stresses \
+             along a free face have no other room for a proof"
+        } else {
+            "allow more time, elements or memory"
+        };
+        Self::NothingProven { spent, advice }
+    }
 }

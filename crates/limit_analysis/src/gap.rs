@@ -114,7 +114,7 @@ pub(crate) fn shares(
 
 /// What soil dissipates for each unit of dilation, and of the shear rate in [`Piece`](crate::fields::Piece).
 fn strength(soil: &Soil, limit: Limit, p: Point) -> [f64; 2] {
-    if soil.has_friction() {
+    if !soil.keeps_volume {
         [limit.tension(soil, p) - value(&soil.pore_pressure, p), limit.radius(soil, p)]
     } else {
         [0.0, value(&soil.cohesion, p).max(0.0)]

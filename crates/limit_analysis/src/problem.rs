@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Condition, LineUse, Linear, Material, Objective, Statement};
+use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Objective, Statement};
 
 use crate::error::LimitError;
 use crate::mesh::{self, Outline};
@@ -12,8 +12,9 @@ use crate::mesh::{self, Outline};
 pub(crate) struct Soil {
     pub(crate) sin: f64,
     pub(crate) cos: f64,
-    /// Zero for soil without friction, whose flows keep their volume.
     pub(crate) tan: f64,
+    /// Without friction, and nowhere torn: a limit to tension lets soil tear unless a face holds it by adhesion alone.
+    pub(crate) keeps_volume: bool,
     pub(crate) cohesion: Linear,
     pub(crate) pore_pressure: Linear,
     /// Greatest effective tension.
@@ -27,12 +28,13 @@ pub(crate) fn value(linear: &Linear, p: [f64; 2]) -> f64 {
 }
 
 impl Soil {
-    fn new(m: &Material) -> Self {
+    fn new(m: &Material, is_held: bool) -> Self {
         let (sin, cos) = m.phi_deg.to_radians().sin_cos();
         Self {
             sin,
             cos,
             tan: sin / cos,
+            keeps_volume: sin == 0.0 && (m.tension.is_none() || is_held),
             cohesion: m.cohesion,
             pore_pressure: m.pore_pressure,
             cut_off: m.tension,
@@ -44,7 +46,7 @@ impl Soil {
         self.tan > 0.0
     }
 
-    /// Effective tension at the apex of the yield cone. For soil with friction.
+    /// Effective tension at the apex of the yield cone. Without friction there is none.
     pub(crate) fn tension(&self, p: [f64; 2]) -> f64 {
         value(&self.cohesion, p) / self.tan
     }
@@ -133,7 +135,11 @@ impl Problem {
             if let Some(tension) = m.tension {
                 range("the greatest tension", tension, 0.0, f64::INFINITY, "")?;
             }
-            soils.push(Soil::new(&m));
+            let is_held = |b: &Boundary| {
+                matches!(b.condition, Condition::Face { delta_deg, adhesion } if delta_deg == 0.0 && adhesion > 0.0)
+                    && region.loops.iter().any(|l| l.contains(&b.side()))
+            };
+            soils.push(Soil::new(&m, statement.boundaries.iter().any(is_held)));
         }
         let conditions = statement.boundaries.iter().map(|b| (b.side(), b.condition)).collect();
         let top = statement.points.iter().map(|p| p[1]).fold(f64::NEG_INFINITY, f64::max);
@@ -203,6 +209,11 @@ impl Problem {
     /// Velocity of the structure.
     pub(crate) fn velocity(&self) -> [f64; 2] {
         self.statement.objective.velocity()
+    }
+
+    /// Whether some soil bears no tension at all.
+    pub(crate) fn has_no_tension(&self) -> bool {
+        self.soils.iter().any(|soil| soil.cut_off == Some(0.0))
     }
 
     /// Whether a factor on loads or a body force is bounded, and not a structure's force.

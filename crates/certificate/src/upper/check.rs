@@ -87,9 +87,11 @@ pub(super) fn flows(
 ) -> Result<(), CertificateError> {
     for (i, flow) in field.flows.iter().enumerate() {
         let at_rest = |node: &usize| velocities[*node].is_zero();
-        let problem = match (is_frictionless(problem.statement, tiling.region(i)), flow) {
-            (true, Flow::Quadratic(nodes)) if !nodes.iter().all(at_rest) => {
-                "soil without friction that is not at rest needs a stream function"
+        let region = tiling.region(i);
+        let may_tear = problem.statement.regions[region].material.tension.is_some();
+        let problem = match (is_frictionless(problem.statement, region), flow) {
+            (true, Flow::Quadratic(nodes)) if !may_tear && !nodes.iter().all(at_rest) => {
+                "soil without friction and of unlimited tension that is not at rest needs a stream function"
             }
             (false, Flow::Stream { .. }) => "soil with friction needs a quadratic flow",
             (true, Flow::Stream { corners, .. })

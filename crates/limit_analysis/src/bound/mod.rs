@@ -188,7 +188,10 @@ pub fn bound(
     let Sides { lower, upper, levels, ended, seconds } = sides(problem, options, &|_, _| false, progress)?;
     match (lower, upper) {
         (Some(lower), Some(upper)) => Ok(Bounds { lower, upper, levels, ended, seconds }),
-        _ => Err(LimitError::NothingProven { spent: format!("{} levels, {seconds:.1} s", levels.len()) }),
+        _ => {
+            let spent = format!("{} levels, {seconds:.1} s", levels.len());
+            Err(LimitError::nothing_proven(problem.has_no_tension(), spent))
+        }
     }
 }
 

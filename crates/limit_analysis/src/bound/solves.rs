@@ -93,7 +93,7 @@ impl Run<'_> {
                 return Ok((attempt, solve, field, velocity));
             }
         }
-        Err(LimitError::NothingProven { spent: format!("{spent:.1} s") })
+        Err(LimitError::nothing_proven(self.problem.has_no_tension(), format!("{spent:.1} s")))
     }
 
     pub(super) fn solve_lower(
@@ -127,6 +127,6 @@ impl Run<'_> {
                 return Ok((solve, field, stress, objective));
             }
         }
-        Err(LimitError::NothingProven { spent: format!("{spent:.1} s") })
+        Err(LimitError::nothing_proven(self.problem.has_no_tension(), format!("{spent:.1} s")))
     }
 }

@@ -104,12 +104,13 @@ pub fn factor_of_safety(
     let (trials, seconds) = (run.search.trials, start.elapsed().as_secs_f64());
     match (run.found.lower, run.found.upper) {
         (Some(lower), Some(upper)) => Ok(SafetyBounds { lower, upper, trials, ended, seconds }),
-        _ => Err(nothing(trials.len(), seconds)),
+        _ => Err(nothing(description, trials.len(), seconds)),
     }
 }
 
-fn nothing(trials: usize, seconds: f64) -> LimitError {
-    LimitError::NothingProven { spent: format!("{trials} factors, {seconds:.1} s") }
+fn nothing(description: &Description, trials: usize, seconds: f64) -> LimitError {
+    let without_tension = description.soils.iter().any(|soil| soil.tension_kpa == Some(0.0));
+    LimitError::nothing_proven(without_tension, format!("{trials} factors, {seconds:.1} s"))
 }
 
 /// Whether the first meshes leave no doubt: the other bound would take long and tell little.
@@ -166,7 +167,8 @@ impl Run<'_> {
             return if both {
                 Ok(Some(Ended::Time))
             } else {
-                Err(nothing(self.search.trials.len(), self.start.elapsed().as_secs_f64()))
+                let trials = self.search.trials.len();
+                Err(nothing(self.description, trials, self.start.elapsed().as_secs_f64()))
             };
         }
         let trial = Trial {

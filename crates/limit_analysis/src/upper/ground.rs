@@ -36,7 +36,7 @@ impl<'a> Ground<'a> {
 
     /// Whether the flow is that of a stream function.
     pub(crate) fn is_clay(&self, triangle: usize) -> bool {
-        !self.soil(triangle).has_friction()
+        self.soil(triangle).keeps_volume
     }
 
     pub(crate) fn corners(&self, triangle: usize) -> [Point; 3] {

@@ -1,4 +1,4 @@
-//! Quadratic flows of soil with friction: the flow rule at the corners, which makes it hold everywhere, and the power.
+//! Quadratic flows of soil that dilates: the flow rule at the corners, which makes it hold everywhere, and the power.
 
 use super::nodes::Element;
 use super::strength::{Limit, over_triangle};
@@ -59,8 +59,13 @@ impl Builder<'_> {
                 let most = beyond.plus(1.0, &volume);
                 self.program.second_order([most, difference.clone(), shear.clone()]);
             }
-            let bounded = Form::constant(-self.tighten).plus(1.0 / soil.sin, &volume);
-            self.program.second_order([bounded, difference, shear]);
+            let margin = Form::constant(-self.tighten);
+            if soil.has_friction() {
+                let bounded = margin.plus(1.0 / soil.sin, &volume);
+                self.program.second_order([bounded, difference, shear]);
+            } else {
+                self.program.non_negative(margin.plus(1.0, &volume));
+            }
         }
         let integral = |axis: usize| {
             let mut sum = Form::default();

@@ -1,6 +1,6 @@
 //! Cuts and slopes of one soil.
 
-use soilctl_certificate::{Condition, Linear, Objective, Statement};
+use soilctl_certificate::{Condition, Linear, Material, Objective, Statement};
 
 use crate::common::soil;
 use crate::grounds::slope;
@@ -89,6 +89,27 @@ fn a_slope_under_water_stands_as_one_of_soil_that_is_lighter_by_the_water() {
     let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 2e-3, "{a} {b}");
     near(under.lower.value, lighter.lower.value);
     near(under.upper.value, lighter.upper.value);
+}
+
+/// Soil that bears no tension stands `2 c tan(45 + phi / 2)` over its unit weight high: a thin slab at the face topples and is
+/// crushed at its foot (Drucker 1953). With a little tension it is higher, but not as high as with what friction and
+/// cohesion allow (Martin 2011; Chen 1975).
+#[test]
+fn a_vertical_cut_in_soil_of_little_tension_is_between_those_without_and_with() {
+    for (phi_deg, with) in [(0.0, 3.7776), (20.0, 5.51)] {
+        let ground = Material { tension: Some(0.01), ..soil(phi_deg, 1.0) };
+        let without = 2.0 * (45.0_f64 + 0.5 * phi_deg).to_radians().tan();
+        let bounds = solve(slope(ground, 90.0), 1500);
+        brackets(
+            &format!(
+                "vertical cut, tension of a hundredth of the cohesion, phi {phi_deg} deg (Drucker 1953)"
+            ),
+            &bounds,
+            [without, with],
+            0.06,
+        );
+        assert!(bounds.lower.value > without && bounds.upper.value < 0.9 * with);
+    }
 }
 
 #[test]
