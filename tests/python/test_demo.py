@@ -55,7 +55,10 @@ def test_answer_files_and_truth(demo, validate):
     for name in files["estimates"]:
         validate(json.loads((folder / name).read_text(encoding="utf-8")))
     with open(folder / "shown" / "strokes.csv", newline="", encoding="utf-8") as table:
-        assert len(list(csv.DictReader(table))) == count["with_force"]
+        rows = list(csv.DictReader(table))
+    assert len(rows) == count["with_force"]
+    # A weighed box, and each preparation has a density of its own.
+    assert all(float(row["density_kg_m3"]) == pytest.approx(truth["density_kg_m3"], rel=0.05) for row in rows)
 
 
 def test_the_estimate_is_that_of_the_verb(demo, soilctl):

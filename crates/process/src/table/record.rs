@@ -64,6 +64,8 @@ record! {
     gap_prior_m,
     /// From the edge of the plate to the nearest wall that the log knows in m.
     wall_m,
+    /// Density weighed for the batch, from the log's notes, in kg/m^3.
+    density_kg_m3,
     /// Interface friction angle that the controller was set to in deg.
     delta_set_deg,
     /// Standard deviation of the failure force in N.
@@ -137,6 +139,7 @@ impl StrokeRecord {
             radius_m: row.radius_m,
             base_deg: row.base_deg,
             gap_prior_m: row.gap_prior_m,
+            density_kg_m3: row.density_kg_m3,
             wall_m: row.wall_m,
             delta_set_deg: row.delta_set_deg,
             force_sd_n: row.force_sd_n,
@@ -181,6 +184,7 @@ impl StrokeRecord {
             radius_m: self.radius_m,
             base_deg: self.base_deg,
             gap_prior_m: self.gap_prior_m,
+            density_kg_m3: self.density_kg_m3,
             wall_m: self.wall_m,
             delta_set_deg: self.delta_set_deg,
             force_n: self.force_n,

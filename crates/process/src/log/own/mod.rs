@@ -41,6 +41,8 @@ pub(super) struct OwnLog {
     pending: Option<Logged>,
     surface_m: Option<f64>,
     walls_m: [Option<f64>; 4],
+    /// Density that was weighed for the log's batch, in kg/m^3.
+    density_kg_m3: Option<f64>,
     /// Batch of the present preparation, strokes in it so far, and their edges.
     batch: Option<String>,
     edges: Vec<[Edge; 2]>,
@@ -72,6 +74,10 @@ impl OwnLog {
             pending: None,
             surface_m: None,
             walls_m: [None; 4],
+            density_kg_m3: configuration
+                .get("density_kg_m3")
+                .and_then(|text| text.parse().ok())
+                .filter(|density: &f64| density.is_finite() && *density > 0.0),
             batch: None,
             edges: Vec::new(),
             found: Vec::new(),
@@ -191,6 +197,7 @@ impl OwnLog {
             Edge::new([tip.origin_m[0], tip.origin_m[1]], width_m)
         };
         let row = &mut stroke.evaluated.row;
+        row.density_kg_m3 = self.density_kg_m3;
         if batch.is_some() {
             row.order = u32::try_from(self.edges.len() + 1).ok();
         }
