@@ -37,7 +37,7 @@ def test_answer_files_and_truth(demo, validate):
     for stroke in answer["each"]:
         assert (stroke["stroke_id"] is None) == (stroke["why_none"] is not None)
         if stroke["error"] is not None:
-            assert stroke["error"] == pytest.approx(stroke["force_n"] / stroke["true_force_n"] - 1)
+            assert stroke["error"] == pytest.approx(stroke["force_n"] / stroke["limit_force_n"] - 1)
     errors = sorted(abs(s["error"]) for s in answer["each"] if s["error"] is not None)
     if errors:
         middle = (errors[(len(errors) - 1) // 2] + errors[len(errors) // 2]) / 2

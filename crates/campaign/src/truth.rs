@@ -15,6 +15,9 @@ const FAILED: f64 = 0.99;
 /// has failed dense soil already leaves less than all of it.
 const LEAST_SHARE: f64 = 0.9;
 
+/// A failure is at most so long, in s, before it is found.
+const JUST_BEFORE_S: f64 = 0.5;
+
 /// What is true of a batch, from its log.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BatchTruth {
@@ -25,7 +28,7 @@ pub struct BatchTruth {
 }
 
 /// What is true of a stroke.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StrokeTruth {
     /// Number in the plan, from 0; `None` of a stroke that belongs to none.
     pub plan_index: Option<usize>,
@@ -35,6 +38,19 @@ pub struct StrokeTruth {
     pub end_s: f64,
     /// The failure of the soil; `None` if it did not fail.
     pub failure: Option<TrueFailure>,
+    /// Times in s and the most that the soil bore then, where the plate was, in N.
+    limits: Vec<(f64, f64)>,
+}
+
+impl StrokeTruth {
+    /// The most that the soil bore in N where the plate was at a time in s on the log's clock, a mean of the half second before.
+    #[must_use]
+    pub fn limit_force_n(&self, time_s: f64) -> Option<f64> {
+        let to = self.limits.partition_point(|limit| limit.0 <= time_s);
+        let from = self.limits.partition_point(|limit| limit.0 <= time_s - JUST_BEFORE_S);
+        let near = self.limits.get(from..to).filter(|near| !near.is_empty())?;
+        Some(near.iter().map(|limit| limit.1).sum::<f64>() / near.len() as f64)
+    }
 }
 
 /// The moment at which the soil failed.
@@ -97,11 +113,13 @@ fn stroke(record: &BTreeMap<String, String>, samples: &[Sample]) -> Option<Strok
     let from = samples.partition_point(|sample| sample.time_s < start_s);
     let to = samples.partition_point(|sample| sample.time_s <= end_s);
     let alpha_deg = number(record, "alpha_deg")?;
+    let samples = samples.get(from..to).unwrap_or_default();
     Some(StrokeTruth {
         plan_index: record.get("plan_index").and_then(|text| text.parse().ok()),
         start_s,
         end_s,
-        failure: failure(samples.get(from..to).unwrap_or_default(), alpha_deg.to_radians()),
+        failure: failure(samples, alpha_deg.to_radians()),
+        limits: samples.iter().map(|s| (s.time_s, s.soil.limit_force_now_n)).collect(),
     })
 }
 
@@ -178,6 +196,14 @@ mod tests {
         let curve = |t: f64| if (0.5..0.7).contains(&t) { 1.0 } else { (t / 6.0).min(1.0) };
         let found = failure(&samples(1.4, 0.4, curve), 1.4).unwrap();
         assert!((found.time_s - 5.94).abs() < 0.02);
+    }
+
+    #[test]
+    fn the_limit_is_that_just_before() {
+        let limits = (0..1000).map(|i| (f64::from(i) * 0.01, f64::from(i))).collect();
+        let stroke = StrokeTruth { plan_index: None, start_s: 0.0, end_s: 10.0, failure: None, limits };
+        assert!((stroke.limit_force_n(5.001).unwrap() - 475.5).abs() < 1e-9);
+        assert_eq!((stroke.limit_force_n(-0.1), stroke.limit_force_n(11.0)), (None, None));
     }
 
     #[test]

@@ -62,7 +62,7 @@ fn chain_finds_the_truth() {
                 {
                     errors.push(error.abs());
                     let sd = stroke["force_sd_n"].as_f64().unwrap_or(0.0)
-                        / stroke["true_force_n"].as_f64().unwrap_or(1.0);
+                        / stroke["limit_force_n"].as_f64().unwrap_or(1.0);
                     within_sd += u32::from(error.abs() <= sd);
                 }
             }

@@ -159,7 +159,9 @@ pub(crate) struct EachStroke {
     pub(crate) force_sd_n: Option<f64>,
     /// Force of the soil when it failed in truth (N); null if it did not fail.
     pub(crate) true_force_n: Option<f64>,
-    /// Force over true force, minus 1.
+    /// The most that the soil bore where and when the failure was found (N).
+    pub(crate) limit_force_n: Option<f64>,
+    /// The force that was found over that, minus 1.
     pub(crate) error: Option<f64>,
     /// Depth that was measured (m).
     pub(crate) measured_depth_m: Option<f64>,

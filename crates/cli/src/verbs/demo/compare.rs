@@ -34,6 +34,7 @@ pub(super) fn each(plan: &Plan, batches: &[Batch<'_>]) -> Vec<EachStroke> {
                 force_n: None,
                 force_sd_n: None,
                 true_force_n: None,
+                limit_force_n: None,
                 error: None,
                 measured_depth_m: None,
                 true_depth_m: None,
@@ -84,7 +85,9 @@ fn fill(stroke: &mut EachStroke, index: usize, batch: &Batch<'_>) {
     stroke.force_sd_n = found.force_sd_n;
     stroke.found_at_s = found.failure_time_s;
     stroke.measured_depth_m = Some(found.depth_m);
-    stroke.error = stroke.true_force_n.filter(|n| *n > 0.0).map(|n| found.force_n / n - 1.0);
+    // At the same depth, that is: the plate goes on down, and the limit force grows with it.
+    stroke.limit_force_n = found.failure_time_s.and_then(|time_s| truth.limit_force_n(time_s));
+    stroke.error = stroke.limit_force_n.filter(|n| *n > 0.0).map(|n| found.force_n / n - 1.0);
 }
 
 fn lost(number: usize, report: &BatchReport) -> String {
@@ -109,7 +112,7 @@ pub(super) fn forces(each: &[EachStroke]) -> Option<Forces> {
     let (sizes, signed) = (sorted(f64::abs), sorted(|error| error));
     let share = |count: usize| count as f64 / compared.len() as f64;
     let within_sd = |(_, stroke): &&(f64, &EachStroke)| {
-        let off_n = stroke.force_n.zip(stroke.true_force_n).map(|(found, truth)| (found - truth).abs());
+        let off_n = stroke.force_n.zip(stroke.limit_force_n).map(|(found, limit)| (found - limit).abs());
         off_n.zip(stroke.force_sd_n).is_some_and(|(off, sd)| off <= sd)
     };
     Some(Forces {

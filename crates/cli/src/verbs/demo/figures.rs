@@ -141,7 +141,7 @@ fn forces(answer: &DemoAnswer) -> Result<Option<Figure>, CliError> {
         groups.entry(stroke.alpha_deg.to_bits()).or_default().push(stroke);
     }
     let ends =
-        answer.each.iter().filter(|s| s.error.is_some()).flat_map(|s| [s.true_force_n, s.force_n]).flatten();
+        answer.each.iter().filter(|s| s.error.is_some()).flat_map(|s| [s.limit_force_n, s.force_n]).flatten();
     let (low, high) =
         ends.fold((f64::INFINITY, 0.0_f64), |(low, high), force| (low.min(force), high.max(force)));
     if groups.is_empty() || low >= high {
@@ -150,7 +150,7 @@ fn forces(answer: &DemoAnswer) -> Result<Option<Figure>, CliError> {
     let (low, high) = (0.9 * low, 1.1 * high);
     let mut figure = Figure::new(
         "Failure forces against the truth",
-        Axis::linear("True force of the soil at failure (N)"),
+        Axis::linear("Most that the soil bore then and there (N)"),
         Axis::linear("Force that was found (N)"),
     );
     let ends = vec![low, high];
@@ -162,7 +162,7 @@ fn forces(answer: &DemoAnswer) -> Result<Option<Figure>, CliError> {
         .push(Line::new("equal", [(low, low), (high, high)]).width(1.0).dash(Dash::Dash).color(TRUE_COLOR))?;
     for (color, strokes) in groups.values().enumerate() {
         let points: Vec<(f64, f64)> =
-            strokes.iter().filter_map(|s| Some((s.true_force_n?, s.force_n?))).collect();
+            strokes.iter().filter_map(|s| Some((s.limit_force_n?, s.force_n?))).collect();
         let bars: Vec<(f64, f64)> =
             strokes.iter().map(|s| s.force_sd_n.unwrap_or(0.0)).map(|sd| (sd, sd)).collect();
         let labels = strokes.iter().map(|s| format!("stroke {}", s.number));

@@ -14,7 +14,7 @@ pub(super) fn forces(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn) 
     page.heading("Failure forces");
     if let Some(forces) = &answer.forces {
         page.paragraph(format!(
-            "Of {} strokes with a force and a failure in truth, half are within {:.1} % of it and 95 % within {:.1} %; {:.0} % \
+            "Of {} forces, half are within {:.1} % of the most that the soil bore there and then, and 95 % within {:.1} %; {:.0} % \
              are within 10 %. In the middle they are {:.1} % too {}. {:.0} % of the errors are within one stated standard \
              deviation; 68 % would be right.",
             forces.compared,
@@ -26,7 +26,7 @@ pub(super) fn forces(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn) 
             100.0 * forces.share_within_one_sd,
         ));
     } else {
-        page.paragraph("There is no stroke with both a force and a failure in truth.");
+        page.paragraph("There is no stroke with a force.");
     }
     show(page, drawn.forces.as_ref(), "Bars are one stated standard deviation.")?;
     let columns = [
@@ -36,7 +36,8 @@ pub(super) fn forces(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn) 
         ("set-point (deg)", Align::Right),
         ("force (N)", Align::Right),
         ("sd (N)", Align::Right),
-        ("truth (N)", Align::Right),
+        ("limit there and then (N)", Align::Right),
+        ("at failure in truth (N)", Align::Right),
         ("error (%)", Align::Right),
         ("used for", Align::Left),
         ("remark", Align::Left),
@@ -52,6 +53,7 @@ pub(super) fn forces(page: &mut HtmlReport, answer: &DemoAnswer, drawn: &Drawn) 
             number(stroke.delta_set_deg),
             cell(stroke.force_n, 2),
             cell(stroke.force_sd_n, 2),
+            cell(stroke.limit_force_n, 2),
             cell(stroke.true_force_n, 2),
             cell(stroke.error.map(|error| 100.0 * error), 1),
             used(stroke).to_owned(),
