@@ -2,16 +2,13 @@
 
 use soilctl_strokes::{Campaign, Instrument};
 
-use crate::Plan;
+use crate::{Plan, step};
 
 /// The description of a simulated campaign: what plan, plant file and preparation say, nothing of what is true.
 pub(crate) fn campaign(plan: &Plan) -> Campaign {
-    let plant = plan.plant().config();
     let (soil, arm) = (plan.soil(), plan.plant().arm().config());
-    let strokes = plan.strokes().strokes();
-    #[allow(clippy::cast_precision_loss, reason = "at most 1024 strokes")]
-    let radius_m = strokes.iter().map(|stroke| stroke.radius_m).sum::<f64>() / strokes.len().max(1) as f64;
     let elbow_m = arm.links.forearm_m + arm.links.hand_m;
+    let usual = Instrument::default();
     Campaign {
         density_sd_rel: soil.density_sd_rel,
         plate_thickness_m: arm.plate.thickness_m,
@@ -19,9 +16,8 @@ pub(crate) fn campaign(plan: &Plan) -> Campaign {
         design: plan.file().design.clone(),
         instrument: Instrument {
             joint_stiffness_n_per_m: arm.flexion.elbow_stiffness_nm_per_rad / (elbow_m * elbow_m),
-            encoder_step_m: std::f64::consts::TAU * radius_m
-                / plant.encoders.external_counts_per_turn[1].abs(),
-            ..Instrument::default()
+            encoder_step_m: step::at_plate_m(plan).unwrap_or(usual.encoder_step_m),
+            ..usual
         },
         ..Campaign::default()
     }

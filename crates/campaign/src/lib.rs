@@ -7,6 +7,7 @@ mod journal;
 mod plan;
 mod run;
 mod seed;
+mod step;
 mod truth;
 
 pub use error::CampaignError;

@@ -29,7 +29,8 @@ pub struct StrokeSpec {
 
 impl StrokeSpec {
     /// The pose of the plate with its lower edge at this height in m.
-    pub(crate) fn pose(&self, height_m: f64) -> TaskPose {
+    #[must_use]
+    pub fn pose(&self, height_m: f64) -> TaskPose {
         let (sin, cos) = libm::sincos(self.base_rad);
         TaskPose {
             x_m: self.radius_m * cos,

@@ -8,7 +8,7 @@ use soilctl_effects::EffectEntry;
 use soilctl_kinematics::Joint;
 
 use super::amplitude;
-use crate::Plan;
+use crate::{Plan, step};
 
 /// What the readings get wrong, by the sums of all effects.
 pub(super) struct Sensors {
@@ -59,10 +59,8 @@ impl Sensors {
                     }
                 }
                 "encoder_quantisation" => {
-                    let radius_m = strokes.first().map_or(0.4318, |stroke| stroke.radius_m);
-                    let per_turn = encoders.external_counts_per_turn[Joint::Shoulder.index()].abs();
-                    let count_m = std::f64::consts::TAU * radius_m / per_turn;
-                    sensors.quantum_counts = rounded(value / count_m).max(1);
+                    let count_m = step::at_plate_m(plan).filter(|step| *step > 0.0);
+                    sensors.quantum_counts = rounded(count_m.map_or(1.0, |count| value / count)).max(1);
                 }
                 _ => {}
             }
