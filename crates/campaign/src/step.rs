@@ -37,7 +37,7 @@ mod tests {
     fn a_count_of_the_shoulder_moves_the_plate_by_nearly_two_millimetres() {
         let text = "version = 1\nsoil = \"ticino_loose\"\nmodel = \"table\"\nseed = 1\n[[batches]]\nstrokes = [\n{ radius_m = 0.4, \
                     base_deg = 30.0, alpha_deg = 90.0, depth_m = 0.0254, delta_set_deg = 20.0 },\n]\n";
-        let plan = Plan::from_toml(text, "plan").unwrap();
+        let plan = Plan::from_toml(text, "plan", std::path::Path::new(".")).unwrap();
         let arm = plan.plant().arm();
         let stroke = plan.strokes().strokes()[0];
         let joints = arm.inverse(&stroke.pose(plan.controller().site.surface_z_m - stroke.depth_m)).unwrap();
