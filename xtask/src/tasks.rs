@@ -173,6 +173,7 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .env("PROPTEST_CASES", VERIFY_CASES)
         // Some tests draw again what does not suit them.
         .env("PROPTEST_MAX_GLOBAL_REJECTS", VERIFY_CASES)
+        .env("PROPTEST_MAX_LOCAL_REJECTS", "10000000")
         .run()?;
     // Known collapse loads on finer meshes than the tests can afford.
     cargo(workspace, "exact problems")

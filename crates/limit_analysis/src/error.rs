@@ -24,7 +24,7 @@ pub enum LimitError {
     #[error(transparent)]
     Description(#[from] DescriptionError),
     /// A number is outside its range.
-    #[error("{quantity} is {value} {unit}, allowed is from {low} up to, but not including, {high} {unit}")]
+    #[error("{quantity} is {value} {unit}, allowed is {} {unit}", span(*.low, *.high))]
     Range {
         /// Name of the number.
         quantity: &'static str,
@@ -77,6 +77,17 @@ pub enum LimitError {
     },
 }
 
+/// A range in words. Limits next to a number that is shorter to write mean that one.
+fn span(low: f64, high: f64) -> String {
+    let low = if low == f64::MIN_POSITIVE { "above 0".to_owned() } else { format!("from {low}") };
+    let under = high.next_down();
+    if under.to_string().len() < high.to_string().len() {
+        format!("{low} up to {under}")
+    } else {
+        format!("{low} up to, but not including, {high}")
+    }
+}
+
 impl LimitError {
     /// Nothing proven, with what may help: some soil may bear no tension at all.
     pub(crate) fn nothing_proven(without_tension: bool, spent: String) -> Self {
@@ -87,5 +98,17 @@ impl LimitError {
             "allow more time, elements or memory"
         };
         Self::NothingProven { spent, advice }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_read_well() {
+        assert_eq!(span(f64::MIN_POSITIVE, 70.0), "above 0 up to, but not including, 70");
+        assert_eq!(span(0.0, 30.0_f64.next_up()), "from 0 up to 30");
+        assert_eq!(span(-90.0, f64::INFINITY), "from -90 up to, but not including, inf");
     }
 }
