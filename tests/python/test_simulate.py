@@ -40,6 +40,9 @@ def test_threads_and_resuming_change_no_byte(soilctl, plan, tmp_path):
     assert "batch 1 of 2" in done.stderr
     soilctl("simulate", plan, "--out", two, "--seed", 3, "--threads", 2, "--quiet", code=0)
     assert contents(one) == contents(two)
+    # A tenth of a degree at the shoulder, with what the elbow's angle follows, is 1.7 mm at the plate.
+    instrument = json.loads((one / "campaign.json").read_text(encoding="utf-8"))["instrument"]
+    assert 0.0015 < instrument["encoder_step_m"] < 0.002
 
     before = contents(one)
     (one / "batch_001.mcap").unlink()

@@ -17,10 +17,12 @@ pub(crate) fn at_plate_m(plan: &Plan) -> Option<f64> {
     let (shoulder, elbow) = (Joint::Shoulder.index(), Joint::Elbow.index());
     let encoders = &plant.config().encoders;
     let to_joint = arm.transmission().motor_to_joint();
-    let turns = |joint: usize| match joint {
-        _ if joint == shoulder => 1.0,
-        _ if encoders.external_on_joint[elbow] => 0.0,
-        _ => to_joint[joint][shoulder],
+    let turns = |joint: usize| {
+        if encoders.external_on_joint[elbow] {
+            f64::from(u8::from(joint == shoulder))
+        } else {
+            to_joint[joint][shoulder]
+        }
     };
     let (sin, cos) = libm::sincos(joints.0[Joint::Base.index()]);
     let outwards: f64 = (0..5).map(|j| (jacobian[0][j] * cos + jacobian[1][j] * sin) * turns(j)).sum();

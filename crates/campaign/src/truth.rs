@@ -15,7 +15,7 @@ const FAILED: f64 = 0.99;
 /// has failed dense soil already leaves less than all of it.
 const LEAST_SHARE: f64 = 0.9;
 
-/// A failure is at most so long, in s, before it is found.
+/// Over so long, in s, the limit force is a mean: a failure is found within it.
 const JUST_BEFORE_S: f64 = 0.5;
 
 /// What is true of a batch, from its log.

@@ -79,12 +79,15 @@ pub enum LimitError {
 
 /// A range in words. Limits next to a number that is shorter to write mean that one.
 fn span(low: f64, high: f64) -> String {
-    let low = if low == f64::MIN_POSITIVE { "above 0".to_owned() } else { format!("from {low}") };
-    let under = high.next_down();
-    if under.to_string().len() < high.to_string().len() {
-        format!("{low} up to {under}")
-    } else {
-        format!("{low} up to, but not including, {high}")
+    let is_shorter = |a: f64, b: f64| a.to_string().len() < b.to_string().len();
+    let low = match low.next_down() {
+        _ if low == f64::MIN_POSITIVE => "above 0".to_owned(),
+        under if is_shorter(under, low) => format!("above {under}"),
+        _ => format!("from {low}"),
+    };
+    match high.next_down() {
+        under if is_shorter(under, high) => format!("{low} up to {under}"),
+        _ => format!("{low} up to, but not including, {high}"),
     }
 }
 
@@ -109,6 +112,7 @@ mod tests {
     fn ranges_read_well() {
         assert_eq!(span(f64::MIN_POSITIVE, 70.0), "above 0 up to, but not including, 70");
         assert_eq!(span(0.0, 30.0_f64.next_up()), "from 0 up to 30");
+        assert_eq!(span((-30.0_f64).next_up(), 30.0), "above -30 up to, but not including, 30");
         assert_eq!(span(-90.0, f64::INFINITY), "from -90 up to, but not including, inf");
     }
 }

@@ -5,7 +5,7 @@
 //! negative. The two fields may live on different meshes: the integral is taken over the pieces that the two meshes
 //! cut each other into, on which stress and strain rate are both linear.
 //!
-//! The dissipation is that of the program: in soil without friction, and where tension is cut off, from shear rates that
+//! The dissipation is that of the proof: in soil without friction, and where tension is cut off, from shear rates that
 //! are linear between nodes. Cohesion and pore pressure are linear. For a factor on loads the integral is that over the
 //! loads' power.
 

@@ -1,5 +1,7 @@
 //! Strip loads on weightless soil: the solutions of Prandtl (1920) and Reissner (1924).
 
+use soilctl_certificate::Material;
+
 use crate::common::soil;
 use crate::grounds::{footing, strip};
 use crate::prandtl::{nc, nq, size};
@@ -48,6 +50,16 @@ fn exact_strips_from_10_to_40_degrees() {
 #[ignore = "not met: the gap is 4.06 %"]
 fn exact_strip_at_40_degrees_on_3000_elements() {
     check_nc(40.0, 3000, 0.04);
+}
+
+/// Prandtl's stresses are nowhere in tension, so a limit to it changes nothing. The footing holds the clay by adhesion alone, so
+/// its flow keeps its volume.
+#[test]
+fn a_rough_footing_on_clay_of_limited_tension_carries_prandtls_load() {
+    let clay = Material { tension: Some(1.0), ..soil(0.0, 1.0) };
+    let bounds = solve(footing(clay, 0.0, 1.0, [4.0, 2.0]), 900);
+    let exact = 2.0 + std::f64::consts::PI;
+    brackets("rough footing on clay of limited tension (Prandtl 1920)", &bounds, [exact; 2], 0.03);
 }
 
 /// A rough footing on a layer half as deep as it is wide, on a rough base: Mandel & Salencon (1972) print 1.02 times
