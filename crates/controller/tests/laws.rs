@@ -141,13 +141,13 @@ fn the_lead_stays_in_its_bounds_and_does_not_wind_up() {
     assert!((bounds.lower_rad.to_degrees() + 13.0).abs() < 1e-9);
     let mut angle = LeadAngle::default();
     for _ in 0..100_000 {
-        let lead = angle.update(0.4, 0.3, 5.0, 5.0, bounds);
+        let lead = angle.update(0.4, 0.3, [5.0, 5.0], 1.0, bounds);
         assert!(lead <= bounds.upper_rad);
     }
     // Away from the bound as soon as the error turns.
-    assert!(angle.update(0.4, -0.02, 5.0, 5.0, bounds) < bounds.upper_rad);
+    assert!(angle.update(0.4, -0.02, [5.0, 5.0], 1.0, bounds) < bounds.upper_rad);
     for _ in 0..100_000 {
-        assert!(angle.update(0.4, -0.3, 5.0, 5.0, bounds) >= bounds.lower_rad);
+        assert!(angle.update(0.4, -0.3, [5.0, 5.0], 1.0, bounds) >= bounds.lower_rad);
     }
 }
 

@@ -31,9 +31,17 @@ pub struct LeadAngle {
 }
 
 impl LeadAngle {
-    /// One tick; gains in rad and rad/s per unit of the error. The answer lies within `bounds`.
-    pub fn update(&mut self, wanted_rad: f64, error: f64, p: f64, i: f64, bounds: LeadBounds) -> f64 {
-        let integral = self.integral + error * TICK_S;
+    /// One tick; gains in rad and rad/s per unit of the error, of which the integral gets the share `pace` (0 to 1). The
+    /// answer lies within `bounds`.
+    pub fn update(
+        &mut self,
+        wanted_rad: f64,
+        error: f64,
+        [p, i]: [f64; 2],
+        pace: f64,
+        bounds: LeadBounds,
+    ) -> f64 {
+        let integral = self.integral + pace * error * TICK_S;
         let free = wanted_rad + p * error + i * integral;
         let winds_up = (free > bounds.upper_rad && error > 0.0) || (free < bounds.lower_rad && error < 0.0);
         if !winds_up {

@@ -34,6 +34,8 @@ pub struct StrokeRun {
     pub released: bool,
     /// Ticks for which it has pressed.
     pub taut_ticks: u32,
+    /// Force on the sensor outwards and upwards, smoothed, in N: what the force was a moment ago.
+    pub slow_force_n: [f64; 2],
     /// Lead in m.
     pub lead_m: f64,
     /// Inclination of the lead, theta_adj.
@@ -67,6 +69,12 @@ const ACROSS_N: f64 = 0.1;
 const ACROSS_SHARE: f64 = 0.15;
 /// The lead never waits altogether: soil that slips on the plate has an angle of its own.
 const LEAST_HASTE: f64 = 0.1;
+/// How long ago "a moment ago" is, for the rate of the force, in s.
+const RESPONSE_S: f64 = 0.05;
+/// Share of the rate of force that the lead asks for above which the arm is taken to follow.
+const FOLLOWS: f64 = 0.7;
+/// What the integral of the orientation loop gets while the arm sticks.
+const LEAST_PACE: f64 = 0.1;
 /// Speed in m/s at which the drives go through their free play.
 const TAKE_UP_M_S: f64 = 0.006;
 /// Ticks for which the soil must press back before the lead begins.
@@ -211,24 +219,36 @@ impl StrokeRun {
         let (sin, cos) = libm::sincos(self.wanted_rad);
         // Positive if the plate has to press more downwards.
         let across = outward * sin - fz * cos;
-        let (error, p, i) = match law {
+        let (error, gains, pace) = match law {
             // The correction is a force; as an angle it is the smaller the more force the lead asks for.
             StrokeLaw::Force => {
                 let stiffness = view.params.config().gains.stiffness_n_per_m[2];
                 let asked =
                     (stiffness * self.lead_m).max(libm::hypot(outward, fz)).max(settings.least_force_n);
-                (across / asked, settings.force_p, settings.force_p * settings.force_i_per_s)
+                let gains = [settings.force_p, settings.force_p * settings.force_i_per_s];
+                (across / asked, gains, self.pace([outward, fz], stiffness * view.tuning.lead_rate_m_s))
             }
             StrokeLaw::Position => {
                 let risen = view.est.seen.z_m - self.start_z_m;
-                (risen, settings.position_p_rad_per_m, settings.position_i_rad_per_m_s)
+                (risen, [settings.position_p_rad_per_m, settings.position_i_rad_per_m_s], 1.0)
             }
         };
-        self.lead_rad = self.angle.update(self.wanted_rad, error, p, i, self.bounds);
+        self.lead_rad = self.angle.update(self.wanted_rad, error, gains, pace, self.bounds);
         let at_bound = self.lead_rad <= self.bounds.lower_rad || self.lead_rad >= self.bounds.upper_rad;
         if law == StrokeLaw::Force && at_bound {
             self.trim(view, [across * sin, -across * cos], TRIM_S);
         }
+    }
+
+    /// How fast the integral goes: with the force, not with time. While dry friction holds the motors, the force does not answer to
+    /// the lead, and an integral would wind up until they come loose all at once, far beyond the wanted angle.
+    fn pace(&mut self, force_n: [f64; 2], asked_n_per_s: f64) -> f64 {
+        let ahead: [f64; 2] = std::array::from_fn(|i| force_n[i] - self.slow_force_n[i]);
+        for (slow, ahead) in self.slow_force_n.iter_mut().zip(ahead) {
+            *slow += ahead * TICK_S / RESPONSE_S;
+        }
+        let rate = libm::hypot(ahead[0], ahead[1]) / RESPONSE_S;
+        (rate / (FOLLOWS * asked_n_per_s).max(1e-9)).clamp(LEAST_PACE, 1.0)
     }
 
     /// Moves what is held by a force along r and z in N, over the stiffness and this time in s.
