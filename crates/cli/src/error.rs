@@ -1,11 +1,13 @@
 use soilctl_campaign::CampaignError;
 use soilctl_certificate::CertificateError;
+use soilctl_controller::ControllerError;
 use soilctl_diagnosis::DiagnosisError;
 use soilctl_direct_shear::DirectShearError;
 use soilctl_earth_pressure::EarthPressureError;
 use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
+use soilctl_kinematics::KinematicsError;
 use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_live::LiveError;
 use soilctl_monitor::MonitorError;
@@ -68,6 +70,12 @@ pub(crate) enum CliError {
     /// A recording for a viewer.
     #[error(transparent)]
     Recording(#[from] RecordingError),
+    /// An arm.
+    #[error(transparent)]
+    Kinematics(#[from] KinematicsError),
+    /// Settings of the controller.
+    #[error(transparent)]
+    Controller(#[from] ControllerError),
     /// A simulated campaign.
     #[error(transparent)]
     Campaign(#[from] CampaignError),

@@ -43,7 +43,7 @@ impl Filters {
     /// Takes in a reading whose numbers are finite; `ticks` since the one before. Returns whether a bias is complete.
     pub(crate) fn update(&mut self, params: &Params, sensed: &Sensed, ticks: f64) -> bool {
         if !self.offset_known {
-            self.reference(sensed);
+            self.reference(params, sensed, &MotorAngles::default());
         }
         let motor = angles(&sensed.motor_counts, &self.motor_zero, &params.motor_rad_per_count);
         let count = angles(&sensed.external_counts, &self.external_zero, &params.external_rad_per_count);
@@ -87,10 +87,17 @@ impl Filters {
         self.within_rad
     }
 
-    /// Makes the present posture that of the stops.
-    pub(crate) fn reference(&mut self, sensed: &Sensed) {
-        self.motor_zero = sensed.motor_counts;
-        self.external_zero = sensed.external_counts;
+    /// Makes the motor coordinates of the present posture these, zero at the stops, to a count.
+    pub(crate) fn reference(&mut self, params: &Params, sensed: &Sensed, motors: &MotorAngles) {
+        let zero = |counts: &[i32; 5], rad_per_count: &[f64; 5]| {
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "a conversion that saturates, of a small angle"
+            )]
+            std::array::from_fn(|i| counts[i].wrapping_sub((motors.0[i] / rad_per_count[i]).round() as i32))
+        };
+        self.motor_zero = zero(&sensed.motor_counts, &params.motor_rad_per_count);
+        self.external_zero = zero(&sensed.external_counts, &params.external_rad_per_count);
         self.offset_known = true;
         self.primed = false;
     }

@@ -1,6 +1,7 @@
 //! Limits on what is sensed, and how long each was broken.
 
 use serde::{Deserialize, Serialize};
+use soilctl_kinematics::Joint;
 
 use crate::estimate::Estimate;
 use crate::{Commands, Events, Fault, Mode, Params, Sensed, State};
@@ -203,8 +204,10 @@ fn check_place(params: &Params, state: &mut State, est: &Estimate, events: &mut 
     let safety = &params.config().safety;
     let (lower, upper) = (params.arm().lower_limits().0, params.arm().upper_limits().0);
     let margin = params.joint_margin_rad;
-    for i in 0..5 {
-        let angle = est.motor.0[i];
+    let mut angles = est.motor.0;
+    // The elbow may press against its stop with its motor well beyond.
+    angles[Joint::Elbow.index()] -= state.driven_stretch_rad(params);
+    for (i, angle) in angles.into_iter().enumerate() {
         if angle < lower[i] - margin {
             state.raise(events, Fault::JointLimit, i, angle, lower[i] - margin);
         } else if angle > upper[i] + margin {

@@ -1,4 +1,5 @@
 use serde::{Deserialize, Serialize};
+use soilctl_kinematics::{Joint, MotorTorques};
 
 use crate::config::StrokeLaw;
 use crate::estimate::Filters;
@@ -9,7 +10,7 @@ use crate::trajectory::{Active, Ring, Setpoint, StrokeRun};
 use crate::{Events, Fault, FaultRecord, Finish, Mode, Params};
 
 /// Version of [`State`]; a stored state of another version is not to be resumed.
-pub const STATE_VERSION: u32 = 3;
+pub const STATE_VERSION: u32 = 4;
 
 /// Everything that a step remembers. Plain data: copied, stored as a key frame and resumed bit for bit.
 ///
@@ -88,6 +89,12 @@ pub struct Tuning {
 }
 
 impl State {
+    /// How far the elbow's motor is ahead of the joint at rest, in rad: the torques of the last tick over the stiffness of the cables.
+    pub(crate) fn driven_stretch_rad(&self, params: &Params) -> f64 {
+        let torques = params.arm().transmission().joint_torques(&MotorTorques(self.motor_torques_nm));
+        params.elbow_rad_per_nm * torques.map_or(0.0, |torques| torques.0[Joint::Elbow.index()])
+    }
+
     /// The state before the first tick: off, not homed.
     #[must_use]
     pub fn new(params: &Params) -> Self {

@@ -1,4 +1,4 @@
-use soilctl_kinematics::{JointTorques, MotorTorques};
+use soilctl_kinematics::{Joint, JointTorques, MotorTorques};
 
 use crate::estimate::Estimate;
 use crate::events::EventKind;
@@ -59,11 +59,16 @@ pub fn step(params: &Params, state: &mut State, sensed: &Sensed, commands: &Comm
 }
 
 /// The posture of this tick becomes that of the stops, and is held.
+///
+/// The elbow's encoders sit before its cables, which the motor that presses against the stop has stretched: they stand
+/// beyond the stop by the torque over the cables' stiffness, up to 3 deg.
 fn set_home(params: &Params, state: &mut State, sensed: &Sensed, events: &mut Events) {
-    let home = params.arm().transmission().home();
+    let map = params.arm().transmission();
+    let mut home = map.home();
+    home.0[Joint::Elbow.index()] += state.driven_stretch_rad(params);
     state.pending_home = false;
     state.homed = true;
-    state.filters.reference(sensed);
+    state.filters.reference(params, sensed, &map.motor_angles(&home).unwrap_or_default());
     state.setpoint = Setpoint::still(home);
     state.integral_nm = [0.0; 5];
     if let Some(active) = &mut state.active {
@@ -122,7 +127,7 @@ fn servo(
     let settings = params.config();
     for (i, torque) in torques.iter_mut().enumerate() {
         // A wrist that is off hangs on its worm gear and needs no help against its weight.
-        let off = wanted.law == Law::Stiffness && i == soilctl_kinematics::Joint::Wrist.index();
+        let off = wanted.law == Law::Stiffness && i == Joint::Wrist.index();
         *torque += if off { 0.0 } else { est.gravity.0[i] };
         // Limits turn a NaN into full torque, so it has to be found before.
         if !torque.is_finite() {

@@ -1,4 +1,4 @@
-//! The laws one by one: step responses, skewing, bounds, safe forces.
+//! The laws one by one: step responses, bounds, safe forces.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -6,9 +6,7 @@ mod common;
 use common::Rig;
 use soilctl_controller::laws::{LeadAngle, LeadBounds, accommodation_speed, beyond_dead_zone};
 use soilctl_controller::{ControllerConfig, DEFAULT, Params, Request, StrokePlan, Trajectory};
-use soilctl_kinematics::{
-    Arm, CylindricalStiffness, JointAngles, JointTorques, JointVelocities, TaskPose, TaskVelocity, Wrist,
-};
+use soilctl_kinematics::{Arm, JointAngles, JointVelocities, TaskPose};
 
 /// Every joint by 10 degrees: arrives, hardly overshoots, ends within what the external encoders resolve.
 #[test]
@@ -69,70 +67,6 @@ fn velocity_control_keeps_its_speed() {
     assert!((rig.plant.v[0] - 0.2).abs() < 0.005, "{}", rig.plant.v[0]);
     rig.run(1000);
     assert!(rig.plant.v[0].abs() < 1e-3 && rig.state.idle, "{}", rig.plant.v[0]);
-}
-
-/// Direction of the force for a unit error along r and z, against that error, in degrees: stiffness and joint PID (eqs
-/// 5.4 to 5.7, figure 5-6). Only base, shoulder and elbow press; twist and wrist are locked.
-#[test]
-fn stiffness_does_not_skew_and_pid_does() {
-    let (arm, config) = (Arm::thesis(), toml::from_str::<ControllerConfig>(DEFAULT).unwrap());
-    let [k_r, k_t, k_z] = config.gains.stiffness_n_per_m;
-    let springs = CylindricalStiffness::diagonal([k_r, k_t, k_z, 0.0, 0.0]);
-    let mut worst_pid: f64 = 0.0;
-    for (inches, base_rad) in [(8.0, 0.0), (12.0, 0.3), (17.0, -0.4)] {
-        let pose = TaskPose::digging(inches * 0.0254, base_rad, -12.5 * 0.0254, 90f64.to_radians()).unwrap();
-        // At 8 in a tool angle of 90 degrees is beyond the wrist of the default arm; take one that is not.
-        let joints = arm.inverse(&pose).or_else(|_| {
-            arm.inverse(
-                &TaskPose::digging(inches * 0.0254, base_rad, -12.5 * 0.0254, 70f64.to_radians()).unwrap(),
-            )
-        });
-        let joints = joints.unwrap();
-        let jacobian = arm.jacobian(&joints).unwrap();
-        let (s, c) = base_rad.sin_cos();
-        for (name, error) in [("r", [c, s, 0.0]), ("z", [0.0, 0.0, 1.0])] {
-            let displacement = TaskVelocity([0.001 * error[0], 0.001 * error[1], 0.001 * error[2], 0.0, 0.0]);
-            let spring = springs
-                .to_cartesian(joints.0[0])
-                .unwrap()
-                .joint_torques(&jacobian, &displacement, Wrist::Locked)
-                .unwrap();
-            let by_spring = angle_deg(arm.tip_force(&joints, &spring).unwrap(), error);
-            assert!(by_spring <= 1e-6, "{by_spring} deg");
-
-            // With wrist and twist locked the first three columns of the position rows give the joints' error.
-            let rates = solve([0, 1, 2].map(|row| [0, 1, 2].map(|column| jacobian.0[row][column])), error);
-            let gain = config.gains.motor_p_nm_per_rad;
-            let pid = JointTorques([gain[0] * rates[0], gain[1] * rates[1], gain[2] * rates[2], 0.0, 0.0]);
-            let by_pid = angle_deg(arm.tip_force(&joints, &pid).unwrap(), error);
-            println!(
-                "r = {inches} in, error along {name}: stiffness {by_spring:.1e} deg, joint PID {by_pid:.1} deg"
-            );
-            worst_pid = worst_pid.max(by_pid);
-        }
-    }
-    assert!(worst_pid > 20.0, "{worst_pid} deg");
-}
-
-fn angle_deg(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    (cross[0].hypot(cross[1]).hypot(cross[2])).atan2(dot).to_degrees()
-}
-
-fn solve(m: [[f64; 3]; 3], b: [f64; 3]) -> [f64; 3] {
-    let det = |m: [[f64; 3]; 3]| {
-        m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
-            + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
-    };
-    let all = det(m);
-    std::array::from_fn(|column| {
-        let mut replaced = m;
-        for row in 0..3 {
-            replaced[row][column] = b[row];
-        }
-        det(replaced) / all
-    })
 }
 
 #[test]

@@ -1,36 +1,16 @@
-//! Figure 5-6: the direction of the tip's force for an error along r or z, under the joint PID and under Cartesian stiffness.
+//! Figure 5-6: the direction of the tip's force for an error, under the joint PID and under Cartesian stiffness.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 use soilctl_controller::Params;
-use soilctl_kinematics::{JointTorques, TaskPose, TaskVelocity, Wrist};
+use soilctl_controller::laws::Skew;
+use soilctl_kinematics::{
+    CylindricalStiffness, JointTorques, KinematicsError, TaskPose, TaskVelocity, Wrist,
+};
 
 const INCH_M: f64 = 0.0254;
 
-/// Angle in degrees from the error (along r or z) to the force, both in the plane (r, z), with the wrist locked.
-fn skew_deg([r, _, z]: [f64; 3], error: [f64; 2]) -> f64 {
-    libm::atan2(error[0] * z - error[1] * r, error[0] * r + error[1] * z).to_degrees()
-}
-
-/// Skew of PID and of stiffness control for an error of one unit at a radius.
-fn skews(params: &Params, radius_m: f64, error: [f64; 2]) -> [f64; 2] {
-    let arm = params.arm();
-    let pose = TaskPose::digging(radius_m, 0.0, -12.5 * INCH_M, std::f64::consts::FRAC_PI_2).unwrap();
-    let joints = arm.inverse(&pose).unwrap();
-    let jacobian = arm.jacobian(&joints).unwrap();
-    // Rows r and z (at a base angle of 0: x and z), columns shoulder and elbow.
-    let [[a, b], [c, d]] = [0, 2].map(|row| [jacobian.0[row][1], jacobian.0[row][2]]);
-    let det = a * d - b * c;
-    let turned = [(d * error[0] - b * error[1]) / det, (a * error[1] - c * error[0]) / det];
-    let gains = &params.config().gains;
-    let gain = |joint: usize| gains.motor_p_nm_per_rad[joint] + gains.external_p_nm_per_rad[joint];
-    let pid = JointTorques([0.0, gain(1) * turned[0], gain(2) * turned[1], 0.0, 0.0]);
-
-    let [k_r, k_t, k_z] = gains.stiffness_n_per_m;
-    let springs = soilctl_kinematics::CylindricalStiffness::diagonal([k_r, k_t, k_z, 0.0, 0.0]);
-    let dx = TaskVelocity([error[0], 0.0, error[1], 0.0, 0.0]);
-    let stiff =
-        springs.to_cartesian(joints.0[0]).unwrap().joint_torques(&jacobian, &dx, Wrist::Locked).unwrap();
-    [pid, stiff].map(|torques| skew_deg(arm.tip_force(&joints, &torques).unwrap(), error))
+fn digging(inches: f64, base_rad: f64, alpha_deg: f64) -> TaskPose {
+    TaskPose::digging(inches * INCH_M, base_rad, -12.5 * INCH_M, alpha_deg.to_radians()).unwrap()
 }
 
 #[test]
@@ -38,14 +18,57 @@ fn pid_skews_the_force_and_stiffness_control_does_not() {
     let params = Params::thesis();
     println!("radius | error | PID | stiffness");
     let mut worst = 0.0_f64;
-    for inches in [8.0, 12.0, 17.0] {
-        for (name, error) in [("r", [1.0, 0.0]), ("z", [0.0, 1.0])] {
-            let [pid, stiffness] = skews(&params, inches * INCH_M, error);
-            println!("{inches} in | {name} | {pid:.1} deg | {stiffness:.1e} deg");
+    for (inches, base_rad) in [(8.0, 0.0), (12.0, 0.3), (17.0, -0.4)] {
+        for direction_deg in [0.0, 45.0, 90.0, 135.0, 180.0, 270.0] {
+            let skew =
+                Skew::new(&params, &digging(inches, base_rad, 90.0), f64::to_radians(direction_deg)).unwrap();
+            let (pid, stiffness) = (skew.pid_rad.to_degrees(), skew.stiffness_rad.to_degrees());
+            println!("{inches} in | {direction_deg} deg | {pid:.1} deg | {stiffness:.1e} deg");
             assert!(stiffness.abs() <= 1e-6, "{stiffness} deg");
             worst = worst.max(pid.abs());
         }
     }
     // "Widely skewed": no loop about it could do with one gain.
     assert!(worst > 30.0, "{worst} deg");
+}
+
+/// The work of the springs, found without the Jacobian: along its error the force of springs in the joints is positive, and the
+/// opposite error has the opposite force.
+#[test]
+fn springs_pull_towards_where_they_are_to_go() {
+    let params = Params::thesis();
+    for inches in [8.0, 12.0, 17.0] {
+        for direction_deg in [10.0, 100.0, 200.0, 330.0_f64] {
+            let at = |deg: f64| Skew::new(&params, &digging(inches, 0.2, 90.0), deg.to_radians()).unwrap();
+            let (here, opposite) = (at(direction_deg), at(direction_deg + 180.0));
+            assert!(here.pid_rad.abs() < std::f64::consts::FRAC_PI_2, "{} rad", here.pid_rad);
+            assert!((here.pid_rad - opposite.pid_rad).abs() < 1e-9);
+        }
+    }
+}
+
+/// Torque times joint rate is force times tip speed, for the springs' torques and the force found from them.
+#[test]
+fn the_force_does_the_work_of_the_torques() {
+    let params = Params::thesis();
+    let arm = params.arm();
+    let joints = arm.inverse(&digging(12.0, 0.3, 80.0)).unwrap();
+    let jacobian = arm.jacobian(&joints).unwrap();
+    let springs =
+        CylindricalStiffness::diagonal([4000.0, 4000.0, 4000.0, 0.0, 0.0]).to_cartesian(0.3).unwrap();
+    let error = TaskVelocity([0.001, 0.0004, -0.0007, 0.0, 0.0]);
+    let torques = springs.joint_torques(&jacobian, &error, Wrist::Locked).unwrap();
+    let force = arm.tip_force(&joints, &torques).unwrap();
+    for column in 0..3 {
+        let work: f64 = (0..3).map(|row| force[row] * jacobian.0[row][column]).sum();
+        assert!((work - torques.0[column]).abs() < 1e-9, "{work} {}", torques.0[column]);
+    }
+    let none = arm.tip_force(&joints, &JointTorques::default()).unwrap();
+    assert!(none.iter().all(|part| part.abs() < 1e-12));
+}
+
+#[test]
+fn a_place_out_of_reach_has_no_skew() {
+    let found = Skew::new(&Params::thesis(), &digging(60.0, 0.0, 90.0), 0.0);
+    assert!(matches!(found, Err(KinematicsError::Unreachable { .. })), "{found:?}");
 }

@@ -79,3 +79,24 @@ def test_a_digging_pose_is_reached():
 def test_bad_input_is_refused(call, error, words):
     with pytest.raises(error, match=words):
         call()
+
+
+def test_skewing_is_that_of_springs_in_the_joints():
+    """Springs of the settings' gains in shoulder and elbow, by a Jacobian from differences; figure 5-6."""
+    answer = soilctl.answer("arm", "skewing", "--radius", 0.3)
+    assert answer["exit_code"] == 0 and answer["worst_stiffness_deg"] <= 1e-6 and answer["worst_pid_deg"] > 30.0
+    joints = ARM.inverse(ARM.digging_pose(radius_m=0.3, height_m=answer["height_m"], tool_angle_deg=answer["alpha_deg"]))
+    steps = 1e-6 * np.eye(5)[1:3]
+    jacobian = np.stack([ARM.forward(joints + step) - ARM.forward(joints - step) for step in steps], axis=1)[[0, 2]] / 2e-6
+    gains = np.diag([600.0 + 20.0, 500.0 + 20.0])
+    for row in answer["rows"]:
+        error = np.radians(row["error_deg"])
+        torques = gains @ np.linalg.solve(jacobian, [np.cos(error), np.sin(error)])
+        force = np.linalg.solve(jacobian.T, torques)
+        assert np.degrees(np.arctan2(force[1], force[0]) - error) == pytest.approx(row["pid_deg"], abs=1e-4)
+
+
+def test_the_urdf_is_also_a_verb():
+    assert soilctl.answer("arm", "urdf")["urdf"] == ARM.urdf()
+    with pytest.raises(soilctl.InputError, match="reach"):
+        soilctl.answer("arm", "skewing", "--radius", 3)

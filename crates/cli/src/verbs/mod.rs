@@ -1,6 +1,7 @@
 //! The verbs, one file each. A new verb is a module, a line in [`Verb`], a line in [`Verb::run`] and, if it answers in
 //! JSON, a line in `schemas.rs`.
 
+mod arm;
 mod bound;
 mod certify;
 mod completions;
@@ -71,6 +72,8 @@ pub(crate) enum Verb {
     Monitor(monitor::Args),
     /// Shows a log in the Rerun viewer: arm, forces, curves, states and events in a layout
     View(view::Args),
+    /// What an arm and its controller are like: skewing of the plate's force, the arm as a URDF
+    Arm(arm::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
     #[command(hide = true)]
@@ -115,6 +118,7 @@ impl Verb {
             Self::Console(args) => console::run(&args, output),
             Self::Monitor(args) => monitor::run(&args, output),
             Self::View(args) => view::run(&args, output),
+            Self::Arm(args) => arm::run(&args, output),
             Self::Completions(args) => completions::run(&args, output),
             Self::Schemas(args) => schemas::run(&args),
         }

@@ -10,7 +10,7 @@ use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
 use super::{
-    Outcome, bound, certify, demo, diagnose, estimate, log, monitor, predict, process, replay, report,
+    Outcome, arm, bound, certify, demo, diagnose, estimate, log, monitor, predict, process, replay, report,
     run as run_verb, shear, simulate, solve, table, view,
 };
 use crate::error::CliError;
@@ -44,6 +44,8 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<run_verb::RunAnswer>(&args.dir)?;
     write::<monitor::MonitorAnswer>(&args.dir)?;
     write::<view::ViewAnswer>(&args.dir)?;
+    write::<arm::SkewingAnswer>(&args.dir)?;
+    write::<arm::UrdfAnswer>(&args.dir)?;
     Ok(Outcome::Done)
 }
 
