@@ -283,6 +283,9 @@ def test_a_played_log_tells_what_the_session_told(soilctl, start):
     assert "shoulder" in text and "force" in text
     soilctl("console", "--play", session.log, stdin="fly\n", code=1)
     soilctl.refuses("console", "--play", session.log.with_name("none.mcap"), mentions=["none.mcap"])
+    cut = session.log.with_name("cut.mcap")
+    cut.write_bytes(session.log.read_bytes()[: session.log.stat().st_size // 2])
+    assert "damaged: " in soilctl("console", "--play", cut, code=3).stderr
 
 
 def test_wrong_use_is_refused(soilctl, tmp_path):

@@ -12,12 +12,18 @@ const MOST_BYTES: usize = 1 << 20;
 /// An operator's end of a session.
 #[derive(Debug)]
 pub struct Client {
+    messages: Messages,
+    hello: Hello,
+}
+
+/// What comes from a session, line by line.
+#[derive(Debug)]
+struct Messages {
     stream: UnixStream,
     path: PathBuf,
     bytes: Vec<u8>,
     /// Bytes of `bytes` in which there is no line end.
     searched: usize,
-    hello: Hello,
 }
 
 /// Sends commands to a session.
@@ -59,25 +65,17 @@ impl Client {
     /// [`LiveError::Socket`] if nobody listens there, [`LiveError::Protocol`] if it is another protocol.
     pub fn connect(path: &Path) -> Result<Self, LiveError> {
         let stream = UnixStream::connect(path).map_err(|error| LiveError::socket(path, &error))?;
-        let hello = Hello {
-            protocol: 0,
-            program: String::new(),
-            real_time: false,
-            simulated: false,
-            tick_s: 0.0,
-            strokes: 0,
-            safe_force: crate::protocol::SafeForce::default(),
-        };
-        let mut client = Self { stream, path: path.to_owned(), bytes: Vec::new(), searched: 0, hello };
+        let mut messages = Messages { stream, path: path.to_owned(), bytes: Vec::new(), searched: 0 };
         let other =
             |found: String| LiveError::Protocol { path: path.to_owned(), known: PROTOCOL_VERSION, found };
-        match client.next(Duration::from_secs(5))? {
-            Some(ServerMessage::Hello(hello)) if hello.protocol == PROTOCOL_VERSION => client.hello = hello,
-            Some(ServerMessage::Hello(hello)) => return Err(other(format!("it speaks {}", hello.protocol))),
-            Some(_) => return Err(other("it does not begin with a hello".to_owned())),
-            None => return Err(other("it says nothing".to_owned())),
+        match messages.next(Duration::from_secs(5))? {
+            Some(ServerMessage::Hello(hello)) if hello.protocol == PROTOCOL_VERSION => {
+                Ok(Self { messages, hello })
+            }
+            Some(ServerMessage::Hello(hello)) => Err(other(format!("it speaks {}", hello.protocol))),
+            Some(_) => Err(other("it does not begin with a hello".to_owned())),
+            None => Err(other("it says nothing".to_owned())),
         }
-        Ok(client)
     }
 
     /// What the session said about itself.
@@ -91,8 +89,9 @@ impl Client {
     /// # Errors
     /// [`LiveError::Socket`] if the system has no handle left.
     pub fn commander(&self) -> Result<Commander, LiveError> {
-        let stream = self.stream.try_clone().map_err(|error| LiveError::socket(&self.path, &error))?;
-        Ok(Commander { stream, path: self.path.clone(), next_id: 1 })
+        let Messages { stream, path, .. } = &self.messages;
+        let stream = stream.try_clone().map_err(|error| LiveError::socket(path, &error))?;
+        Ok(Commander { stream, path: path.clone(), next_id: 1 })
     }
 
     /// The next message, or none within `timeout`.
@@ -100,6 +99,12 @@ impl Client {
     /// # Errors
     /// [`LiveError::Socket`] if the session is gone, [`LiveError::Protocol`] for what is no message.
     pub fn next(&mut self, timeout: Duration) -> Result<Option<ServerMessage>, LiveError> {
+        self.messages.next(timeout)
+    }
+}
+
+impl Messages {
+    fn next(&mut self, timeout: Duration) -> Result<Option<ServerMessage>, LiveError> {
         let deadline = Instant::now() + timeout;
         loop {
             if let Some(line) = self.line() {

@@ -29,6 +29,8 @@ pub enum Played {
     State(Box<StateMessage>),
     /// Something happened.
     Event(Event),
+    /// Something is wrong with the file, in words; after all else.
+    Damage(String),
 }
 
 impl Playback {
@@ -103,14 +105,15 @@ fn play(path: &Path, from_s: f64, take: &dyn Fn(Played) -> bool) -> Result<(), S
         }
         Ok(())
     });
-    match scanned {
-        Ok(_) => {}
+    let ending = match scanned {
+        Ok(ending) => ending,
         Err(Early::Enough) => return Ok(()),
         Err(Early::Failed(error)) => return Err(error),
-    }
-    if let Some(step) = last {
-        // The last state, whether it is due or not.
-        take(Played::State(Box::new(StateMessage::new(&step, &memory))));
-    }
+    };
+    // The last state, whether it is due or not.
+    let last = last.map(|step| Played::State(Box::new(StateMessage::new(&step, &memory))));
+    let damage = ending.damage.into_iter().map(Played::Damage);
+    // Nobody listens any more? Then there is nobody to tell.
+    let _ = last.into_iter().chain(damage).all(take);
     Ok(())
 }

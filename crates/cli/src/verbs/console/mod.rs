@@ -19,7 +19,8 @@ use editor::Prompt;
 #[command(
     after_help = "Commands come from a prompt with completion and history, from --script, or from a pipe, one a line; `help` lists \
     them, `#` begins a comment. A script or pipe ends at the first command that is refused, with exit code 1. With --format \
-    json every message of the session is one line of JSON (docs/live.md)."
+    json every message of the session is one line of JSON (docs/live.md). Exit code 3: the played log is damaged, and what can be read \
+    of it was played."
 )]
 pub(crate) struct Args {
     /// Socket of a running session

@@ -24,10 +24,11 @@ const PICTURE: Duration = Duration::from_millis(100);
 pub(super) fn run(args: &Args, log: &Path, output: &mut Output) -> Result<Outcome, CliError> {
     let playback = Playback::start(log, args.from)?;
     let json = output.is_json();
-    let mut player = Player { playback, json, state: None, events: VecDeque::new(), quiet: false };
+    let mut player =
+        Player { playback, json, state: None, events: VecDeque::new(), quiet: false, damaged: false };
     if args.watch {
         player.play(f64::INFINITY, Some(args.speed), output)?;
-        return Ok(Outcome::Done);
+        return Ok(player.outcome());
     }
     let mut source = Source::of(args, &WORDS)?;
     let mut obeyed = false;
@@ -35,7 +36,7 @@ pub(super) fn run(args: &Args, log: &Path, output: &mut Output) -> Result<Outcom
         obeyed = true;
         match player.obey(&text, args.speed, output) {
             Ok(true) => {}
-            Ok(false) => return Ok(Outcome::Done),
+            Ok(false) => return Ok(player.outcome()),
             Err(CliError::Usage(problem)) if source.is_prompt() => output.problem(&problem),
             Err(CliError::Usage(problem)) => {
                 output.problem(&problem);
@@ -49,7 +50,7 @@ pub(super) fn run(args: &Args, log: &Path, output: &mut Output) -> Result<Outcom
         player.play(f64::INFINITY, None, output)?;
         player.show(output)?;
     }
-    Ok(Outcome::Done)
+    Ok(player.outcome())
 }
 
 struct Player {
@@ -59,9 +60,15 @@ struct Player {
     events: VecDeque<Event>,
     /// Events are shown by the panels.
     quiet: bool,
+    /// The log turned out to be.
+    damaged: bool,
 }
 
 impl Player {
+    const fn outcome(&self) -> Outcome {
+        if self.damaged { Outcome::Partial } else { Outcome::Done }
+    }
+
     fn obey(&mut self, text: &str, speed: f64, output: &mut Output) -> Result<bool, CliError> {
         let words: Vec<_> = text.split_whitespace().collect();
         match words.as_slice() {
@@ -96,6 +103,10 @@ impl Player {
         loop {
             match self.playback.next_item()? {
                 None => return Ok(None),
+                Some(Played::Damage(what)) => {
+                    self.damaged = true;
+                    output.note(&format!("damaged: {what}"));
+                }
                 Some(Played::State(state)) => {
                     self.state = Some((*state).clone());
                     return Ok(Some(*state));
