@@ -26,6 +26,7 @@ use soilctl_soil::Angle;
 
 use crate::minimise::minimise;
 use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRange};
+use crate::turn::Turn;
 use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
 const ID: &str = "chen";
@@ -79,14 +80,14 @@ impl ForceModel for ChenLiu {
 pub(crate) fn passive(case: &Case) -> Result<LoadFactors, EarthPressureError> {
     let mechanism = Mechanism::new(case, 1.0);
     let (rho, _) = mechanism.optimum().ok_or_else(|| no_mechanism(case))?;
-    Ok(mechanism.factors(rho, mechanism.psi(rho)))
+    Ok(mechanism.factors(rho))
 }
 
 /// Active factors on the mechanism of greatest weight term; none where the soil behind stands by itself.
 pub(crate) fn active(case: &Case) -> LoadFactors {
     let mechanism = Mechanism::new(&case.mirrored(), -1.0);
     match mechanism.optimum() {
-        Some((rho, least)) if least < 0.0 => mechanism.factors(rho, mechanism.psi(rho)),
+        Some((rho, least)) if least < 0.0 => mechanism.factors(rho),
         _ => LoadFactors::default(),
     }
 }
@@ -105,6 +106,19 @@ struct Mechanism {
     sign: f64,
     /// Dip of the last radius once the fan has opened.
     rankine_dip: f64,
+    /// The same angles with their sines and cosines: the search over rho then takes one sine and one exponential a step.
+    turns: Turns,
+}
+
+#[derive(Clone, Copy)]
+struct Turns {
+    alpha: Turn,
+    beta: Turn,
+    phi: Turn,
+    delta: Turn,
+    rankine_dip: Turn,
+    /// `3 tan(phi)`.
+    b: f64,
 }
 
 impl Mechanism {
@@ -113,7 +127,15 @@ impl Mechanism {
         let (phi, delta) = (sign * case.friction.radians(), sign * case.interface.radians());
         let omega = (beta.sin() / phi.sin()).clamp(-1.0, 1.0).asin();
         let rankine_dip = 0.5 * (FRAC_PI_2 - phi - beta - omega);
-        Self { alpha, beta, phi, delta, sign, rankine_dip }
+        let turns = Turns {
+            alpha: Turn::of(alpha),
+            beta: Turn::of(beta),
+            phi: Turn::of(phi),
+            delta: Turn::of(delta),
+            rankine_dip: Turn::of(rankine_dip),
+            b: 3.0 * phi.tan(),
+        };
+        Self { alpha, beta, phi, delta, sign, rankine_dip, turns }
     }
 
     /// Best rho and the signed weight term there (passive K, or minus active K).
@@ -121,7 +143,7 @@ impl Mechanism {
         // Below rho = 0 the first triangle folds over and only the plane wedge (psi = 0) is a mechanism.
         let flattest = (self.alpha + self.beta + self.phi - FRAC_PI_2).min(0.0);
         let steepest = (FRAC_PI_2 - self.delta).min(FRAC_PI_2 + self.phi).min(self.alpha + self.beta);
-        minimise(flattest + 1e-9, steepest - 1e-9, SCAN, |rho| self.sign * self.weight(rho, self.psi(rho)))
+        minimise(flattest + 1e-9, steepest - 1e-9, SCAN, |rho| self.sign * self.weight(rho))
     }
 
     /// Opening of the fan that is stationary at this rho.
@@ -134,24 +156,33 @@ impl Mechanism {
         (rho - self.phi).cos() / self.phi.cos()
     }
 
-    /// Weight factor; NaN where the zones do not form.
-    fn weight(&self, rho: f64, psi: f64) -> f64 {
-        let x = self.alpha - rho - psi;
-        let toe = (x + self.beta + self.phi).cos();
-        let rise = (x + self.beta).sin();
-        let power = (rho + self.delta).cos();
-        if toe <= 0.0 || rise < 0.0 || power <= 0.0 {
-            return f64::NAN;
+    /// Weight factor with the fan that is stationary at this rho; NaN where the zones do not form.
+    fn weight(&self, rho: f64) -> f64 {
+        let (rho_turn, psi) = (Turn::of(rho), self.psi(rho));
+        if psi > 0.0 {
+            self.weight_of(rho_turn, self.turns.rankine_dip, (self.turns.b * psi).exp())
+        } else {
+            self.weight_of(rho_turn, self.turns.alpha - rho_turn, 1.0)
         }
-        let (r0, b) = (self.radius(rho), 3.0 * self.phi.tan());
-        let dip = self.alpha - rho;
-        let growth = (b * psi).exp();
-        let spiral = (growth * (b * x.cos() - x.sin()) - (b * dip.cos() - dip.sin())) / (b * b + 1.0);
-        let triangle = growth * self.phi.cos() * rise * x.cos() / toe;
-        r0 * (rho.sin() * dip.cos() + r0 * (spiral + triangle)) / power
     }
 
-    fn factors(&self, rho: f64, psi: f64) -> LoadFactors {
+    /// Weight factor by the dip x of the last radius and the growth of the spiral, `e^(3 t psi)`.
+    fn weight_of(&self, rho: Turn, x: Turn, growth: f64) -> f64 {
+        let Turns { alpha, beta, phi, delta, b, .. } = self.turns;
+        let surface = x + beta;
+        let (toe, power) = ((surface + phi).cos, (rho + delta).cos);
+        if toe <= 0.0 || surface.sin < 0.0 || power <= 0.0 {
+            return f64::NAN;
+        }
+        let (r0, dip) = ((rho - phi).cos / phi.cos, alpha - rho);
+        let spiral = (growth * (b * x.cos - x.sin) - (b * dip.cos - dip.sin)) / (b * b + 1.0);
+        let triangle = growth * phi.cos * surface.sin * x.cos / toe;
+        r0 * (rho.sin * dip.cos + r0 * (spiral + triangle)) / power
+    }
+
+    /// All factors with the fan that is stationary at this rho.
+    fn factors(&self, rho: f64) -> LoadFactors {
+        let psi = self.psi(rho);
         let x = self.alpha - rho - psi;
         let (r0, t) = (self.radius(rho), self.phi.tan());
         let growth = (2.0 * t * psi).exp();
@@ -159,7 +190,7 @@ impl Mechanism {
         let power = (rho + self.delta).cos();
         let fan = r0 * (2.0 * t * psi).exp_m1() / t;
         LoadFactors {
-            weight: self.weight(rho, psi),
+            weight: self.weight(rho),
             surcharge: last * x.cos() / power,
             cohesion: (rho.sin() + fan + last * (x + self.beta).sin()) / power,
             adhesion: rho.sin() / power,
@@ -207,7 +238,10 @@ mod tests {
                 let mut brute = f64::INFINITY;
                 for i in 0..=120 {
                     for j in 0..=120 {
-                        let value = sign * mechanism.weight(1.5 * i as f64 / 120.0, 2.2 * j as f64 / 120.0);
+                        let (rho, psi) = (1.5 * f64::from(i) / 120.0, 2.2 * f64::from(j) / 120.0);
+                        let x = mechanism.alpha - rho - psi;
+                        let growth = (3.0 * mechanism.phi.tan() * psi).exp();
+                        let value = sign * mechanism.weight_of(Turn::of(rho), Turn::of(x), growth);
                         if value.is_finite() { brute = brute.min(value) }
                     }
                 }
