@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use criterion::{Criterion, SamplingMode};
 use soilctl_campaign::{Options, Plan, simulate};
+use soilctl_controller::TICK_S;
 
 const PLAN: &str = r#"
 version = 1
@@ -18,7 +19,6 @@ strokes = [
     { radius_m = 0.3048, base_deg = 0.0, alpha_deg = 70.0, depth_m = 0.024, delta_set_deg = 23.0 },
 ]
 "#;
-const STEPS_PER_S: f64 = 500.0;
 
 /// Steps of a campaign of two strokes, its log written.
 fn batch() -> u64 {
@@ -36,7 +36,7 @@ fn main() {
     group.bench_function("two strokes and their log", |b| b.iter(batch));
     group.finish();
     let clock = Instant::now();
-    let simulated_s = batch() as f64 / STEPS_PER_S;
+    let simulated_s = batch() as f64 * TICK_S;
     let spent_s = clock.elapsed().as_secs_f64();
     println!("{simulated_s:.1} s simulated in {spent_s:.2} s: {:.1} times real time", simulated_s / spent_s);
     criterion.final_summary();

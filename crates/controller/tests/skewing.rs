@@ -47,24 +47,42 @@ fn springs_pull_towards_where_they_are_to_go() {
     }
 }
 
-/// Torque times joint rate is force times tip speed, for the springs' torques and the force found from them.
+/// Equal springs: the force is the error times their stiffness in all three directions, found from the torques, and it does their work,
+/// torque times joint rate being force times tip speed.
 #[test]
-fn the_force_does_the_work_of_the_torques() {
+fn the_force_of_equal_springs_is_along_the_error_and_does_the_work_of_the_torques() {
     let params = Params::thesis();
     let arm = params.arm();
-    let joints = arm.inverse(&digging(12.0, 0.3, 80.0)).unwrap();
-    let jacobian = arm.jacobian(&joints).unwrap();
-    let springs =
-        CylindricalStiffness::diagonal([4000.0, 4000.0, 4000.0, 0.0, 0.0]).to_cartesian(0.3).unwrap();
-    let error = TaskVelocity([0.001, 0.0004, -0.0007, 0.0, 0.0]);
-    let torques = springs.joint_torques(&jacobian, &error, Wrist::Locked).unwrap();
-    let force = arm.tip_force(&joints, &torques).unwrap();
-    for column in 0..3 {
-        let work: f64 = (0..3).map(|row| force[row] * jacobian.0[row][column]).sum();
-        assert!((work - torques.0[column]).abs() < 1e-9, "{work} {}", torques.0[column]);
+    for (inches, base_rad) in [(8.0, 0.0), (12.0, 0.3), (17.0, -0.4)] {
+        let joints = arm.inverse(&digging(inches, base_rad, 90.0)).unwrap();
+        let jacobian = arm.jacobian(&joints).unwrap();
+        let springs = CylindricalStiffness::diagonal([4000.0, 4000.0, 4000.0, 0.0, 0.0]);
+        let springs = springs.to_cartesian(base_rad).unwrap();
+        let (s, c) = libm::sincos(base_rad);
+        for error in [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0], [0.6, 0.2, -0.5]] {
+            let error = error.map(|part| 0.001 * part);
+            let displacement = TaskVelocity([error[0], error[1], error[2], 0.0, 0.0]);
+            let torques = springs.joint_torques(&jacobian, &displacement, Wrist::Locked).unwrap();
+            let force = arm.tip_force(&joints, &torques).unwrap();
+            for i in 0..3 {
+                assert!((force[i] - 4000.0 * error[i]).abs() < 1e-9, "{force:?} for {error:?}");
+                let work: f64 = (0..3).map(|row| force[row] * jacobian.0[row][i]).sum();
+                assert!((work - torques.0[i]).abs() < 1e-9, "{work} {}", torques.0[i]);
+            }
+        }
+        let none = arm.tip_force(&joints, &JointTorques::default()).unwrap();
+        assert!(none.iter().all(|part| part.abs() < 1e-12));
     }
-    let none = arm.tip_force(&joints, &JointTorques::default()).unwrap();
-    assert!(none.iter().all(|part| part.abs() < 1e-12));
+}
+
+/// Turning the base turns error and force alike.
+#[test]
+fn skewing_does_not_depend_on_the_base_angle() {
+    let params = Params::thesis();
+    let at = |base_rad: f64| Skew::new(&params, &digging(12.0, base_rad, 80.0), 0.7).unwrap().pid_rad;
+    for base_rad in [-1.2, 0.4, 1.5] {
+        assert!((at(base_rad) - at(0.0)).abs() < 1e-9, "{base_rad}");
+    }
 }
 
 #[test]

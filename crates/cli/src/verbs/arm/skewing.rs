@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_controller::laws::Skew;
-use soilctl_controller::{DEFAULT, Params, StrokePlan};
+use soilctl_controller::{Params, StrokePlan};
 use soilctl_figure::Size;
 use soilctl_kinematics::TaskPose;
 
@@ -79,7 +79,7 @@ pub(super) fn run(args: &Args, output: &mut Output) -> Result<(), CliError> {
     let arm = read(args.arm.as_deref())?;
     let none = StrokePlan::default();
     let params = match &args.controller {
-        None => Params::from_toml(arm, DEFAULT, "data/controller/default.toml", none)?,
+        None => Params::new(arm, Params::thesis().config().clone(), none)?,
         Some(path) => Params::read(arm, path, none)?,
     };
     let at = |radius_m: f64, error_deg: f64| -> Result<Row, CliError> {
