@@ -2,6 +2,9 @@
 
 import csv
 import json
+import signal
+import subprocess
+import time
 import math
 
 import mcap.writer
@@ -269,3 +272,59 @@ def test_own_log_is_processed_and_its_truth_is_never_read(soilctl, tmp_path):
         assert log["own"] and log["strokes"] + len(log["skipped"]) == 1
     assert (tmp_path / "true" / "batch.mcap").read_bytes() != (tmp_path / "false" / "batch.mcap").read_bytes()
     assert outputs[0] == outputs[1]
+
+
+def results(folder):
+    return [(folder / name).read_bytes() for name in ("strokes.csv", "traces.csv", "campaign.json")]
+
+
+def lines(path):
+    return path.read_bytes().count(b"\n") if path.exists() else 0
+
+
+@pytest.fixture
+def many_logs(tmp_path, urdf):
+    """Sixty logs, and the command that reads them."""
+    logs = tmp_path / "logs"
+    logs.mkdir()
+    bag = write_bag(tmp_path)
+    for i in range(60):
+        (logs / f"log_{i:02}.mcap").write_bytes(bag.read_bytes())
+
+    def command(soilctl, folder):
+        folder.mkdir(exist_ok=True)
+        words = ["process", logs, *options(urdf), "--out", folder / "strokes.csv", "--threads", 1, "--format", "json"]
+        return [str(soilctl.binary), *map(str, words)]
+
+    return command
+
+
+def stopped_by(kind, command, manifest):
+    """Sends a signal once a few logs are done."""
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+        ends = time.monotonic() + 60.0
+        while lines(manifest) < 6:
+            assert running.poll() is None and time.monotonic() < ends
+            time.sleep(0.002)
+        running.send_signal(kind)
+        answer, _ = running.communicate(timeout=60)
+    return running.returncode, answer
+
+
+@pytest.mark.parametrize("kind", [signal.SIGINT, signal.SIGKILL])
+def test_stopped_work_goes_on_where_it_was(soilctl, tmp_path, many_logs, kind):
+    whole, broken = tmp_path / "whole", tmp_path / "broken"
+    subprocess.run(many_logs(soilctl, whole), check=True, capture_output=True)
+    command = many_logs(soilctl, broken)
+    code, answer = stopped_by(kind, command, broken / "manifest.jsonl")
+    if kind == signal.SIGINT:
+        # What was done by then is there.
+        assert code == 3
+        assert 5 <= len(json.loads(answer)["strokes"]) < 60
+    else:
+        assert code == -signal.SIGKILL
+    done = subprocess.run(command, check=True, capture_output=True)
+    assert 5 <= json.loads(done.stdout)["reused"] < 60
+    assert results(broken) == results(whole)
+    # Nothing is left over.
+    assert sorted(p.name for p in broken.iterdir()) == sorted(p.name for p in whole.iterdir())

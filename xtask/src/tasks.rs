@@ -181,9 +181,9 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .args(["-p", "soilctl-session", "-p", "soilctl-live", "--tests", "--", "--ignored"])
         .args(skipped())
         .run()?;
-    // From simulated strokes to the soil, against the truth.
+    // From simulated strokes to the soil, against the truth; logs of gigabytes.
     cargo(workspace, "the whole chain")
-        .args(["test", "--release", "--locked", "-p", "soilctl", "--test", "chain"])
+        .args(["test", "--release", "--locked", "-p", "soilctl", "--test", "memory", "--test", "chain"])
         .args(["--", "--ignored", "--nocapture"])
         .run()
 }
