@@ -100,7 +100,8 @@ pub fn answer(
     let cli = Cli::try_parse_from(&args).map_err(|usage| Refused::Input(usage.render().to_string()))?;
     if !cli.verb.is_one_answer() {
         return Err(Refused::Input(
-            "this verb talks to its user or runs until it is ended; use the command soilctl".into(),
+            "this verb talks to its user or its shell, or runs until it is ended; use the command soilctl"
+                .into(),
         ));
     }
     let mut output = Output::kept(stop, progress).of_command(command::line(&args));

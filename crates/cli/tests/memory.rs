@@ -20,7 +20,8 @@ const SPREAD: f64 = 1.2;
 
 /// A log of one preparation with so many strokes.
 fn simulate(folder: &Path, strokes: usize) -> PathBuf {
-    let mut plan = String::from("version = 1\nsoil = \"ticino_loose\"\nmodel = \"table\"\n[[batches]]\nstrokes = [\n");
+    let mut plan =
+        String::from("version = 1\nsoil = \"ticino_loose\"\nmodel = \"table\"\n[[batches]]\nstrokes = [\n");
     for _ in 0..strokes {
         let place = "radius_m = 0.4318, base_deg = 0.0, alpha_deg = 90.0";
         writeln!(plan, "    {{ {place}, depth_m = 0.025, delta_set_deg = 23.0 }},").unwrap();
@@ -74,6 +75,7 @@ fn memory_does_not_grow_with_the_log() {
             peak
         })
         .collect();
-    let (least, most) = peaks.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), p| (low.min(*p), high.max(*p)));
+    let (least, most) =
+        peaks.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), p| (low.min(*p), high.max(*p)));
     assert!(most <= SPREAD * least, "{peaks:?} MB");
 }

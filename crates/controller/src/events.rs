@@ -134,6 +134,8 @@ pub enum Finish {
     LeadLimit,
     /// A stroke took too long.
     TimeLimit,
+    /// The arm cannot pull a stroke harder.
+    TorqueLimit,
     /// The arm cannot go there.
     Unreachable,
     /// It was aborted.

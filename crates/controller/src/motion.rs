@@ -14,7 +14,7 @@ const TOUCH_SHARE: f64 = 0.2;
 /// One tick of the active trajectory.
 pub(crate) fn advance(state: &mut State, params: &Params, est: &Estimate, events: &mut Events) -> Setpoint {
     let tuning = state.tuning;
-    let view = View { params, est, tuning: &tuning };
+    let view = View { params, est, tuning: &tuning, saturated_ticks: saturated_ticks(state) };
     // A step that queued something does not wait for the endless hold to end.
     let holding = state.idle || state.active.is_none_or(|active| is_endless_hold(&active));
     if holding && (!state.ring.is_empty() || state.active.is_none()) {
@@ -37,6 +37,10 @@ pub(crate) fn advance(state: &mut State, params: &Params, est: &Estimate, events
         end(state, &active, view, finish, events);
     }
     setpoint
+}
+
+fn saturated_ticks(state: &State) -> u32 {
+    state.monitors.saturated.into_iter().fold(0, u32::max)
 }
 
 /// Joint torques of the tick before in N m.
@@ -103,5 +107,5 @@ pub(crate) fn stop_here(state: &mut State, params: &Params, est: &Estimate) {
     state.ring.clear();
     state.setpoint = Setpoint::still(est.joints);
     state.rebased = Some(1.0);
-    hold(state, View { params, est, tuning: &tuning }, est.joints);
+    hold(state, View { params, est, tuning: &tuning, saturated_ticks: 0 }, est.joints);
 }

@@ -48,6 +48,8 @@ def test_wrong_usage_is_an_exception(capfd):
         soilctl.answer("solve", "no-such-file.toml")
     with pytest.raises(soilctl.InputError, match="talks to its user"):
         soilctl.answer("run", "plan.toml", "--socket", "socket")
+    with pytest.raises(soilctl.InputError, match="its shell"):
+        soilctl.answer("completions", "bash")
     assert capfd.readouterr() == ("", "")
 
 

@@ -93,9 +93,9 @@ pub(crate) enum Outcome {
 }
 
 impl Verb {
-    /// Whether it answers once and ends by itself, so that another program may wait for it.
+    /// Whether it answers once, in JSON, and ends by itself, so that another program may wait for it.
     pub(crate) const fn is_one_answer(&self) -> bool {
-        !matches!(self, Self::Run(_) | Self::Console(_))
+        !matches!(self, Self::Run(_) | Self::Console(_) | Self::Completions(_))
     }
 
     pub(crate) fn run(self, output: &mut Output) -> Result<Outcome, CliError> {

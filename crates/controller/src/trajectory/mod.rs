@@ -131,6 +131,8 @@ pub(crate) struct View<'a> {
     pub(crate) params: &'a Params,
     pub(crate) est: &'a Estimate,
     pub(crate) tuning: &'a Tuning,
+    /// Ticks for which a joint's torque has been at its limit.
+    pub(crate) saturated_ticks: u32,
 }
 
 /// Out-of-plane angle in rad below which a hand counts as level.

@@ -65,7 +65,7 @@ const UNLOAD_N: f64 = 2.0;
 /// Largest displacement in m that the force may ask for.
 const MOST_TRIM_M: f64 = 0.03;
 /// A force across the wanted direction, a part of it in N and a share of the whole, at which the lead waits.
-const ACROSS_N: f64 = 0.1;
+const ACROSS_N: f64 = 0.3;
 const ACROSS_SHARE: f64 = 0.15;
 /// The lead never waits altogether: soil that slips on the plate has an angle of its own.
 const LEAST_HASTE: f64 = 0.1;
@@ -74,7 +74,7 @@ const RESPONSE_S: f64 = 0.05;
 /// Share of the rate of force that the lead asks for above which the arm is taken to follow.
 const FOLLOWS: f64 = 0.7;
 /// What the integral of the orientation loop gets while the arm sticks.
-const LEAST_PACE: f64 = 0.1;
+const LEAST_PACE: f64 = 0.3;
 /// Speed in m/s at which the drives go through their free play.
 const TAKE_UP_M_S: f64 = 0.006;
 /// Ticks for which the soil must press back before the lead begins.
@@ -138,10 +138,12 @@ impl Active {
         // After the failure a quick loop would hide a plate that lifts.
         let failed = run.travel_m >= settings.failure_travel_m;
         let short = run.wanted_rad - run.force_rad;
+        let stiffness = view.params.config().gains.stiffness_n_per_m[2];
+        let pace = run.pace([outward, fz], stiffness * view.tuning.lead_rate_m_s);
         if !run.released {
             run.take_up(view, [outward, fz], self.ticks);
         } else if !failed {
-            run.turn(view, law, [outward, fz]);
+            run.turn(view, law, [outward, fz], pace);
         }
 
         // Too flat for its size: let the orientation catch up before pressing harder (section 5.3.3).
@@ -174,6 +176,9 @@ impl Active {
             Some(Finish::TravelLimit)
         } else if run.lead_m >= settings.max_lead_m {
             Some(Finish::LeadLimit)
+        } else if view.saturated_ticks >= view.params.config().safety.saturated_ticks / 2 {
+            // Some time before it is a fault.
+            Some(Finish::TorqueLimit)
         } else if self.ticks >= settings.max_ticks {
             Some(Finish::TimeLimit)
         } else {
@@ -196,7 +201,9 @@ impl StrokeRun {
         let taut_n = 2.0 * seat_n;
         let excess = tangent - normal.max(0.0) * libm::tan(self.delta_rad) - seat_n;
         let upwards = excess.clamp(-UNLOAD_N, UNLOAD_N);
-        let unloaded = excess.abs() < 0.5 * seat_n;
+        // At the wanted angle it is short of the seat's force. To wait for more would press down motors that stick, until they come loose
+        // all at once.
+        let unloaded = excess < 0.5 * seat_n && excess > -1.5 * seat_n;
         let taut = normal >= taut_n;
         // While the plate is still pressed down it must not be pressed against the soil, which could fail.
         let back = if unloaded { 0.0 } else { (normal - taut_n).clamp(0.0, UNLOAD_N) };
@@ -214,7 +221,7 @@ impl StrokeRun {
     }
 
     /// Turns the lead.
-    fn turn(&mut self, view: View<'_>, law: StrokeLaw, [outward, fz]: [f64; 2]) {
+    fn turn(&mut self, view: View<'_>, law: StrokeLaw, [outward, fz]: [f64; 2], pace: f64) {
         let settings = &view.params.config().stroke;
         let (sin, cos) = libm::sincos(self.wanted_rad);
         // Positive if the plate has to press more downwards.
@@ -226,7 +233,7 @@ impl StrokeRun {
                 let asked =
                     (stiffness * self.lead_m).max(libm::hypot(outward, fz)).max(settings.least_force_n);
                 let gains = [settings.force_p, settings.force_p * settings.force_i_per_s];
-                (across / asked, gains, self.pace([outward, fz], stiffness * view.tuning.lead_rate_m_s))
+                (across / asked, gains, pace)
             }
             StrokeLaw::Position => {
                 let risen = view.est.seen.z_m - self.start_z_m;

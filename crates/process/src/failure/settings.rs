@@ -41,8 +41,8 @@ impl FailureSettings {
             least_force_n: 0.1,
             least_mobilised: 0.7,
             most_slope_ratio: 0.5,
-            most_sd_rel: 0.15,
-            floor_sd_rel: 0.015,
+            most_sd_rel: 0.09,
+            floor_sd_rel: 0.0125,
         })
     }
 }

@@ -32,8 +32,8 @@ def answer(*words: object, progress: Progress = None) -> dict[str, Any]:
         The answer, with the key ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
 
     Raises:
-        InputError: Where the command would have exited with 2; the message is the same. Also for ``run`` and ``console``,
-            which talk to their user.
+        InputError: Where the command would have exited with 2; the message is the same. Also for ``run``, ``console`` and
+            ``completions``, which talk to their user or to a shell.
         FileError: If a file cannot be read or written.
     """
     line = ["soilctl", *(os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words)]

@@ -45,15 +45,15 @@ fn near(alpha_deg: f64, slant_m: f64) -> Cell {
 }
 
 /// Four preparations of four strokes: the sweep at 80 and 90 deg, far from the base; what tells friction angle from density
-/// beside it.
+/// beside it. The stroke near the base comes first: those far from it pull heaps towards it.
 fn whole() -> Vec<Vec<Cell>> {
     let [a, b, c, d] = SWEEP_DEG;
     let e = BELOW_DEG;
     vec![
-        vec![far(-25.0, 90.0, a), far(0.0, 90.0, b), far(25.0, 90.0, c), near(70.0, SLANT_M)],
-        vec![far(-25.0, 80.0, a), far(0.0, 80.0, b), far(25.0, 80.0, c), near(70.0, SHALLOW_M)],
-        vec![far(-25.0, 90.0, d), far(0.0, 100.0, e), far(25.0, 80.0, e), near(90.0, SHALLOW_M)],
-        vec![far(-25.0, 80.0, d), far(0.0, 100.0, e), far(25.0, 90.0, e), near(80.0, SHALLOW_M)],
+        vec![near(70.0, SLANT_M), far(-25.0, 90.0, a), far(0.0, 90.0, b), far(25.0, 90.0, c)],
+        vec![near(70.0, SHALLOW_M), far(-25.0, 80.0, a), far(0.0, 80.0, b), far(25.0, 80.0, c)],
+        vec![near(90.0, SHALLOW_M), far(-25.0, 90.0, d), far(0.0, 100.0, e), far(25.0, 80.0, e)],
+        vec![near(80.0, SHALLOW_M), far(-25.0, 80.0, d), far(0.0, 100.0, e), far(25.0, 90.0, e)],
     ]
 }
 
