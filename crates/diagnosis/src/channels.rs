@@ -88,11 +88,19 @@ impl Baseline {
             }
             Channel::PostSlope => {
                 let mean = if data.campaign.dense_preparation { -0.6 } else { -0.1 };
-                (vec![(one(), Prior { mean, sd: 0.4 }), (lean, zero(0.03))], own)
+                let mut terms = vec![(one(), Prior { mean, sd: 0.4 }), (lean, zero(0.03))];
+                terms
+                    .extend(moving_on(data).into_iter().map(|level| (level, zero(instrument.post_slope_sd))));
+                (terms, own)
             }
             Channel::ResidualRatio => {
                 let mean = if data.campaign.dense_preparation { 0.75 } else { 0.95 };
-                (vec![(one(), Prior { mean, sd: 0.12 }), (lean, zero(0.01))], own)
+                let mut terms = vec![(one(), Prior { mean, sd: 0.12 }), (lean, zero(0.01))];
+                // Half a depth further.
+                terms.extend(
+                    moving_on(data).into_iter().map(|level| (level, zero(0.5 * instrument.post_slope_sd))),
+                );
+                (terms, own)
             }
         };
         if channel == Channel::Displacement && data.derived.contains(&channel) {
@@ -112,6 +120,22 @@ impl Baseline {
         }
         Self { known, terms, ln_scatter, reads_delta }
     }
+}
+
+/// What a slope after the break may follow in an arm whose plate rises or dives: the tool angle, each (to the nearest 5 deg) with a level of
+/// its own, and the depth, in tenths of its mean. None if the instrument has no such deviation.
+fn moving_on(data: &Data) -> Vec<Vec<f64>> {
+    if data.campaign.instrument.post_slope_sd <= 0.0 {
+        return Vec::new();
+    }
+    let near: Vec<f64> = data.rows.iter().map(|row| (row.alpha_deg / 5.0).round()).collect();
+    let mut angles = near.clone();
+    angles.sort_by(f64::total_cmp);
+    angles.dedup();
+    let level = |angle: f64| near.iter().map(|a| f64::from(u8::from(*a == angle))).collect();
+    let mean_m = data.rows.iter().map(|row| row.depth_m).sum::<f64>() / data.len().max(1) as f64;
+    let depth = data.rows.iter().map(|row| 10.0 * (row.depth_m / mean_m - 1.0)).collect();
+    angles.into_iter().map(level).chain([depth]).collect()
 }
 
 /// Standard deviation that an outlier does not move much: from the median absolute deviation.

@@ -49,6 +49,9 @@ pub struct Instrument {
     pub joint_stiffness_n_per_m: f64,
     /// Step of the tip for one step of the external encoders, in m; default 0.00127.
     pub encoder_step_m: f64,
+    /// Of `post_slope_norm` from one tool angle to the next, and over a tenth of the depth, as an arm gives it whose plate rises or
+    /// dives while it heaps the soil; default 0.
+    pub post_slope_sd: f64,
 }
 
 impl Default for Campaign {
@@ -78,6 +81,7 @@ impl Default for Instrument {
             cmd_sd: 0.5,
             joint_stiffness_n_per_m: 10_000.0,
             encoder_step_m: 0.00127,
+            post_slope_sd: 0.0,
         }
     }
 }
@@ -128,6 +132,7 @@ impl Campaign {
                 joint_stiffness_n_per_m: inner
                     .positive("joint_stiffness_n_per_m", usual_inner.joint_stiffness_n_per_m)?,
                 encoder_step_m: inner.at_least_zero("encoder_step_m", usual_inner.encoder_step_m)?,
+                post_slope_sd: inner.at_least_zero("post_slope_sd", usual_inner.post_slope_sd)?,
             },
         })
     }

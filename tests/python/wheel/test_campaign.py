@@ -22,7 +22,7 @@ model = "chen"
 
 [[batches]]
 radius_m = 0.4318
-strokes = [{ base_deg = 0.0, alpha_deg = 80.0, depth_m = 0.012, delta_set_deg = 23.0 }]
+strokes = [{ base_deg = 0.0, alpha_deg = 80.0, depth_m = 0.020, delta_set_deg = 23.0 }]
 """
 
 

@@ -26,6 +26,7 @@ pub(super) fn instrument(random: &mut Random) -> Instrument {
         cmd_sd: random.between(0.2, 0.5),
         joint_stiffness_n_per_m: random.between(6e3, 1.5e4),
         encoder_step_m: 2.5e-4,
+        post_slope_sd: 0.0,
     }
 }
 

@@ -175,6 +175,9 @@ impl fmt::Display for Indiscernible {
                 write!(out, "the force never exceeds {highest_n:.3} N, a stroke needs {least_n:.3} N")
             }
             Self::NoTravel { travel_m } => write!(out, "the plate moved by only {:.3} mm", travel_m * 1e3),
+            Self::NoBreak { slope_ratio } if *slope_ratio <= 0.0 => {
+                write!(out, "the force does not rise when the plate begins to move, or falls throughout")
+            }
             Self::NoBreak { slope_ratio } => write!(
                 out,
                 "force rises nearly as fast at the end as at the beginning (slopes 1 : {slope_ratio:.2}), so there is no break"
