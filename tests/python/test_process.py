@@ -2,10 +2,10 @@
 
 import csv
 import json
+import math
 import signal
 import subprocess
 import time
-import math
 
 import mcap.writer
 import numpy as np

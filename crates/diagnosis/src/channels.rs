@@ -88,19 +88,14 @@ impl Baseline {
             }
             Channel::PostSlope => {
                 let mean = if data.campaign.dense_preparation { -0.6 } else { -0.1 };
-                let mut terms = vec![(one(), Prior { mean, sd: 0.4 }), (lean, zero(0.03))];
-                terms
-                    .extend(moving_on(data).into_iter().map(|level| (level, zero(instrument.post_slope_sd))));
-                (terms, own)
+                let terms = [(one(), Prior { mean, sd: 0.4 }), (lean, zero(0.03))];
+                (terms.into_iter().chain(moving_on(data, instrument.post_slope_sd)).collect(), own)
             }
             Channel::ResidualRatio => {
                 let mean = if data.campaign.dense_preparation { 0.75 } else { 0.95 };
-                let mut terms = vec![(one(), Prior { mean, sd: 0.12 }), (lean, zero(0.01))];
+                let terms = [(one(), Prior { mean, sd: 0.12 }), (lean, zero(0.01))];
                 // Half a depth further.
-                terms.extend(
-                    moving_on(data).into_iter().map(|level| (level, zero(0.5 * instrument.post_slope_sd))),
-                );
-                (terms, own)
+                (terms.into_iter().chain(moving_on(data, 0.5 * instrument.post_slope_sd)).collect(), own)
             }
         };
         if channel == Channel::Displacement && data.derived.contains(&channel) {
@@ -123,9 +118,9 @@ impl Baseline {
 }
 
 /// What a slope after the break may follow in an arm whose plate rises or dives: the tool angle, each (to the nearest 5 deg) with a level of
-/// its own, and the depth, in tenths of its mean. None if the instrument has no such deviation.
-fn moving_on(data: &Data) -> Vec<Vec<f64>> {
-    if data.campaign.instrument.post_slope_sd <= 0.0 {
+/// its own, and the depth, in tenths of its mean. Nothing if the instrument has no such deviation.
+fn moving_on(data: &Data, sd: f64) -> Vec<(Vec<f64>, Prior)> {
+    if sd <= 0.0 {
         return Vec::new();
     }
     let near: Vec<f64> = data.rows.iter().map(|row| (row.alpha_deg / 5.0).round()).collect();
@@ -135,7 +130,7 @@ fn moving_on(data: &Data) -> Vec<Vec<f64>> {
     let level = |angle: f64| near.iter().map(|a| f64::from(u8::from(*a == angle))).collect();
     let mean_m = data.rows.iter().map(|row| row.depth_m).sum::<f64>() / data.len().max(1) as f64;
     let depth = data.rows.iter().map(|row| 10.0 * (row.depth_m / mean_m - 1.0)).collect();
-    angles.into_iter().map(level).chain([depth]).collect()
+    angles.into_iter().map(level).chain([depth]).map(|term| (term, Prior { mean: 0.0, sd })).collect()
 }
 
 /// Standard deviation that an outlier does not move much: from the median absolute deviation.

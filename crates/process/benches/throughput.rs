@@ -1,9 +1,9 @@
 //! Logs a second on one core, from zstd and uncompressed, against what a user would otherwise write in Python, in one run:
-//! `cargo bench -p soilctl-process`. Needs Python 3.11 with venv and, at first, the package index. The bars: 120 MB/s of decompressed bytes from zstd,
-//! 200 MB/s uncompressed, ten times Python.
+//! `cargo bench -p soilctl-process`, after `cargo xtask setup`, which gets Python's packages. The bars: 120 MB/s of decompressed bytes
+//! from zstd, 200 MB/s uncompressed, ten times Python.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark")]
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -36,19 +36,6 @@ fn strokes(log: &Path) -> usize {
     count
 }
 
-/// An environment with the pinned packages.
-fn python(folder: &Path) -> PathBuf {
-    let environment = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("read_steps");
-    let python = environment.join("bin/python");
-    let run = |command: &mut Command| assert!(command.status().unwrap().success(), "{command:?}");
-    if !python.exists() {
-        run(Command::new("python3").args(["-m", "venv"]).arg(&environment));
-    }
-    let requirements = folder.join("requirements.txt");
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "-r"]).arg(requirements));
-    python
-}
-
 fn main() {
     let folder = tempfile::tempdir().unwrap();
     let plan = Plan::from_toml(PLAN, "plan", Path::new("")).unwrap();
@@ -56,8 +43,9 @@ fn main() {
     simulate(&plan, None, &options, &AtomicBool::new(false), &|_| {}).unwrap();
     let zstd = folder.path().join("batch_000.mcap");
     let plain = folder.path().join("plain.mcap");
-    let peers = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/peer");
-    let python = python(&peers);
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (python, peers) = (here.join("../../.venv/bin/python"), here.join("benches/peer"));
+    assert!(python.exists(), "no {}: run `cargo xtask setup`", python.display());
     let run = |script: &str, arguments: &[&Path]| {
         let done = Command::new(&python).arg(peers.join(script)).args(arguments).output().unwrap();
         assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));

@@ -199,7 +199,7 @@ impl Active {
                 self.cartesian_touch(view, direction, travel_m)
             }
             Trajectory::Insert { depth_m } => self.insert(view, depth_m),
-            Trajectory::Stroke { law, delta_rad } => self.do_stroke(view, law, delta_rad),
+            Trajectory::Stroke { law, .. } => self.do_stroke(view, law),
         }
     }
 

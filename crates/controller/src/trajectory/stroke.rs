@@ -115,12 +115,7 @@ impl Active {
     }
 
     /// Orientation by feedback, magnitude by an open-loop lead (eqs 5.11 and 5.24 to 5.26).
-    pub(super) fn do_stroke(
-        &mut self,
-        view: View<'_>,
-        law: StrokeLaw,
-        _delta_rad: f64,
-    ) -> (Setpoint, Option<Finish>) {
+    pub(super) fn do_stroke(&mut self, view: View<'_>, law: StrokeLaw) -> (Setpoint, Option<Finish>) {
         let (est, settings, run) = (view.est, &view.params.config().stroke, &mut self.stroke);
         let [cos, sin] = run.plane;
         let [fx, fy, fz] = est.force_xyz_n;
@@ -138,8 +133,7 @@ impl Active {
         // After the failure a quick loop would hide a plate that lifts.
         let failed = run.travel_m >= settings.failure_travel_m;
         let short = run.wanted_rad - run.force_rad;
-        let stiffness = view.params.config().gains.stiffness_n_per_m[2];
-        let pace = run.pace([outward, fz], stiffness * view.tuning.lead_rate_m_s);
+        let pace = run.pace(view, [outward, fz]);
         if !run.released {
             run.take_up(view, [outward, fz], self.ticks);
         } else if !failed {
@@ -249,12 +243,13 @@ impl StrokeRun {
 
     /// How fast the integral goes: with the force, not with time. While dry friction holds the motors, the force does not answer to
     /// the lead, and an integral would wind up until they come loose all at once, far beyond the wanted angle.
-    fn pace(&mut self, force_n: [f64; 2], asked_n_per_s: f64) -> f64 {
+    fn pace(&mut self, view: View<'_>, force_n: [f64; 2]) -> f64 {
         let ahead: [f64; 2] = std::array::from_fn(|i| force_n[i] - self.slow_force_n[i]);
         for (slow, ahead) in self.slow_force_n.iter_mut().zip(ahead) {
             *slow += ahead * TICK_S / RESPONSE_S;
         }
         let rate = libm::hypot(ahead[0], ahead[1]) / RESPONSE_S;
+        let asked_n_per_s = view.params.config().gains.stiffness_n_per_m[2] * view.tuning.lead_rate_m_s;
         (rate / (FOLLOWS * asked_n_per_s).max(1e-9)).clamp(LEAST_PACE, 1.0)
     }
 
