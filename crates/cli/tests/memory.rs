@@ -13,12 +13,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// A stroke gives some 30 MB after decompression.
-const STROKES: [usize; 3] = [3, 12, 160];
+/// A stroke gives some 36 MB after decompression.
+const STROKES: [usize; 3] = [3, 12, 120];
 /// Peaks may differ by so much.
 const SPREAD: f64 = 1.2;
 /// Depths in m: memory goes with the longest stroke, and the deep one, the first of every log, is the longest.
-const DEPTH_M: [f64; 2] = [0.032, 0.02];
+const DEPTH_M: [f64; 2] = [0.032, 0.025];
 
 /// A log of one preparation with so many strokes, in fourteen places.
 fn simulate(folder: &Path, strokes: usize) -> PathBuf {
@@ -28,7 +28,7 @@ fn simulate(folder: &Path, strokes: usize) -> PathBuf {
         let (base_deg, radius_m) = (10.0 * (k % 7) as f64 - 30.0, [0.4318, 0.36][k / 7 % 2]);
         let place = format!("radius_m = {radius_m}, base_deg = {base_deg:.1}, alpha_deg = 90.0");
         let depth_m = DEPTH_M[usize::from(k > 0)];
-        writeln!(plan, "    {{ {place}, depth_m = {depth_m}, delta_set_deg = 20.0 }},").unwrap();
+        writeln!(plan, "    {{ {place}, depth_m = {depth_m}, delta_set_deg = 21.0 }},").unwrap();
     }
     plan.push_str("]\n");
     let (file, out) = (folder.join(format!("{strokes}.toml")), folder.join(strokes.to_string()));
