@@ -25,6 +25,7 @@ pub(crate) struct Plate {
     /// Stretch of the springs along the plate (soil pressing upwards) and along its edge in m.
     stretch_m: [f64; 2],
     deepest_m: f64,
+    /// Way of the failing soil, a mean over the wedge, in m.
     slip_m: f64,
     /// Share of the friction on the plate by which the limit force goes, 0 to 1.
     share: f64,
@@ -69,7 +70,12 @@ impl Plate {
 
         // Soil that the edge pushes aside moves against the plate.
         let deeper = (depth_m - self.deepest_m).max(0.0);
-        self.deepest_m = self.deepest_m.max(depth_m);
+        if deeper > 0.0 {
+            // A deeper wedge holds soil that has not slipped yet; their volumes go by the square of the depth.
+            let slipped = self.deepest_m / depth_m;
+            self.slip_m *= slipped * slipped;
+            self.deepest_m = depth_m;
+        }
         let lean = libm::cos(alpha) / std::f64::consts::FRAC_1_SQRT_2;
         let drift = config.misalignment_drift + config.insertion_drift * lean;
         let way = push * dt_s + drift * deeper;
