@@ -1,6 +1,6 @@
 //! The experiment that would tell most: a menu of follow-ups, and the chance of each to settle what is left.
 
-use soilctl_effects::{Active, Base, Effect, Reference, Stroke, catalogue, effect, force_n};
+use soilctl_effects::{Active, Base, Channel, Effect, Reference, Stroke, catalogue, effect, force_n};
 use soilctl_soil::units::inches_to_m;
 use soilctl_strokes::StrokeRow;
 
@@ -14,8 +14,10 @@ use crate::testability::{Expected, LEAST_LAMBDA, left_after_soil, stroke_sd};
 pub struct NextExperiment {
     /// What to do and why.
     pub text: String,
-    /// Strokes to make, as further batches of the campaign; forces are placeholders.
+    /// Strokes to make, as further batches of the campaign; forces are placeholders, and so are `readings`.
     pub rows: Vec<StrokeRow>,
+    /// What to read by hand with each stroke, which the campaign lacks.
+    pub readings: Vec<Channel>,
     /// Chance that it settles the question.
     pub power: f64,
 }
@@ -29,6 +31,9 @@ const STROKES: [usize; 3] = [12, 24, 48];
 const ENOUGH: f64 = 0.97;
 /// Most explanations that are told apart at a time.
 const MOST_RIVALS: usize = 5;
+
+/// What needs a ruler or a look at the sensor in free air, and no trace.
+const BY_HAND: [Channel; 3] = [Channel::HeapHeight, Channel::TareBefore, Channel::TareAfter];
 
 /// Standard deviations by which two explanations must differ before one of them is named.
 const NEEDED: f64 = 2.9;
@@ -94,7 +99,7 @@ const MENU: [Menu; 10] = [
 ];
 
 /// Strokes of a menu entry: batches of six made after the campaign.
-fn design(data: &Data, entry: &Menu, count: usize) -> Vec<StrokeRow> {
+fn design(data: &Data, entry: &Menu, readings: &[Channel], count: usize) -> Vec<StrokeRow> {
     let last = data.rows.iter().filter_map(|row| row.time_s).fold(0.0, f64::max);
     (0..count)
         .map(|i| {
@@ -120,6 +125,7 @@ fn design(data: &Data, entry: &Menu, count: usize) -> Vec<StrokeRow> {
                 ..StrokeRow::default()
             };
             (entry.change)(data, i, &mut row);
+            readings.iter().for_each(|channel| channel.fill(&mut row, 0.0));
             row
         })
         .collect()
@@ -164,14 +170,20 @@ pub(crate) fn next(
             (vec![known(id)?], format!("would show {id}, which this design hides"))
         }
     };
+    let shows = |channel: &Channel| explanations.iter().any(|(effect, ..)| effect.linked().contains(channel));
+    let lacking = BY_HAND.into_iter().filter(|channel| !data.channels.contains_key(channel));
+    let readings: Vec<Channel> = lacking.filter(shows).collect();
+    let names: Vec<&str> = readings.iter().map(|channel| channel.column()).collect();
+    let with = if names.is_empty() { String::new() } else { format!(", with {}", names.join(" and ")) };
     let mut best: Option<NextExperiment> = None;
     for count in STROKES {
         for entry in &MENU {
-            let rows = design(data, entry, count);
-            let Some(lambda) = told_apart(setup, phi_deg, &explanations, &rows) else { continue };
+            let rows = design(data, entry, &readings, count);
+            let Some(lambda) = told_apart(setup, phi_deg, &explanations, &rows, &readings) else { continue };
             let power = normal_tail(NEEDED - lambda.sqrt());
             if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
-                best = Some(NextExperiment { text: format!("{}: {question}", entry.name), rows, power });
+                let text = format!("{}{with}: {question}", entry.name);
+                best = Some(NextExperiment { text, rows, readings: readings.clone(), power });
             }
         }
         if best.as_ref().is_some_and(|best| best.power >= ENOUGH) {
@@ -182,23 +194,33 @@ pub(crate) fn next(
 }
 
 /// Least squared signal-to-noise ratio of the difference of two explanations (or of the only one and nothing) in campaign and
-/// follow-up together, after the soil has been fitted anew and the rival has taken the amplitude that suits it best.
+/// follow-up together, after the soil has been fitted anew and the rival has taken the amplitude that suits it best. The
+/// `readings` of the follow-up tell by their means.
 fn told_apart(
     setup: &Setup<'_>,
     phi_deg: f64,
     explanations: &[Explanation],
     follow_up: &[StrokeRow],
+    readings: &[Channel],
 ) -> Option<f64> {
     let mut rows = setup.data.rows.clone();
     rows.extend_from_slice(follow_up);
     let data = Data::new(&setup.data.name, rows, setup.data.campaign.clone()).ok()?;
     let joint = Setup::new(&data, setup.surface, phi_deg);
     let sd = stroke_sd(&joint, None);
-    let weight: Vec<f64> = sd.iter().map(|s| 1.0 / (s * s)).collect();
+    let variance_of_mean = |channel: &Channel| {
+        let baseline = &joint.baselines[channel];
+        let zero = baseline.terms.first().map_or(0.0, |(_, prior)| prior.sd);
+        (2.0 * baseline.ln_scatter.mean).exp() / follow_up.len() as f64 + zero * zero
+    };
+    let of_means = readings.iter().map(|channel| 1.0 / variance_of_mean(channel));
+    let weight: Vec<f64> = sd.iter().map(|s| 1.0 / (s * s)).chain(of_means).collect();
     let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).zip(&weight).map(|((x, y), w)| x * y * w).sum::<f64>();
     let left = explanations.iter().map(|of| {
         let change = change(&joint, phi_deg, *of, &setup.data.reference)?;
-        left_after_soil(&joint, phi_deg, &change, &sd)
+        let mut left = left_after_soil(&joint, phi_deg, &change, &sd)?;
+        left.extend(readings.iter().map(|channel| mean_shift(&joint, *of, *channel, follow_up.len())));
+        Some(left)
     });
     let left: Vec<Vec<f64>> = left.collect::<Option<_>>()?;
     if let [only] = left.as_slice() {
@@ -214,6 +236,21 @@ fn told_apart(
         }
     }
     least.is_finite().then_some(least)
+}
+
+/// Mean shift of a channel by an effect in the last strokes.
+fn mean_shift(
+    setup: &Setup<'_>,
+    (effect, amplitude, shape): Explanation,
+    channel: Channel,
+    last: usize,
+) -> f64 {
+    if !effect.linked().contains(&channel) {
+        return 0.0;
+    }
+    let data = setup.data;
+    let shift = |i: usize| effect.shift(channel, amplitude, shape, &data.strokes[i], &data.reading(i));
+    (data.len() - last..data.len()).map(shift).sum::<f64>() / last as f64
 }
 
 /// Change of ln force by an effect, by stroke.

@@ -5,6 +5,7 @@
 use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest};
 use soilctl_diagnosis::{Data, Diagnosis, Status, Surface, Testable, diagnose};
 use soilctl_earth_pressure::model;
+use soilctl_effects::Channel;
 use soilctl_strokes::StrokeRow;
 
 const SEED: u64 = 31;
@@ -52,6 +53,24 @@ fn one_depth_cannot_show_what_depends_on_depth() {
     let absorbed = found.expected.iter().find(|of| of.id == "force_scale").unwrap();
     assert!(absorbed.lambda_largest < 30.0);
     assert_ne!(found.status, Status::Named);
+}
+
+/// Cohesion and heaped soil load a plate alike; only a ruler tells them apart.
+#[test]
+fn a_follow_up_asks_for_the_reading_that_settles_it() {
+    let design = Design { widths_m: vec![0.127], speeds_mps: vec![0.01], traces: false, ..Design::default() };
+    let hidden = campaign(&["cohesion"], 15, design);
+    let first = diagnosed(&hidden, hidden.rows.clone());
+    assert_eq!(first.status, Status::Ambiguous);
+    assert_eq!(first.equivalence_set, ["cohesion", "surcharge_heap"]);
+    let next = first.next.unwrap();
+    assert_eq!(next.readings, [Channel::HeapHeight]);
+    assert!(next.text.contains("heap_height_m") && next.power > 0.9, "{} {}", next.power, next.text);
+    let rows = hidden.followed_by(&next.rows, 1).unwrap().unwrap();
+    assert!(rows[..48].iter().all(|row| row.heap_height_m.is_none()));
+    let settled = diagnosed(&hidden, rows);
+    assert_eq!(settled.status, Status::Named);
+    assert_eq!(settled.equivalence_set, ["cohesion"]);
 }
 
 #[test]

@@ -91,6 +91,13 @@ impl Channel {
 
     /// Puts a reading into an empty cell of a stroke; nothing happens to one that is not empty, or if no column has it.
     pub fn fill(self, row: &mut StrokeRow, value: f64) {
+        if self.of(row).is_none() {
+            self.put(row, Some(value));
+        }
+    }
+
+    /// Puts a reading, or none, into the cell of a stroke; nothing happens if no column has it.
+    pub fn put(self, row: &mut StrokeRow, value: Option<f64>) {
         let cell = match self {
             Self::TareBefore => &mut row.tare_before_n,
             Self::TareAfter => &mut row.tare_after_n,
@@ -105,6 +112,6 @@ impl Channel {
             Self::XStep => &mut row.x_step_m,
             Self::GapSlope | Self::SlipAngle => return,
         };
-        cell.get_or_insert(value);
+        *cell = value;
     }
 }

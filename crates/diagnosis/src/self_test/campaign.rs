@@ -1,7 +1,7 @@
 //! Hidden campaigns.
 
 use soilctl_earth_pressure::model;
-use soilctl_effects::DirectMechanics;
+use soilctl_effects::{Channel, DirectMechanics};
 use soilctl_strokes::{Campaign, StrokeRow};
 
 use super::design::{Design, rows};
@@ -129,8 +129,15 @@ impl Truth {
             row.force_n = (real * batch_density * (1.0 + random.normal(self.design.scatter))).max(0.02);
             row.density_kg_m3 = Some(world.density_kg_m3 * batch_density * (1.0 + random.normal(0.005)));
             row.delta_set_deg.get_or_insert(self.delta_set);
+            let asked: Vec<Channel> = Channel::ALL.into_iter().filter(|c| c.of(row).is_some()).collect();
             if self.design.traces {
                 fill(row, hidden, world, span, campaign, &self.habits, random);
+            } else if !asked.is_empty() {
+                let mut full = row.clone();
+                fill(&mut full, hidden, world, span, campaign, &self.habits, random);
+                for channel in asked {
+                    channel.put(row, channel.of(&full));
+                }
             }
         }
         Ok(Some((ln_true, ln_plain)))

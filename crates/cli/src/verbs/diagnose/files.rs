@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use soilctl_diagnosis::{Comparison, Data, Diagnosis, Status};
+use soilctl_diagnosis::{Comparison, Data, Diagnosis, NextExperiment, Status};
 use soilctl_effects::{
     EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry, effect,
 };
@@ -30,7 +30,7 @@ pub(super) fn write(work: &Work, strokes: &Path, out: &Path) -> Result<Written, 
     let next = match &work.diagnosis.next {
         Some(next) => {
             let path = out.join("next_experiment.csv");
-            write_design(&next.rows, &path)?;
+            write_design(next, &path)?;
             Some(path)
         }
         None => None,
@@ -129,19 +129,20 @@ pub(super) const fn status(status: Status) -> &'static str {
     }
 }
 
-/// The design without forces: they are still to be measured.
-fn write_design(rows: &[soilctl_strokes::StrokeRow], path: &Path) -> Result<(), CliError> {
-    let table = StrokeTable::new("next_experiment.csv", rows)?;
+/// The design without forces, and with empty cells for what is to be read: both are still to be measured.
+fn write_design(next: &NextExperiment, path: &Path) -> Result<(), CliError> {
+    let table = StrokeTable::new("next_experiment.csv", &next.rows)?;
     let mut text = Vec::new();
     table.to_writer(&mut text).map_err(|problem| failed(path, problem))?;
     let text = String::from_utf8_lossy(&text);
     let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
     let Some(header) = lines.next() else { return Ok(()) };
     let keep: Vec<usize> = (0..header.len()).filter(|&i| header[i] != "force_n").collect();
-    let mut out = String::new();
-    for line in std::iter::once(header.clone()).chain(lines) {
-        let cells: Vec<&str> = keep.iter().filter_map(|&i| line.get(i).map(String::as_str)).collect();
-        out += &(cells.join(",") + "\n");
+    let read = |i: usize| next.readings.iter().any(|channel| channel.column() == header[i]);
+    let mut out = keep.iter().map(|&i| header[i].as_str()).collect::<Vec<_>>().join(",") + "\n";
+    for line in lines {
+        let cell = |&i: &usize| if read(i) { "" } else { line.get(i).map_or("", String::as_str) };
+        out += &(keep.iter().map(cell).collect::<Vec<_>>().join(",") + "\n");
     }
     std::fs::write(path, out).map_err(|problem| failed(path, problem))
 }
