@@ -11,7 +11,7 @@ use crate::setup::Setup;
 use crate::spec::{Choice, Spec};
 
 /// ln prior of an effect showing, or not showing, in the channels that its amplitude fixes.
-const LN_LINKED: [f64; 2] = [-0.051, -2.996];
+const LN_LINKED: [f64; 2] = [-0.105, -2.303];
 /// ln prior of channels responding, or not.
 const LN_RESPONDS: [f64; 2] = [-0.511, -0.916];
 /// Sets that are extended in each round.
