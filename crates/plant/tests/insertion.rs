@@ -47,3 +47,36 @@ fn accommodation_lowers_the_lateral_force_tenfold() {
         assert!(with < 0.1 * without, "{with} N against {without} N");
     }
 }
+
+/// What slipped while the plate was shallow is a smaller share of the deeper wedge: way times depth squared stays.
+#[test]
+fn soil_that_slipped_at_a_shallow_depth_does_not_weaken_a_deep_wedge() {
+    let plant = PlantParams::thesis();
+    let sand = ground(&plant, "ticino_rained", "table");
+    let start = above(0.3048, 0.0, 90.0, SURFACE_Z_M + 0.002);
+    let mut simulation = homed(Params::thesis(), plant, Some(sand), &start);
+    let insertion = Request::Push(Trajectory::Insert { depth_m: 0.025 });
+    simulation.tick(Some(insertion), &mut |_| {}).unwrap();
+    let (mut deepest_m, mut first, mut held, mut longest) = (0.0_f64, 0.0, 0, 0);
+    for _ in 0..6_000 {
+        simulation
+            .tick(None, &mut |tick| {
+                let soil = tick.truth.soil;
+                deepest_m = deepest_m.max(soil.depth_m);
+                let now = soil.slip_m * deepest_m * deepest_m;
+                // Far from failing nothing slips.
+                if soil.mobilisation.abs() < 0.8 && soil.depth_m > 0.0 && now > 0.0 {
+                    if held == 0 {
+                        first = now;
+                    }
+                    held += 1;
+                    longest = longest.max(held);
+                    assert!((now / first - 1.0_f64).abs() < 0.01, "{now} {first}");
+                } else {
+                    held = 0;
+                }
+            })
+            .unwrap();
+    }
+    assert!(longest > 1000 && deepest_m > 0.015, "{longest} ticks, {deepest_m} m");
+}
