@@ -198,6 +198,9 @@ def test_one_bad_file_of_many(soilctl, tmp_path, urdf):
         assert done.returncode == 3, done.stderr
         assert "bad.mcap" in done.stderr
         assert [s["stroke_id"] for s in answer["strokes"]] == ["a-1", "b-1", "c-1"]
+        # Three logs of the same hours cannot be on one clock: they follow one another.
+        times = [s["time_s"] for s in answer["strokes"]]
+        assert times[0] < times[1] < times[2]
         files[threads] = [(table.parent / name).read_bytes() for name in ("strokes.csv", "traces.csv", "campaign.json")]
     assert files[1] == files[3]
     # The same command again reads only what failed, and writes the same.

@@ -52,7 +52,7 @@ macro_rules! record {
 }
 
 record! {
-    /// Time of the stroke on the log's clock in s.
+    /// Time of the stroke in s: on the log's clock, or on the campaign's after [`super::put_on_one_clock`].
     time_s,
     /// Mean speed of the plate up to failure in m/s.
     speed_mps,

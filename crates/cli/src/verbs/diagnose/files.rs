@@ -189,3 +189,40 @@ fn quoted(text: &str) -> String {
         text.into()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use soilctl_diagnosis::NextExperiment;
+    use soilctl_effects::Channel;
+    use soilctl_strokes::StrokeRow;
+
+    #[test]
+    fn a_design_leaves_what_is_to_be_measured_empty() {
+        let row = StrokeRow {
+            alpha_deg: 80.0,
+            depth_m: 0.02,
+            width_m: 0.1,
+            force_n: 1.0,
+            radius_m: Some(0.3),
+            heap_height_m: Some(0.0),
+            ..StrokeRow::default()
+        };
+        let readings = vec![Channel::HeapHeight];
+        let next = NextExperiment { text: String::new(), rows: vec![row.clone(), row], readings, power: 1.0 };
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("next_experiment.csv");
+        super::write_design(&next, &path).unwrap();
+        let text = std::fs::read_to_string(path).unwrap();
+        let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let header = lines.next().unwrap();
+        let at = |column: &str| header.iter().position(|name| *name == column);
+        assert_eq!(at("force_n"), None);
+        for line in lines.by_ref().take(2) {
+            assert_eq!(line[at("heap_height_m").unwrap()], "");
+            assert_eq!(line[at("radius_m").unwrap()], "0.3");
+        }
+        assert_eq!(lines.next(), None);
+    }
+}

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 
-use soilctl_process::table::StrokeRecord;
+use soilctl_process::table::{StrokeRecord, put_on_one_clock};
 
 use super::inputs::Inputs;
 use super::manifest::{self, Entry, Manifest};
@@ -25,7 +25,10 @@ pub(super) struct Done {
 
 impl Done {
     pub(super) fn strokes(&self) -> Vec<StrokeRecord> {
-        self.entries.values().flat_map(|entry| entry.strokes.iter().cloned()).collect()
+        let mut strokes: Vec<_> =
+            self.entries.values().flat_map(|entry| entry.strokes.iter().cloned()).collect();
+        put_on_one_clock(&mut strokes);
+        strokes
     }
 
     pub(super) fn all_failed(&self) -> bool {
