@@ -3,7 +3,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, EffectsError, Reference, effect};
+use crate::{Effect, EffectsError, Reference, Shape, effect};
 
 /// Id of the format.
 pub const FILE_SCHEMA: &str = "soilctl.model-file/1";
@@ -112,16 +112,23 @@ impl EffectEntry {
             self.parameters.get(name).map(|p| p.value).filter(|v| v.is_finite()).ok_or_else(problem)
         };
         let amplitude = value(found.parameter().name)?;
-        let shape = match found.shape().and_then(|shape| shape.parameter) {
+        let allowed = found.shape();
+        let shape = match allowed.and_then(|shape| shape.parameter) {
             Some(parameter) => value(parameter.name)?,
             None => self.shape,
         };
-        let needs_length = found.shape().is_some_and(|shape| shape.values.iter().all(|v| *v > 0.0));
-        if needs_length && shape <= 0.0 {
-            return Err(EffectsError::BadFile {
-                file: file.into(),
-                problem: format!("the shape of effect {} is {shape}; it must be above 0", self.id),
-            });
+        let wrong = |allowed: &str| EffectsError::BadFile {
+            file: file.into(),
+            problem: format!("the shape of effect {} is {shape}; it must be {allowed}", self.id),
+        };
+        if let Some(Shape { parameter, values }) = allowed {
+            let (least, most) = values.iter().fold((f64::MAX, f64::MIN), |(l, m), v| (l.min(*v), m.max(*v)));
+            if parameter.is_none() && !(least..=most).contains(&shape) {
+                return Err(wrong(&format!("from {least} to {most}")));
+            }
+            if least > 0.0 && shape <= 0.0 {
+                return Err(wrong("above 0"));
+            }
         }
         Ok((found, amplitude, shape))
     }

@@ -66,11 +66,23 @@ fn what_is_wrong_is_refused_by_name() {
         change(&mut file);
         serde_json::to_string(&file).unwrap()
     };
-    let cases: [(String, &str); 5] = [
+    let cases: [(String, &str); 6] = [
         (text(&|f| f.schema = "soilctl.model-file/9".into()), "soilctl.model-file/1"),
         (text(&|f| f.soil.phi_deg.value = 95.0), "soil.phi_deg is 95"),
         (text(&|f| f.effects[0].id = "gremlins".into()), "no effect called \"gremlins\""),
         (text(&|f| f.effects[0].parameters.clear()), "offset_m"),
+        (
+            text(&|f| {
+                let parameters = BTreeMap::from([("deficit".into(), value(0.1, "1"))]);
+                f.effects[0] = EffectEntry {
+                    id: "progressive_failure".into(),
+                    parameters,
+                    shape: 0.5,
+                    ..f.effects[0].clone()
+                };
+            }),
+            "the shape of effect progressive_failure is 0.5; it must be from 85 to 95",
+        ),
         ("{}".into(), "missing field"),
     ];
     for (text, expected) in cases {
