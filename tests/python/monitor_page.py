@@ -94,7 +94,7 @@ def open_page(browser, url, **options):
     page.on("request", lambda r: page.requests.append(r.url) if own not in r.url and not r.url.startswith("data:") else None)
     page.set_default_timeout(LONG_S * 1000)
     page.goto(url)
-    until(page, "monitor.state && monitor.scene.sand")
+    until(page, "monitor.state && (monitor.scene.sand || monitor.names.length)")
     return page
 
 

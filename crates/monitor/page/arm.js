@@ -1,6 +1,7 @@
-// The arm as its URDF describes it: a tree of joints, and plain bodies on its links.
+// The arm as its URDF describes it: a tree of joints, and plain bodies on its links. Links without one are drawn as bones.
 class Arm {
-  constructor(urdf) {
+  // `rods`: what hangs behind a joint hangs on something.
+  constructor(urdf, rods) {
     const robot = new DOMParser().parseFromString(urdf, 'application/xml').documentElement;
     const numbers = (text, other) => text ? text.trim().split(/\s+/).map(Number) : other;
     const origin = node => {
@@ -19,32 +20,50 @@ class Arm {
         : shape?.tagName === 'box' ? Shapes.box(numbers(shape.getAttribute('size'))) : null;
       if (!mesh) continue;
       const name = visual.querySelector(':scope > material')?.getAttribute('name');
+      const own = visual.querySelector(':scope > material > color')?.getAttribute('rgba');
       const at = origin(visual).slice(12, 15), reach = Vector.size(at);
-      // What hangs behind a joint hangs on something.
-      if (shape.tagName === 'sphere' && reach > 2 * number('radius') && at[2] < 0)
+      if (rods && shape.tagName === 'sphere' && reach > 2 * number('radius') && at[2] < 0)
         this.bodies.push({link: visual.parentElement.getAttribute('name'), place: Matrix.move(Vector.times(at, .5)), mesh: Shapes.cylinder(.007, reach), colour: [.55, .56, .58, 1]});
       this.bodies.push({link: visual.parentElement.getAttribute('name'), place: origin(visual), mesh,
-                        colour: colours[name] ?? [.7, .7, .7, 1], metal: shape.tagName === 'box'});
+                        colour: numbers(own) ?? colours[name] ?? [.7, .7, .7, 1], metal: shape.tagName === 'box'});
     }
-    this.joints = [...robot.querySelectorAll(':scope > joint')].map(joint => ({
-      parent: joint.querySelector('parent').getAttribute('link'), child: joint.querySelector('child').getAttribute('link'),
-      place: origin(joint), axis: Vector.unit(numbers(joint.querySelector('axis')?.getAttribute('xyz'), [1, 0, 0])),
-      turns: ['revolute', 'continuous'].includes(joint.getAttribute('type')),
-    }));
+    this.joints = [...robot.querySelectorAll(':scope > joint')].map(joint => {
+      const type = joint.getAttribute('type'), mimic = joint.querySelector(':scope > mimic');
+      return {
+        name: joint.getAttribute('name'), parent: joint.querySelector('parent').getAttribute('link'), child: joint.querySelector('child').getAttribute('link'),
+        place: origin(joint), axis: Vector.unit(numbers(joint.querySelector('axis')?.getAttribute('xyz'), [1, 0, 0])),
+        turns: ['revolute', 'continuous'].includes(type), slides: type === 'prismatic',
+        mimic: mimic && {joint: mimic.getAttribute('joint'), factor: Number(mimic.getAttribute('multiplier') ?? 1), offset: Number(mimic.getAttribute('offset') ?? 0)},
+      };
+    });
+    const drawn = new Set(this.bodies.map(body => body.link));
+    this.bones = this.joints.filter(joint => joint.slides || !drawn.has(joint.parent));
+    // How far it can reach at most, sliding joints left out.
+    const parent = Object.fromEntries(this.joints.map(joint => [joint.child, joint]));
+    const out = link => parent[link] ? out(parent[link].parent) + Vector.size(parent[link].place.slice(12, 15)) : 0;
+    this.reach_m = Math.max(...this.joints.map(joint => out(joint.child)));
   }
-  // Matrices of all links for joint angles in degrees, in the order of the joints that turn.
-  pose(angles) {
+  // Positions by name, in rad or m: of the states of another program in the order of `names`, else in the order of the joints that turn.
+  values(state, names) {
+    if (names.length) return Object.fromEntries(names.map((name, k) => [name, state?.positions[k] ?? 0]));
+    const angles = state?.joints_deg ?? [0, 30, 100, 0, 30];
+    return Object.fromEntries(this.joints.filter(joint => joint.turns).map((joint, k) => [joint.name, angles[k] * Math.PI / 180]));
+  }
+  // Matrices of all links.
+  pose(values) {
     const links = {}, children = new Set(this.joints.map(joint => joint.child));
     for (const joint of this.joints) if (!children.has(joint.parent)) links[joint.parent] = Matrix.unit();
-    let left = this.joints.map((joint, n) => ({joint, angle: joint.turns ? angles[this.joints.slice(0, n).filter(j => j.turns).length] : 0}));
+    const value = ({name, mimic}) => values[name] ?? (mimic ? mimic.factor * (values[mimic.joint] ?? 0) + mimic.offset : 0);
+    let left = this.joints;
     while (left.length) {
-      const ready = left.filter(({joint}) => links[joint.parent]);
+      const ready = left.filter(joint => links[joint.parent]);
       if (!ready.length) break;
-      for (const {joint, angle} of ready) {
+      for (const joint of ready) {
         const at = Matrix.times(links[joint.parent], joint.place);
-        links[joint.child] = joint.turns ? Matrix.times(at, Matrix.turn(joint.axis, angle * Math.PI / 180)) : at;
+        links[joint.child] = joint.turns ? Matrix.times(at, Matrix.turn(joint.axis, value(joint)))
+          : joint.slides ? Matrix.times(at, Matrix.move(Vector.times(joint.axis, value(joint)))) : at;
       }
-      left = left.filter(({joint}) => !links[joint.child]);
+      left = left.filter(joint => !links[joint.child]);
     }
     return links;
   }

@@ -1,5 +1,5 @@
 // Strip charts over the last seconds, drawn on canvases.
-const COLUMNS = ['force_n', 'friction_angle_deg', 'friction_setpoint_deg', 'z_m', 'displacement_m', 'machine'];
+const COLUMNS = ['force_n', 'friction_angle_deg', 'friction_setpoint_deg', 'z_m', 'displacement_m', 'machine', 'positions'];
 const MOST_POINTS = 12000;
 const MACHINE = {off: 'line', fault: 'bad', idle: 'grid', hold: 'grid', joint_move: 'accent', cartesian_move: 'accent', joint_velocity: 'accent',
   joint_touch: 'third', cartesian_touch: 'third', insert: 'third', stroke: 'second'};
@@ -8,6 +8,7 @@ class Charts {
   constructor(root, seek) {
     this.window_s = 30;
     this.level_m = null;
+    this.joints = [];
     this.charts = [...root.querySelectorAll('figure')].map(figure => {
       const canvas = figure.querySelector('canvas'), value = figure.querySelector('b');
       const chart = {kind: canvas.dataset.chart, canvas, value, unit: value.dataset.unit};
@@ -22,6 +23,17 @@ class Charts {
     this.clear();
     new ResizeObserver(() => this.redraw()).observe(root);
   }
+  // Shows these charts; `joints` of a log of another program: what a position is to be multiplied by.
+  choose(kinds, joints) {
+    this.joints = joints;
+    for (const {kind, canvas} of this.charts) {
+      const figure = canvas.parentElement;
+      figure.hidden = !kinds.includes(kind);
+      if (kind !== 'z') continue;
+      figure.querySelector('span').textContent = joints.length ? 'End height' : 'Edge height';
+      figure.querySelector('small').hidden = this.level_m === null;
+    }
+  }
   clear() {
     this.time = [];
     this.data = Object.fromEntries(COLUMNS.map(name => [name, []]));
@@ -33,7 +45,7 @@ class Charts {
     history.time_s.forEach((time, k) => {
       if (time <= last) return;
       this.time.push(time);
-      for (const name of COLUMNS) this.data[name].push(history[name][k]);
+      for (const name of COLUMNS) this.data[name].push(history[name]?.[k] ?? null);
     });
     const over = this.time.length - MOST_POINTS;
     if (over > 1000) for (const list of [this.time, ...Object.values(this.data)]) list.splice(0, over);
@@ -80,6 +92,7 @@ class Charts {
     if (kind === 'force') return [[data.force_n, 'accent']];
     if (kind === 'friction') return [[data.friction_angle_deg, 'accent'], [data.friction_setpoint_deg, 'second', [5, 3]]];
     if (kind === 'z') return [[mm(data.z_m), 'accent']];
+    if (kind === 'joints') return this.joints.map((factor, j) => [data.positions.map(row => row?.[j] == null ? null : row[j] * factor), ...jointLook(j)]);
     return [[mm(data.displacement_m), 'accent']];
   }
   curves(chart, pen, first, from, to, at) {
@@ -111,6 +124,7 @@ class Charts {
       end();
     }
     if (this.cursor != null) this.line(pen, [[x(this.time[at]), 0], [x(this.time[at]), height]], 'faint');
+    if (chart.kind === 'joints') return;
     const shown = series.map(([list]) => list[at]);
     chart.value.textContent = shown[0] == null ? '–' : `${shown[0].toFixed(1)} ${chart.unit}${shown[1] == null ? '' : ` (${shown[1].toFixed(1)})`}`;
   }
@@ -142,6 +156,12 @@ class Charts {
     if (this.cursor != null && at >= 0) this.line(pen, [[x(this.time[at]), 0], [x(this.time[at]), height]], 'faint');
     chart.value.textContent = list[at]?.replace('_', ' ') ?? '–';
   }
+}
+
+// Colour and dashes of a joint's curve.
+const JOINT_COLOURS = ['accent', 'second', 'third', 'warn', 'bad', 'faint'];
+function jointLook(number) {
+  return [JOINT_COLOURS[number % JOINT_COLOURS.length], number < JOINT_COLOURS.length ? [] : [4, 3]];
 }
 
 function niceStep(rough) {

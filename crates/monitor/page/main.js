@@ -47,14 +47,25 @@ const hear = {
   scene(message) {
     page.live = message.live;
     page.words = message.words;
-    page.charts.level_m = message.sandbox.surface_z_m;
+    page.charts.level_m = message.ground_z_m;
     page.scene.describe(message);
+    const own = Boolean(message.sandbox), kinds = new Map(page.scene.arm.joints.map(joint => [joint.name, joint]));
+    page.names = message.joints;
+    page.joints = message.joints.map(name => kinds.get(name)?.slides ? {factor: 1000, unit: 'mm'} : {factor: 180 / Math.PI, unit: '°'});
+    const shown = own ? ['force', 'friction', 'z', 'displacement', 'machine'] : [...message.has_force ? ['force'] : [], 'z', 'joints'];
+    page.charts.choose(shown, page.joints.map(joint => joint.factor));
+    get('events').hidden = !own;
+    const key = name => get('legend').querySelector(`[data-key=${name}]`);
+    key('lead').hidden = !own;
+    key('force').hidden = !message.has_force;
+    key('force').childNodes[1].textContent = own ? 'soil on plate ' : 'force as read ';
     get('source').textContent = [message.name, message.soil].filter(Boolean).join(' · ');
     document.title = `${message.name} – soilctl monitor`;
     if (page.live) { page.player.open(null); showLink('live', page.hello.real_time ? 'live, real time' : 'live, as fast as possible'); }
   },
   log(message) {
     page.panel.setEvents(message.events);
+    page.scene.scaleForces(Math.max(0, ...message.overview_n));
     page.player.open(message);
     showLink('log', message.damage.length ? 'log, damaged' : 'log');
     get('link').title = message.damage.join('\n');
@@ -67,8 +78,13 @@ const hear = {
     page.panel.show(message, page.live);
     if (page.live) page.charts.addState(message);
     else page.panel.at(message.time_s);
-    page.heard.push([message.tick, performance.timeOrigin + performance.now()]);
-    if (page.heard.length > 4000) page.heard.splice(0, 2000);
+    noteHeard(message);
+  },
+  pose(message) {
+    page.state = message;
+    page.scene.update(message);
+    page.panel.showPose(message, page.names, page.joints);
+    noteHeard(message);
   },
   event(message) { page.panel.addEvent(message); },
   player(message) { page.player.show(message); get('player').dataset.timeS = message.time_s; },
@@ -82,6 +98,12 @@ const hear = {
   ack(message) { page.commands.answered(message); },
   error(message) { page.commands.answered(message); },
 };
+
+// When which state came, for whoever measures.
+function noteHeard(message) {
+  page.heard.push([message.tick, performance.timeOrigin + performance.now()]);
+  if (page.heard.length > 4000) page.heard.splice(0, 2000);
+}
 
 function keys(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || get('help').open) return;

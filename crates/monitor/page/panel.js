@@ -1,5 +1,5 @@
 // What is told in words: readout, legend, events, commands.
-const MOST_EVENTS = 400;
+const MOST_EVENTS = 400, MOST_JOINTS = 12;
 class Panel {
   constructor(seek) {
     this.seek = seek;
@@ -24,11 +24,22 @@ class Panel {
     const {log_steps, states, events, messages} = state.dropped;
     this.lost.textContent = live && log_steps + states + events + messages ? `lost: ${log_steps} steps, ${states} states, ${events} events, ${messages} messages` : '';
   }
-  row(name, words, tone = '') {
+  // Of a log of another program.
+  showPose(pose, names, joints) {
+    this.row('Time', `${pose.time_s.toFixed(2)} s`);
+    this.row('End-point', pose.tip_m ? `${pose.tip_m.map(part => (part * 1000).toFixed(0)).join(', ')} mm` : '–');
+    names.slice(0, MOST_JOINTS).forEach((name, k) => {
+      const at = pose.positions[k], {factor, unit} = joints[k];
+      this.row(name, at === null || at === undefined ? '–' : `${(at * factor).toFixed(1)} ${unit}`, '', jointLook(k)[0]);
+    });
+    this.mark('force', pose.force_n ? `${Math.hypot(...pose.force_n).toFixed(1)} N` : '–');
+  }
+  row(name, words, tone = '', colour = '') {
     if (words === null) { this.rows[name]?.forEach(node => { node.hidden = true; }); return; }
     if (!this.rows[name]) {
       this.rows[name] = ['dt', 'dd'].map(tag => this.readout.appendChild(document.createElement(tag)));
       this.rows[name][0].textContent = name;
+      if (colour) this.rows[name][0].style.color = `var(--${colour})`;
     }
     this.rows[name].forEach(node => { node.hidden = false; });
     const cell = this.rows[name][1];

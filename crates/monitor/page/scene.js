@@ -5,6 +5,12 @@ const LOOKS = {
   dark: {sky: [.26, .30, .36], ground: [.12, .11, .11], sun: .72, floor: [.15, .17, .19, 1], clear: [.063, .082, .102], table: [.36, .38, .40, 1], edge: [.65, .72, .78, .7]},
 };
 const SUN = Vector.unit([.42, -.55, .95]);
+// The middle of things and how large they are: the arm and its box.
+const OWN_SPACE = {middle: [.3, 0, -.1], size: 1};
+const VIEWS = {
+  home: {azimuth: -55, elevation: 22, distance: 2.2, off: [-.11, -.02, 0]}, side: {azimuth: -90, elevation: 3, distance: 1.9, off: [-.05, 0, .08]},
+  top: {azimuth: -90, elevation: 89, distance: 1.9, off: [0, 0, -.23]}, plate: {azimuth: -118, elevation: 30, distance: .6, off: null},
+};
 
 class Scene {
   constructor(canvas) {
@@ -13,7 +19,7 @@ class Scene {
     this.ready = Boolean(this.gl);
     this.pace = new Pace(() => this.redraw());
     this.look = 'light';
-    this.camera = {};
+    this.space = OWN_SPACE;
     this.show('home');
     this.drawn = [];
     if (!this.ready) return;
@@ -34,8 +40,8 @@ class Scene {
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, this.shadow, 0);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    const eye = Vector.plus([.3, 0, -.1], Vector.times(SUN, 2));
-    this.light = Matrix.times(Matrix.box(.85, .5, 4), Matrix.look(eye, [.3, 0, -.1], [0, 0, 1]));
+    this.rod = this.mesh(Shapes.cylinder(1, 1));
+    this.ball = this.mesh(Shapes.sphere(1, 12));
     this.point = this.mesh({points: [0, 0, 0, 0, 0, 1], faces: [0]});
     this.bodies = [];
   }
@@ -75,15 +81,31 @@ class Scene {
   // What does not move; begins anew.
   describe(description) {
     this.description = description;
-    this.arm = new Arm(description.urdf);
-    this.soil = new Soil(description.sandbox);
+    this.arm = new Arm(description.urdf, description.sandbox);
+    this.soil = description.sandbox && new Soil(description.sandbox);
     this.state = null;
+    this.forceScale = FORCE_SCALE;
+    this.ground = description.ground_z_m ?? 0;
+    const before = JSON.stringify(this.space);
+    this.space = spaceOf(description, this.arm.reach_m);
+    if (JSON.stringify(this.space) !== before) this.show(this.camera.view);
     if (!this.ready) return;
-    const {x_m, y_m, floor_z_m, top_z_m} = description.sandbox, wide = [x_m[1] - x_m[0], y_m[1] - y_m[0]];
+    const {middle, size} = this.space;
+    this.light = Matrix.times(Matrix.box(.85 * size, .5 * size, 4 * size), Matrix.look(Vector.plus(middle, Vector.times(SUN, 2 * size)), middle, [0, 0, 1]));
     this.bodies = this.arm.bodies.map(body => ({...body, mesh: this.mesh(body.mesh)}));
-    const slab = (from, to) => [this.mesh(Shapes.box(Vector.minus(to, from))), Matrix.move(Vector.times(Vector.plus(from, to), .5))];
-    this.table = slab([-.34, -.3, -.035], [.07, .3, 0]);
-    this.tray = slab([x_m[0] - .012, y_m[0] - .012, floor_z_m - .016], [x_m[1] + .012, y_m[1] + .012, floor_z_m - .001]);
+    this.sand = this.skirt = null;
+    this.fixed = this.rim = this.glass = [];
+    if (description.sandbox) this.box(description.sandbox);
+    else this.floor = this.slab([middle[0] - 2 * size, middle[1] - 2 * size, this.ground - .02 * size], [middle[0] + 2 * size, middle[1] + 2 * size, this.ground - .002 * size]);
+    this.redraw();
+  }
+  slab(from, to) { return [this.mesh(Shapes.box(Vector.minus(to, from))), Matrix.move(Vector.times(Vector.plus(from, to), .5))]; }
+  // The box of the sand and the table of the arm.
+  box({x_m, y_m, floor_z_m, top_z_m}) {
+    const wide = [x_m[1] - x_m[0], y_m[1] - y_m[0]], slab = this.slab.bind(this);
+    const table = slab([-.34, -.3, -.035], [.07, .3, 0]);
+    const tray = slab([x_m[0] - .012, y_m[0] - .012, floor_z_m - .016], [x_m[1] + .012, y_m[1] + .012, floor_z_m - .001]);
+    this.fixed = [table, tray];
     this.floor = slab([-1.7, -2, floor_z_m - .022], [2.3, 2, floor_z_m - .0175]);
     this.glass = [[x_m[0], y_m[0], x_m[1], y_m[0]], [x_m[1], y_m[0], x_m[1], y_m[1]], [x_m[1], y_m[1], x_m[0], y_m[1]], [x_m[0], y_m[1], x_m[0], y_m[0]]]
       .map(([x, y, u, v]) => this.mesh({points: [x, y, floor_z_m, u, v, floor_z_m, u, v, top_z_m, x, y, top_z_m].reduce((all, value, n) => (all.push(value), n % 3 === 2 && all.push(...Vector.unit([y - v, u - x, 0])), all), []), faces: [0, 1, 2, 0, 2, 3]}));
@@ -92,16 +114,12 @@ class Scene {
     for (const x of x_m) rim.push([[x, y_m[0], top_z_m], [t, wide[1] + t, t], 1]);
     for (const x of x_m) for (const y of y_m) rim.push([[x, y, floor_z_m], [t, t, top_z_m - floor_z_m], 2]);
     this.rim = rim.map(([at, size, axis]) => [this.mesh(Shapes.box(size)), Matrix.move(at.map((v, i) => v + (i === axis ? size[i] / 2 - t / 2 : 0)))]);
-    this.sand = this.skirt = null;
-    this.redraw();
   }
   patch(patch) { this.soil?.patch(patch); this.redraw(); }
   show(view) {
-    const views = {
-      home: {azimuth: -55, elevation: 22, distance: 2.2, target: [.19, -.02, -.1]}, side: {azimuth: -90, elevation: 3, distance: 1.9, target: [.25, 0, -.02]},
-      top: {azimuth: -90, elevation: 89, distance: 1.9, target: [.3, 0, -.33]}, plate: {azimuth: -118, elevation: 30, distance: .6, target: null},
-    };
-    this.camera = {...views[view], view};
+    const {off, distance, ...turn} = VIEWS[view], {middle, size} = this.space;
+    const target = off && Vector.plus(middle, this.space === OWN_SPACE ? off : [0, 0, 0]);
+    this.camera = {...turn, distance: distance * size, target, view};
     this.redraw();
   }
   turn(azimuth, elevation) {
@@ -110,7 +128,7 @@ class Scene {
     camera.elevation = Math.min(89, Math.max(-10, camera.elevation + elevation));
     this.redraw();
   }
-  zoom(factor) { this.camera.distance = Math.min(6, Math.max(.15, this.camera.distance * factor)); this.redraw(); }
+  zoom(factor) { this.camera.distance = Math.min(6 * this.space.size, Math.max(.15 * this.space.size, this.camera.distance * factor)); this.redraw(); }
   shift(x, y) {
     const {eye, target} = this.lens(), z = Vector.unit(Vector.minus(eye, target)), right = Vector.unit(Vector.cross([0, 0, 1], z)), up = Vector.cross(z, right);
     const scale = 2 * this.camera.distance * Math.tan(FOV_DEG * Math.PI / 360) / this.canvas.clientHeight;
@@ -142,15 +160,15 @@ class Scene {
     if (!this.ready || !this.arm || !canvas.clientWidth) return;
     const ratio = Math.min(devicePixelRatio || 1, 2) * [1, .7, .5][level], size = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
     if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
-    const links = this.arm.pose(this.state?.joints_deg ?? [0, 30, 100, 0, 30]);
+    const {size: scale, middle} = this.space, links = this.arm.pose(this.arm.values(this.state, this.description.joints));
     this.tip = links[this.description.tip_link]?.slice(12, 15);
-    if (this.soil.changed && this.soil.columns) {
+    if (this.soil?.changed && this.soil.columns) {
       this.sand = this.mesh(this.soil, this.sand);
       this.skirt = this.mesh(this.soil.skirt(), this.skirt);
       this.soil.changed = false;
     }
     const lens = this.lens(), look = LOOKS[this.look];
-    const view = Matrix.times(Matrix.perspective(FOV_DEG * Math.PI / 180, size[0] / size[1], .05, 12), Matrix.look(lens.eye, lens.target, lens.up));
+    const view = Matrix.times(Matrix.perspective(FOV_DEG * Math.PI / 180, size[0] / size[1], .05 * scale, 12 * scale), Matrix.look(lens.eye, lens.target, lens.up));
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
     gl.viewport(0, 0, SHADOW_PX, SHADOW_PX);
     gl.enable(gl.DEPTH_TEST);
@@ -166,8 +184,8 @@ class Scene {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
-    this.use(this.main, {view, light: this.light, eye: lens.eye, sun: SUN, sky: look.sky, ground: look.ground, sunlight: look.sun, shadows: level ? 0 : 1, level: this.description.sandbox.surface_z_m});
-    if (lens.eye[2] > this.description.sandbox.floor_z_m) this.put(this.floor[0], this.floor[1], look.floor, KIND.floor);
+    this.use(this.main, {view, light: this.light, eye: lens.eye, sun: SUN, sky: look.sky, ground: look.ground, sunlight: look.sun, shadows: level ? 0 : 1, level: this.ground, space: [middle[0], middle[1], scale]});
+    if (lens.eye[2] > this.floor[1][14]) this.put(this.floor[0], this.floor[1], look.floor, KIND.floor);
     this.solids(links, look);
     this.vectors(links);
     gl.depthMask(false);
@@ -205,26 +223,52 @@ class Scene {
     gl.drawElements(type, mesh.count, gl.UNSIGNED_INT, 0);
   }
   solids(links, look) {
-    this.put(...this.table, look.table, KIND.body, .1);
-    this.put(...this.tray, look.table, KIND.body, .1);
+    for (const slab of this.fixed) this.put(...slab, look.table, KIND.body, .1);
     for (const {link, place, mesh, colour, metal} of this.bodies)
       if (links[link]) this.put(mesh, Matrix.times(links[link], place), colour, KIND.body, metal ? .9 : .35);
+    this.skeleton(links);
     if (this.sand) {
       this.put(this.sand, Matrix.unit(), [.90, .79, .60, 1], KIND.sand);
       this.put(this.skirt, Matrix.unit(), [.84, .72, .53, 1], KIND.sand);
     }
   }
+  // Bones from link to link, and balls where joints move.
+  skeleton(links) {
+    const radius = .011 * this.space.size, colour = [.62, .66, .70, 1];
+    for (const joint of this.arm.bones) {
+      const from = links[joint.parent]?.slice(12, 15), to = links[joint.child]?.slice(12, 15);
+      if (!from || !to) continue;
+      const way = Vector.minus(to, from), length = Vector.size(way);
+      if (length > 1e-4) {
+        const z = Vector.times(way, 1 / length), [x, y] = across(z), half = Vector.times(Vector.plus(from, to), .5);
+        this.put(this.rod, [...Vector.times(x, radius), 0, ...Vector.times(y, radius), 0, ...way, 0, ...half, 1], colour, KIND.body, .5);
+      }
+      if (joint.turns || joint.slides)
+        this.put(this.ball, Matrix.times(Matrix.move(to), Matrix.scale(Array(3).fill(1.7 * radius))), [.30, .45, .60, 1], KIND.body, .5);
+    }
+  }
+  // Forces of so many N at most are known.
+  scaleForces(most_n) {
+    if (!this.description.sandbox && most_n > 0) this.forceScale = .3 * this.space.size / most_n;
+    this.redraw();
+  }
   // An arrow from the end-point along a vector.
   arrow(vector, radius, colour) {
     const length = Vector.size(vector);
     if (length < 1e-3) return;
-    const z = Vector.times(vector, 1 / length), x = Vector.unit(Vector.cross(Math.abs(z[2]) < .9 ? [0, 0, 1] : [1, 0, 0], z)), y = Vector.cross(z, x);
-    this.arrowMesh = this.mesh(Shapes.arrow(length, radius), this.arrowMesh);
+    const z = Vector.times(vector, 1 / length), [x, y] = across(z);
+    this.arrowMesh = this.mesh(Shapes.arrow(length, radius * this.space.size), this.arrowMesh);
     this.put(this.arrowMesh, [...x, 0, ...y, 0, ...z, 0, ...this.tip, 1], colour, KIND.sign);
   }
   vectors() {
     const state = this.state, {gl} = this;
-    if (!state?.plate || !this.tip) return;
+    if (!this.tip || !(state?.plate || state?.force_n)) return;
+    if (state.force_n) {
+      gl.disable(gl.DEPTH_TEST);
+      this.arrow(Vector.times(state.force_n, this.forceScale), .0035, [.04, .52, .84, 1]);
+      gl.enable(gl.DEPTH_TEST);
+      return;
+    }
     const [r, t, z] = state.force_rtz_n, out = Vector.unit([this.tip[0], this.tip[1], 0]), rtz = (a, b, c) => [a * out[0] - b * out[1], a * out[1] + b * out[0], c];
     const safe = this.safeForce, plate = state.plate.tool_angle_deg - 90;
     gl.disable(gl.DEPTH_TEST);
@@ -265,6 +309,18 @@ class Scene {
     dataset.tick = this.state?.tick ?? '';
     dataset.frames = Number(dataset.frames ?? 0) + 1;
   }
+}
+
+function spaceOf({sandbox, tip_box_m}, reach_m) {
+  if (sandbox) return OWN_SPACE;
+  const [low, high] = tip_box_m, size = Math.max(reach_m, Vector.size(Vector.minus(high, low)), .05);
+  return {middle: Vector.times(Vector.plus(low, high), .5), size: size / .75};
+}
+
+// Two directions across a third one.
+function across(z) {
+  const x = Vector.unit(Vector.cross(Math.abs(z[2]) < .9 ? [0, 0, 1] : [1, 0, 0], z));
+  return [x, Vector.cross(z, x)];
 }
 
 // Whether there is no graphics processor.

@@ -22,7 +22,7 @@ in vec3 at, n;
 in vec4 in_light;
 uniform int kind;
 uniform vec4 colour;
-uniform vec3 eye, sun, sky, ground;
+uniform vec3 eye, sun, sky, ground, space;
 uniform float level, gloss, sunlight, shadows;
 uniform sampler2DShadow shadow;
 out vec4 result;
@@ -52,7 +52,7 @@ void main() {
   if (kind == 3) {
     vec2 cell = abs(fract(at.xy / 0.1 - 0.5) - 0.5) / (fwidth(at.xy / 0.1) + 1e-4);
     base *= 1.0 - 0.10 * (1.0 - min(min(cell.x, cell.y), 1.0));
-    alpha = 1.0 - smoothstep(0.9, 1.9, length(at.xy - vec2(0.3, 0.0)));
+    alpha = 1.0 - smoothstep(0.9, 1.9, length(at.xy - space.xy) / space.z);
   }
   if (kind == 1) {
     float coarse = grain(at.xy * 900.0 + at.z * 600.0), small = grain(at.xy * 2300.0 + at.zz * 1700.0);

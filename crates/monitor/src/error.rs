@@ -1,6 +1,7 @@
 use std::net::SocketAddr;
 
 use soilctl_live::LiveError;
+use soilctl_process::ProcessError;
 use soilctl_session::SessionError;
 use thiserror::Error;
 
@@ -16,16 +17,13 @@ pub enum MonitorError {
         /// What the operating system said.
         reason: std::io::Error,
     },
-    /// The log has nothing to show.
-    #[error(
-        "{file} cannot be played: it has no {what}; only logs that soilctl wrote can be, \
-             `rerun FILE` shows what can be seen of others"
-    )]
-    NotPlayable {
+    /// A log of another program does not hold what is needed, or something of it cannot be used.
+    #[error("{file} cannot be played: {problem}")]
+    Bag {
         /// Name of the log.
         file: String,
-        /// What is missing.
-        what: &'static str,
+        /// What is wrong and what to do.
+        problem: ProcessError,
     },
     /// The arm file in a log, or of a session, is not allowed.
     #[error("the description of the arm is wrong: {0}")]

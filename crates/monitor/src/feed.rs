@@ -6,8 +6,8 @@ use std::time::Instant;
 use serde::Serialize;
 use soilctl_live::protocol::{ClientMessage, Problem, ServerMessage, parse_command, read_client_message};
 
+use crate::film::Player;
 use crate::live::Operator;
-use crate::log::Player;
 use crate::messages::{PAGE_REQUESTS, PageMessage, PageRequest};
 
 /// A message as text. Numbers that are not finite become null.

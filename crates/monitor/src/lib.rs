@@ -2,8 +2,8 @@
 
 mod error;
 mod feed;
+mod film;
 mod live;
-mod log;
 mod messages;
 mod monitor;
 mod scene;
@@ -11,4 +11,5 @@ mod soil;
 mod web;
 
 pub use error::MonitorError;
+pub use film::BagSettings;
 pub use monitor::{Counts, Monitor, Settings, Source};

@@ -13,6 +13,8 @@ pub(crate) enum PageMessage<'a> {
     Log(&'a LogMessage),
     /// Curves.
     History(History),
+    /// Where the joints of a log of another program are.
+    Pose(PoseMessage<'a>),
     /// Heights of a rectangle of the surface.
     Soil(Patch),
     /// Where the playback stands.
@@ -36,11 +38,33 @@ pub(crate) struct SceneMessage {
     pub(crate) words: Vec<[&'static str; 2]>,
     pub(crate) urdf: String,
     /// The link whose origin is the end-point.
-    pub(crate) tip_link: &'static str,
-    pub(crate) plate: Plate,
-    pub(crate) sandbox: Sandbox,
+    pub(crate) tip_link: String,
+    /// None of a log of another program, as is the box.
+    pub(crate) plate: Option<Plate>,
+    pub(crate) sandbox: Option<Sandbox>,
     /// Name of the soil for people, or empty.
     pub(crate) soil: String,
+    /// Names of the joints in a [`PoseMessage`]; empty if there are none.
+    pub(crate) joints: Vec<String>,
+    /// Height of the ground, if it is known.
+    pub(crate) ground_z_m: Option<f64>,
+    /// Corners of the space in which the end-point and the base are, where there is no box.
+    pub(crate) tip_box_m: Option<[[f32; 3]; 2]>,
+    /// Whether forces are known.
+    pub(crate) has_force: bool,
+}
+
+/// A state of a log of another program, in the root frame.
+#[derive(Debug, Serialize)]
+pub(crate) struct PoseMessage<'a> {
+    /// Number of the state.
+    pub(crate) tick: usize,
+    pub(crate) time_s: f64,
+    /// In the order of the scene's joints, in rad or m; null, or nothing at the end, where none was heard yet.
+    pub(crate) positions: &'a [f32],
+    pub(crate) tip_m: Option<[f32; 3]>,
+    /// As the sensor reads it.
+    pub(crate) force_n: Option<[f32; 3]>,
 }
 
 /// Size of the plate.
@@ -93,13 +117,16 @@ pub(crate) struct History {
     /// Whether it takes the place of the curves so far, or goes on from them.
     pub(crate) replace: bool,
     pub(crate) time_s: Vec<f64>,
-    pub(crate) force_n: Vec<f32>,
+    pub(crate) force_n: Vec<Option<f32>>,
     pub(crate) friction_angle_deg: Vec<Option<f32>>,
     pub(crate) friction_setpoint_deg: Vec<Option<f32>>,
     pub(crate) z_m: Vec<Option<f32>>,
     pub(crate) displacement_m: Vec<Option<f32>>,
     /// What the controller does: off, fault, idle or the kind of trajectory.
     pub(crate) machine: Vec<String>,
+    /// Of a log of another program: the joints in rad or m, in the order of the scene's.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) positions: Vec<Vec<Option<f32>>>,
 }
 
 impl History {
@@ -109,7 +136,7 @@ impl History {
         let [r, t, z] = state.force_rtz_n;
         let single = |value: Option<f64>| value.map(|value| value as f32);
         self.time_s.push(state.time_s);
-        self.force_n.push((r * r + t * t + z * z).sqrt() as f32);
+        self.force_n.push(Some((r * r + t * t + z * z).sqrt() as f32));
         self.friction_angle_deg.push(single(state.friction_angle_deg));
         self.friction_setpoint_deg.push(single(state.friction_setpoint_deg));
         self.z_m.push(single(state.plate.map(|plate| plate.z_m)));

@@ -1,16 +1,13 @@
 use std::net::{SocketAddr, TcpListener};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::thread::JoinHandle;
 
-use soilctl_live::protocol::ServerMessage;
-
 use crate::MonitorError;
-use crate::feed::{Feed, text};
+use crate::feed::Feed;
+use crate::film::{BagSettings, Film};
 use crate::live::{Hub, Operator, Upstream};
-use crate::log::{Player, Track, load};
-use crate::messages::PageMessage;
 use crate::web::{Guard, Server, Shared, random_hex};
 
 /// What is shown.
@@ -24,6 +21,8 @@ pub enum Source {
         path: PathBuf,
         /// Where pages begin, in s; beyond the ends of the log: at its ends.
         from_s: f64,
+        /// What is to be taken of a log of another program.
+        bag: BagSettings,
     },
 }
 
@@ -63,7 +62,7 @@ impl Monitor {
     ///
     /// # Errors
     /// [`MonitorError::Listen`], [`MonitorError::Live`] if the session is not there, [`MonitorError::Session`] or
-    /// [`MonitorError::NotPlayable`] for the log, [`MonitorError::Scene`], [`MonitorError::Random`],
+    /// [`MonitorError::Bag`] for the log, [`MonitorError::Scene`], [`MonitorError::Random`],
     /// [`MonitorError::Thread`].
     pub fn start(source: Source, settings: Settings) -> Result<Self, MonitorError> {
         let Settings { listen, hosts, commands, note } = settings;
@@ -82,11 +81,10 @@ impl Monitor {
                 threads.push(Upstream::start(path, commands, theirs, stop)?);
                 (Box::new(move || Ok(Feed::Session(Operator::new(Arc::clone(&shared))))), Vec::new())
             }
-            Source::Log { path, from_s } => {
-                let track = Arc::new(load(&path)?);
-                let greeting = greeting(&track, &path);
-                let feed = move || Ok(Feed::Log(Box::new(Player::new(Arc::clone(&track), from_s)?)));
-                (Box::new(feed), greeting)
+            Source::Log { path, from_s, bag } => {
+                let film = Film::load(&path, &bag)?;
+                let greeting = film.greeting(&path);
+                (Box::new(move || Ok(Feed::Log(Box::new(film.player(from_s)?)))), greeting)
             }
         };
         let token = if commands { Some(random_hex::<16>()?.into()) } else { None };
@@ -164,13 +162,4 @@ impl Drop for Monitor {
     fn drop(&mut self) {
         self.end();
     }
-}
-
-fn greeting(track: &Track, path: &Path) -> Vec<String> {
-    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-    vec![
-        text(&ServerMessage::Hello(track.hello.clone())),
-        text(&PageMessage::Scene(track.scene.message(&name, false, false))),
-        text(&PageMessage::Log(&track.message())),
-    ]
 }

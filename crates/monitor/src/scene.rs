@@ -1,7 +1,5 @@
 //! What does not move: the arm's shape, the box and where its sand begins.
 
-use std::path::Path;
-
 use soilctl_campaign::Plan;
 use soilctl_controller::ControllerConfig;
 use soilctl_kinematics::Arm;
@@ -44,7 +42,7 @@ impl Scene {
             notes: std::collections::BTreeMap::new(),
         };
         let params = setup.params().map_err(|error| refused(&error))?;
-        let plan = plan(&configuration.plan);
+        let plan = Plan::from_record(&configuration.plan);
         let thesis = PlantParams::thesis();
         let plant = plan.as_ref().map_or(thesis.config(), |plan| plan.plant().config());
         let controller: &ControllerConfig = params.config();
@@ -79,28 +77,18 @@ impl Scene {
             commands,
             words: COMMANDS.iter().map(|word| [word.name, word.help]).collect(),
             urdf: soilctl_kinematics::urdf(&self.arm),
-            tip_link: "plate_tip",
-            plate: Plate { width_m: plate.width_m, height_m: plate.height_m, thickness_m: plate.thickness_m },
-            sandbox: self.sandbox,
+            tip_link: "plate_tip".to_owned(),
+            plate: Some(Plate {
+                width_m: plate.width_m,
+                height_m: plate.height_m,
+                thickness_m: plate.thickness_m,
+            }),
+            sandbox: Some(self.sandbox),
             soil: self.soil.clone(),
+            joints: Vec::new(),
+            ground_z_m: Some(self.sandbox.surface_z_m),
+            tip_box_m: None,
+            has_force: true,
         }
     }
-}
-
-/// The plan in a log. What it names by file stands in the log (arm, controller) or is not at hand (plant): then the default
-/// stands in for it.
-fn plan(text: &str) -> Option<Plan> {
-    let read = |text: &str| Plan::from_toml(text, "plan", Path::new("")).ok();
-    let mut table = text.parse::<toml::Table>().ok()?;
-    read(text).or_else(|| {
-        for keys in [&["arm", "controller"][..], &["plant"]] {
-            keys.iter().for_each(|key| {
-                table.remove(*key);
-            });
-            if let Some(plan) = toml::to_string(&table).ok().and_then(|text| read(&text)) {
-                return Some(plan);
-            }
-        }
-        None
-    })
 }

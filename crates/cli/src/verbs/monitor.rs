@@ -9,10 +9,10 @@ use std::time::Duration;
 use schemars::JsonSchema;
 use serde::Serialize;
 use signal_hook::consts::{SIGINT, SIGTERM};
-use soilctl_monitor::{Monitor, Settings, Source};
+use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
 
 use super::Outcome;
-use crate::args::finite;
+use crate::args::{TopicArgs, finite};
 use crate::error::CliError;
 use crate::output::{Answer, Output};
 
@@ -20,20 +20,23 @@ use crate::output::{Answer, Output};
 #[command(
     after_help = "Prints the page's address, serves it, and ends at Ctrl-C. Nobody beyond this machine reaches it unless --listen \
     says so. With --commands the address carries a token; whoever has it may do to the arm what `soilctl console` does. \
-    docs/monitor.md tells keys, messages and limits."
+    Of a log of another program (ROS 2, .mcap) the joint states move the arm of the URDF in it, or of --urdf. docs/monitor.md tells keys, messages and limits."
 )]
 pub(crate) struct Args {
     /// Socket of a running session
     #[arg(long, value_name = "PATH", required_unless_present = "play", conflicts_with = "play")]
     connect: Option<PathBuf>,
 
-    /// A log to play (.mcap)
+    /// A log to play (.mcap), of soilctl or any other program
     #[arg(long, value_name = "LOG")]
     play: Option<PathBuf>,
 
     /// Where a played log begins (s)
     #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = finite, requires = "play")]
     from: f64,
+
+    #[command(flatten)]
+    bag: BagArgs,
 
     /// Where to listen; port 0 takes any free one
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:8470")]
@@ -50,6 +53,31 @@ pub(crate) struct Args {
     /// Open the page in the browser
     #[arg(long)]
     open: bool,
+}
+
+/// What a log of another program does not say.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Logs of other programs")]
+struct BagArgs {
+    #[command(flatten)]
+    topics: TopicArgs,
+
+    /// Link whose origin is marked [default: plate_tip, or the link behind most joints]
+    #[arg(long, value_name = "LINK")]
+    plate_frame: Option<String>,
+}
+
+impl BagArgs {
+    fn settings(&self) -> Result<BagSettings, CliError> {
+        Ok(BagSettings {
+            urdf: self.topics.urdf_text()?,
+            joint_topic: self.topics.joint_topic.clone(),
+            wrench_topic: self.topics.wrench_topic.clone(),
+            end_link: self.plate_frame.clone(),
+            sensor_link: self.topics.sensor_frame.clone(),
+            surface_z_m: self.topics.surface_z,
+        })
+    }
 }
 
 /// Where a monitor serves.
@@ -74,7 +102,7 @@ impl Answer for MonitorAnswer {
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let source = match (&args.connect, &args.play) {
         (Some(socket), _) => Source::Session(socket.clone()),
-        (None, Some(log)) => Source::Log { path: log.clone(), from_s: args.from },
+        (None, Some(log)) => Source::Log { path: log.clone(), from_s: args.from, bag: args.bag.settings()? },
         (None, None) => return Err(CliError::Usage("give --connect or --play".to_owned())),
     };
     let signalled = Arc::new(AtomicBool::new(false));

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use soilctl_campaign::Plan;
 use soilctl_live::protocol::{Command, ServerMessage};
 use soilctl_live::{Client, Host, Rig, Session};
-use soilctl_monitor::{Monitor, Settings, Source};
+use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
 use tungstenite::client::IntoClientRequest;
 use tungstenite::http::HeaderValue;
 use tungstenite::{Message, WebSocket};
@@ -73,7 +73,7 @@ pub fn monitor(source: Source, commands: bool) -> (Monitor, Notes) {
 }
 
 pub fn play(path: &Path) -> Source {
-    Source::Log { path: path.to_owned(), from_s: 0.0 }
+    Source::Log { path: path.to_owned(), from_s: 0.0, bag: BagSettings::default() }
 }
 
 pub fn noted(notes: &Notes, words: &str) -> bool {

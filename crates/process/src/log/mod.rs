@@ -18,6 +18,7 @@ use soilctl_session::read::{Item, scan};
 use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD};
 
 use self::bag::Bag;
+pub use self::bag::{BagContents, BagMessage, BagReader, JOINT_STATE, WRENCH};
 use self::own::OwnLog;
 pub use self::rub::{RubSample, read_wrenches};
 use crate::{Evaluated, ProcessError};

@@ -71,9 +71,7 @@ impl Robot {
     /// [`ProcessError::Urdf`] if the text is not a URDF of a tree of links; [`ProcessError::NoFrame`] if a frame is
     /// not in it.
     pub fn from_urdf(text: &str, plate_frame: &str, sensor_frame: &str) -> Result<Self, ProcessError> {
-        let parsed =
-            urdf_rs::read_from_string(text).map_err(|error| ProcessError::Urdf(error.to_string()))?;
-        check_tree(&parsed)?;
+        let parsed = parse(text)?;
         let chain = Arc::new(k::Chain::<f64>::from(&parsed));
         let to = |frame: &str| -> Result<k::SerialChain<f64>, ProcessError> {
             let node = chain.find_link(frame).ok_or_else(|| ProcessError::NoFrame {
@@ -98,6 +96,27 @@ impl Robot {
         };
         let (plate_joints, sensor_joints) = (index(&plate), index(&sensor));
         Ok(Self { plate, sensor, names, plate_joints, sensor_joints })
+    }
+
+    /// The link called `usual`, or else the one behind most moving joints, the first of them in the file.
+    ///
+    /// # Errors
+    /// [`ProcessError::Urdf`] if the text is not a URDF of a tree of links.
+    pub fn end_link(text: &str, usual: &str) -> Result<String, ProcessError> {
+        let parsed = parse(text)?;
+        let above = |link: &str| parsed.joints.iter().find(|joint| joint.child.link == link);
+        let moving = |link: &str| {
+            let joints = std::iter::successors(above(link), |joint| above(&joint.parent.link));
+            joints.filter(|joint| joint.joint_type != urdf_rs::JointType::Fixed).count()
+        };
+        // Of links that move alike the ones furthest out.
+        let depth =
+            |link: &str| std::iter::successors(above(link), |joint| above(&joint.parent.link)).count();
+        let rank = |link: &str| (link == usual, moving(link), depth(link));
+        let links = parsed.links.iter().map(|link| link.name.as_str());
+        // The last of several that are equal, so from the end.
+        let best = links.rev().max_by_key(|link| rank(link));
+        Ok(best.unwrap_or_default().to_owned())
     }
 
     /// The joints that move plate or sensor, in the order that [`Robot::sample`] takes their positions.
@@ -147,6 +166,12 @@ fn pose(chain: &k::SerialChain<f64>, joints: &[usize], positions: &[f64]) -> Opt
     Some(chain.end_transform())
 }
 
+fn parse(text: &str) -> Result<urdf_rs::Robot, ProcessError> {
+    let robot = urdf_rs::read_from_string(text).map_err(|error| ProcessError::Urdf(error.to_string()))?;
+    check_tree(&robot)?;
+    Ok(robot)
+}
+
 /// `k` assumes one root and links that exist.
 fn check_tree(robot: &urdf_rs::Robot) -> Result<(), ProcessError> {
     let wrong = |text: String| Err(ProcessError::Urdf(text));
@@ -183,4 +208,22 @@ fn check_tree(robot: &urdf_rs::Robot) -> Result<(), ProcessError> {
         return wrong(format!("it has {roots} root links, a tree has one"));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HAND: &str = r#"<robot name="hand"><link name="a"/><link name="b"/><link name="c"/><link name="flange"/><link name="camera"/>
+        <joint name="ab" type="revolute"><parent link="a"/><child link="b"/><limit lower="0" upper="1" effort="1" velocity="1"/></joint>
+        <joint name="bc" type="continuous"><parent link="b"/><child link="c"/></joint>
+        <joint name="cf" type="fixed"><parent link="c"/><child link="flange"/></joint>
+        <joint name="acam" type="fixed"><parent link="a"/><child link="camera"/></joint></robot>"#;
+
+    #[test]
+    fn the_end_is_behind_most_joints_unless_the_usual_link_is_there() {
+        assert_eq!(Robot::end_link(HAND, "plate_tip").unwrap(), "flange");
+        assert_eq!(Robot::end_link(HAND, "camera").unwrap(), "camera");
+        assert!(matches!(Robot::end_link("<robot", "camera"), Err(ProcessError::Urdf(_))));
+    }
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use soilctl_process::log::LogSettings;
 
 use super::Args;
+use crate::args::read_text;
 use crate::error::CliError;
 
 /// Most logs of one run.
@@ -130,10 +131,6 @@ fn form(path: &Path) -> Result<Form, CliError> {
 
 fn settings(args: &Args) -> Result<LogSettings, CliError> {
     let bag = &args.bag;
-    let read = |path: &PathBuf| {
-        std::fs::read_to_string(path)
-            .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
-    };
     let tare = match bag.tare.as_deref() {
         None => None,
         Some(&[x, y, z]) => Some([x, y, z, 0.0, 0.0, 0.0]),
@@ -146,18 +143,18 @@ fn settings(args: &Args) -> Result<LogSettings, CliError> {
         }
     };
     Ok(LogSettings {
-        joint_topic: bag.joint_topic.clone(),
-        wrench_topic: bag.wrench_topic.clone(),
-        urdf: bag.urdf.as_ref().map(read).transpose()?,
+        joint_topic: bag.topics.joint_topic.clone(),
+        wrench_topic: bag.topics.wrench_topic.clone(),
+        urdf: bag.topics.urdf_text()?,
         plate_frame: bag.plate_frame.clone(),
-        sensor_frame: bag.sensor_frame.clone(),
-        surface_z_m: bag.surface_z,
+        sensor_frame: bag.topics.sensor_frame.clone(),
+        surface_z_m: bag.topics.surface_z,
         alpha_deg: bag.alpha,
         width_m: bag.width,
         delta_set_deg: bag.delta_set,
         tare,
         tool_weight_n: bag.tool_weight,
-        windows: bag.strokes.as_ref().map(|path| windows(path, &read(path)?)).transpose()?,
+        windows: bag.strokes.as_ref().map(|path| windows(path, &read_text(path)?)).transpose()?,
     })
 }
 

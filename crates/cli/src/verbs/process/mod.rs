@@ -21,7 +21,7 @@ pub(crate) use outputs::save;
 
 use super::Outcome;
 use super::pages::{self, FigureFiles};
-use crate::args::finite;
+use crate::args::{TopicArgs, finite};
 use crate::error::CliError;
 use crate::output::Output;
 
@@ -78,29 +78,12 @@ pub(crate) struct Args {
 #[derive(Debug, Clone, Default, clap::Args)]
 #[command(next_help_heading = "Bags of other programs")]
 pub(crate) struct BagArgs {
-    /// Topic of the joint states [default: /joint_states, or the only one]
-    #[arg(long, value_name = "TOPIC")]
-    pub(crate) joint_topic: Option<String>,
-
-    /// Topic of the wrenches of soil on plate [default: /wrench, or the only one]
-    #[arg(long, value_name = "TOPIC")]
-    pub(crate) wrench_topic: Option<String>,
-
-    /// URDF of the arm [default: the one in the bag]
-    #[arg(long, value_name = "FILE")]
-    pub(crate) urdf: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) topics: TopicArgs,
 
     /// Link at the plate's lower edge, its z axis down along the plate [default: plate_tip]
     #[arg(long, value_name = "LINK")]
     pub(crate) plate_frame: Option<String>,
-
-    /// Link of the wrenches [default: the frame in their headers]
-    #[arg(long, value_name = "LINK")]
-    pub(crate) sensor_frame: Option<String>,
-
-    /// Height of the soil in the URDF's root frame (m)
-    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) surface_z: Option<f64>,
 
     /// Tool angle (deg) [default: that of the plate frame]
     #[arg(long, value_name = "DEG", value_parser = finite)]

@@ -2,6 +2,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use soilctl_live::protocol::{Configuration, Event, Hello, Memory, PROTOCOL_VERSION, StateMessage};
+use soilctl_process::log::BagContents;
 use soilctl_session::messages::{ControllerStep, JointState, decode};
 use soilctl_session::read::{Item, scan};
 use soilctl_session::{SessionError, topics};
@@ -9,6 +10,7 @@ use soilctl_session::{SessionError, topics};
 use super::sample::Words;
 use super::track::{MOST_EVENTS, Track};
 use crate::MonitorError;
+use crate::film::halve;
 use crate::messages::StrokeSpan;
 use crate::scene::Scene;
 use crate::soil::Surface;
@@ -22,20 +24,26 @@ const MOST_SURFACES: usize = 64;
 /// States between two kept surfaces, to begin with.
 const SURFACE_STATES: usize = 300;
 
+/// What a log is.
+pub(in crate::film) enum Loaded {
+    /// One of ours.
+    Own(Box<Track>),
+    /// One of another program, or without a step; what it holds.
+    Other(BagContents),
+}
+
 /// Reads a log. What is damaged is left out and said.
-pub(crate) fn load(path: &Path) -> Result<Track, MonitorError> {
+pub(in crate::film) fn load(path: &Path) -> Result<Loaded, MonitorError> {
     let mut loader = Loader::default();
     let ending = scan::<Stop>(path, &mut |item| loader.item(item)).map_err(|Stop(error)| *error)?;
-    let not_playable = |what| MonitorError::NotPlayable { file: path.display().to_string(), what };
-    let Some((mut track, _)) = loader.track else {
-        return Err(not_playable("record of the configuration before its first step"));
-    };
-    if track.samples.is_empty() {
-        return Err(not_playable("step of the controller"));
-    }
-    track.strokes = loader.strokes;
-    track.damage = ending.damage;
-    Ok(track)
+    Ok(match loader.track {
+        Some((mut track, _)) if !track.samples.is_empty() => {
+            track.strokes = loader.strokes;
+            track.damage = ending.damage;
+            Loaded::Own(Box::new(track))
+        }
+        _ => Loaded::Other(loader.contents),
+    })
 }
 
 /// Ends a scan.
@@ -49,6 +57,8 @@ impl From<SessionError> for Stop {
 
 #[derive(Default)]
 struct Loader {
+    /// What the log holds before its first step.
+    contents: BagContents,
     program: String,
     configuration: Option<Configuration>,
     track: Option<(Track, Surface)>,
@@ -64,6 +74,9 @@ struct Loader {
 
 impl Loader {
     fn item(&mut self, item: Item<'_>) -> Result<(), Stop> {
+        if self.track.is_none() {
+            self.contents.note(&item);
+        }
         match item {
             Item::Metadata { name: "soilctl.session", content } => {
                 self.program = format!("soilctl {}", text(content, "program_version"));
@@ -137,11 +150,7 @@ impl Loader {
             track.surfaces.push((next, surface.snapshot()));
         }
         if track.surfaces.len() > MOST_SURFACES {
-            let mut keep = false;
-            track.surfaces.retain(|_| {
-                keep = !keep;
-                keep
-            });
+            halve(&mut track.surfaces);
             self.spacing *= 2;
         }
         let true_deg = true_joints_deg(&self.truth).unwrap_or(state.joints_deg);
@@ -188,4 +197,41 @@ fn begin(configuration: &Configuration, program: &str) -> Result<(Track, Surface
 
 fn text(content: &BTreeMap<String, String>, key: &str) -> String {
     content.get(key).cloned().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use soilctl_session::messages::EventMessage;
+
+    use super::*;
+
+    #[test]
+    fn the_sand_is_where_the_arm_first_touched_it() {
+        let read = |name: &str| {
+            let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+            std::fs::read_to_string(data.join(name)).unwrap()
+        };
+        let configuration = Configuration {
+            arm: read("arm/thesis.toml"),
+            controller: read("controller/default.toml"),
+            plan: read("plans/table_6_2.toml"),
+            model: String::new(),
+        };
+        let mut loader = Loader { configuration: Some(configuration), ..Loader::default() };
+        let mut level = |tick, found: Option<f64>| {
+            let event =
+                |value| EventMessage { kind: SURFACE_FOUND.to_owned(), value, ..EventMessage::default() };
+            let events = found.map(event).into_iter().collect();
+            loader.step(&ControllerStep { tick, events, ..ControllerStep::default() }).unwrap();
+            let (track, surface) = loader.track.as_ref().unwrap();
+            assert!(surface.heights().iter().all(|height| *height == 0), "raked, at its level");
+            track.scene.sandbox.surface_z_m
+        };
+        let stated = level(1, None);
+        assert_eq!(level(2, Some(f64::NAN)), stated);
+        assert_eq!(level(3, Some(stated + 0.012)), stated + 0.012);
+        // It is touched again in a furrow.
+        assert_eq!(level(4, Some(stated - 0.02)), stated + 0.012);
+        assert_eq!(level(5, None), stated + 0.012);
+    }
 }

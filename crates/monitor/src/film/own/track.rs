@@ -1,7 +1,8 @@
 use soilctl_live::protocol::{Event, Hello, StateMessage};
 
 use super::sample::{Sample, Words};
-use crate::messages::{History, LogMessage, StrokeSpan};
+use crate::film::{halve, overview};
+use crate::messages::{LogMessage, StrokeSpan};
 use crate::scene::Scene;
 use crate::soil::Snapshot;
 
@@ -9,10 +10,6 @@ use crate::soil::Snapshot;
 const MOST_SAMPLES: usize = 1 << 18;
 /// Events that are kept.
 pub(super) const MOST_EVENTS: usize = 4000;
-/// Parts of the overview.
-const OVERVIEW: usize = 600;
-/// Points of a curve that a page gets at once.
-const MOST_POINTS: usize = 1500;
 
 /// A log, ready to be played.
 #[derive(Debug)]
@@ -48,11 +45,7 @@ impl Track {
 
     /// Lets every second state go. Numbers of samples in `surfaces` follow.
     pub(super) fn thin(&mut self) {
-        let mut keep = false;
-        self.samples.retain(|_| {
-            keep = !keep;
-            keep
-        });
+        halve(&mut self.samples);
         self.stride *= 2;
         for (number, _) in &mut self.surfaces {
             *number /= 2;
@@ -87,13 +80,6 @@ impl Track {
     /// The log as a whole.
     pub(crate) fn message(&self) -> LogMessage {
         let (from_s, to_s) = (self.time_s(0), self.time_s(usize::MAX));
-        let mut overview_n = vec![0.0_f32; OVERVIEW.min(self.samples.len().max(1))];
-        let parts = overview_n.len();
-        for (number, sample) in self.samples.iter().enumerate() {
-            if let Some(part) = overview_n.get_mut(number * parts / self.samples.len()) {
-                *part = part.max(sample.force_n());
-            }
-        }
         #[allow(clippy::cast_precision_loss, reason = "small")]
         let state_s = self.stride as f64 * 0.032;
         LogMessage {
@@ -103,20 +89,8 @@ impl Track {
             strokes: self.strokes.clone(),
             events: self.events.clone(),
             events_left_out: self.events_left_out,
-            overview_n,
+            overview_n: overview(self.samples.iter().map(Sample::force_n)),
             damage: self.damage.clone(),
         }
-    }
-
-    /// Curves over some states: at most [`MOST_POINTS`] of them, the last one always.
-    pub(crate) fn history(&self, from: usize, to: usize, replace: bool) -> History {
-        let mut history = History { replace, ..History::default() };
-        let stride = (to.saturating_sub(from) / MOST_POINTS).max(1);
-        for (number, sample) in self.samples.iter().enumerate().take(to + 1).skip(from) {
-            if (to - number).is_multiple_of(stride) {
-                history.push(&sample.state(&self.words));
-            }
-        }
-        history
     }
 }

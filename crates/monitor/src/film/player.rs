@@ -1,27 +1,17 @@
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::track::Track;
+use super::Reel;
 use crate::feed::text;
 use crate::messages::{PageMessage, PlayerState};
-use crate::soil::{Known, Surface};
-use soilctl_live::protocol::ServerMessage;
 
 /// Time between two states.
 const INTERVAL: Duration = Duration::from_millis(30);
-/// Curves that a page gets when it goes to another time, in states.
-const HISTORY: usize = 3750;
 /// Slowest and fastest.
 const SPEEDS: [f64; 2] = [0.01, 1000.0];
 
 /// A page's own place in a log.
-#[derive(Debug)]
 pub(crate) struct Player {
-    track: Arc<Track>,
-    surface: Surface,
-    /// States that the surface has followed.
-    followed: usize,
-    known: Known,
+    reel: Box<dyn Reel>,
     /// The state that is shown.
     place: usize,
     time_s: f64,
@@ -34,31 +24,26 @@ pub(crate) struct Player {
 }
 
 impl Player {
-    /// At the beginning, or a time in s.
-    pub(crate) fn new(track: Arc<Track>, from_s: f64) -> Result<Self, crate::MonitorError> {
-        let surface = Surface::new(&track.scene)?;
-        let now = Instant::now();
+    /// At a time in s.
+    pub(super) fn new(reel: Box<dyn Reel>, from_s: f64) -> Self {
         let mut player = Self {
-            surface,
-            followed: 0,
-            known: Known::default(),
+            reel,
             place: 0,
             time_s: 0.0,
             playing: false,
             speed: 1.0,
-            moved: now,
+            moved: Instant::now(),
             sent: None,
             jumped: true,
             told: None,
-            track,
         };
         player.seek(from_s);
-        Ok(player)
+        player
     }
 
     pub(crate) fn play(&mut self, now: Instant) {
         if self.is_at_end() {
-            self.seek(0.0);
+            self.seek(f64::MIN);
         }
         (self.playing, self.moved) = (true, now);
     }
@@ -71,7 +56,7 @@ impl Player {
     pub(crate) fn seek(&mut self, time_s: f64) {
         let [first_s, last_s] = self.span_s();
         self.time_s = time_s.max(first_s).min(last_s);
-        self.place = self.track.place_s(self.time_s);
+        self.place = self.reel.place_s(self.time_s);
         self.jumped = true;
     }
 
@@ -79,7 +64,7 @@ impl Player {
     pub(crate) fn step(&mut self, count: i32) {
         self.playing = false;
         let place = self.place.saturating_add_signed(isize::try_from(count).unwrap_or(0));
-        self.seek(self.track.time_s(place.min(self.track.len().saturating_sub(1))));
+        self.seek(self.reel.time_s(place));
     }
 
     /// How many times as fast as real time.
@@ -94,7 +79,7 @@ impl Player {
     }
 
     fn span_s(&self) -> [f64; 2] {
-        [self.track.time_s(0), self.track.time_s(usize::MAX)]
+        [self.reel.time_s(0), self.reel.time_s(usize::MAX)]
     }
 
     fn is_at_end(&self) -> bool {
@@ -117,7 +102,7 @@ impl Player {
             return;
         }
         self.go_on(now);
-        let place = self.track.place_s(self.time_s);
+        let place = self.reel.place_s(self.time_s);
         let state = PlayerState {
             time_s: self.time_s,
             playing: self.playing,
@@ -125,17 +110,8 @@ impl Player {
             at_end: self.is_at_end(),
         };
         if self.jumped || place != self.place {
-            let history = if self.jumped {
-                self.track.history(place.saturating_sub(HISTORY), place, true)
-            } else {
-                self.track.history(self.place + 1, place, false)
-            };
-            self.surface_at(place);
-            if let Some(patch) = self.known.update(self.surface.grid(), &self.surface.heights()) {
-                tell(text(&PageMessage::Soil(patch)));
-            }
-            tell(text(&PageMessage::History(history)));
-            tell(text(&ServerMessage::State(Box::new(self.track.state(place)))));
+            let seen = (!self.jumped).then_some(self.place);
+            self.reel.tell(seen, place, tell);
             self.place = place;
         }
         if self.told != Some(state) {
@@ -143,22 +119,5 @@ impl Player {
             self.told = Some(state);
         }
         (self.jumped, self.sent) = (false, Some(now));
-    }
-
-    /// The surface as it is after a state.
-    fn surface_at(&mut self, place: usize) {
-        let wanted = place + 1;
-        let kept = self.track.surfaces.partition_point(|(number, _)| *number <= wanted);
-        let best = kept.checked_sub(1).and_then(|number| self.track.surfaces.get(number));
-        if let Some((number, snapshot)) = best
-            && (self.followed > wanted || self.followed < *number)
-        {
-            self.surface.restore(snapshot);
-            self.followed = *number;
-        }
-        for sample in self.track.samples.get(self.followed..wanted).unwrap_or_default() {
-            self.surface.follow(sample.true_deg(), sample.homed(), sample.waiting());
-        }
-        self.followed = wanted;
     }
 }
