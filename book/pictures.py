@@ -1,4 +1,4 @@
-"""Makes the pictures of docs/images that show pages: the monitor during a stroke, and the page of a plate.
+"""Makes the pictures of docs/images that show pages: the monitor during a stroke, the same log in Rerun's viewer, and the page of a plate.
 
     cargo xtask pictures
 """
@@ -14,6 +14,7 @@ sys.path.insert(0, str(ROOT / "tests" / "python"))
 
 from monitor_page import CHROMIUM_ARGS, Monitor, open_page, seek, still, write_plan  # noqa: E402
 from playwright.sync_api import sync_playwright  # noqa: E402
+from rerun_page import Viewer  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 # Where the monitor's picture is taken: share of the way through the last stroke.
@@ -36,6 +37,21 @@ def monitor(binary, browser, folder, path):
     print(f"{path}: {Path(path).stat().st_size} bytes")
 
 
+def viewer(binary, browser, folder, path):
+    """The log of `monitor` in Rerun's viewer."""
+    recording = folder / "show.rrd"
+    subprocess.run([binary, "view", folder / "out" / "batch_000.mcap", "--no-open", "--out", recording, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    running = Viewer(recording, folder)
+    shown = browser.new_page(viewport={"width": 1400, "height": 900})
+    shown.goto(running.url)
+    # All is drawn on a canvas, which does not tell when it is done.
+    shown.wait_for_timeout(40_000)
+    shown.screenshot(path=path)
+    shown.close()
+    running.end()
+    print(f"{path}: {Path(path).stat().st_size} bytes")
+
+
 def page(binary, browser, folder, path):
     """The page of a plate: verdict and mechanism."""
     plate = ["--alpha", "90", "--phi", "30", "--delta", "15", "--max-gap", "0.02", "--max-seconds", "600"]
@@ -54,6 +70,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=CHROMIUM_ARGS)
         monitor(binary, browser, Path(folder), IMAGES / "monitor.png")
+        viewer(binary, browser, Path(folder), IMAGES / "rerun.png")
         page(binary, browser, Path(folder), IMAGES / "page.png")
         browser.close()
 

@@ -5,7 +5,8 @@ import os
 import re
 import shutil
 import subprocess
-import sys
+import time
+import tomllib
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -15,11 +16,14 @@ import rerun.chunk
 from conftest import decoded
 from mcap.reader import make_reader
 from mcap.writer import Writer
-from monitor_page import SAFE_FORCE
+from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, SAFE_FORCE
+from rerun_page import RERUN, Viewer, picture, share
 
 FORCE_M_PER_N = 0.005
 LEAD_SCALE = 5.0
-RERUN = Path(sys.executable).with_name("rerun")
+
+# Taken by the fixture `browser`: the viewer needs WebGL.
+__all__ = ["CHROMIUM_ARGS"]
 
 # The index at the end of a recording is optional, and left out.
 pytestmark = pytest.mark.filterwarnings("ignore:RRD file has no footer")
@@ -313,6 +317,19 @@ def test_curves_states_and_events(soilctl, log, recording, messages):
         assert f"| {stroke['number']} | {stroke['start_s']} | {stroke['end_s']} | {stroke['finish']} |" in page
 
 
+def test_the_box_is_where_the_plant_has_it(recording, messages):
+    with (ROOT / "data" / "plant" / "default.toml").open("rb") as file:
+        box = tomllib.load(file)["box"]
+    # As the settings state it, before the arm has touched the sand.
+    frames = [frame for _, tf in messages["/tf_static"] for frame in tf.transforms]
+    level = next(frame.transform.translation.z for frame in frames if frame.child_frame_id == "soil_surface")
+    drawn = recording.fixed["/world/base_link/sandbox"]
+    (centres,), (halves,) = drawn["Boxes3D:centers"], drawn["Boxes3D:half_sizes"]
+    for centre, half, top in zip(centres, halves, [level, box["top_z_m"]], strict=True):
+        for axis, ends in enumerate([box["x_m"], box["y_m"], [box["floor_z_m"], top]]):
+            assert [centre[axis] - half[axis], centre[axis] + half[axis]] == pytest.approx(ends, abs=1e-6)
+
+
 def test_the_layout_shows_what_is_there(recording):
     layout = recording.blueprint()
     entities = {*recording.rows, *recording.fixed}
@@ -323,6 +340,7 @@ def test_the_layout_shows_what_is_there(recording):
         (origin,) = columns["ViewBlueprint:space_origin"]
         assert any(place == origin or place.startswith(f"{origin}/") for place in entities), origin
         assert layout[f"{entity}/ViewContents"]["ViewContents:query"] == ["+ $origin/**"]
+        assert (f"{entity}/PlotLegend" in layout) == (columns["ViewBlueprint:class_identifier"] == ["TimeSeries"])
     # Every view hangs on the root.
     root = bytes(layout["/viewport"]["ViewportBlueprint:root_container"][0]).hex()
     seen, open_ = set(), [f"/container/{root[:8]}-{root[8:12]}-{root[12:16]}-{root[16:20]}-{root[20:]}"]
@@ -331,6 +349,32 @@ def test_the_layout_shows_what_is_there(recording):
         seen.add(entity)
         open_ += ["/" + inner for inner in layout[entity].get("ContainerBlueprint:contents", [])]
     assert {*views} <= seen and all(entity in layout for entity in seen)
+
+
+def test_the_viewer_shows_it_as_it_is_laid_out(answer, browser, tmp_path):
+    """Rerun's own viewer, in the browser: arm at the left, forces at the top right, heights below."""
+    viewer = Viewer(answer["recording"], tmp_path)
+    page = browser.new_page(viewport={"width": 1400, "height": 900})
+    try:
+        page.goto(viewer.url)
+        blue, orange = (0, 114, 178), (230, 159, 0)
+        wanted = {"force r": (blue, (0.6, 0.06, 1, 0.28)), "force z": (orange, (0.6, 0.06, 1, 0.28)), "edge": (blue, (0.6, 0.65, 1, 0.8)),
+                  "true depth": (orange, (0.6, 0.65, 1, 0.8))}
+        deadline = time.monotonic() + LONG_S
+        while True:
+            image = picture(page)
+            found = {name: share(image, colour, box) for name, (colour, box) in wanted.items()}
+            # The arm is grey, in a place that is white around it.
+            found["arm"] = sum(share(image, [grey] * 3, (0, 0.06, 0.6, 0.58), off=8) for grey in range(70, 140, 17))
+            if min(found.values()) > 5e-4 and found["arm"] > 0.02:
+                break
+            assert time.monotonic() < deadline, found
+            page.wait_for_timeout(500)
+        # Curves are at the right only.
+        assert share(image, orange, (0, 0.06, 0.6, 0.58)) == 0
+    finally:
+        page.close()
+        viewer.end()
 
 
 def test_rerun_finds_nothing_wrong(answer, tmp_path):

@@ -6,6 +6,7 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
+use soilctl_controller::{Params, StrokePlan};
 use soilctl_kinematics::{Arm, JointAngles};
 use soilctl_live::protocol::{Memory, SafeForce, StateMessage};
 use soilctl_session::messages::{
@@ -20,7 +21,7 @@ use crate::rrd::{WriteError, Writer};
 use crate::safe_force;
 use crate::shapes::shapes;
 use crate::style::{TRUE_DEPTH, styles};
-use crate::{FORCE_M_PER_N, LEAD_SCALE, Recording, RecordingError, rows, unwritten};
+use crate::{FORCE_M_PER_N, LEAD_SCALE, Recording, RecordingError, rows, sandbox, unwritten};
 
 const STATES: [&str; 3] = ["/state/mode", "/state/trajectory", "/state/sequence"];
 
@@ -88,9 +89,19 @@ impl Follower {
             Item::Metadata { name: SESSION_RECORD, content } => self.session.clone_from(content),
             Item::Metadata { name: STROKE_RECORD, content } => self.strokes.push(content.clone()),
             Item::Metadata { name: CONFIGURATION_RECORD, content } => {
-                let text = content.get("arm").map_or("", String::as_str);
-                self.arm = Some(Arm::from_toml(text, "arm").map_err(|error| self.wrong_arm(&error))?);
-                self.safe_force = safe_force::of_record(content);
+                let text = |key: &str| content.get(key).map_or("", String::as_str);
+                let arm = Arm::from_toml(text("arm"), "arm").map_err(|error| self.wrong_arm(&error))?;
+                let settings = text("controller");
+                let params = Params::from_toml(arm.clone(), settings, "controller", StrokePlan::default());
+                if let Ok(params) = &params {
+                    let settings = params.config();
+                    self.safe_force = safe_force::of_settings(settings);
+                    let sand = sandbox::boxes(text("plan"), settings.site.surface_z_m);
+                    self.writer
+                        .fixed(sandbox::ENTITY, &sand)
+                        .map_err(|error| unwritten(&self.out, &error))?;
+                }
+                self.arm = Some(arm);
             }
             // A log of another program may have topics of these names and other types.
             Item::Message(message) if self.arm.is_some() => self.message(&message)?,

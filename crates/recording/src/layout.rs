@@ -1,4 +1,4 @@
-//! What the viewer shows where: arm and forces at the left with events below, curves and states at the right.
+//! What the viewer shows where: arm and forces at the left with states and events below, curves at the right.
 
 use crate::rows::texts;
 use crate::rrd::{Column, Component, Values};
@@ -21,7 +21,9 @@ fn window() -> Part {
         view("TextLog", "Events", "/events"),
         view("TextDocument", "About this log", "/about"),
     ]);
-    let scene = Part::Column(vec![(view("3D", "Arm and forces", "/world"), 3.0), (texts, 1.0)]);
+    let states = view("StateTimeline", "State", "/state");
+    let scene =
+        Part::Column(vec![(view("3D", "Arm and forces", "/world"), 4.0), (states, 1.3), (texts, 1.3)]);
     let joints = Part::Tabs(vec![
         curves("Joints (deg)", "/joints/position"),
         curves("Joint torques (N m)", "/joints/torque"),
@@ -33,7 +35,6 @@ fn window() -> Part {
         (curves("Displacement and lead (mm)", "/displacement"), 2.0),
         (curves("Height and depth (mm)", "/height"), 2.0),
         (joints, 2.0),
-        (view("StateTimeline", "State", "/state"), 2.0),
     ]);
     Part::Row(vec![(scene, 3.0), (right, 2.0)])
 }
@@ -92,12 +93,19 @@ impl Made {
         const NAME: Component = Component::layout_name("ViewBlueprint", "display_name");
         const ORIGIN: Component = Component::layout("ViewBlueprint", "space_origin", "ViewOrigin");
         const QUERY: Component = Component::layout("ViewContents", "query", "QueryExpression");
+        const LEGEND: Component = Component::layout("PlotLegend", "corner", "Corner2D");
+        const RIGHT_TOP: u8 = 2;
         let (path, id) = self.named("view");
         let columns =
             [(CLASS, class), (NAME, name), (ORIGIN, origin)].map(|(c, text)| Column::row(c, texts([text])));
         self.put(format!("/{path}"), columns.into());
         let all = Column::row(QUERY, texts(["+ $origin/**"]));
         self.put(format!("/{path}/ViewContents"), vec![all]);
+        if class == "TimeSeries" {
+            // While a log is played nothing is drawn there yet.
+            let corner = Column::row(LEGEND, Values::Bytes(vec![RIGHT_TOP]));
+            self.put(format!("/{path}/PlotLegend"), vec![corner]);
+        }
         (path, id)
     }
 

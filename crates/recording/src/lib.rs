@@ -7,6 +7,7 @@ mod layout;
 mod rows;
 mod rrd;
 mod safe_force;
+mod sandbox;
 mod shapes;
 mod style;
 

@@ -1,9 +1,8 @@
 //! The forces that the soil bears safely, as an area in front of the plate.
 
-use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
-use soilctl_controller::{Params, StrokePlan};
+use soilctl_controller::ControllerConfig;
 use soilctl_kinematics::{Arm, JointAngles};
 use soilctl_live::protocol::SafeForce;
 
@@ -14,16 +13,10 @@ pub(crate) const LINK: &str = "plate_tip";
 /// Steps along the rim.
 const STEPS: u32 = 32;
 
-/// The set of a log's configuration; empty if its settings cannot be read.
-pub(crate) fn of_record(content: &BTreeMap<String, String>) -> SafeForce {
-    let text = |key: &str| content.get(key).map_or("", String::as_str);
-    let params = Arm::from_toml(text("arm"), "arm").ok().and_then(|arm| {
-        Params::from_toml(arm, text("controller"), "controller settings", StrokePlan::default()).ok()
-    });
-    params.map_or_else(SafeForce::default, |params| {
-        let table = &params.config().stroke.safe_force;
-        SafeForce { angle_deg: table.angle_deg.clone(), force_n: table.force_n.clone() }
-    })
+/// The set of the controller's settings.
+pub(crate) fn of_settings(settings: &ControllerConfig) -> SafeForce {
+    let table = &settings.stroke.safe_force;
+    SafeForce { angle_deg: table.angle_deg.clone(), force_n: table.force_n.clone() }
 }
 
 /// The end-point of the plate and the rim, in the frame of the plate; none if the set is empty or the joints are not

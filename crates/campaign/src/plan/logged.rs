@@ -40,4 +40,23 @@ impl Plan {
         };
         Ok((Self::from_toml(&text, &name, log.parent().unwrap_or(Path::new("")))?, seed))
     }
+
+    /// The plan in a log's configuration, from its text alone, to be looked at. What it names by file stands in the log (arm,
+    /// controller) or is not at hand (plant): then the default stands in for it. None if it cannot be read even so.
+    #[must_use]
+    pub fn from_record(text: &str) -> Option<Self> {
+        let read = |text: &str| Self::from_toml(text, "plan", Path::new("")).ok();
+        let mut table = text.parse::<toml::Table>().ok()?;
+        read(text).or_else(|| {
+            for keys in [&["arm", "controller"][..], &["plant"]] {
+                keys.iter().for_each(|key| {
+                    table.remove(*key);
+                });
+                if let Some(plan) = toml::to_string(&table).ok().and_then(|text| read(&text)) {
+                    return Some(plan);
+                }
+            }
+            None
+        })
+    }
 }
