@@ -7,12 +7,14 @@ from pathlib import Path
 ROWS = Path(__file__).resolve().parents[1] / "docs" / "verification"
 # Printed with three decimals; the formulas' own rounding comes on top.
 EQUAL = 0.0006
-NAMES = {"coulomb": "Coulomb", "log_spiral": "log-spiral, thesis variant", "log-spiral-thesis": "log-spiral, thesis variant", "chen": "Chen & Liu"}
+NAMES = {"coulomb": "Coulomb", "log_spiral": "log-spiral, thesis variant", "log-spiral-thesis": "log-spiral, thesis variant", "chen": "Chen & Liu",
+         "caquot": "Caquot & Kerisel", "thesis-ub": "the thesis's upper bound", "thesis-lb": "the thesis's lower bound"}
+SOILS = {"ticino_rained": "Ticino, rained", "ticino_loose": "Ticino, loose", "nevada_fine": "Nevada, fine", "glass_beads": "glass beads"}
 
 
 def tables():
     """Markdown by name, as it stands in `<!-- table: name -->`."""
-    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "exact": exact()}
+    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "estimates": estimates(), "direct_shear": direct_shear(), "exact": exact()}
 
 
 def _markdown(head, rows):
@@ -45,6 +47,25 @@ def table_4_3():
     models = sorted({model for model, _ in found})
     rows = [[NAMES[model], *(f"{found[model, one]:.2f}" if (model, one) in found else "" for one in inputs)] for model in models]
     return _markdown(["greatest difference to print, per cent points", *inputs], rows)
+
+
+def estimates():
+    """Ranges of friction angle and density beside those of chapter 7."""
+    rows = []
+    for row in _read("estimates.csv"):
+        digits, unit = (1, "deg") if row["quantity"] == "phi_deg" else (0, "kg/m3")
+        ours, printed = (f"{float(row[f'from{end}']):.{digits}f} to {float(row[f'to{end}']):.{digits}f}" for end in ("", "_printed"))
+        rows.append([SOILS[row["soil"]], NAMES[row["model"]], row["density"], f"{ours} {unit}", f"{printed} {unit}"])
+    return _markdown(["soil", "model", "density", "ours", "printed"], rows)
+
+
+def direct_shear():
+    """Equivalent stresses and friction angles of strokes beside tables 6.14 and 6.15."""
+    rows = []
+    for row in _read("direct_shear.csv"):
+        stress, angle = ([float(row[f"{name}{end}"]) for end in ("", "_printed")] for name in ("stress_psi", "phi_deg"))
+        rows.append([SOILS[row["soil"]], f"{float(row['depth_in']):.2f}", row["stress"], f"{stress[0]:.4f} ({stress[1]:.3f})", f"{angle[0]:.1f} ({angle[1]:.1f})"])
+    return _markdown(["soil", "depth (in)", "stress", "psi (printed)", "friction angle, deg (printed)"], rows)
 
 
 def exact():

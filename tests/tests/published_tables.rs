@@ -6,7 +6,7 @@ use soilctl_earth_pressure::table::BracketModel;
 use soilctl_earth_pressure::thesis::{Column, appendix_c};
 use soilctl_earth_pressure::{Case, ForceModel, Input, model, sensitivity_percent};
 use soilctl_soil::Angle;
-use soilctl_tests::{data, rows};
+use soilctl_tests::{data, shown};
 
 /// Model against column: (case, ours, printed) for each printed row.
 fn against(id: &str, column: Column) -> Vec<(Case, f64, f64)> {
@@ -84,35 +84,6 @@ fn the_quirks_raise_the_log_spiral_by_up_to_a_quarter() {
         (most, least) = (most.max(ratio), least.min(ratio));
     }
     assert!(least > 0.99 && (1.15..1.25).contains(&most), "{least} {most}");
-}
-
-/// A file of `docs/verification`, from which its page is made, holds these numbers to the last digit that it has; with
-/// `SOILCTL_ROWS=write` (`cargo xtask rows`) it is written.
-fn shown(file: &str, header: &str, lines: &[(String, Vec<f64>)]) {
-    const DIGITS: usize = 4;
-    if std::env::var_os("SOILCTL_ROWS").is_some_and(|value| value == "write") {
-        let line = |(key, numbers): &(String, Vec<f64>)| {
-            let numbers: Vec<_> = numbers.iter().map(|n| format!("{n:.DIGITS$}")).collect();
-            format!("{key},{}\n", numbers.join(","))
-        };
-        let text: String = lines.iter().map(line).collect();
-        std::fs::write(rows(file), format!("{header}\n{text}")).unwrap();
-        return;
-    }
-    let text = std::fs::read_to_string(rows(file)).unwrap();
-    let mut kept = text.lines();
-    let advice = "if that is right, `cargo xtask rows` writes docs/verification anew";
-    assert_eq!(kept.next(), Some(header), "{file}; {advice}");
-    assert_eq!(kept.clone().count(), lines.len(), "{file}; {advice}");
-    for ((key, numbers), line) in lines.iter().zip(kept) {
-        let there =
-            line.strip_prefix(key.as_str()).unwrap_or_else(|| panic!("{file}: {line}, not {key}; {advice}"));
-        let there: Vec<f64> = there.split(',').skip(1).map(|n| n.parse().unwrap()).collect();
-        assert_eq!(there.len(), numbers.len(), "{file}: {line}; {advice}");
-        for (a, b) in there.iter().zip(numbers) {
-            assert!((a - b).abs() <= 0.6e-4, "{file}: {line}, now {numbers:?}; {advice}");
-        }
-    }
 }
 
 #[test]

@@ -196,7 +196,18 @@ fn rows(workspace: &Workspace) -> Result<(), XtaskError> {
         XtaskError::File { step, file, problem }
     })?;
     for (name, arguments) in [
-        ("published tables", &["--test", "published_tables", "documentation"][..]),
+        (
+            "published tables",
+            &[
+                "--test",
+                "published_tables",
+                "--test",
+                "thesis_estimates",
+                "--test",
+                "strokes",
+                "documentation",
+            ][..],
+        ),
         ("known collapse loads", &["--test", "exact", "--", "--include-ignored"]),
     ] {
         let words = ["test", "--workspace", "--locked"];

@@ -10,6 +10,7 @@ use soilctl_direct_shear::{
     consistent_friction_at_stroke, friction_at_stroke, stress_shift,
 };
 use soilctl_soil::{Angle, Plate, SoilError, Stroke, units};
+use soilctl_tests::shown;
 
 const GRAVITY: f64 = soilctl_soil::STANDARD_GRAVITY_M_S2;
 
@@ -87,6 +88,30 @@ fn table_6_15_from_the_stresses_of_the_formula() {
         let inside = depth > 0.6 && (name == "nevada_fine" || name == "ticino_rained");
         assert_eq!(at90.high_extrapolated, !inside, "{name} {depth}");
     }
+}
+
+#[test]
+fn the_documentation_shows_both_tables_as_they_are_here() {
+    let mut lines = Vec::new();
+    for (stresses, angles) in fixture("table_6_14.csv").iter().zip(fixture("table_6_15.csv")) {
+        let (name, phi, depth) =
+            (&stresses[0], Angle::from_degrees(number(&stresses[1])), number(&stresses[2]));
+        let fit = LogLogFit::fit(&soil(name)).unwrap();
+        let [at70, at90] = strokes(name, depth);
+        let [low, high] = [&at70, &at90].map(|load| load.equivalent_stress(phi).unwrap());
+        let [at70, at90] = [at70, at90].map(|load| friction_at_stroke(&fit, &load, phi).unwrap());
+        for (place, cell, stress_pa, angle) in [
+            ("low", 3, low.low_pa, at70.friction_at_low_stress),
+            ("high at 70 deg", 4, low.high_pa, at70.friction_at_high_stress),
+            ("high at 90 deg", 5, high.high_pa, at90.friction_at_high_stress),
+        ] {
+            let printed = [number(&stresses[cell]), number(&angles[cell - 1])];
+            let numbers = vec![units::pa_to_psi(stress_pa), printed[0], angle.degrees(), printed[1]];
+            lines.push((format!("{name},{depth:.4},{place}"), numbers));
+        }
+    }
+    let header = "soil,depth_in,stress,stress_psi,stress_psi_printed,phi_deg,phi_deg_printed";
+    shown("direct_shear.csv", header, &lines);
 }
 
 #[test]
