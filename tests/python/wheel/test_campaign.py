@@ -229,6 +229,29 @@ def test_a_missing_effect_is_named(tmp_path):
         soilctl.diagnose(tmp_path / "none")
 
 
+def test_a_diagnosis_takes_traces_and_logs(tmp_path):
+    campaign = DATA / "campaigns" / "campaign_a"
+    with (campaign / "strokes.csv").open(newline="") as file:
+        strokes = list(csv.DictReader(file))
+    traces = tmp_path / "elsewhere.csv"
+    head = "stroke_id,t_s,x_ext_m,x_mtr_m,force_n\n"
+    curve = np.linspace(0.0, 1.0, 100)
+    lines = [
+        f"{row['stroke_id']},{2 * x:.4f},{0.01 * x:.6f},{0.01 * x:.6f},{float(row['force_n']) * min(1.0, 3 * x):.4f}\n"
+        for row in strokes
+        for x in curve
+    ]
+    traces.write_text(head + "".join(lines))
+    assert soilctl.diagnose(campaign, out=tmp_path / "plain")["traces"] == 0
+    assert soilctl.diagnose(campaign, traces=traces, out=tmp_path / "with")["traces"] == len(strokes)
+    traces.write_text(head + lines[0] + lines[0])
+    with pytest.raises(soilctl.InputError, match=r"elsewhere\.csv.*line 3"):
+        soilctl.diagnose(campaign, traces=traces, out=tmp_path / "bad")
+    # Logs are needed to run the campaign again.
+    with pytest.raises(soilctl.InputError, match=r"\.mcap"):
+        soilctl.diagnose(campaign, resimulate=tmp_path, out=tmp_path / "again")
+
+
 def test_angles_of_shear_tests_follow_their_power_law():
     stress = np.array([200.0, 500.0, 1200.0, 3000.0, 8000.0])
     angle = 40.0 * (stress / 1000.0) ** -0.05
