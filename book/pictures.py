@@ -18,7 +18,7 @@ from rerun_page import Viewer  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 # Where the monitor's picture is taken: share of the way through the last stroke.
-SHARE = 0.6
+SHARE = 0.85
 
 
 def monitor(binary, browser, folder, path):

@@ -66,12 +66,12 @@ class Monitor:
         self.answer = json.loads(text)
         self.url, self.listen = self.answer["url"], self.answer["listen"]
 
-    def end(self):
+    def end(self, code=0):
         """Ends it as Ctrl-C does; returns what it said on stderr."""
         if self.process.poll() is None:
             self.process.terminate()
         err = self.process.communicate(timeout=LONG_S)[1]
-        assert self.process.returncode == 0, err
+        assert self.process.returncode == code, err
         return err
 
 
@@ -101,7 +101,7 @@ def open_page(browser, url, **options):
 def still(page):
     """Waits until what was asked for is drawn, in full."""
     page.evaluate("() => new Promise(done => requestAnimationFrame(() => setTimeout(done, 50)))")
-    until(page, "!monitor.scene.waiting && (monitor.scene.pace.now === 0 || monitor.scene.level === 0)")
+    until(page, "!monitor.scene.waiting && monitor.scene.level === 0")
     page.evaluate("() => { monitor.scene.gl.finish(); return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))); }")
 
 
@@ -113,19 +113,29 @@ def seek(page, time_s):
     return int(page.evaluate("document.getElementById('scene').dataset.tick"))
 
 
-def marker(page):
-    """Place of the end-point's marker in the canvas, from a screenshot: the middle of its pixels."""
+def picture(page):
+    """The canvas as it is seen, without what lies over it, and its upper left corner's part of a pixel."""
     cover = "hidden => { for (const id of ['readout', 'legend', 'rate']) document.getElementById(id).hidden = hidden; }"
     page.evaluate(cover, True)
     image = np.asarray(Image.open(io.BytesIO(page.screenshot())).convert("RGB")).astype(int)
     page.evaluate(cover, False)
     box = page.evaluate("(() => { const {x, y, width, height} = document.getElementById('scene').getBoundingClientRect(); return [x, y, width, height]; })()")
     left, top, width, height = map(round, box)
-    part = image[top:top + height, left:left + width]
+    return image[top:top + height, left:left + width], np.array([left - box[0], top - box[1]])
+
+
+def places(found, corner):
+    """The middles of the pixels that are true."""
+    rows, columns = np.nonzero(found)
+    return np.column_stack([columns, rows]) + 0.5 + corner
+
+
+def marker(page):
+    """Place of the end-point's marker in the canvas, from a screenshot: the middle of its pixels."""
+    part, corner = picture(page)
     found = np.abs(part - MARKER).max(axis=2) < 12
     assert found.sum() >= 12, f"only {found.sum()} pixels of the marker"
-    rows, columns = np.nonzero(found)
-    return np.array([columns.mean() + 0.5 + left - box[0], rows.mean() + 0.5 + top - box[1]])
+    return places(found, corner).mean(axis=0)
 
 
 def tip_m(joints_deg, arm_file=ROOT / "data" / "arm" / "thesis.toml"):

@@ -1,13 +1,14 @@
 """`soilctl monitor`: the page on a log and on a live session, in a browser."""
 
 import csv
+import json
 import math
 import subprocess
 import time
 
 import numpy as np
 import pytest
-from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, Monitor, camera, marker, open_page, project, seek, still, tip_m, until
+from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, SAFE_FORCE, Monitor, camera, marker, open_page, picture, places, project, seek, still, tip_m, until, write_plan
 from rosbags.rosbag2 import StoragePlugin, Writer
 from test_live import Operator, wait_for
 from test_process import BIAS, DELTA, STORE, SURFACE_M, TYPES, URDF, motion, write_bag
@@ -54,7 +55,7 @@ def serve(soilctl, browser):
         page.context.close()
     for monitor in monitors:
         if monitor.process.poll() is None:
-            monitor.end()
+            monitor.end(code=3 if monitor.answer["damage"] else 0)
 
 
 def stroke_of(soilctl, log):
@@ -89,6 +90,103 @@ def test_the_end_point_is_drawn_where_it_is(serve, log, joints):
     assert page.problems == [] and page.requests == []
 
 
+def drawn_by(page, change, least=40):
+    """Pixels that are gone after a change of what the page knows, as places in the canvas; the page knows it again afterwards."""
+    before, corner = picture(page)
+    page.evaluate("change => { const {state, safeForce} = monitor.scene; monitor.kept = {state, safeForce}; monitor.scene.update({...state, ...change.state}, change.safe ? safeForce : null); }", change)
+    still(page)
+    after, _ = picture(page)
+    page.evaluate("monitor.scene.update(monitor.kept.state, monitor.kept.safeForce)")
+    still(page)
+    return places(np.abs(before - after).max(axis=2) > least, corner)
+
+
+@pytest.fixture(scope="module")
+def guarded_log(soilctl, tmp_path_factory):
+    """A log of a stroke under a table of safe forces."""
+    folder = tmp_path_factory.mktemp("guarded")
+    soilctl("simulate", write_plan(folder, [(20.0, 80.0, 0.02)]), "--out", folder / "out", code=0)
+    return next((folder / "out").glob("*.mcap"))
+
+
+def test_forces_and_leads_are_drawn_as_they_are(serve, soilctl, guarded_log):
+    _, page = serve("--play", guarded_log)
+    begin_s, end_s = stroke_of(soilctl, guarded_log)
+    page.evaluate("monitor.scene.show('plate')")
+    for share in [0.75, 0.9]:
+        seek(page, begin_s + share * (end_s - begin_s))
+        state = page.evaluate("monitor.state")
+        assert state["trajectory"] == "stroke" and np.linalg.norm(state["force_rtz_n"]) > 3
+        look, tip = camera(page), marker(page)
+        x, y = state["plate"]["x_m"], state["plate"]["y_m"]
+        out = np.array([x, y, 0]) / math.hypot(x, y)
+        axes = np.array([out, [-out[1], out[0], 0], [0, 0, 1]])
+        at = np.array([x, y, state["plate"]["z_m"]])
+        lead = math.radians(state["lead_inclination_deg"])
+        # 5 mm a newton, leads five times as long; the lead is wanted towards the base.
+        ends = {
+            "force": (at + 0.005 * np.array(state["force_rtz_n"]) @ axes, {"state": {"force_rtz_n": [0, 0, 0]}, "safe": True}),
+            "lead": (at - 5 * state["lead_m"] * np.array([math.cos(lead), 0, math.sin(lead)]) @ axes, {"state": {"lead_m": None}, "safe": True}),
+        }
+        for name, (end, change) in ends.items():
+            seen, wanted = drawn_by(page, change) - tip, project(end, look) - tip
+            assert len(seen) > 60, name
+            length = np.linalg.norm(wanted)
+            along, across = seen @ wanted / length, seen @ [-wanted[1], wanted[0]] / length
+            # From the disc to the end, and as far beyond it as the disc is wide.
+            assert 0.9 * length < along.max() < 1.05 * length + 12, name
+            assert along.min() > -2 and abs(np.median(across)) < 2 and np.abs(across).max() < 24, name
+        # The fan of safe forces: what is seen of it lies within its outermost forces, and nearly fills them.
+        angles, forces = (np.array(json.loads(words.split("=")[1])) for words in SAFE_FORCE)
+        incline = np.radians(state["plate"]["tool_angle_deg"] - 90 + angles)
+        rim = at + 0.005 * forces[:, None] * (np.column_stack([np.cos(incline), 0 * incline, np.sin(incline)]) @ axes)
+        corners = np.array([project(point, look) for point in rim]) - tip
+        fan = drawn_by(page, {"state": {}, "safe": False}, least=20) - tip
+        around = np.vstack([[0, 0], corners])
+        area = 0.5 * abs(np.sum(around[:, 0] * np.roll(around[:, 1], -1) - around[:, 1] * np.roll(around[:, 0], -1)))
+        assert 0.7 * area < len(fan) < 1.1 * area
+        assert (fan.min(axis=0) >= around.min(axis=0) - 4).all() and (fan.max(axis=0) <= around.max(axis=0) + 4).all()
+    assert page.problems == []
+
+
+def test_a_lost_view_comes_back_as_it_was(serve, log):
+    _, page = serve("--play", log)
+    seek(page, 1e9)
+    before, _ = picture(page)
+    page.evaluate("monitor.lose = monitor.scene.gl.getExtension('WEBGL_lose_context'); monitor.lose.loseContext()")
+    page.locator("#no-webgl").wait_for(state="visible")
+    page.evaluate("monitor.lose.restoreContext()")
+    page.locator("#no-webgl").wait_for(state="hidden")
+    still(page)
+    after, _ = picture(page)
+    assert np.mean(np.abs(before - after).max(axis=2) > 8) < 0.001
+    # What was made for one scene is let go with it.
+    count = page.evaluate("monitor.scene.meshes.length")
+    page.evaluate("monitor.scene.describe(monitor.scene.description)")
+    assert page.evaluate("monitor.scene.meshes.length") <= count
+
+
+def test_a_damaged_log_is_played_and_said(soilctl, browser, log, tmp_path):
+    torn = tmp_path / "torn.mcap"
+    whole = log.read_bytes()
+    torn.write_bytes(whole[: 2 * len(whole) // 3])
+    monitor = Monitor(soilctl.binary, "--play", torn)
+    page = open_page(browser, monitor.url)
+    assert monitor.answer["damage"] and page.locator("#link").inner_text() == "log, damaged"
+    assert page.locator("#damage li").all_inner_texts() == monitor.answer["damage"]
+    page.context.close()
+    assert "damaged: " in monitor.end(code=3)
+
+
+def test_ticks_are_round_and_at_least_two(serve, log):
+    _, page = serve("--play", log)
+    for low, high, wanted in [(0, 7, 3), (-0.4, 1.9, 2), (-361, -330, 4), (0, 1e-3, 2), (97.4, 103.1, 1), (-20, 60, 2), (106.87, 136.87, 4.5)]:
+        ticks = page.evaluate("([low, high, wanted]) => ticks(low, high, wanted)", [low, high, wanted])
+        steps = np.diff(ticks)
+        assert 2 <= len(ticks) <= 3 * wanted + 3 and low <= ticks[0] and ticks[-1] <= high
+        assert np.allclose(steps, steps[0]) and float(f"{steps[0]:.0e}") == pytest.approx(steps[0])
+
+
 def test_the_soil_has_a_furrow_and_a_heap_after_the_stroke(serve, soilctl, log):
     _, page = serve("--play", log)
     heights = "Array.from(monitor.scene.soil.heights)"
@@ -106,6 +204,10 @@ def test_the_soil_has_a_furrow_and_a_heap_after_the_stroke(serve, soilctl, log):
     # Back again it is level again.
     seek(page, 0.5)
     assert max(map(abs, page.evaluate(heights))) == 0
+    # And whoever goes to the end at once sees what one sees who plays.
+    _, other = serve("--play", log)
+    seek(other, 1e9)
+    assert np.array_equal(np.array(other.evaluate(heights)), rest.ravel())
 
 
 def test_playing_scrubbing_and_keys(serve, log, joints):
@@ -145,6 +247,18 @@ def test_playing_scrubbing_and_keys(serve, log, joints):
     page.keyboard.press("Escape")
     page.locator("#events li[data-seek]").nth(3).click()
     until(page, "monitor.player.state.time_s > 0")
+    # From event to event, and from state to state in the track.
+    times = page.evaluate("monitor.panel.entries.map(entry => entry.time_s)")
+    page.locator("#events ol").focus()
+    marked = page.evaluate("monitor.panel.current")
+    page.keyboard.press("ArrowDown")
+    until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 1e-6", arg=times[marked + 1])
+    here = page.evaluate("monitor.state.time_s")
+    page.locator("#scrub").focus()
+    page.keyboard.press("ArrowRight")
+    until(page, "wanted => Math.abs(monitor.state.time_s - wanted) < 1e-6", arg=here + 0.032)
+    page.keyboard.press("Shift+L")
+    until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 0.05", arg=here + 5)
     assert page.problems == []
 
 
@@ -283,7 +397,7 @@ def test_an_arm_of_another_program(serve, six_joints):
     assert max(errors.values()) <= MOST_PX, errors
     # Curves of what there is, and nothing else.
     shown = page.evaluate("[...document.querySelectorAll('#charts figure')].filter(figure => !figure.hidden).map(figure => figure.querySelector('canvas').dataset.chart)")
-    assert shown == ["z", "joints"]
+    assert shown == ["z", "joints", "time"]
     text = page.locator("#readout").inner_text()
     assert "wrist_2" in text and "mm" in text
     assert page.evaluate("monitor.charts.data.positions.at(-1).length") == 7

@@ -27,17 +27,19 @@ def pages(soilctl, data, bound, stroke_log, tmp_path_factory):
     """A page of each verb, by the verb."""
     folder = tmp_path_factory.mktemp("pages")
     strokes = data / "soils" / "ticino_rained" / "strokes.csv"
-    soilctl("report", strokes, "--delta", 23, "--density", 1600, "--out", folder / "report.html", code=0)
+    soilctl("report", strokes, "--delta", 23, "--density", 1600, "--out", folder / "report.html", "--figures", folder / "report", code=0)
     soilctl("solve", data / "problems" / "footing_clay.toml", *BUDGET, "--report", folder / "solve.html")
     soilctl("certify", bound[0] / "plate.json", "--report", folder / "certify.html", code=0)
-    soilctl("process", stroke_log, "--report", folder / "process.html", code=0)
+    soilctl("process", stroke_log, "--report", folder / "process.html", "--figures", folder / "process", code=0)
+    soilctl("diagnose", data / "campaigns" / "campaign_b", "--out", folder / "diagnosis", "--figures", folder / "diagnose", code=0)
+    shutil.copy(folder / "diagnosis" / "report.html", folder / "diagnose.html")
     soilctl("bound", *PLATE, *BUDGET, "--plot", folder / "plot.html", "--plot-kind", "all")
     found = {file.stem: file for file in folder.glob("*.html")}
     return {**found, "bound": bound[0] / "plate.html"}
 
 
 def test_pages_have_one_frame(pages, open_page):
-    assert set(pages) == {"report", "solve", "certify", "process", "bound", "plot"}
+    assert set(pages) == {"report", "solve", "certify", "process", "diagnose", "bound", "plot"}
     styles = set()
     for verb, file in pages.items():
         page = open_page(file)
@@ -59,6 +61,16 @@ def test_pages_have_one_frame(pages, open_page):
             assert page.locator(place.get_attribute("href")).count() == 1
         styles.add(page.locator("style").first.inner_text())
     assert len(styles) == 1
+
+
+def test_every_figure_of_a_page_is_a_file_in_three_forms(pages, bound, open_page):
+    folders = {verb: pages[verb].with_suffix("") for verb in ("report", "process", "diagnose")} | {"bound": bound[0] / "figures"}
+    for verb, folder in folders.items():
+        names = {form: sorted(file.stem for file in folder.glob(f"*.{form}")) for form in ("svg", "png", "csv")}
+        assert names["svg"] == names["png"] == names["csv"], verb
+        assert len(names["svg"]) == open_page(pages[verb]).locator("figure").count() > 1, verb
+        for file in folder.iterdir():
+            assert file.stat().st_size > 100, file
 
 
 def test_the_verdict_holds_the_bounds(bound, open_page):
@@ -184,14 +196,17 @@ def test_a_page_saves_its_figures(bound, open_page, form, tmp_path):
     assert page.problems == []
 
 
-def test_prints_are_whole_and_light(bound, open_page):
-    page = open_page(bound[0] / "plate.html", color_scheme="dark")
+@pytest.mark.parametrize("verb", ["bound", "report", "process", "diagnose"])
+def test_prints_are_whole_and_light(pages, verb, open_page):
+    page = open_page(pages[verb], color_scheme="dark")
     page.wait_for_selector(".js-plotly-plot .main-svg", state="attached")
     page.emulate_media(media="print", color_scheme="dark")
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
     assert all(still.is_visible() for still in page.locator(".static svg").all())
     for hidden in ("nav.contents", ".theme", ".controls", ".save"):
-        assert not page.locator(hidden).first.is_visible(), hidden
+        assert page.locator(hidden).count() == 0 or not page.locator(hidden).first.is_visible(), hidden
+    # Nothing is cut off at the edge of a sheet.
+    assert page.evaluate("document.documentElement.scrollWidth <= document.documentElement.clientWidth")
 
 
 def test_the_same_command_gives_the_same_page(bound, soilctl):

@@ -132,7 +132,44 @@ impl Marker {
     }
 }
 
-/// Name of the plotly.js fill pattern that goes with a palette index; empty for a plain fill.
-pub(crate) fn hatch(index: usize) -> &'static str {
-    ["", "/", "\\", "x", "-", "|", "+", "."][index % 8]
+/// Lines across an area, by palette index.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Hatch(usize);
+
+impl Hatch {
+    /// The hatch that goes with a palette index.
+    pub(crate) fn of(index: usize) -> Self {
+        Self(index % 8)
+    }
+
+    /// Name of the plotly.js fill pattern; empty for a plain fill.
+    pub(crate) fn name(self) -> &'static str {
+        ["", "/", "\\", "x", "-", "|", "+", "."][self.0]
+    }
+
+    /// Directions of its lines, y downwards.
+    pub(crate) fn directions(self) -> &'static [(f64, f64)] {
+        const ALL: [&[(f64, f64)]; 8] = [
+            &[],
+            &[(1.0, -1.0)],
+            &[(1.0, 1.0)],
+            &[(1.0, -1.0), (1.0, 1.0)],
+            &[(1.0, 0.0)],
+            &[(0.0, 1.0)],
+            &[(1.0, 0.0), (0.0, 1.0)],
+            &[(1.0, 0.0)],
+        ];
+        ALL[self.0]
+    }
+
+    /// Dash pattern of its lines.
+    pub(crate) fn pattern(self) -> &'static [f64] {
+        if self.name() == "." { &[1.5, 8.5] } else { &[] }
+    }
+}
+
+/// A colour that is nearer to paper, for what lies over a fill.
+pub(crate) fn faint(color: Rgb) -> Rgb {
+    let mix = |a: u8, b: u8| u8::midpoint(a, b);
+    (mix(color.0, PAPER.0), mix(color.1, PAPER.1), mix(color.2, PAPER.2))
 }

@@ -1,6 +1,8 @@
 // Strip charts over the last seconds, drawn on canvases.
 const COLUMNS = ['force_n', 'friction_angle_deg', 'friction_setpoint_deg', 'z_m', 'displacement_m', 'machine', 'positions'];
 const MOST_POINTS = 12000;
+// Plates slide at less; forces near zero give any angle.
+const FRICTION_DEG = [-20, 60];
 const MACHINE = {off: 'line', fault: 'bad', idle: 'grid', hold: 'grid', joint_move: 'accent', cartesian_move: 'accent', joint_velocity: 'accent',
   joint_touch: 'third', cartesian_touch: 'third', insert: 'third', stroke: 'second'};
 
@@ -11,7 +13,7 @@ class Charts {
     this.joints = [];
     this.charts = [...root.querySelectorAll('figure')].map(figure => {
       const canvas = figure.querySelector('canvas'), value = figure.querySelector('b');
-      const chart = {kind: canvas.dataset.chart, canvas, value, unit: value.dataset.unit};
+      const chart = {kind: canvas.dataset.chart, canvas, value, unit: value?.dataset.unit};
       canvas.addEventListener('pointermove', event => { this.cursor = event.offsetX / canvas.clientWidth; this.redraw(); });
       canvas.addEventListener('pointerleave', () => { this.cursor = null; this.redraw(); });
       canvas.addEventListener('click', event => {
@@ -28,7 +30,7 @@ class Charts {
     this.joints = joints;
     for (const {kind, canvas} of this.charts) {
       const figure = canvas.parentElement;
-      figure.hidden = !kinds.includes(kind);
+      figure.hidden = kind !== 'time' && !kinds.includes(kind);
       if (kind !== 'z') continue;
       figure.querySelector('span').textContent = joints.length ? 'End height' : 'Edge height';
       figure.querySelector('small').hidden = this.level_m === null;
@@ -73,6 +75,9 @@ class Charts {
     for (const chart of this.charts) {
       const pen = this.pen(chart.canvas);
       if (!pen) continue;
+      const times = ticks(from, to, pen.width / 70);
+      if (chart.kind === 'time') { this.times(pen, times, from, to); continue; }
+      this.uprights(pen, times.filter(time => time >= 0).map(time => (time - from) / (to - from) * pen.width));
       if (chart.kind === 'machine') this.machine(chart, pen, first, from, to, at);
       else this.curves(chart, pen, first, from, to, at);
     }
@@ -87,6 +92,18 @@ class Charts {
     pen.font = '10px system-ui, "DejaVu Sans", sans-serif';
     return Object.assign(pen, {width, height});
   }
+  uprights(pen, places) {
+    pen.strokeStyle = this.colour('grid');
+    pen.lineWidth = 1;
+    for (const place of places) { pen.beginPath(); pen.moveTo(Math.round(place) + .5, 0); pen.lineTo(Math.round(place) + .5, pen.height); pen.stroke(); }
+  }
+  times(pen, times, from, to) {
+    pen.fillStyle = this.colour('faint');
+    for (const time of times.filter(time => time >= 0)) {
+      const words = `${label(time)} s`, wide = pen.measureText(words).width, place = (time - from) / (to - from) * pen.width - wide / 2;
+      if (place >= 0 && place + wide <= pen.width) pen.fillText(words, place, 11);
+    }
+  }
   series(kind) {
     const {data} = this, mm = list => list.map(value => value === null ? null : value * 1000);
     if (kind === 'force') return [[data.force_n, 'accent']];
@@ -99,21 +116,18 @@ class Charts {
     const {width, height} = pen, series = this.series(chart.kind);
     const values = series.flatMap(([list]) => list.slice(first)).filter(value => value !== null);
     let low = Math.min(...values), high = Math.max(...values);
+    if (chart.kind === 'friction' && values.length) [low, high] = [Math.max(low, FRICTION_DEG[0]), Math.min(high, FRICTION_DEG[1])];
+    if (low > high) [low, high] = FRICTION_DEG;
     if (chart.kind === 'z' && this.level_m !== null && values.length) [low, high] = [Math.min(low, this.level_m * 1000), Math.max(high, this.level_m * 1000)];
     if (chart.kind === 'force') [low, high] = [0, Math.max(high, 1)];
     if (!values.length) [low, high] = chart.kind === 'friction' ? [0, 40] : [0, 10];
     const room = Math.max(high - low, chart.kind === 'friction' ? 4 : chart.kind === 'z' ? 4 : 1) * .12;
     [low, high] = [chart.kind === 'force' ? 0 : low - room, high + room];
     const x = time => (time - from) / (to - from) * width, y = value => height - (value - low) / (high - low) * height;
-    const step = niceStep((high - low) / Math.max(2, height / 26));
+    const levels = ticks(low, high, height / 26);
     pen.strokeStyle = this.colour('grid');
-    pen.fillStyle = this.colour('faint');
     pen.lineWidth = 1;
-    for (let tick = Math.ceil(low / step) * step; tick < high; tick += step) {
-      const place = Math.round(y(tick)) + .5;
-      pen.beginPath(); pen.moveTo(0, place); pen.lineTo(width, place); pen.stroke();
-      if (place > 10) pen.fillText(Number(tick.toPrecision(6)).toString(), 2, place - 2);
-    }
+    for (const level of levels) { const place = Math.round(y(level)) + .5; pen.beginPath(); pen.moveTo(0, place); pen.lineTo(width, place); pen.stroke(); }
     if (chart.kind === 'z' && this.level_m !== null) this.line(pen, [[0, y(this.level_m * 1000)], [width, y(this.level_m * 1000)]], 'second', [5, 3]);
     for (const [list, colour, dash] of series) {
       let run = [];
@@ -124,9 +138,22 @@ class Charts {
       end();
     }
     if (this.cursor != null) this.line(pen, [[x(this.time[at]), 0], [x(this.time[at]), height]], 'faint');
-    if (chart.kind === 'joints') return;
+    for (const level of levels) this.words(pen, label(level), 2, y(level) > 12 ? y(level) - 2 : y(level) + 10);
+    if (chart.kind === 'joints') {
+      // Which is which, also without colours.
+      series.forEach(([list], j) => { if (list[at] != null) this.words(pen, `${j + 1}`, width - 8 - 9 * (j % 3), y(list[at]) - 3); });
+      return;
+    }
     const shown = series.map(([list]) => list[at]);
     chart.value.textContent = shown[0] == null ? '–' : `${shown[0].toFixed(1)} ${chart.unit}${shown[1] == null ? '' : ` (${shown[1].toFixed(1)})`}`;
+  }
+  // In front of curves, and to be read there.
+  words(pen, words, x, y) {
+    pen.strokeStyle = this.colour('panel');
+    pen.lineWidth = 3;
+    pen.strokeText(words, x, y);
+    pen.fillStyle = this.colour('faint');
+    pen.fillText(words, x, y);
   }
   line(pen, points, colour, dash = []) {
     if (points.length < 2) return;
@@ -160,11 +187,19 @@ class Charts {
 
 // Colour and dashes of a joint's curve.
 const JOINT_COLOURS = ['accent', 'second', 'third', 'warn', 'bad', 'faint'];
+const JOINT_DASHES = [[], [7, 3], [2, 2], [8, 3, 2, 3], [12, 3], [5, 2, 1, 2, 1, 2], [1, 3]];
 function jointLook(number) {
-  return [JOINT_COLOURS[number % JOINT_COLOURS.length], number < JOINT_COLOURS.length ? [] : [4, 3]];
+  return [JOINT_COLOURS[number % JOINT_COLOURS.length], JOINT_DASHES[number % JOINT_DASHES.length]];
 }
 
-function niceStep(rough) {
-  const power = 10 ** Math.floor(Math.log10(rough));
-  return [1, 2, 5, 10].map(factor => factor * power).find(step => step >= rough) ?? power;
+// Round numbers between two others: about as many as wanted, and two at least.
+function ticks(low, high, wanted) {
+  const rough = (high - low) / Math.max(2, wanted), power = 10 ** Math.floor(Math.log10(rough));
+  for (const step of [10, 5, 2, 1, .5, .2].map(factor => factor * power).filter(step => step < 2.5 * rough)) {
+    const first = Math.ceil(low / step), count = Math.floor(high / step) - first + 1;
+    if (count >= 2) return Array.from({length: Math.min(count, 50)}, (_, k) => (first + k) * step);
+  }
+  return [];
 }
+
+function label(number) { return Number(number.toPrecision(6)).toString().replace('-', '−'); }

@@ -1,24 +1,33 @@
 // The connection, and what holds all parts together.
 const page = {};
-const STALE_MS = 3500, MOST_WAIT_MS = 4000;
+// A monitor says something every five seconds, a session every 33 ms.
+const STALE_MS = 3500, LIFELESS_MS = 15000, MOST_WAIT_MS = 4000, SHIFT_PX = 30;
 const get = id => document.getElementById(id);
 
 class Link {
   constructor(hear, lost) { Object.assign(this, {hear, lost, wait: 250, last: performance.now()}); this.open(); }
   open() {
-    const socket = this.socket = new WebSocket(`ws://${location.host}/socket`);
+    const socket = this.socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/socket`);
+    this.last = performance.now();
     socket.onmessage = event => {
       this.last = performance.now();
       this.wait = 250;
       this.hear(JSON.parse(event.data));
     };
     socket.onopen = () => { this.connected = true; const token = takeToken(); if (token) this.send({type: 'authorize', token}); };
-    socket.onclose = event => {
-      this.connected = false;
-      this.lost(event.reason);
-      setTimeout(() => this.open(), this.wait);
-      this.wait = Math.min(MOST_WAIT_MS, this.wait * 2);
-    };
+    socket.onclose = event => this.again(event.reason);
+  }
+  again(reason) {
+    this.connected = false;
+    this.lost(reason);
+    setTimeout(() => this.open(), this.wait);
+    this.wait = Math.min(MOST_WAIT_MS, this.wait * 2);
+  }
+  // A connection that only looks like one says nothing, not even that it is closed.
+  check() {
+    if (!this.connected || performance.now() - this.last < LIFELESS_MS) return;
+    Object.assign(this.socket, {onmessage: null, onclose: null}).close();
+    this.again('the monitor is silent');
   }
   send(message) { if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message)); }
 }
@@ -55,6 +64,7 @@ const hear = {
     const shown = own ? ['force', 'friction', 'z', 'displacement', 'machine'] : [...message.has_force ? ['force'] : [], 'z', 'joints'];
     page.charts.choose(shown, page.joints.map(joint => joint.factor));
     get('events').hidden = !own;
+    if (message.commands && !sessionStorage.getItem('token')) page.commands.lock();
     const key = name => get('legend').querySelector(`[data-key=${name}]`);
     key('lead').hidden = !own;
     key('force').hidden = !message.has_force;
@@ -68,7 +78,8 @@ const hear = {
     page.scene.scaleForces(Math.max(0, ...message.overview_n));
     page.player.open(message);
     showLink('log', message.damage.length ? 'log, damaged' : 'log');
-    get('link').title = message.damage.join('\n');
+    get('damage').hidden = !message.damage.length;
+    get('damage').querySelector('ul').replaceChildren(...message.damage.map(words => Object.assign(document.createElement('li'), {textContent: words})));
   },
   history(message) { page.charts.add(message); },
   soil(message) { page.scene.patch(message); },
@@ -109,16 +120,20 @@ function keys(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || get('help').open) return;
   const typing = event.target.matches('input[list], select');
   if (typing) return;
-  const inScene = event.target === get('scene'), turns = {ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, 4], ArrowDown: [0, -4]};
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const inScene = event.target === get('scene'), step = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[key], turns = {ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, 4], ArrowDown: [0, -4]};
   const views = {1: 'home', 2: 'side', 3: 'top', 4: 'plate'};
-  if (inScene && turns[event.key]) page.scene.turn(...turns[event.key]);
-  else if (inScene && '+-'.includes(event.key)) page.scene.zoom(event.key === '+' ? .87 : 1.15);
-  else if (views[event.key]) page.scene.show(views[event.key]);
-  else if (event.key === '?') get('help').showModal();
-  else if (event.key === 'd') theme();
-  else if (event.key === ' ' && event.target.matches('button')) return;
-  else if (event.target === get('scrub') && ['Home', 'End'].includes(event.key)) return;
-  else if (!page.player.key(event.key)) return;
+  if (inScene && turns[key] && event.shiftKey) page.scene.shift(...turns[key].map(part => -Math.sign(part) * SHIFT_PX));
+  else if (inScene && turns[key]) page.scene.turn(...turns[key]);
+  else if (inScene && '+-'.includes(key)) page.scene.zoom(key === '+' ? .87 : 1.15);
+  else if (event.target === get('scrub') && step) page.player.step(step);
+  else if (event.target.closest?.('#events ol') && page.panel.key(key)) { /* done */ }
+  else if (views[key]) page.scene.show(views[key]);
+  else if (key === '?') get('help').showModal();
+  else if (key === 'd') theme();
+  else if (key === ' ' && event.target.matches('button')) return;
+  else if (event.target === get('scrub') && ['Home', 'End'].includes(key)) return;
+  else if (!page.player.key(key)) return;
   event.preventDefault();
 }
 
@@ -153,8 +168,7 @@ function pointers(canvas) {
 function start() {
   const send = message => page.link.send(message);
   page.heard = [];
-  page.scene = new Scene(get('scene'));
-  get('no-webgl').hidden = page.scene.ready;
+  page.scene = new Scene(get('scene'), ready => { get('no-webgl').hidden = ready; });
   page.player = new Player(send);
   page.charts = new Charts(get('charts'), time_s => page.player.active && page.player.seek(time_s));
   page.panel = new Panel(time_s => page.player.seek(time_s));
@@ -163,7 +177,7 @@ function start() {
   page.link = new Link(message => hear[message.type]?.(message), reason => {
     showLink('lost', 'stream lost');
     banner(`Stream lost, reconnecting …${reason ? ` (${reason})` : ''}`);
-    get('commands').hidden = true;
+    page.commands.forget();
   });
   get('window').addEventListener('change', event => { page.charts.window_s = Number(event.target.value); page.charts.redraw(); });
   get('views').addEventListener('click', event => event.target.dataset.view && page.scene.show(event.target.dataset.view));
@@ -177,6 +191,8 @@ function start() {
   setInterval(() => {
     const drawn = page.scene.drawn.filter(time => time > performance.now() - 1000).length;
     get('rate').textContent = page.scene.ready ? `${drawn} frames/s` : '';
+    page.link.check();
+    page.commands.check();
     const silent = performance.now() - page.link.last;
     if (page.live && page.link.connected && !page.sessionLost) banner(silent > STALE_MS ? `No data for ${Math.round(silent / 1000)} s` : null);
   }, 500);

@@ -1,5 +1,8 @@
 // What is told in words: readout, legend, events, commands.
-const MOST_EVENTS = 400, MOST_JOINTS = 12;
+const MOST_EVENTS = 400, MOST_JOINTS = 12, TICK_S = .002, PATIENCE_MS = 5000;
+// The number behind an event, by the beginning of its kind: factor, digits, unit.
+const EVENT_NUMBERS = {trajectory_ended: [TICK_S, 2, 's'], bias_taken: [1, 2, 'N'], surface_found: [1000, 1, 'mm'], wall_found: [1000, 1, 'mm'],
+  inserted: [1000, 1, 'mm'], stroke_ended: [1, 2, 'N'], lift: [1, 2, '°'], rise: [1000, 2, 'mm'], friction_found: [1, 1, '°']};
 class Panel {
   constructor(seek) {
     this.seek = seek;
@@ -30,7 +33,7 @@ class Panel {
     this.row('End-point', pose.tip_m ? `${pose.tip_m.map(part => (part * 1000).toFixed(0)).join(', ')} mm` : '–');
     names.slice(0, MOST_JOINTS).forEach((name, k) => {
       const at = pose.positions[k], {factor, unit} = joints[k];
-      this.row(name, at === null || at === undefined ? '–' : `${(at * factor).toFixed(1)} ${unit}`, '', jointLook(k)[0]);
+      this.row(`${k + 1} ${name}`, at === null || at === undefined ? '–' : `${(at * factor).toFixed(1)} ${unit}`, '', jointLook(k)[0]);
     });
     this.mark('force', pose.force_n ? `${Math.hypot(...pose.force_n).toFixed(1)} N` : '–');
   }
@@ -63,10 +66,19 @@ class Panel {
     const node = document.createElement('li'), part = (tag, words) => { const cell = node.appendChild(document.createElement(tag)); cell.textContent = words; return cell; };
     part('time', event.time_s.toFixed(2));
     part('span', event.kind.replaceAll('_', ' ').replaceAll('/', ' · ') + (event.index ? ` ${event.index}` : '')).className = /^(fault|sequence_failed)/.test(event.kind) ? 'fault' : '';
-    part('span', event.value ? Number(event.value.toPrecision(4)) : '');
+    const [factor, digits, unit] = EVENT_NUMBERS[event.kind.split('/')[0]] ?? [];
+    part('b', unit ? `${(event.value * factor).toFixed(digits)} ${unit}` : event.value ? Number(event.value.toPrecision(4)) : '');
     if (seekable) { node.dataset.seek = event.time_s; node.addEventListener('click', () => this.seek(event.time_s)); }
     this.entries.push({time_s: event.time_s, node});
     return node;
+  }
+  // The event before or after the one that is marked.
+  key(key) {
+    if (key !== 'ArrowUp' && key !== 'ArrowDown') return false;
+    const now = this.entries[this.current]?.time_s ?? -1, {time_s, node} = (key === 'ArrowDown'
+      ? this.entries.find(entry => entry.time_s > now + 1e-6) : this.entries.findLast(entry => entry.time_s < now - 1e-6)) ?? {};
+    if (node?.dataset.seek) this.seek(time_s);
+    return true;
   }
   // Marks the last event before a time of a log.
   at(time_s) {
@@ -84,24 +96,37 @@ class Commands {
     this.send = send;
     this.id = 0;
     const get = id => document.getElementById(id);
-    Object.assign(this, {root: get('commands'), answer: get('answer'), words: get('words')});
+    Object.assign(this, {root: get('commands'), locked: get('locked'), answer: get('answer'), words: get('words')});
     get('line').addEventListener('submit', event => { event.preventDefault(); this.line(get('text').value.trim()); get('text').value = ''; });
     get('quick').addEventListener('click', event => event.target.dataset.line && this.line(event.target.dataset.line));
     get('stop').addEventListener('click', () => this.line('emergency_stop'));
   }
   allow(words) {
-    this.root.hidden = false;
+    [this.root.hidden, this.locked.hidden] = [false, true];
     this.words.replaceChildren(...words.map(([word, help]) => new Option(help, word)));
+  }
+  lock() { [this.root.hidden, this.locked.hidden] = [true, false]; }
+  forget() {
+    this.root.hidden = this.locked.hidden = true;
+    this.asked = null;
+  }
+  // An emergency stop that nobody answers must not look like one that is done.
+  check() {
+    if (!this.asked || performance.now() - this.asked < PATIENCE_MS) return;
+    this.asked = null;
+    this.say(`${this.last}: no answer for ${PATIENCE_MS / 1000} s; whether it is done is not known yet`, 'bad');
   }
   line(text) {
     if (!text) return;
     this.id += 1;
-    this.last = text;
+    [this.last, this.asked] = [text, performance.now()];
     this.say(`${text} …`);
     this.send({type: 'line', id: this.id, text});
   }
   answered(message) {
+    if (message.id === this.id) this.asked = null;
     if (message.type === 'ack' && message.id === this.id) this.say(`${this.last}: done in tick ${message.tick}`);
+    if (message.problem === 'forbidden') this.lock();
     if (message.type === 'error' && !this.root.hidden) this.say(message.message, 'bad');
   }
   say(words, tone = '') { this.answer.textContent = words; this.answer.dataset.tone = tone; }

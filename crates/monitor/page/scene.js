@@ -13,8 +13,9 @@ const VIEWS = {
 };
 
 class Scene {
-  constructor(canvas) {
+  constructor(canvas, say) {
     this.canvas = canvas;
+    this.say = say;
     this.gl = canvas.getContext('webgl2', {antialias: !isSoftware(), alpha: false, powerPreference: 'high-performance'});
     this.ready = Boolean(this.gl);
     this.pace = new Pace(() => this.redraw());
@@ -22,13 +23,16 @@ class Scene {
     this.space = OWN_SPACE;
     this.show('home');
     this.drawn = [];
+    say(this.ready);
     if (!this.ready) return;
-    canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.ready = false; });
-    canvas.addEventListener('webglcontextrestored', () => { this.ready = true; this.begin(); if (this.description) this.describe(this.description); });
+    canvas.addEventListener('webglcontextlost', event => { event.preventDefault(); this.setReady(false); });
+    canvas.addEventListener('webglcontextrestored', () => { this.setReady(true); this.begin(); if (this.description) this.build(); });
     this.begin();
   }
+  setReady(ready) { this.ready = ready; this.say(ready); }
   begin() {
     const gl = this.gl;
+    this.meshes = [];
     this.main = this.program(VERTEX, FRAGMENT);
     this.depth = this.program(VERTEX, SHADOW_FRAGMENT);
     this.shadow = gl.createTexture();
@@ -44,6 +48,7 @@ class Scene {
     this.ball = this.mesh(Shapes.sphere(1, 12));
     this.point = this.mesh({points: [0, 0, 0, 0, 0, 1], faces: [0]});
     this.bodies = [];
+    this.lasting = this.meshes.length;
   }
   program(vertex, fragment) {
     const gl = this.gl, program = gl.createProgram();
@@ -64,6 +69,7 @@ class Scene {
   }
   mesh({points, faces}, old) {
     const gl = this.gl, mesh = old ?? {array: gl.createVertexArray(), points: gl.createBuffer(), faces: gl.createBuffer()};
+    if (!old) this.meshes.push(mesh);
     gl.bindVertexArray(mesh.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, mesh.points);
     gl.bufferData(gl.ARRAY_BUFFER, points instanceof Float32Array ? points : new Float32Array(points), old ? gl.DYNAMIC_DRAW : gl.STATIC_DRAW);
@@ -89,11 +95,16 @@ class Scene {
     const before = JSON.stringify(this.space);
     this.space = spaceOf(description, this.arm.reach_m);
     if (JSON.stringify(this.space) !== before) this.show(this.camera.view);
-    if (!this.ready) return;
-    const {middle, size} = this.space;
+    if (this.ready) this.build();
+  }
+  // What the graphics processor has to know; it forgets it with its context.
+  build() {
+    const {gl, description} = this, {middle, size} = this.space;
+    for (const mesh of this.meshes.splice(this.lasting)) { gl.deleteVertexArray(mesh.array); gl.deleteBuffer(mesh.points); gl.deleteBuffer(mesh.faces); }
     this.light = Matrix.times(Matrix.box(.85 * size, .5 * size, 4 * size), Matrix.look(Vector.plus(middle, Vector.times(SUN, 2 * size)), middle, [0, 0, 1]));
     this.bodies = this.arm.bodies.map(body => ({...body, mesh: this.mesh(body.mesh)}));
-    this.sand = this.skirt = null;
+    this.sand = this.skirt = this.arrowMesh = this.safeMesh = undefined;
+    if (this.soil) this.soil.changed = true;
     this.fixed = this.rim = this.glass = [];
     if (description.sandbox) this.box(description.sandbox);
     else this.floor = this.slab([middle[0] - 2 * size, middle[1] - 2 * size, this.ground - .02 * size], [middle[0] + 2 * size, middle[1] + 2 * size, this.ground - .002 * size]);
@@ -107,7 +118,9 @@ class Scene {
     const tray = slab([x_m[0] - .012, y_m[0] - .012, floor_z_m - .016], [x_m[1] + .012, y_m[1] + .012, floor_z_m - .001]);
     this.fixed = [table, tray];
     this.floor = slab([-1.7, -2, floor_z_m - .022], [2.3, 2, floor_z_m - .0175]);
-    this.glass = [[x_m[0], y_m[0], x_m[1], y_m[0]], [x_m[1], y_m[0], x_m[1], y_m[1]], [x_m[1], y_m[1], x_m[0], y_m[1]], [x_m[0], y_m[1], x_m[0], y_m[0]]]
+    // A little outside, or sand and glass would be drawn through each other.
+    const [x0, x1] = [x_m[0] - .002, x_m[1] + .002], [y0, y1] = [y_m[0] - .002, y_m[1] + .002];
+    this.glass = [[x0, y0, x1, y0], [x1, y0, x1, y1], [x1, y1, x0, y1], [x0, y1, x0, y0]]
       .map(([x, y, u, v]) => this.mesh({points: [x, y, floor_z_m, u, v, floor_z_m, u, v, top_z_m, x, y, top_z_m].reduce((all, value, n) => (all.push(value), n % 3 === 2 && all.push(...Vector.unit([y - v, u - x, 0])), all), []), faces: [0, 1, 2, 0, 2, 3]}));
     const t = .003, rim = [];
     for (const y of y_m) rim.push([[x_m[0], y, top_z_m], [wide[0] + t, t, t], 0]);
@@ -256,9 +269,12 @@ class Scene {
   arrow(vector, radius, colour) {
     const length = Vector.size(vector);
     if (length < 1e-3) return;
-    const z = Vector.times(vector, 1 / length), [x, y] = across(z);
+    const z = Vector.times(vector, 1 / length), [x, y] = across(z), {eye} = this.lens();
+    // It begins at the rim of the end-point's disc, which would hide a short one.
+    const pixel = 2 * Vector.size(Vector.minus(eye, this.tip)) * Math.tan(FOV_DEG * Math.PI / 360) / this.canvas.clientHeight;
+    const from = Vector.plus(this.tip, Vector.times(z, (TIP_PX / 2 + 2) * pixel));
     this.arrowMesh = this.mesh(Shapes.arrow(length, radius * this.space.size), this.arrowMesh);
-    this.put(this.arrowMesh, [...x, 0, ...y, 0, ...z, 0, ...this.tip, 1], colour, KIND.sign);
+    this.put(this.arrowMesh, [...x, 0, ...y, 0, ...z, 0, ...from, 1], colour, KIND.sign);
   }
   vectors() {
     const state = this.state, {gl} = this;

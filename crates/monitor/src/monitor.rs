@@ -1,4 +1,4 @@
-use std::net::{SocketAddr, TcpListener};
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpListener};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -54,6 +54,7 @@ pub struct Monitor {
     address: SocketAddr,
     shared: Arc<Shared>,
     hub: Option<Arc<Hub>>,
+    damage: Vec<String>,
     threads: Vec<JoinHandle<()>>,
 }
 
@@ -72,7 +73,7 @@ impl Monitor {
         let address = listener.local_addr().map_err(failed)?;
         let stop = Arc::new(AtomicBool::new(false));
         let mut threads = Vec::new();
-        let mut hub = None;
+        let (mut hub, mut damage) = (None, Vec::new());
         let (feed, greeting): (Box<dyn Fn() -> _ + Send + Sync>, _) = match source {
             Source::Session(path) => {
                 let shared = Arc::new(Hub::default());
@@ -84,6 +85,7 @@ impl Monitor {
             Source::Log { path, from_s, bag } => {
                 let film = Film::load(&path, &bag)?;
                 let greeting = film.greeting(&path);
+                damage = film.damage().to_vec();
                 (Box::new(move || Ok(Feed::Log(Box::new(film.player(from_s)?)))), greeting)
             }
         };
@@ -106,7 +108,7 @@ impl Monitor {
             shared.stop.store(true, Ordering::Relaxed);
             MonitorError::Thread { thread: "server", reason }
         })?);
-        Ok(Self { address, shared, hub, threads })
+        Ok(Self { address, shared, hub, damage, threads })
     }
 
     /// Where it listens.
@@ -121,15 +123,23 @@ impl Monitor {
         self.shared.token.as_deref()
     }
 
-    /// The address for a browser, with the token in the part that browsers keep to themselves.
+    /// The address for a browser on this machine, with the token in the part that browsers keep to themselves.
     #[must_use]
     pub fn url(&self) -> String {
         let mut address = self.address;
-        if address.ip().is_unspecified() {
-            address.set_ip(std::net::Ipv4Addr::LOCALHOST.into());
+        match address.ip() {
+            IpAddr::V4(ip) if ip.is_unspecified() => address.set_ip(Ipv4Addr::LOCALHOST.into()),
+            IpAddr::V6(ip) if ip.is_unspecified() => address.set_ip(Ipv6Addr::LOCALHOST.into()),
+            _ => {}
         }
         let token = self.token().map(|token| format!("#token={token}")).unwrap_or_default();
         format!("http://{address}/{token}")
+    }
+
+    /// What is wrong with the log that is played; it is left out.
+    #[must_use]
+    pub fn damage(&self) -> &[String] {
+        &self.damage
     }
 
     /// What it has counted so far.

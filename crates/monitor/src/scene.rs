@@ -15,6 +15,9 @@ const REPOSE_DEG: f64 = 35.0;
 /// That of cohesive soil, which stands steeper than its friction.
 const COHESIVE_DEG: f64 = 80.0;
 
+/// The event of an arm that has found the sand by touch; its value is the level.
+pub(crate) const SURFACE_FOUND: &str = "surface_found";
+
 /// The scene behind states.
 #[derive(Debug, Clone)]
 pub(crate) struct Scene {

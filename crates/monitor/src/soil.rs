@@ -81,7 +81,10 @@ impl Surface {
         let Sandbox { x_m, y_m, surface_z_m, cell_m, .. } = self.sandbox;
         let inside = x > x_m[0] && x < x_m[1] && y > y_m[0] && y < y_m[1] && z < surface_z_m;
         if !inside {
-            self.last_m = None;
+            if self.last_m.take().is_some() {
+                // Where this stroke swept, the next one may sweep again.
+                self.field.lift();
+            }
             return;
         }
         let Some(last_m) = self.last_m else {
@@ -137,9 +140,9 @@ impl Surface {
         }
     }
 
-    /// Whether the next states may change it though the plate stands still.
+    /// Whether a [`Snapshot`] is all there is to it: no slope runs off and no stroke is under way.
     pub(crate) const fn is_at_rest(&self) -> bool {
-        self.restless == 0
+        self.restless == 0 && self.last_m.is_none()
     }
 }
 

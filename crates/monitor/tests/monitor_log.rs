@@ -3,8 +3,11 @@
 
 mod common;
 
-use common::{Page, log, monitor, play};
+use std::time::{Duration, Instant};
+
+use common::{LONG, Page, log, monitor, noted, play};
 use serde_json::{Value, json};
+use tungstenite::Message;
 
 fn time_s(message: &Value) -> f64 {
     message["time_s"].as_f64().unwrap()
@@ -90,18 +93,38 @@ fn what_is_no_log_is_refused() {
 }
 
 #[test]
-fn a_page_that_stops_reading_holds_up_nobody() {
+fn a_page_that_stops_reading_holds_up_nobody_and_is_sent_away() {
     let dir = tempfile::tempdir().unwrap();
-    let (monitor, _) = monitor(play(&log(dir.path())), false);
+    let (monitor, notes) = monitor(play(&log(dir.path())), false);
     let (mut deaf, mut other) = (Page::open(monitor.address()), Page::open(monitor.address()));
-    // Every jump is answered with curves, until nothing more fits on the way.
-    for number in 0..180 {
-        deaf.say(&json!({"type": "seek", "time_s": f64::from(1 + number % 3)}));
-    }
-    for number in 0..40 {
+    let begin = Instant::now();
+    let mut number = 0;
+    // Every jump is answered with curves, until nothing more fits on the way; then its time runs.
+    while !noted(&notes, "takes nothing any more") {
+        number += 1;
         let wanted = f64::from(1 + number % 3);
+        let _ = deaf.socket.send(Message::text(json!({"type": "seek", "time_s": wanted}).to_string()));
+        let asked = Instant::now();
         other.say(&json!({"type": "seek", "time_s": wanted}));
         other.wait("player", |player| time_s(player) == wanted);
+        assert!(asked.elapsed() < Duration::from_secs(5));
+        std::thread::sleep(Duration::from_millis(10));
+        assert!(begin.elapsed() < LONG);
     }
+    // A page that may wait for twenty seconds is not sent away at once.
+    assert!(begin.elapsed() > Duration::from_secs(20));
     assert_eq!(monitor.stop().pages, 2);
+}
+
+#[test]
+fn a_log_that_stands_still_shows_signs_of_life() {
+    let dir = tempfile::tempdir().unwrap();
+    let (monitor, _) = monitor(play(&log(dir.path())), false);
+    let mut page = Page::open(monitor.address());
+    let begin = Instant::now();
+    for _ in 0..2 {
+        page.wait("heartbeat", |_| true);
+    }
+    assert!(begin.elapsed() < Duration::from_secs(30));
+    drop(monitor);
 }

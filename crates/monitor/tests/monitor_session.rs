@@ -89,3 +89,27 @@ fn a_session_that_ends_is_said_and_the_next_one_is_found() {
     host.wait().unwrap();
     assert_eq!(monitor.stop().pages, 3);
 }
+
+#[test]
+fn the_sand_is_where_the_arm_first_touches_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let socket = dir.path().join("live");
+    let host = session(&socket, None);
+    let (monitor, _) = monitor(Source::Session(socket), true);
+    let mut page = Page::open(monitor.address());
+    let stated = page.wait("scene", |_| true)["sandbox"]["surface_z_m"].as_f64().unwrap();
+    page.say(&json!({"type": "authorize", "token": monitor.token().unwrap()}));
+    page.wait("authorized", |_| true);
+    for (id, line) in ["enable", "start campaign"].iter().enumerate() {
+        assert_eq!(page.line(id as u64 + 1, line)["type"], "ack", "{line}");
+    }
+    // Answered when the time is over; the event comes before.
+    page.say(&json!({"type": "line", "id": 3, "text": "advance 20"}));
+    let found = page.wait("event", |event| event["kind"] == "surface_found")["value"].as_f64().unwrap();
+    assert!(found != stated && (found - stated).abs() < 0.02, "{found} {stated}");
+    host.stopper().stop();
+    host.wait().unwrap();
+    // Whoever comes later is told so at once.
+    let scene = Page::open(monitor.address()).wait("scene", |_| true);
+    assert_eq!(scene["sandbox"]["surface_z_m"].as_f64().unwrap(), found);
+}

@@ -58,8 +58,13 @@ fn a_page_of_another_site_is_refused() {
     // A program that is no browser sends none.
     assert_eq!(Page::from_origin(at, None).unwrap().next()["type"], "hello");
     assert_eq!(Page::open(at).next()["type"], "hello");
+    // Through a tunnel, whose end is another port, and behind a proxy that speaks TLS.
+    for (host, origin) in [("localhost:9000", "http://localhost:9000"), ("localhost", "https://localhost")] {
+        assert_eq!(Page::through(at, host, origin).unwrap().next()["type"], "hello");
+    }
+    assert_eq!(Page::through(at, "localhost:9000", "http://localhost:9001").err(), Some(403));
     let counts = monitor.stop();
-    assert_eq!((counts.pages, counts.refused), (2, 4));
+    assert_eq!((counts.pages, counts.refused), (4, 5));
 }
 
 #[test]
@@ -120,6 +125,22 @@ fn a_huge_message_ends_its_page_only() {
     other.say(&json!({"type": "step", "count": 3}));
     other.wait("player", |player| player["time_s"].as_f64().unwrap() > 0.0);
     assert!(noted(&notes, "at most 4096 bytes"));
+}
+
+#[test]
+fn pings_and_bytes_are_counted_too() {
+    let dir = tempfile::tempdir().unwrap();
+    let (monitor, notes) = monitor(play(&log(dir.path())), false);
+    for message in [Message::Ping(vec![1; 100].into()), Message::binary(vec![1, 2, 3])] {
+        let mut page = Page::open(monitor.address());
+        // Until it is sent away.
+        assert!(
+            (0..1_000_000).any(|_| page.socket.send(message.clone()).is_err()),
+            "{message} is not counted"
+        );
+    }
+    assert!(noted(&notes, "too many messages"));
+    Page::open(monitor.address()).wait("state", |_| true);
 }
 
 #[test]

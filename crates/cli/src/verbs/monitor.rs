@@ -1,5 +1,6 @@
 //! `soilctl monitor`: a page that shows a live session or a log in 3-D.
 
+use std::io::Write;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -10,6 +11,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
+use tempfile::NamedTempFile;
 
 use super::Outcome;
 use crate::args::{TopicArgs, finite};
@@ -20,7 +22,8 @@ use crate::output::{Answer, Output};
 #[command(
     after_help = "Prints the page's address, serves it, and ends at Ctrl-C. Nobody beyond this machine reaches it unless --listen \
     says so. With --commands the address carries a token; whoever has it may do to the arm what `soilctl console` does. \
-    Of a log of another program (ROS 2, .mcap) the joint states move the arm of the URDF in it, or of --urdf. docs/monitor.md tells keys, messages and limits."
+    Of a log of another program (ROS 2, .mcap) the joint states move the arm of the URDF in it, or of --urdf. Exit code 3: the log is \
+    damaged, and what can be read is played. docs/monitor.md tells keys, messages and limits."
 )]
 pub(crate) struct Args {
     /// Socket of a running session
@@ -89,6 +92,8 @@ pub(crate) struct MonitorAnswer {
     listen: String,
     /// Whether pages that know the token may send commands.
     commands: bool,
+    /// What is wrong with the log that is played; it is left out.
+    damage: Vec<String>,
 }
 
 impl Answer for MonitorAnswer {
@@ -124,12 +129,23 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     let monitor = monitor?;
     let address = monitor.address();
     if !address.ip().is_loopback() {
-        output.note(&format!("warning: everybody who reaches {address} can see this page"));
+        let port = address.port();
+        output.note(&format!(
+            "warning: everybody who reaches port {port} of this machine can see the page, at the machine's address instead of this one's"
+        ));
     }
-    let answer = MonitorAnswer { url: monitor.url(), listen: address.to_string(), commands: args.commands };
+    let damage = monitor.damage().to_vec();
+    for what in &damage {
+        output.note(&format!("damaged: {what}"));
+    }
+    let outcome = if damage.is_empty() { Outcome::Done } else { Outcome::Partial };
+    let answer =
+        MonitorAnswer { url: monitor.url(), listen: address.to_string(), commands: args.commands, damage };
     output.answer(&answer)?;
     output.note("Ctrl-C ends");
-    if args.open && open::that_detached(&answer.url).is_err() {
+    // Kept as long as the monitor.
+    let opened = args.open.then(|| open_page(&answer.url, args.commands));
+    if matches!(opened, Some(Err(_))) {
         output.note("no browser could be started; open the address by hand");
     }
     while !signalled.load(Ordering::Relaxed) {
@@ -140,5 +156,22 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         "pages: {}, refused: {}, messages left out for slow pages: {}",
         counts.pages, counts.refused, counts.dropped
     ));
-    Ok(Outcome::Done)
+    Ok(outcome)
+}
+
+/// Opens the page. All users of a machine see with which arguments programs run: an address with a token goes through a file that
+/// is its owner's, and the browser from there to the page.
+fn open_page(url: &str, secret: bool) -> std::io::Result<Option<NamedTempFile>> {
+    if !secret {
+        open::that_detached(url)?;
+        return Ok(None);
+    }
+    let mut file = tempfile::Builder::new().prefix("soilctl-monitor-").suffix(".html").tempfile()?;
+    write!(
+        file,
+        "<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={url}\"><title>soilctl monitor</title>"
+    )?;
+    file.flush()?;
+    open::that_detached(file.path())?;
+    Ok(Some(file))
 }

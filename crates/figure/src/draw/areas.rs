@@ -3,15 +3,16 @@
 use super::clip;
 use super::dash::dashes;
 use super::frame::Frame;
+use super::hatch::draw_hatch;
 use super::scene::{Px, Scene};
 use crate::model::{Band, DataPoint, Orientation, Polygons, Span};
-use crate::palette::{Dash, FILL_ALPHA, NEUTRAL, Rgb, series};
+use crate::palette::{Dash, FILL_ALPHA, Hatch, NEUTRAL, Rgb, series};
 
 const OUTLINE: f64 = 1.2;
 
 pub(crate) fn draw_band(band: &Band, frame: &Frame, scene: &mut Scene) {
     let index = band.color.unwrap_or_default();
-    fill(&[band.outline()], series(index), frame, scene);
+    fill(&[band.outline()], index, frame, scene);
     for curve in [&band.low, &band.high] {
         let points: Vec<DataPoint> = band.x.iter().copied().zip(curve.iter().copied()).collect();
         outline(&frame.all(&points), Dash::of(index), series(index), frame, scene);
@@ -22,7 +23,7 @@ pub(crate) fn draw_polygons(polygons: &Polygons, frame: &Frame, scene: &mut Scen
     let index = polygons.color.unwrap_or_default();
     for part in &polygons.parts {
         let rings = part.oriented_rings();
-        fill(&rings, series(index), frame, scene);
+        fill(&rings, index, frame, scene);
         for ring in &rings {
             let mut closed = frame.all(ring);
             closed.extend(closed.first().copied());
@@ -49,14 +50,15 @@ pub(crate) fn draw_span(span: &Span, frame: &Frame, scene: &mut Scene) {
     }
 }
 
-fn fill(rings: &[Vec<DataPoint>], color: Rgb, frame: &Frame, scene: &mut Scene) {
+fn fill(rings: &[Vec<DataPoint>], index: usize, frame: &Frame, scene: &mut Scene) {
     let rings: Vec<Vec<Px>> = rings
         .iter()
         .map(|ring| clip::ring(&frame.all(ring), &frame.plot))
         .filter(|ring| ring.len() > 2)
         .collect();
     if !rings.is_empty() {
-        scene.fill(rings, color, FILL_ALPHA);
+        scene.fill(rings.clone(), series(index), FILL_ALPHA);
+        draw_hatch(&rings, Hatch::of(index), series(index), scene);
     }
 }
 

@@ -4,10 +4,11 @@ use super::clip::Rect;
 use super::dash::dashes;
 use super::fonts::{fit, width};
 use super::frame::{Frame, PAD, TICK_EM};
+use super::hatch::draw_hatch;
 use super::layers::{MARKER, REF_WIDTH, draw_marker};
 use super::scene::{Anchor, Label, Scene};
 use crate::model::{Figure, Layer, Legend};
-use crate::palette::{Dash, FILL_ALPHA, Marker, NEUTRAL, Rgb, series};
+use crate::palette::{Dash, FILL_ALPHA, Hatch, Marker, NEUTRAL, Rgb, series};
 
 const SAMPLE: f64 = 34.0;
 const GAP: f64 = 8.0;
@@ -130,6 +131,9 @@ fn draw_swatch(left: f64, middle: f64, index: Option<usize>, scene: &mut Scene) 
     let swatch = Rect { left, top: middle - 6.0, right: left + SAMPLE, bottom: middle + 6.0 };
     let mut ring = swatch.ring();
     scene.fill(vec![ring.clone()], color, FILL_ALPHA);
+    if let Some(index) = index {
+        draw_hatch(&[ring.clone()], Hatch::of(index), color, scene);
+    }
     ring.push(ring[0]);
     for piece in dashes(&ring, dash.pattern(), 1.2) {
         scene.stroke(piece, 1.2, color);

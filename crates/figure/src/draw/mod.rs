@@ -8,6 +8,7 @@ mod dash;
 mod fonts;
 mod frame;
 mod grid;
+mod hatch;
 mod layers;
 mod legend;
 mod paths;

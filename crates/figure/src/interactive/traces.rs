@@ -6,7 +6,7 @@ use super::fields::{paths_trace, shades_traces};
 use super::{dash, hex, translucent};
 use crate::escape;
 use crate::model::{Band, Figure, Layer, Line, Points, Polygons, Text, TextPlace};
-use crate::palette::{Dash, FILL_ALPHA, INK, Marker, hatch, series};
+use crate::palette::{Dash, FILL_ALPHA, Hatch, INK, Marker, series};
 
 /// The traces of a figure; texts last, so that they stay on top.
 pub(super) fn of(figure: &Figure) -> Vec<Value> {
@@ -89,9 +89,10 @@ fn fill(json: &mut Value, index: usize) {
     let color = series(index);
     json["fill"] = json!("toself");
     json["fillcolor"] = json!(translucent(color, FILL_ALPHA));
-    if !hatch(index).is_empty() {
+    let hatch = Hatch::of(index).name();
+    if !hatch.is_empty() {
         json["fillpattern"] = json!({
-            "shape": hatch(index), "size": 9, "solidity": 0.12,
+            "shape": hatch, "size": 9, "solidity": 0.12,
             "fgcolor": hex(color), "bgcolor": translucent(color, 0.16), "fgopacity": 0.55,
         });
     }

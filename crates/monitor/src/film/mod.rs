@@ -64,6 +64,14 @@ impl Film {
         ]
     }
 
+    /// What is wrong with the file; that is left out.
+    pub(crate) fn damage(&self) -> &[String] {
+        match self {
+            Self::Own(track) => track.damage(),
+            Self::Bag(track) => track.damage(),
+        }
+    }
+
     /// A page's own place in it, beginning at a time in s.
     pub(crate) fn player(&self, from_s: f64) -> Result<Player, MonitorError> {
         Ok(Player::new(

@@ -6,6 +6,7 @@ use soilctl_live::protocol::{Command, Event, Problem, ServerMessage, StateMessag
 
 use crate::feed::text;
 use crate::messages::{History, PageMessage};
+use crate::soil::Surface;
 
 /// Messages that wait for a page; what does not fit is left out and counted.
 const MOST_WAITING: usize = 256;
@@ -118,7 +119,7 @@ impl Inner {
         self.pending.remove(&sent)
     }
 
-    /// The session has not understood some command: the answers that are still open will not all come.
+    /// The session is gone, or has not understood some command: the answers that are still open will not all come.
     pub(crate) fn give_up(&mut self, problem: Problem, message: &str) {
         for (page, id) in std::mem::take(&mut self.pending).into_values() {
             let message = message.to_owned();
@@ -135,11 +136,25 @@ impl Inner {
 
     /// Forgets what came from a session that is gone.
     pub(crate) fn begin(&mut self, greeting: Arc<[String]>) {
-        (self.greeting, self.state) = (greeting, None);
-        self.greetings += 1;
+        self.state = None;
         self.recent.clear();
         self.events.clear();
-        self.pending.clear();
+        self.greet(greeting);
+    }
+
+    /// Greets all pages again; curves and events so far follow.
+    pub(crate) fn greet(&mut self, greeting: Arc<[String]>) {
+        self.greeting = greeting;
+        self.greetings += 1;
+        // With the surface, of which a page knows nothing after a greeting.
+        self.soils += 1;
+    }
+
+    pub(crate) fn set_soil(&mut self, surface: &Surface) {
+        let heights = surface.heights();
+        if self.soil.as_ref().is_none_or(|(_, old)| **old != *heights) {
+            (self.soil, self.soils) = (Some((surface.grid(), heights.into())), self.soils + 1);
+        }
     }
 
     pub(crate) fn note_event(&mut self, event: Event) {

@@ -5,19 +5,28 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use soilctl_live::Client;
-use soilctl_live::protocol::{Configuration, ServerMessage};
+use soilctl_live::protocol::{Configuration, Event, Problem, ServerMessage};
 
 use super::Hub;
 use crate::MonitorError;
 use crate::feed::text;
 use crate::messages::PageMessage;
-use crate::scene::Scene;
+use crate::scene::{SURFACE_FOUND, Scene};
 use crate::soil::Surface;
 
 /// How long a session may take to say what it runs with.
 const ANSWER: Duration = Duration::from_secs(3);
 /// Between two attempts to reach it again.
 const RETRY: Duration = Duration::from_millis(500);
+
+/// A session, and what is known of it.
+struct Connection {
+    client: Client,
+    scene: Scene,
+    surface: Surface,
+    /// Whether the level of the sand is one that was touched.
+    touched: bool,
+}
 
 /// The connection to a session; it is made again whenever it breaks.
 pub(crate) struct Upstream {
@@ -43,11 +52,11 @@ impl Upstream {
             .map_err(|reason| MonitorError::Thread { thread: "upstream", reason })
     }
 
-    fn run(&self, first: (Client, Surface)) {
+    fn run(&self, first: Connection) {
         let mut connection = Some(first);
         while !self.stop.load(Ordering::Relaxed) {
             let reason = match connection.take() {
-                Some((client, surface)) => self.listen(client, surface),
+                Some(connection) => self.listen(connection),
                 None => match self.connect() {
                     Ok(fresh) => {
                         connection = Some(fresh);
@@ -57,39 +66,47 @@ impl Upstream {
                 },
             };
             self.hub.connect(None);
-            self.hub.lock().set_link(false, reason);
+            let mut inner = self.hub.lock();
+            inner.give_up(Problem::Unavailable, "the session is gone; whether it did this is not known");
+            inner.set_link(false, reason);
+            drop(inner);
             std::thread::sleep(RETRY);
         }
     }
 
-    fn connect(&self) -> Result<(Client, Surface), MonitorError> {
+    fn connect(&self) -> Result<Connection, MonitorError> {
         let mut client = Client::connect(&self.path)?;
         let mut commander = client.commander()?;
         commander.describe()?;
         let scene = Scene::new(&configuration(&mut client)?)?;
         let surface = Surface::new(&scene)?;
-        let name = self.path.display().to_string();
-        let greeting = [
-            text(&ServerMessage::Hello(client.hello().clone())),
-            text(&PageMessage::Scene(scene.message(&name, true, self.commands))),
-        ];
+        let connection = Connection { client, scene, surface, touched: false };
         self.hub.connect(Some(commander));
         let mut inner = self.hub.lock();
-        inner.begin(Arc::new(greeting));
+        inner.begin(self.greeting(&connection));
         inner.set_link(true, String::new());
-        (inner.soil, inner.soils) = (Some((surface.grid(), surface.heights().into())), inner.soils + 1);
+        inner.set_soil(&connection.surface);
         drop(inner);
-        Ok((client, surface))
+        Ok(connection)
+    }
+
+    /// What pages are told of a session first.
+    fn greeting(&self, connection: &Connection) -> Arc<[String]> {
+        let name = self.path.display().to_string();
+        Arc::new([
+            text(&ServerMessage::Hello(connection.client.hello().clone())),
+            text(&PageMessage::Scene(connection.scene.message(&name, true, self.commands))),
+        ])
     }
 
     /// Hands on what the session says, until it says no more; returns why.
-    fn listen(&self, mut client: Client, mut surface: Surface) -> String {
+    fn listen(&self, mut connection: Connection) -> String {
         let mut ended = None;
         while !self.stop.load(Ordering::Relaxed) {
-            match client.next(Duration::from_millis(200)) {
+            match connection.client.next(Duration::from_millis(200)) {
                 Ok(None) => {}
                 Ok(Some(ServerMessage::End { reason })) => ended = Some(reason),
-                Ok(Some(message)) => self.hand_on(message, &mut surface),
+                Ok(Some(message)) => self.hand_on(message, &mut connection),
                 Err(error) => {
                     return ended.map_or_else(
                         || error.to_string(),
@@ -101,19 +118,18 @@ impl Upstream {
         "the monitor ends".to_owned()
     }
 
-    fn hand_on(&self, message: ServerMessage, surface: &mut Surface) {
+    fn hand_on(&self, message: ServerMessage, connection: &mut Connection) {
         match message {
             ServerMessage::State(state) => {
+                let surface = &mut connection.surface;
                 surface.follow(state.joints_deg, state.homed, state.waiting);
-                let (grid, heights) = (surface.grid(), surface.heights());
                 let words = text(&ServerMessage::State(state.clone()));
                 let mut inner = self.hub.lock();
-                if inner.soil.as_ref().is_none_or(|(_, old)| **old != *heights) {
-                    (inner.soil, inner.soils) = (Some((grid, heights.into())), inner.soils + 1);
-                }
+                inner.set_soil(surface);
                 inner.note_state(*state, words);
             }
             ServerMessage::Event(event) => {
+                self.touch(&event, connection);
                 let words = text(&ServerMessage::Event(event.clone()));
                 let mut inner = self.hub.lock();
                 inner.note_event(event);
@@ -134,6 +150,21 @@ impl Upstream {
             }
             ServerMessage::Error { id: None, problem, message } => self.hub.lock().give_up(problem, &message),
             _ => {}
+        }
+    }
+
+    /// The sand is where the arm first touched it, rather than where the settings say.
+    fn touch(&self, event: &Event, connection: &mut Connection) {
+        if event.kind != SURFACE_FOUND || !event.value.is_finite() || connection.touched {
+            return;
+        }
+        let mut scene = connection.scene.clone();
+        scene.sandbox.surface_z_m = event.value;
+        if let Ok(surface) = Surface::new(&scene) {
+            (connection.scene, connection.surface, connection.touched) = (scene, surface, true);
+            let mut inner = self.hub.lock();
+            inner.greet(self.greeting(connection));
+            inner.set_soil(&connection.surface);
         }
     }
 }

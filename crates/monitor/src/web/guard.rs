@@ -1,7 +1,8 @@
 use std::net::{IpAddr, SocketAddr};
 
 /// Which hosts and origins are ours. A page of a foreign site reaches a loopback address, too: by its own name made to
-/// point there (then `Host` tells), or from its own page (then `Origin` tells).
+/// point there (then `Host` tells), or from its own page (then `Origin` differs from `Host`). Ports are not asked for: a
+/// tunnel's end has one of its own.
 #[derive(Debug, Clone)]
 pub(crate) struct Guard {
     address: SocketAddr,
@@ -16,9 +17,9 @@ impl Guard {
 
     /// Whether a `Host` field is ours.
     pub(super) fn allows_host(&self, host: &str) -> bool {
-        let (name, port) = split(host);
+        let name = name_of(host);
         let address = self.address.ip();
-        let known = match name.trim_matches(['[', ']']).parse::<IpAddr>() {
+        match name.trim_matches(['[', ']']).parse::<IpAddr>() {
             // An address, unlike a name, cannot be made to point elsewhere.
             Ok(given) if address.is_unspecified() => !given.is_unspecified(),
             Ok(given) => given == address || (given.is_loopback() && address.is_loopback()),
@@ -27,24 +28,32 @@ impl Guard {
                     && (address.is_loopback() || address.is_unspecified()))
                     || self.names.iter().any(|known| known.eq_ignore_ascii_case(name))
             }
-        };
-        known && port.unwrap_or(80) == self.address.port()
-    }
-
-    /// Whether an `Origin` field is ours. Programs that are no browsers send none, and are no danger: nobody lures them.
-    pub(super) fn allows_origin(&self, origin: Option<&str>) -> bool {
-        match origin {
-            None => true,
-            Some(origin) => origin.strip_prefix("http://").is_some_and(|host| self.allows_host(host)),
         }
     }
 }
 
-/// Name and port.
-fn split(host: &str) -> (&str, Option<u16>) {
+/// Whether an `Origin` field is that of the page at `host`; `https` at the front of a proxy. Programs that are no browsers
+/// send none, and are no danger: nobody lures them.
+pub(super) fn is_own_origin(origin: Option<&str>, host: &str) -> bool {
+    let Some(origin) = origin else { return true };
+    let own = |scheme: &str, port: &str| {
+        let bare = |authority: &str| authority.strip_suffix(port).unwrap_or(authority).to_ascii_lowercase();
+        origin.strip_prefix(scheme).is_some_and(|authority| bare(authority) == bare(host))
+    };
+    own("http://", ":80") || own("https://", ":443")
+}
+
+/// A host without its port; empty if that is no number.
+fn name_of(host: &str) -> &str {
     match host.rsplit_once(':') {
-        Some((name, port)) if !port.ends_with(']') => (name, Some(port.parse().unwrap_or(0))),
-        _ => (host, None),
+        Some((name, port)) if !port.ends_with(']') => {
+            if port.parse::<u16>().is_ok() {
+                name
+            } else {
+                ""
+            }
+        }
+        _ => host,
     }
 }
 
@@ -59,13 +68,20 @@ mod tests {
     #[test]
     fn only_our_own_hosts() {
         let here = guard("127.0.0.1:8470", &[]);
-        for ours in ["127.0.0.1:8470", "localhost:8470", "LOCALHOST:8470", "[::1]:8470"] {
+        // The last two: through a tunnel.
+        for ours in [
+            "127.0.0.1:8470",
+            "localhost:8470",
+            "LOCALHOST:8470",
+            "[::1]:8470",
+            "localhost",
+            "127.0.0.1:9000",
+        ] {
             assert!(here.allows_host(ours), "{ours}");
         }
         for foreign in [
             "evil.example:8470",
-            "127.0.0.1",
-            "127.0.0.1:80",
+            "evil.example",
             "localhost.evil.example:8470",
             "10.0.0.1:8470",
             "",
@@ -82,13 +98,28 @@ mod tests {
     }
 
     #[test]
-    fn only_our_own_origins() {
-        let here = guard("127.0.0.1:8470", &[]);
-        assert!(here.allows_origin(None) && here.allows_origin(Some("http://localhost:8470")));
-        for foreign in
-            ["null", "http://evil.example", "https://127.0.0.1:8470", "http://127.0.0.1:9000", "file://", ""]
-        {
-            assert!(!here.allows_origin(Some(foreign)), "{foreign}");
+    fn only_the_page_itself() {
+        for (origin, host) in [
+            ("http://localhost:8470", "localhost:8470"),
+            ("http://LAB", "lab:80"),
+            ("https://lab.example", "lab.example"),
+            ("https://lab.example", "lab.example:443"),
+        ] {
+            assert!(is_own_origin(Some(origin), host), "{origin} {host}");
+        }
+        assert!(is_own_origin(None, "localhost:8470"));
+        for foreign in [
+            "null",
+            "http://evil.example",
+            "http://127.0.0.1:8470",
+            "http://localhost:9000",
+            "http://localhost",
+            "ftp://localhost:8470",
+            "http://localhost:8470.evil.example",
+            "file://",
+            "",
+        ] {
+            assert!(!is_own_origin(Some(foreign), "localhost:8470"), "{foreign}");
         }
     }
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 use tungstenite::handshake::derive_accept_key;
 use tungstenite::protocol::{Role, WebSocket};
 
-use super::guard::Guard;
+use super::guard::{Guard, is_own_origin};
 use super::head::{Bad, Head};
 use super::page::{page, policy};
 use super::response::{answer, words};
@@ -138,7 +138,7 @@ fn connection(mut stream: TcpStream, peer: SocketAddr, shared: &Shared) {
         let what = format!("the host `{host}` is not served here; give --host if it should be");
         return refuse(&mut stream, "421 Misdirected Request", &what);
     }
-    if !shared.guard.allows_origin(origin) {
+    if !is_own_origin(origin, host) {
         let what = format!("pages from `{}` may not use this monitor", origin.unwrap_or_default());
         return refuse(&mut stream, "403 Forbidden", &what);
     }

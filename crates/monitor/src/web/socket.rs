@@ -11,7 +11,8 @@ use tungstenite::protocol::{WebSocket, WebSocketConfig};
 use tungstenite::{Error, Message};
 
 use super::server::Shared;
-use crate::feed::{Feed, Rights, refuse};
+use crate::feed::{Feed, Rights, refuse, text};
+use crate::messages::PageMessage;
 
 /// Messages that are read before the page is told anything again.
 const ROUND: usize = 32;
@@ -19,6 +20,8 @@ const ROUND: usize = 32;
 const MOST_BUFFERED: usize = 8 << 20;
 /// How long a page may take nothing.
 const PATIENCE: Duration = Duration::from_secs(20);
+/// After so long without anything to tell a page is told that all is well; the page waits for three times as long.
+const HEARTBEAT: Duration = Duration::from_secs(5);
 /// Messages beyond the rate after which a page is sent away.
 const MOST_TOO_FAST: u32 = 5000;
 /// Tokens that a page may try.
@@ -46,6 +49,8 @@ pub(super) struct Page<'a> {
     warned: bool,
     /// Since when it takes nothing.
     stuck: Option<Instant>,
+    /// When it was told something.
+    told: Instant,
 }
 
 /// Why a page's connection ends.
@@ -64,8 +69,9 @@ impl<'a> Page<'a> {
         shared: &'a Shared,
     ) -> Self {
         let rights = Rights { token: shared.token.clone(), ..Rights::default() };
-        let rate = Rate::new(Instant::now());
-        Self { socket, feed, rights, peer, shared, rate, too_fast: 0, warned: false, stuck: None }
+        let told = Instant::now();
+        let rate = Rate::new(told);
+        Self { socket, feed, rights, peer, shared, rate, too_fast: 0, warned: false, stuck: None, told }
     }
 
     pub(super) fn run(mut self) {
@@ -110,10 +116,14 @@ impl<'a> Page<'a> {
         }
         let mut messages = Vec::new();
         self.feed.poll(Instant::now(), &mut |message| messages.push(message));
+        if messages.is_empty() && self.told.elapsed() > HEARTBEAT {
+            messages.push(text(&PageMessage::Heartbeat));
+        }
         messages.into_iter().try_for_each(|message| self.send(message))
     }
 
     fn send(&mut self, message: String) -> Result<(), End> {
+        self.told = Instant::now();
         match self.socket.write(Message::text(message)) {
             Ok(()) => self.flush(),
             Err(Error::WriteBufferFull(_)) => {
@@ -153,9 +163,7 @@ impl<'a> Page<'a> {
     fn listen(&mut self) -> Result<(), End> {
         for _ in 0..ROUND {
             match self.socket.read() {
-                Ok(Message::Text(text)) => self.obey(&text)?,
-                Ok(Message::Binary(_)) => self.complain("the message is binary; messages are text")?,
-                Ok(_) => {}
+                Ok(message) => self.hear(message)?,
                 Err(Error::Io(error)) if is_wait(error.kind()) => return Ok(()),
                 Err(Error::Capacity(_)) => {
                     return Err(End::Close(CloseCode::Size, "a message has at most 4096 bytes"));
@@ -172,7 +180,8 @@ impl<'a> Page<'a> {
         Ok(())
     }
 
-    fn obey(&mut self, line: &str) -> Result<(), End> {
+    /// Pings and the like cost an answer, too, so that all messages are counted.
+    fn hear(&mut self, message: Message) -> Result<(), End> {
         if !self.rate.allow(Instant::now()) {
             self.too_fast += 1;
             if self.too_fast > MOST_TOO_FAST {
@@ -185,16 +194,18 @@ impl<'a> Page<'a> {
             return self.answer(refuse(None, Problem::TooFast, &words));
         }
         self.warned = false;
-        let answer = self.feed.obey(line, &mut self.rights);
+        let answer = match message {
+            Message::Text(line) => self.feed.obey(&line, &mut self.rights),
+            Message::Binary(_) => {
+                refuse(None, Problem::Malformed, "the message is binary; messages are text")
+            }
+            _ => return Ok(()),
+        };
         self.answer(answer)?;
         if self.rights.wrong_tokens > MOST_WRONG_TOKENS {
             return Err(End::Close(CloseCode::Policy, "too many wrong tokens"));
         }
         Ok(())
-    }
-
-    fn complain(&mut self, words: &str) -> Result<(), End> {
-        self.answer(refuse(None, Problem::Malformed, words))
     }
 
     fn answer(&mut self, (answer, note): (Option<String>, Option<String>)) -> Result<(), End> {

@@ -103,9 +103,18 @@ impl Page {
 
     /// The status that it is refused with, or a page.
     pub fn from_origin(address: SocketAddr, origin: Option<&str>) -> Result<Self, u16> {
+        Self::request(address, &address.to_string(), origin)
+    }
+
+    /// The same for a browser that knows the monitor by another host and port.
+    pub fn through(address: SocketAddr, host: &str, origin: &str) -> Result<Self, u16> {
+        Self::request(address, host, Some(origin))
+    }
+
+    fn request(address: SocketAddr, host: &str, origin: Option<&str>) -> Result<Self, u16> {
         let stream = TcpStream::connect(address).unwrap();
         stream.set_read_timeout(Some(LONG)).unwrap();
-        let mut request = format!("ws://{address}/socket").into_client_request().unwrap();
+        let mut request = format!("ws://{host}/socket").into_client_request().unwrap();
         if let Some(origin) = origin {
             request.headers_mut().insert("Origin", HeaderValue::from_str(origin).unwrap());
         }

@@ -102,7 +102,7 @@ fn curves(answer: &DemoAnswer, folder: &Folder) -> Result<Option<Figure>, CliErr
         let mm = |sample: &Sample| (sample.way_m - first.way_m) * 1e3;
         let points: Vec<(f64, f64)> = trace.iter().map(|sample| (mm(sample), sample.force_n)).collect();
         let name = format!("{}°, {:.0} mm deep", number(stroke.alpha_deg), stroke.depth_m * 1e3);
-        figure.push(Line::new(name, points).width(1.5).dash(Dash::Solid).color(color))?;
+        figure.push(Line::new(name, points).width(1.5).color(color))?;
         let way_mm = |time_s: Option<f64>| {
             let at = trace.partition_point(|sample| Some(sample.time_s) < time_s);
             trace.get(at.min(trace.len() - 1)).filter(|_| time_s.is_some()).map(mm)

@@ -95,6 +95,11 @@ impl Track {
         })
     }
 
+    /// What is wrong with the file.
+    pub(crate) fn damage(&self) -> &[String] {
+        &self.damage
+    }
+
     /// Adds a state to curves.
     fn curve(&self, number: usize, history: &mut History) {
         let Some(moment) = self.moments.get(number) else { return };

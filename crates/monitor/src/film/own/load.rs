@@ -12,11 +12,9 @@ use super::track::{MOST_EVENTS, Track};
 use crate::MonitorError;
 use crate::film::halve;
 use crate::messages::StrokeSpan;
-use crate::scene::Scene;
+use crate::scene::{SURFACE_FOUND, Scene};
 use crate::soil::Surface;
 
-/// The event of an arm that has found the sand by touch; its value is the level.
-const SURFACE_FOUND: &str = "surface_found";
 /// Steps between two states: some 31 a second.
 const STATE_STEPS: u64 = 16;
 /// Kept surfaces; when there are more, every second one goes.

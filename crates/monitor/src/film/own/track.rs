@@ -77,6 +77,11 @@ impl Track {
         self.samples.partition_point(|sample| sample.time_s() <= time_s + 1e-9).saturating_sub(1)
     }
 
+    /// What is wrong with the file.
+    pub(crate) fn damage(&self) -> &[String] {
+        &self.damage
+    }
+
     /// The log as a whole.
     pub(crate) fn message(&self) -> LogMessage {
         let (from_s, to_s) = (self.time_s(0), self.time_s(usize::MAX));

@@ -49,14 +49,17 @@ pub(super) fn figure(shown: &Shown) -> Result<Option<Figure>, CliError> {
     )
     .with_legend(Legend::Below);
     let names = names(&contacts, statement(shown)?.objective.velocity());
-    for (color, (contact, name)) in contacts.iter().zip(names).enumerate() {
+    // Of each face, by turns; faces beyond have colours of their own.
+    let dashes = [[Dash::Solid, Dash::Dash], [Dash::LongDash, Dash::Dot], [Dash::DashDot, Dash::DashDotDot]];
+    for (color, ((contact, name), [solid, broken])) in
+        contacts.iter().zip(names).zip(dashes.into_iter().cycle()).enumerate()
+    {
         let line = |of: fn(&soilctl_limit_analysis::results::ContactPoint) -> f64| {
             let points = contact.points.iter().map(|p| (units.length * p.arc, units.stress * of(p)));
             points.collect::<Vec<_>>()
         };
-        let pressure = Line::new(format!("{name}: pressure"), line(|p| p.pressure)).dash(Dash::Solid);
-        let shear =
-            Line::new(format!("{name}: shear stress on the soil"), line(|p| p.shear)).dash(Dash::Dash);
+        let pressure = Line::new(format!("{name}: pressure"), line(|p| p.pressure)).dash(solid);
+        let shear = Line::new(format!("{name}: shear stress on the soil"), line(|p| p.shear)).dash(broken);
         figure.push(pressure.color(color).width(1.6))?.push(shear.color(color).width(1.6))?;
     }
     Ok(Some(figure))

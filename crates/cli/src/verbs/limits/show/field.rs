@@ -156,8 +156,8 @@ pub(super) fn stress(shown: &Shown, window: &Window) -> Result<Option<Figure>, C
         tension.extend(arms(minor, |v| v < 0.0));
         for (name, lines, width, color) in [
             (format!("greater compression, up to {longest} {unit}"), arms(major, |v| v > 0.0), 1.6, 0),
-            ("lesser compression".to_owned(), arms(minor, |v| v > 0.0), 1.0, 1),
-            ("tension".to_owned(), tension, 1.6, 2),
+            ("lesser compression (thin)".to_owned(), arms(minor, |v| v > 0.0), 1.0, 1),
+            ("tension (thick)".to_owned(), tension, 3.0, 2),
         ] {
             if !lines.is_empty() {
                 figure.push(Paths::new(name, drawn(shown, lines)).width(width).color(color))?;

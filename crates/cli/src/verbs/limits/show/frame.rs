@@ -38,7 +38,7 @@ impl Window {
         let margin = MARGIN * (high[0] - low[0]).max(high[1] - low[1]);
         let [low, high] = [
             [0, 1].map(|i| (low[i] - margin).max(soil[0][i] - 0.3 * margin)),
-            [0, 1].map(|i| (high[i] + margin).min(soil[1][i] + 0.3 * margin)),
+            [0, 1].map(|i| (high[i] + margin).min(soil[1][i] + 0.5 * margin)),
         ];
         let wide = (high[1] - low[1]) / (high[0] - low[0]);
         let height = ((WIDTH - AROUND[0]) * wide + AROUND[1]).clamp(360.0, 1100.0);
