@@ -35,7 +35,9 @@ impl Baseline {
             data.rows.iter().map(|row| (row.alpha_deg - data.reference.alpha_deg) / 10.0).collect();
         let cells: Vec<f64> =
             data.channels.get(&channel).into_iter().flatten().filter_map(|cell| *cell).collect();
-        let spread = spread(&cells).max(1e-9);
+        // No reading is more exact than its last written digit, nor than a ten-thousandth of itself.
+        let largest = cells.iter().fold(0.0_f64, |most, cell| most.max(cell.abs()));
+        let spread = spread(&cells).max(1e-4 * largest).max(1e-9);
         let given = |sd: f64| Prior { mean: if sd > 0.0 { sd } else { spread }.ln(), sd: 0.5 };
         // Where readings scatter by far more than the instrument does, the arm moves for reasons of its own, and nobody knows
         // about which mean.

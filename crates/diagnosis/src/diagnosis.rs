@@ -7,7 +7,7 @@ use crate::DiagnosisError;
 use crate::data::Data;
 use crate::gap::{Comparison, compare};
 use crate::localise::{Where, localise};
-use crate::next::{NextExperiment, next};
+use crate::next::{Found, NextExperiment, next};
 use crate::search::Search;
 use crate::setup::Setup;
 use crate::spec::Spec;
@@ -108,7 +108,18 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
             (Status::Named, Some(first)) => vec![first.id.to_owned()],
             _ => equivalence_set.clone(),
         };
-    let next = next(&setup, phi_deg, &fitted, &open, &expected);
+    // That of the forces under what was found.
+    let scatter = verdict.best.as_ref().filter(|best| best.spec.on_force() && !effects.is_empty());
+    let found = Found {
+        fitted: &fitted,
+        scatter: scatter.map_or(search.baseline.scatter, |best| best.fit.scatter),
+        shape: verdict
+            .shape
+            .as_ref()
+            .filter(|_| testable)
+            .map(|(covariate, gain)| (covariate.as_str(), *gain)),
+    };
+    let next = next(&setup, phi_deg, found, &open, &expected);
     Ok(Diagnosis {
         status,
         effects,

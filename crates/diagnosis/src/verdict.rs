@@ -43,6 +43,8 @@ pub(crate) struct Verdict {
     pub(crate) factors: Vec<f64>,
     /// Ids that the data do not tell apart, best first.
     pub(crate) equivalents: Vec<String>,
+    /// Covariate and ln Bayes factor of the shape without a name, if the verdict speaks of one.
+    pub(crate) shape: Option<(String, f64)>,
     /// All effects alone, best first.
     pub(crate) singles: Vec<Scored>,
 }
@@ -66,7 +68,8 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let Some(best) = best else {
         let status = if shape.is_some() { Status::Unknown } else { Status::None };
         let equivalents = shape.iter().map(|shape| format!("unknown:{}", shape.covariate)).collect();
-        return Verdict { status, best: None, factors: Vec::new(), equivalents, singles };
+        let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
+        return Verdict { status, best: None, factors: Vec::new(), equivalents, shape, singles };
     };
     let of_size = &sizes[best.spec.choices.len() - 1];
     let mut equivalents: Vec<String> = Vec::new();
@@ -103,7 +106,8 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
             equivalents.push(name);
         }
     }
-    Verdict { status, best: Some(best.clone()), factors, equivalents, singles }
+    let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
+    Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
 }
 
 /// What each effect of a set earns over the best set without it.

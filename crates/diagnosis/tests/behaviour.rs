@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+use std::collections::BTreeSet;
+
 use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest};
 use soilctl_diagnosis::{Data, Diagnosis, Status, Surface, Testable, diagnose};
 use soilctl_earth_pressure::model;
@@ -113,4 +115,69 @@ fn holes_and_clipped_columns_do_not_stop_it() {
     }
     let found = diagnosed(&hidden, rows);
     assert_eq!(found.effects[0].id, "backlash");
+}
+
+/// Instruments with few digits write the same thing again and again; at one depth a constant reading has two explanations.
+#[test]
+fn columns_that_never_change_are_no_obstacle() {
+    let design = Design { depths_m: vec![0.02], ..Design::default() };
+    let hidden = campaign(&[], 13, design);
+    let still = |row: &StrokeRow| StrokeRow {
+        displacement_at_failure_m: Some(0.01),
+        post_slope_norm: Some(-0.3),
+        residual_ratio: Some(0.8),
+        heap_height_m: Some(0.0),
+        tare_before_n: Some(0.0),
+        tare_after_n: Some(0.0),
+        ..row.clone()
+    };
+    let found = diagnosed(&hidden, hidden.rows.iter().map(still).collect());
+    assert!(found.effects.is_empty(), "{:?}", found.effects);
+    assert!(found.comparison.gap.before.is_finite());
+}
+
+#[test]
+fn forces_alone_without_an_effect_ask_for_what_forces_can_show() {
+    let test = SelfTest::new("chen", SEED).unwrap();
+    let case = Case {
+        kind: Kind::Null,
+        number: 17,
+        ids: Vec::new(),
+        design: Design { traces: false, ..Design::default() },
+    };
+    let hidden = test.campaign(&case).unwrap().unwrap();
+    let mut rows = hidden.rows.clone();
+    let found = diagnosed(&hidden, rows.clone());
+    assert_eq!(found.status, Status::None);
+    let next = found.next.unwrap();
+    let of = next.text.split("would show ").nth(1).unwrap().split(',').next().unwrap();
+    assert!(soilctl_effects::effect(of).unwrap().acts_on_force() && next.power >= 0.2, "{}", next.text);
+    // Made and appended, it is not mixed up with the follow-up after it.
+    rows.extend(next.rows.iter().map(|row| StrokeRow { force_n: hidden.rows[0].force_n, ..row.clone() }));
+    let names =
+        |rows: &[StrokeRow]| -> BTreeSet<_> { rows.iter().filter_map(|row| row.batch.clone()).collect() };
+    if let Some(after) = diagnosed(&hidden, rows.clone()).next {
+        assert!(names(&after.rows).is_disjoint(&names(&rows)));
+    }
+}
+
+#[test]
+fn what_is_outside_the_catalogue_is_unknown_and_followed_along_its_covariate() {
+    let test = SelfTest::new("chen", SEED).unwrap();
+    let mut unknown = 0;
+    let hidden = ["base_waves", "alpha_by_depth", "middle_speed", "warm_afternoon", "middle_depth"];
+    for (number, id) in hidden.into_iter().enumerate() {
+        let (number, ids) = (number as u64, vec![id]);
+        let case = Case { kind: Kind::Outside, number, ids, design: Design::default() };
+        let hidden = test.campaign(&case).unwrap().unwrap();
+        let found = diagnosed(&hidden, hidden.rows.clone());
+        assert_ne!(found.status, Status::Named, "{:?}", found.effects);
+        if found.status == Status::Unknown {
+            unknown += 1;
+            let covariate = found.equivalence_set[0].strip_prefix("unknown:").unwrap();
+            let next = found.next.unwrap();
+            assert!(next.text.contains(covariate) && next.power > 0.2, "{}", next.text);
+        }
+    }
+    assert!(unknown >= 3, "{unknown}");
 }

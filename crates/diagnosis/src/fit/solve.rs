@@ -9,6 +9,9 @@ use crate::data::Prior;
 /// Mean of weight times squared residual for Gaussian scatter, which makes the scatter come out right for it.
 const GAUSSIAN_SHARE: f64 = 0.840;
 const MAX_ROUNDS: usize = 30;
+/// Standard deviations of its prior by which a ln scatter may lie below it: readings that are all the same say nothing of how
+/// exact the next one is, and a scatter of nothing would leave nothing to be computed with.
+const LEAST_SCATTER: f64 = 4.0;
 const STEP: f64 = 1e-4;
 
 impl Problem<'_> {
@@ -170,8 +173,10 @@ impl Problem<'_> {
             let change = (excess[block] - precision * (ln_scatter[block] - prior.mean))
                 / (curvature[block] + precision);
             let change = change.clamp(-0.5, 0.5);
-            ln_scatter[block] += change;
-            largest = largest.max(change.abs());
+            let least = prior.mean - LEAST_SCATTER * prior.sd;
+            let moved = (ln_scatter[block] + change).max(least);
+            largest = largest.max((moved - ln_scatter[block]).abs());
+            ln_scatter[block] = moved;
         }
         largest
     }

@@ -1,7 +1,9 @@
 //! The experiment that would tell most: a menu of follow-ups, and the chance of each to settle what is left.
 
-use soilctl_effects::{Active, Base, Channel, Effect, Reference, Stroke, catalogue, effect, force_n};
-use soilctl_soil::units::inches_to_m;
+mod menu;
+
+use menu::{ANGLES, MENU, design};
+use soilctl_effects::{Active, Base, Channel, Effect, Reference, Stroke, effect, force_n};
 use soilctl_strokes::StrokeRow;
 
 use crate::chi_square;
@@ -22,13 +24,12 @@ pub struct NextExperiment {
     pub power: f64,
 }
 
-/// Strokes in a preparation.
-const BATCH: usize = 6;
-/// Most levels of a menu entry that are gone through before the next tool angle.
-const LEVELS: usize = 4;
 /// Sizes of a follow-up, and the power from which a larger one is not needed.
 const STROKES: [usize; 3] = [12, 24, 48];
 const ENOUGH: f64 = 0.97;
+/// To look for what may not be there: a chance that is not worth the sand, and one that is.
+const LEAST_POWER: f64 = 0.2;
+const FAIR_POWER: f64 = 0.5;
 /// Most explanations that are told apart at a time.
 const MOST_RIVALS: usize = 5;
 
@@ -38,138 +39,87 @@ const BY_HAND: [Channel; 3] = [Channel::HeapHeight, Channel::TareBefore, Channel
 /// Standard deviations by which two explanations must differ before one of them is named.
 const NEEDED: f64 = 2.9;
 
-struct Menu {
-    name: &'static str,
-    change: fn(&Data, usize, &mut StrokeRow),
-}
-
-fn cycle(values: &[f64], i: usize) -> f64 {
-    values[i % values.len()]
-}
-
-const MENU: [Menu; 10] = [
-    Menu {
-        name: "a depth ladder from half the usual depth to one and a half times it",
-        change: |data, i, row| row.depth_m = cycle(&[0.5, 1.5, 0.75, 1.25], i) * data.reference.depth_m,
-    },
-    Menu {
-        name: "a second, narrower plate at shallow and deep strokes",
-        change: |data, i, row| {
-            row.width_m *= if i % 4 < 2 { 0.4 } else { 1.0 };
-            row.depth_m = cycle(&[0.6, 1.4], i) * data.reference.depth_m;
-        },
-    },
-    Menu {
-        name: "a depth ladder from half the usual depth to one and a half times it, with a narrower plate in every other batch",
-        change: |data, i, row| {
-            row.width_m *= if (i / BATCH).is_multiple_of(2) { 0.4 } else { 1.0 };
-            row.depth_m = cycle(&[0.5, 1.5, 0.75, 1.25], i) * data.reference.depth_m;
-        },
-    },
-    Menu {
-        name: "a ladder of speeds over a factor of 16, in random order",
-        change: |data, i, row| {
-            row.speed_mps =
-                Some(cycle(&[1.0, 4.0, 0.25, 4.0, 1.0, 0.25], i) * data.reference.speed_mps.unwrap_or(0.01));
-        },
-    },
-    Menu {
-        name: "the same tool angles at 12 in and 17 in, swapped",
-        change: |_, i, row| row.radius_m = Some(inches_to_m(if i % 2 == 0 { 12.0 } else { 17.0 })),
-    },
-    Menu {
-        name: "the box turned by 90 deg, strokes over all base angles",
-        change: |_, i, row| row.base_deg = Some(cycle(&[-90.0, 0.0, 90.0, -45.0, 45.0, 0.0], i)),
-    },
-    Menu {
-        name: "strokes at set distances from earlier ones: side by side and far apart",
-        change: |_, i, row| row.gap_prior_m = Some(cycle(&[0.01, 0.15, 0.03], i)),
-    },
-    Menu {
-        name: "strokes close to a wall and in the middle of the box",
-        change: |_, i, row| row.wall_m = Some(cycle(&[0.01, 0.2, 0.04], i)),
-    },
-    Menu {
-        name: "bracketing strokes: the interface friction set 4 deg low, right and 4 deg high",
-        change: |data, i, row| {
-            row.delta_set_deg = Some((data.delta_set_deg(0) + cycle(&[-4.0, 0.0, 4.0], i)).max(1.0))
-        },
-    },
-    Menu { name: "the first batch once more, at the end", change: |_, _, _| {} },
-];
-
-/// Strokes of a menu entry: batches of six made after the campaign.
-fn design(data: &Data, entry: &Menu, readings: &[Channel], count: usize) -> Vec<StrokeRow> {
-    let last = data.rows.iter().filter_map(|row| row.time_s).fold(0.0, f64::max);
-    (0..count)
-        .map(|i| {
-            let like = &data.rows[(i * 5) % data.len().min(12)];
-            let mut row = StrokeRow {
-                line: i + 2,
-                stroke_id: Some(format!("next{:02}", i + 1)),
-                batch: Some(format!("next{}", 1 + i / BATCH)),
-                order: Some((i % BATCH) as u32 + 1),
-                time_s: data.reference.time_s.map(|_| last + 3600.0 + 300.0 * i as f64),
-                // One tool angle further in each round, so that no angle always meets the same level of the menu.
-                alpha_deg: data.levels_deg[(i + i / LEVELS) % data.levels_deg.len()],
-                depth_m: like.depth_m,
-                width_m: like.width_m,
-                speed_mps: like.speed_mps,
-                radius_m: like.radius_m,
-                base_deg: like.base_deg,
-                gap_prior_m: like.gap_prior_m,
-                wall_m: like.wall_m,
-                density_kg_m3: like.density_kg_m3,
-                delta_set_deg: like.delta_set_deg,
-                force_n: 1.0,
-                ..StrokeRow::default()
-            };
-            (entry.change)(data, i, &mut row);
-            readings.iter().for_each(|channel| channel.fill(&mut row, 0.0));
-            row
-        })
-        .collect()
-}
-
 /// An effect with its amplitude and shape.
 type Explanation = (&'static dyn Effect, f64, f64);
 
-/// The best follow-up for what is left open; `None` if nothing on the menu would tell anything. `fitted` holds amplitude and
-/// shape of every effect that was fitted, by id.
+/// What a campaign has told so far.
+pub(crate) struct Found<'a> {
+    /// Amplitude and shape of every effect that was fitted, by id.
+    pub(crate) fitted: &'a [(&'static str, f64, f64)],
+    /// Scatter of ln force of one stroke.
+    pub(crate) scatter: f64,
+    /// Covariate and ln Bayes factor of a shape without a name, if that is what is left.
+    pub(crate) shape: Option<(&'a str, f64)>,
+}
+
+/// The best follow-up for what is left open; `None` if nothing on the menu would tell much.
 pub(crate) fn next(
     setup: &Setup<'_>,
     phi_deg: f64,
-    fitted: &[(&'static str, f64, f64)],
+    Found { fitted, scatter, shape }: Found<'_>,
     equivalents: &[String],
     expected: &[Expected],
 ) -> Option<NextExperiment> {
     let data = setup.data;
-    let known = |id: &str| -> Option<Explanation> {
+    let unknown = equivalents.first().is_some_and(|id| id.starts_with("unknown:"));
+    if let (Some((covariate, log_bayes)), true) = (shape, unknown) {
+        return more_of(data, covariate, log_bayes);
+    }
+    let typical = |id: &str| -> Option<Explanation> {
         let effect = effect(id)?;
         let shape = effect.shape().map_or(0.0, |shape| shape.values[shape.values.len() / 2]);
-        let found = fitted.iter().find(|(of, ..)| *of == id).map(|(_, size, shape)| (*size, *shape));
-        let (size, shape) = found.unwrap_or((effect.range().typical(), shape));
-        Some((effect, size, shape))
+        Some((effect, effect.range().typical(), shape))
+    };
+    let known = |id: &str| -> Option<Explanation> {
+        let found = fitted.iter().find(|(of, ..)| *of == id);
+        found.map_or_else(|| typical(id), |(_, size, shape)| Some((effect(id)?, *size, *shape)))
+    };
+    let best = |explanations: &[Explanation], question: &str| {
+        best_on_menu(setup, (phi_deg, scatter), explanations, question)
     };
     // What is to be told apart: all explanations that are left, or, if one stands alone, it and nothing; if nothing was
     // found, an effect that this design hides and nothing.
-    let on_force = |id: &&String| effect(id).is_some_and(|effect| effect.acts_on_force());
-    let rivals: Vec<&String> = equivalents.iter().filter(on_force).take(MOST_RIVALS).collect();
-    let (explanations, question): (Vec<Explanation>, String) = match rivals.as_slice() {
-        [first, second, ..] => (
-            rivals.iter().map(|id| known(id)).collect::<Option<_>>()?,
-            format!("tells {first} from {second}{}", if rivals.len() > 2 { " and the others" } else { "" }),
-        ),
-        [only] => (vec![known(only)?], format!("confirms {only}")),
-        [] => {
-            let hidden = expected
-                .iter()
-                .filter(|e| e.lambda < LEAST_LAMBDA)
-                .min_by(|a, b| a.lambda.total_cmp(&b.lambda));
-            let id = hidden.map_or(catalogue()[0].id(), |e| e.id);
-            (vec![known(id)?], format!("would show {id}, which this design hides"))
+    let on_force = |id: &str| effect(id).is_some_and(|effect| effect.acts_on_force());
+    let rivals: Vec<&str> =
+        equivalents.iter().map(String::as_str).filter(|id| on_force(id)).take(MOST_RIVALS).collect();
+    match rivals[..] {
+        [first, second, ..] => {
+            let explanations = rivals.iter().map(|id| known(id)).collect::<Option<Vec<_>>>()?;
+            let others = if rivals.len() > 2 { " and the others" } else { "" };
+            best(&explanations, &format!("tells {first} from {second}{others}"))
         }
-    };
+        [only] => best(&[known(only)?], &format!("confirms {only}")),
+        [] => {
+            // One that forces show: what hides for want of a trace is in no follow-up of this menu.
+            let mut hidden: Vec<&Expected> =
+                expected.iter().filter(|e| e.lambda < LEAST_LAMBDA && on_force(e.id)).collect();
+            hidden.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
+            let mut found: Option<NextExperiment> = None;
+            for of in hidden {
+                let question = format!("would show {}, which this design hides", of.id);
+                let next = best(&[typical(of.id)?], &question);
+                if next.as_ref().map_or(0.0, |next| next.power)
+                    > found.as_ref().map_or(LEAST_POWER, |found| found.power)
+                {
+                    found = next;
+                }
+                if found.as_ref().is_some_and(|found| found.power >= FAIR_POWER) {
+                    break;
+                }
+            }
+            found
+        }
+    }
+}
+
+/// The follow-up of the menu that tells explanations apart best, the smaller one if that is enough.
+fn best_on_menu(
+    setup: &Setup<'_>,
+    soil: (f64, f64),
+    explanations: &[Explanation],
+    question: &str,
+) -> Option<NextExperiment> {
+    let data = setup.data;
     let shows = |channel: &Channel| explanations.iter().any(|(effect, ..)| effect.linked().contains(channel));
     let lacking = BY_HAND.into_iter().filter(|channel| !data.channels.contains_key(channel));
     let readings: Vec<Channel> = lacking.filter(shows).collect();
@@ -179,7 +129,7 @@ pub(crate) fn next(
     for count in STROKES {
         for entry in &MENU {
             let rows = design(data, entry, &readings, count);
-            let Some(lambda) = told_apart(setup, phi_deg, &explanations, &rows, &readings) else { continue };
+            let Some(lambda) = told_apart(setup, soil, explanations, &rows, &readings) else { continue };
             let power = normal_tail(NEEDED - lambda.sqrt());
             if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
                 let text = format!("{}{with}: {question}", entry.name);
@@ -193,12 +143,34 @@ pub(crate) fn next(
     best
 }
 
+/// More strokes along what a shape without a name depends on. Its signal grows with the strokes, at the least as it did so far.
+fn more_of(data: &Data, covariate: &str, log_bayes: f64) -> Option<NextExperiment> {
+    let entry = covariate
+        .split(" x ")
+        .find_map(|name| MENU.iter().chain([&ANGLES]).find(|entry| entry.covariates.contains(&name)))?;
+    let power = |count: usize| {
+        let lambda = 2.0 * log_bayes.max(0.0) * count as f64 / data.len() as f64;
+        normal_tail(NEEDED - lambda.sqrt())
+    };
+    let count = STROKES.into_iter().find(|count| power(*count) >= ENOUGH).unwrap_or(STROKES[2]);
+    let text = format!(
+        "{}: shows what depends on {covariate}, which no effect of the catalogue explains",
+        entry.name
+    );
+    Some(NextExperiment {
+        text,
+        rows: design(data, entry, &[], count),
+        readings: Vec::new(),
+        power: power(count),
+    })
+}
+
 /// Least squared signal-to-noise ratio of the difference of two explanations (or of the only one and nothing) in campaign and
 /// follow-up together, after the soil has been fitted anew and the rival has taken the amplitude that suits it best. The
 /// `readings` of the follow-up tell by their means.
 fn told_apart(
     setup: &Setup<'_>,
-    phi_deg: f64,
+    (phi_deg, scatter): (f64, f64),
     explanations: &[Explanation],
     follow_up: &[StrokeRow],
     readings: &[Channel],
@@ -207,7 +179,7 @@ fn told_apart(
     rows.extend_from_slice(follow_up);
     let data = Data::new(&setup.data.name, rows, setup.data.campaign.clone()).ok()?;
     let joint = Setup::new(&data, setup.surface, phi_deg);
-    let sd = stroke_sd(&joint, None);
+    let sd = stroke_sd(&joint, Some(scatter));
     let variance_of_mean = |channel: &Channel| {
         let baseline = &joint.baselines[channel];
         let zero = baseline.terms.first().map_or(0.0, |(_, prior)| prior.sd);
