@@ -45,8 +45,8 @@ const CORNER_SHARE: f64 = 0.05;
 
 impl HeightField {
     /// One step of run-off. Through each face between two cells flows, down the gradient `g`, what exceeds the slope
-    /// of repose `t`: `q = SHARE (|g| - t) g/|g|`. Where two slopes meet, the way over a corner can be steeper than
-    /// either; what exceeds `t` there flows over the corner. Walls let nothing through.
+    /// of repose `t`: `q = SHARE (|g| - t) g/|g|`. Where two slopes meet, the gradient at the corner between four
+    /// cells can be steeper than either; what exceeds `t` there flows over the corner. Walls let nothing through.
     pub fn settle_step(&mut self, repose: &Repose) -> Settled {
         let (n, rows, cell_m) = (self.columns(), self.rows(), self.cell_m());
         // Heights over one cell, instead of slopes.
@@ -78,8 +78,8 @@ impl HeightField {
                     moved += along_y[k].abs();
                 }
                 if right > 0 && above > 0 {
-                    rising[k] = corner_flow(h[k + n + 1] - h[k], over_corner, &mut most);
-                    falling[k] = corner_flow(h[k + n] - h[k + 1], over_corner, &mut most);
+                    let (rise, fall) = (h[k + n + 1] - h[k], h[k + n] - h[k + 1]);
+                    [rising[k], falling[k]] = corner_flow([rise, fall], over_corner, &mut most);
                     moved += rising[k].abs() + falling[k].abs();
                 }
             }
@@ -128,13 +128,15 @@ fn flow(across: f64, beside: f64, allowed: f64, most: &mut f64) -> f64 {
     SHARE * excess * (across / size)
 }
 
-/// The same over a corner, with the height difference of its two cells.
+/// The same over a corner, both ways, with the height differences over it.
 #[inline]
-fn corner_flow(across: f64, allowed: f64, most: &mut f64) -> f64 {
-    let excess = across.abs() - allowed;
-    if excess <= 0.0 {
-        return 0.0;
+fn corner_flow([rise, fall]: [f64; 2], allowed: f64, most: &mut f64) -> [f64; 2] {
+    let square = rise * rise + fall * fall;
+    if square <= allowed * allowed {
+        return [0.0; 2];
     }
+    let size = square.sqrt();
+    let excess = size - allowed;
     *most = most.max(excess * FRAC_1_SQRT_2);
-    CORNER_SHARE * excess.copysign(across)
+    [rise, fall].map(|across| CORNER_SHARE * excess * (across / size))
 }
