@@ -38,6 +38,28 @@ def test_answer_follows_the_schema_and_is_consistent(diagnosed, validate, name):
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_the_gap_is_given_by_column_and_condition(diagnosed, name):
+    answer, out = diagnosed[name]
+    found = rows(out / "gap.csv")
+    assert [row["channel"] for row in found if not row["covariate"]] == [p["channel"] for p in answer["gap_by_channel"]]
+    forces = answer["gap_by_channel"][0]
+    assert forces["channel"] == "force_n" and forces["after"] < forces["before"] and forces["delta_elpd"] > 0
+    strokes = {row["stroke_id"]: row for row in rows(CAMPAIGNS / name / "strokes.csv")}
+    predicted = rows(out / "predictions.csv")
+    # The gap at each tool angle, from the held-out forces: they scatter alike, so it shrinks as gap.csv says.
+    levels = [row for row in found if row["channel"] == "force_n" and row["covariate"] == "alpha_deg"]
+    for row in levels:
+        inside = [p for p in predicted if float(row["from"]) <= float(strokes[p["stroke_id"]]["alpha_deg"]) <= float(row["to"])]
+        assert len(inside) == int(row["readings"])
+        size = [
+            math.sqrt(sum(math.log(float(strokes[p["stroke_id"]]["force_n"]) / float(p[column])) ** 2 for p in inside))
+            for column in ("heldout_before_n", "heldout_after_n")
+        ]
+        shrinks = float(row["normalised_rmse_after"]) / float(row["normalised_rmse_before"])
+        assert math.isclose(size[1] / size[0], shrinks, rel_tol=0.1)
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_predictions_are_repeated_from_the_model_file(diagnosed, soilctl, name):
     answer, out = diagnosed[name]
     strokes = CAMPAIGNS / name / "strokes.csv"
@@ -87,7 +109,7 @@ def test_the_next_experiment_has_the_columns_of_a_stroke_table(diagnosed):
 def test_the_same_campaign_gives_the_same_files(diagnosed, soilctl, tmp_path):
     _, out = diagnosed["campaign_b"]
     soilctl("diagnose", CAMPAIGNS / "campaign_b", "--out", tmp_path, code=0)
-    for name in ["patch.json", "predictions.csv", "next_experiment.csv"]:
+    for name in ["patch.json", "predictions.csv", "gap.csv", "next_experiment.csv"]:
         assert (tmp_path / name).read_bytes() == (out / name).read_bytes()
 
 

@@ -1,8 +1,12 @@
 //! The gap between model and forces, before and after effects are added, also on batches that the fit has not seen.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
+use soilctl_effects::Channel;
 
 use crate::fit::{Fit, everything, fit};
+use crate::parts::{Miss, Misses, Part, parts};
 use crate::setup::Setup;
 use crate::spec::Spec;
 
@@ -63,6 +67,8 @@ pub struct Comparison {
     pub heldout_after: Option<Vec<f64>>,
     /// Standard deviation of ln force of each stroke about its prediction, batches included.
     pub stroke_sd: Vec<f64>,
+    /// The held-out gap by column and condition; empty with fewer than two batches.
+    pub parts: Vec<Part>,
 }
 
 /// Compares a set of effects (amplitudes fixed) with none. `None` if a fit fails.
@@ -80,6 +86,7 @@ pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Opti
     channels.extend(&core);
     let before = fit(&setup, &Spec::default(), &core, true, &all)?;
     let after = fit(&setup, &kept, &channels, true, &all)?;
+    let columns = Columns::new(&setup, spec);
     let mut held = None;
     if setup.batch_terms > 1 {
         let n = setup.data.len();
@@ -96,6 +103,7 @@ pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Opti
             for (held, fit) in out.iter_mut().zip(&pair) {
                 held.take(&setup, fit, &include);
             }
+            columns.take(&setup, &pair, &include, &mut out);
         }
         held = Some(out);
     }
@@ -121,9 +129,9 @@ pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Opti
         delta_elpd: elpd.map(|(sum, _)| sum),
         delta_elpd_se: elpd.map(|(_, se)| se),
     };
-    let (heldout_before, heldout_after) = match held {
-        Some([a, b]) => (Some(a.ln_force), Some(b.ln_force)),
-        None => (None, None),
+    let (heldout_before, heldout_after, parts) = match held {
+        Some([a, b]) => (Some(a.ln_force), Some(b.ln_force), parts(setup.data, &a.misses, &b.misses)),
+        None => (None, None, Vec::new()),
     };
     let stroke_sd = after.force_sd.iter().map(|s| s.hypot(setup.batch_sd)).collect();
     Some(Comparison {
@@ -135,6 +143,7 @@ pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Opti
         heldout_before,
         heldout_after,
         stroke_sd,
+        parts,
     })
 }
 
@@ -155,11 +164,12 @@ struct Held {
     ln_force: Vec<f64>,
     chi2: f64,
     log_density: Vec<f64>,
+    misses: Misses,
 }
 
 impl Held {
     fn new(n: usize) -> Self {
-        Self { ln_force: vec![0.0; n], chi2: 0.0, log_density: Vec::new() }
+        Self { ln_force: vec![0.0; n], chi2: 0.0, log_density: Vec::new(), misses: Misses::new() }
     }
 
     fn take(&mut self, setup: &Setup<'_>, fit: &Fit, include: &[bool]) {
@@ -171,6 +181,7 @@ impl Held {
             let z = setup.data.ln_force[i] - fit.ln_force[i];
             let variance = fit.force_sd[i].powi(2) + fit.expectation_sd[i].powi(2);
             self.chi2 += z * z / (variance + shared);
+            self.miss(None, i, Miss { residual: z, sd: (variance + shared).sqrt() });
             sum_w += 1.0 / variance;
             sum_wz += z / variance;
             sum_wz2 += z * z / variance;
@@ -180,5 +191,58 @@ impl Held {
         let inner = 1.0 + shared * sum_w;
         let quadratic = sum_wz2 - shared * sum_wz * sum_wz / inner;
         self.log_density.push(-0.5 * (quadratic + ln_det + inner.ln() + count * std::f64::consts::TAU.ln()));
+    }
+
+    fn miss(&mut self, channel: Option<Channel>, stroke: usize, miss: Miss) {
+        let strokes = self.ln_force.len();
+        self.misses.entry(channel).or_insert_with(|| vec![None; strokes])[stroke] = Some(miss);
+    }
+
+    fn read(&mut self, fit: &Fit, include: &[bool]) {
+        for reading in fit.readings.iter().filter(|reading| !include[reading.stroke]) {
+            let miss = Miss { residual: reading.residual, sd: reading.sd };
+            self.miss(Some(reading.channel), reading.stroke, miss);
+        }
+    }
+}
+
+/// Which columns are fitted with what, so that each has a prediction without and with the effects.
+struct Columns {
+    /// Columns that no fit of forces has without effects.
+    alone: BTreeSet<Channel>,
+    /// Effects and their columns, if some of them are seen in columns only: those the fit of the forces leaves out.
+    joint: Option<(Spec, BTreeSet<Channel>)>,
+}
+
+impl Columns {
+    fn new(setup: &Setup<'_>, spec: &Spec) -> Self {
+        let core = setup.core();
+        let alone = setup.baselines.keys().filter(|channel| !core.contains(channel)).copied().collect();
+        let joint = spec.choices.iter().any(|choice| !choice.effect.acts_on_force()).then(|| {
+            let effects = Spec { choices: spec.choices.clone(), ..Spec::default() };
+            let mut channels = effects.touched(setup.data);
+            if effects.on_force() {
+                channels.extend(&core);
+            }
+            (effects, channels)
+        });
+        Self { alone, joint }
+    }
+
+    /// Predictions of the columns of a batch that took no part, given the fits of the forces. Columns without a fit have none.
+    fn take(&self, setup: &Setup<'_>, [before, after]: &[Fit; 2], include: &[bool], out: &mut [Held; 2]) {
+        let plain = fit(setup, &Spec::default(), &self.alone, false, include);
+        for held in out.iter_mut() {
+            held.read(before, include);
+            if let Some(plain) = &plain {
+                held.read(plain, include);
+            }
+        }
+        out[1].read(after, include);
+        if let Some((spec, channels)) = &self.joint
+            && let Some(joint) = fit(setup, spec, channels, spec.on_force(), include)
+        {
+            out[1].read(&joint, include);
+        }
     }
 }

@@ -36,6 +36,30 @@ fn a_strong_effect_is_named_and_closes_the_gap() {
     assert_eq!(found.equivalence_set[0], "force_bias");
 }
 
+/// A drift of the sensor is read in free air, too; what it does not change stays as it was.
+#[test]
+fn the_gap_shrinks_where_the_effect_is_seen_and_nowhere_else() {
+    let hidden = campaign(&["force_drift"], 3, Design::default());
+    let found = diagnosed(&hidden, hidden.rows.clone());
+    assert_eq!((found.status, found.effects[0].id), (Status::Named, "force_drift"));
+    let parts = &found.comparison.parts;
+    let whole = |channel: &str| parts.iter().find(|p| p.channel == channel && p.covariate.is_none()).unwrap();
+    for channel in ["force_n", "tare_before_n", "tare_after_n"] {
+        let part = whole(channel);
+        assert!(part.before > 1.2 * part.after && part.delta_elpd > 2.0 * part.delta_elpd_se, "{part:?}");
+    }
+    let other = whole("heap_height_m");
+    assert_eq!((other.before, other.delta_elpd), (other.after, 0.0));
+    for part in parts.iter().filter(|part| part.covariate.is_none()) {
+        assert!((0.6..1.5).contains(&part.after), "{part:?}");
+        // Strokes of the parts along a condition are those of the whole, and so is their chi-square.
+        let levels = parts.iter().filter(|p| p.channel == part.channel && p.covariate == Some("depth_m"));
+        let sum: f64 = levels.clone().map(|p| p.readings as f64 * p.after * p.after).sum();
+        assert!((sum / (part.readings as f64 * part.after * part.after) - 1.0).abs() < 1e-12);
+        assert_eq!(levels.map(|p| p.readings).sum::<usize>(), part.readings);
+    }
+}
+
 #[test]
 fn the_same_campaign_gives_the_same_bits() {
     let hidden = campaign(&["rate_effect"], 5, Design { strokes: 24, ..Design::default() });

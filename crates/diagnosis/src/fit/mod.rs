@@ -34,7 +34,20 @@ pub(crate) struct Fit {
     pub(crate) ln_force: Vec<f64>,
     /// Standard deviation of that expectation.
     pub(crate) expectation_sd: Vec<f64>,
+    /// Readings of the columns that took part, minus their expectation.
+    pub(crate) readings: Vec<Reading>,
 }
+
+/// A cell of a column about a fit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reading {
+    pub(crate) channel: Channel,
+    pub(crate) stroke: usize,
+    pub(crate) residual: f64,
+    /// Of the reading about its expectation, and of the expectation.
+    pub(crate) sd: f64,
+}
+
 /// Which strokes take part.
 pub(crate) fn everything(setup: &Setup<'_>) -> Vec<bool> {
     vec![true; setup.data.len()]

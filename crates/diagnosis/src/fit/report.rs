@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use super::Fit;
 use super::problem::{Problem, Row};
+use super::{Fit, Reading};
 
 impl Problem<'_> {
     pub(super) fn report(
@@ -36,8 +36,8 @@ impl Problem<'_> {
         }
         let batches = if self.with_force { self.setup.batch_terms } else { 0 };
         let (mut force_sd, mut ln_force, mut expectation_sd) = (Vec::new(), Vec::new(), Vec::new());
+        let mut readings = Vec::new();
         for (r, row) in self.rows.iter().enumerate() {
-            let Row::Force(_) = row else { continue };
             let line = &jacobian[r * width..(r + 1) * width];
             let of_batch: f64 =
                 (0..batches).map(|k| line[self.nuisance_at + k] * p[self.nuisance_at + k]).sum();
@@ -50,9 +50,20 @@ impl Problem<'_> {
                     variance += line[i] * covariance[(i, j)] * line[j];
                 }
             }
-            force_sd.push(self.row_sd(r, ln_scatter).0);
-            ln_force.push(means[r] - of_batch);
-            expectation_sd.push(variance.max(0.0).sqrt());
+            let (of_row, of_mean) = (self.row_sd(r, ln_scatter).0, variance.max(0.0).sqrt());
+            match *row {
+                Row::Force(_) => {
+                    force_sd.push(of_row);
+                    ln_force.push(means[r] - of_batch);
+                    expectation_sd.push(of_mean);
+                }
+                Row::Channel { stroke, block } => readings.push(Reading {
+                    channel: self.channels[block],
+                    stroke,
+                    residual: self.y[r] - means[r],
+                    sd: of_row.hypot(of_mean),
+                }),
+            }
         }
         Fit {
             log_evidence,
@@ -64,6 +75,7 @@ impl Problem<'_> {
             force_sd,
             ln_force,
             expectation_sd,
+            readings,
         }
     }
 }

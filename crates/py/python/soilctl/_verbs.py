@@ -72,7 +72,7 @@ def diagnose(
         traces: Traces of the strokes; by default ``traces.csv`` in ``folder``, if it is there.
         resimulate: Folder with the campaign's logs: runs it again on the simulated arm, without and with what is found, and
             compares the traces. Takes some seconds a stroke.
-        out: Folder for ``patch.json``, ``predictions.csv``, ``next_experiment.csv`` and ``report.html``; by default
+        out: Folder for ``patch.json``, ``predictions.csv``, ``gap.csv``, ``next_experiment.csv`` and ``report.html``; by default
             ``diagnosis`` in ``folder``.
 
     Returns:

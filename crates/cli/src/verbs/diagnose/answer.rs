@@ -25,6 +25,9 @@ pub(crate) struct DiagnosisAnswer {
     pub(super) equivalence_set: Vec<String>,
     /// How far model and measurement are apart.
     pub(super) gap: GapAnswer,
+    /// The gap of forces and of each column, on batches that were left out, forces first; empty with fewer than two batches.
+    /// `gap.csv` has it along each condition.
+    pub(super) gap_by_channel: Vec<ChannelGapAnswer>,
     /// Disagreements of the recalibrated baseline that are more than chance.
     #[serde(rename = "where")]
     pub(super) located: Vec<WhereAnswer>,
@@ -93,6 +96,23 @@ pub(crate) struct GapAnswer {
     pub(super) delta_elpd_se: Option<f64>,
 }
 
+/// The gap of a column, in standard deviations of the prediction with effects.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct ChannelGapAnswer {
+    /// Column of the stroke table, or of the traces.
+    pub(super) channel: String,
+    /// Readings.
+    pub(super) readings: usize,
+    /// Normalised root mean square without effects; the square is chi-square a reading.
+    pub(super) before: f64,
+    /// The same with effects.
+    pub(super) after: f64,
+    /// Gain in log predictive density, summed over readings.
+    pub(super) delta_elpd: f64,
+    /// Its standard error.
+    pub(super) delta_elpd_se: f64,
+}
+
 /// One disagreement.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct WhereAnswer {
@@ -159,6 +179,20 @@ impl DiagnosisAnswer {
                 delta_elpd: gap.delta_elpd,
                 delta_elpd_se: gap.delta_elpd_se,
             },
+            gap_by_channel: d
+                .comparison
+                .parts
+                .iter()
+                .filter(|part| part.covariate.is_none())
+                .map(|part| ChannelGapAnswer {
+                    channel: part.channel.into(),
+                    readings: part.readings,
+                    before: part.before,
+                    after: part.after,
+                    delta_elpd: part.delta_elpd,
+                    delta_elpd_se: part.delta_elpd_se,
+                })
+                .collect(),
             located: d
                 .located
                 .iter()
@@ -260,6 +294,13 @@ impl Answer for DiagnosisAnswer {
             shown(self.gap.chi2_per_n_before),
             shown(self.gap.chi2_per_n_after),
         ]);
+        // Columns of the trace that the effects explain.
+        for of in self.gap_by_channel.iter().filter(|of| of.channel != "force_n") {
+            if of.delta_elpd > 2.0 * of.delta_elpd_se && of.delta_elpd > 1.0 {
+                let name = format!("{}, held out (sd)", of.channel);
+                rows.push(vec![name, format!("{:.2}", of.before), format!("{:.2}", of.after)]);
+            }
+        }
         text += &columns(&rows);
         for place in self.located.iter().take(MOST_PLACES) {
             text += &format!(

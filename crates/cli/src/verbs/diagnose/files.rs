@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use soilctl_diagnosis::{Comparison, Data, Diagnosis, NextExperiment, Status};
+use soilctl_diagnosis::{Comparison, Data, Diagnosis, NextExperiment, Part, Status};
 use soilctl_effects::{
     EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry, effect,
 };
@@ -27,6 +27,7 @@ pub(super) fn write(work: &Work, strokes: &Path, out: &Path) -> Result<Written, 
     let file = model_file(&work.model, &work.data, &work.diagnosis, &bytes);
     file.write(&patch)?;
     predictions(work, file, &patch, &out.join("predictions.csv"))?;
+    gap_table(&work.diagnosis.comparison.parts, &out.join("gap.csv"))?;
     let next = match &work.diagnosis.next {
         Some(next) => {
             let path = out.join("next_experiment.csv");
@@ -180,6 +181,28 @@ fn predictions(work: &Work, file: ModelFile, patch: &Path, path: &Path) -> Resul
     }
     let mut out = std::fs::File::create(path).map_err(|problem| failed(path, problem))?;
     out.write_all(text.as_bytes()).map_err(|problem| failed(path, problem))
+}
+
+/// The held-out gap by column and condition.
+fn gap_table(parts: &[Part], path: &Path) -> Result<(), CliError> {
+    let mut text = String::from(
+        "channel,covariate,from,to,readings,normalised_rmse_before,normalised_rmse_after,delta_elpd,delta_elpd_se\n",
+    );
+    for part in parts {
+        let [from, to] =
+            part.range.map_or_else(Default::default, |range| range.map(|value| value.to_string()));
+        text += &format!(
+            "{},{},{from},{to},{},{},{},{},{}\n",
+            part.channel,
+            part.covariate.unwrap_or_default(),
+            part.readings,
+            part.before,
+            part.after,
+            part.delta_elpd,
+            part.delta_elpd_se
+        );
+    }
+    std::fs::write(path, text).map_err(|problem| failed(path, problem))
 }
 
 fn quoted(text: &str) -> String {

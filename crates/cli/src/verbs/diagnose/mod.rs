@@ -27,7 +27,7 @@ use crate::output::Output;
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Writes patch.json (the model file), predictions.csv, next_experiment.csv and report.html into --out."
+    after_help = "Writes patch.json (the model file), predictions.csv, gap.csv, next_experiment.csv and report.html into --out."
 )]
 pub(crate) struct Args {
     /// Folder with strokes.csv and, beside it, campaign.json and traces.csv

@@ -1,5 +1,6 @@
 //! The page of a diagnosis: where, what, how sure, what else, what changes, what next.
 
+use soilctl_diagnosis::Part;
 use soilctl_effects::effect;
 use soilctl_figure::{Align, CalloutKind, HtmlReport, Size, Table};
 
@@ -168,6 +169,55 @@ fn changes(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Resu
             "Expected log predictive density of unseen batches changes by {gain:.1} ± {error:.1}."
         ));
     }
+    shrinks(page, work)
+}
+
+/// The held-out gap column by column, and that of the forces along the conditions where they disagree most.
+fn shrinks(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
+    let parts = &work.diagnosis.comparison.parts;
+    if parts.is_empty() {
+        page.paragraph(
+            "With one batch there is none to leave out, so the gap is not divided by column and condition.",
+        );
+        return Ok(());
+    }
+    let gain = |part: &Part| format!("{:.1} ± {:.1}", part.delta_elpd, part.delta_elpd_se);
+    let right = |name| (name, Align::Right);
+    let numbers =
+        [right("readings"), right("without effects"), right("with effects"), right("gain in ln density")];
+    let mut table = Table::new(
+        "The held-out gap by column, in standard deviations of the prediction with effects: 1 is what scatter leaves",
+        [("column", Align::Left)].into_iter().chain(numbers),
+    );
+    for part in parts.iter().filter(|part| part.covariate.is_none()) {
+        let cells = [part.readings.to_string(), format!("{:.2}", part.before), format!("{:.2}", part.after)];
+        table.row([part.channel.to_owned()].into_iter().chain(cells).chain([gain(part)]))?;
+    }
+    page.table(table);
+    // Least even before: where the largest part differs most from the smallest.
+    let forces: Vec<&Part> = parts.iter().filter(|part| part.channel == "force_n").collect();
+    let mut conditions: Vec<(&str, f64)> = Vec::new();
+    for name in forces.iter().filter_map(|part| part.covariate) {
+        if conditions.iter().all(|(other, _)| *other != name) {
+            let of = || forces.iter().filter(|part| part.covariate == Some(name)).map(|part| part.before);
+            conditions.push((name, of().fold(0.0, f64::max) - of().fold(f64::INFINITY, f64::min)));
+        }
+    }
+    conditions.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut table = Table::new(
+        "The held-out gap of the forces along the conditions over which it varies most, in the same unit",
+        [("condition", Align::Left), ("from", Align::Right), ("to", Align::Right)].into_iter().chain(numbers),
+    );
+    for (name, _) in conditions.iter().take(MOST_FIGURES) {
+        for part in forces.iter().filter(|part| part.covariate == Some(name)) {
+            let [from, to] = part.range.map_or_else(Default::default, |range| range.map(number));
+            let cells =
+                [part.readings.to_string(), format!("{:.2}", part.before), format!("{:.2}", part.after)];
+            table.row([(*name).to_owned(), from, to].into_iter().chain(cells).chain([gain(part)]))?;
+        }
+    }
+    page.table(table);
+    page.paragraph("All columns along all conditions are in gap.csv.");
     Ok(())
 }
 
