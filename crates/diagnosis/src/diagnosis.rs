@@ -113,11 +113,7 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     let found = Found {
         fitted: &fitted,
         scatter: scatter.map_or(search.baseline.scatter, |best| best.fit.scatter),
-        shape: verdict
-            .shape
-            .as_ref()
-            .filter(|_| testable)
-            .map(|(covariate, gain)| (covariate.as_str(), *gain)),
+        shape: verdict.shape.as_ref().map(|(covariate, gain)| (covariate.as_str(), *gain)),
     };
     let next = next(&setup, phi_deg, found, &open, &expected);
     Ok(Diagnosis {

@@ -6,7 +6,7 @@ use serde::Serialize;
 use soilctl_effects::Channel;
 
 use crate::fit::{Fit, everything, fit};
-use crate::parts::{Miss, Misses, Part, parts};
+use crate::parts::{Miss, Misses, Part, parts, sum_and_error};
 use crate::setup::Setup;
 use crate::spec::Spec;
 
@@ -111,21 +111,21 @@ pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Opti
         let squares = ln.iter().zip(&setup.data.ln_force).map(|(a, b)| (a - b).powi(2));
         (squares.sum::<f64>() / ln.len() as f64).sqrt()
     };
-    let n = setup.data.len() as f64;
+    let chi2_per_n = |held: &Held| {
+        let of_forces = held.misses.get(&None).into_iter().flatten().flatten();
+        of_forces.map(Miss::squared).sum::<f64>() / setup.data.len() as f64
+    };
     let elpd = held.as_ref().map(|[a, b]| {
         let gains: Vec<f64> = b.log_density.iter().zip(&a.log_density).map(|(x, y)| x - y).collect();
-        let (count, sum) = (gains.len() as f64, gains.iter().sum::<f64>());
-        let mean = sum / count;
-        let variance = gains.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
-        (sum, (count * variance).sqrt())
+        sum_and_error(&gains)
     });
     let gap = Gap {
         before: rms(&before.ln_force),
         after: rms(&after.ln_force),
         heldout_before: held.as_ref().map(|[a, _]| rms(&a.ln_force)),
         heldout_after: held.as_ref().map(|[_, b]| rms(&b.ln_force)),
-        chi2_per_n_before: held.as_ref().map(|[a, _]| a.chi2 / n),
-        chi2_per_n_after: held.as_ref().map(|[_, b]| b.chi2 / n),
+        chi2_per_n_before: held.as_ref().map(|[a, _]| chi2_per_n(a)),
+        chi2_per_n_after: held.as_ref().map(|[_, b]| chi2_per_n(b)),
         delta_elpd: elpd.map(|(sum, _)| sum),
         delta_elpd_se: elpd.map(|(_, se)| se),
     };
@@ -162,14 +162,13 @@ fn soil(setup: &Setup<'_>, fit: &Fit) -> FittedSoil {
 /// Predictions of batches that took no part, gathered batch by batch.
 struct Held {
     ln_force: Vec<f64>,
-    chi2: f64,
     log_density: Vec<f64>,
     misses: Misses,
 }
 
 impl Held {
     fn new(n: usize) -> Self {
-        Self { ln_force: vec![0.0; n], chi2: 0.0, log_density: Vec::new(), misses: Misses::new() }
+        Self { ln_force: vec![0.0; n], log_density: Vec::new(), misses: Misses::new() }
     }
 
     fn take(&mut self, setup: &Setup<'_>, fit: &Fit, include: &[bool]) {
@@ -180,7 +179,6 @@ impl Held {
             self.ln_force[i] = fit.ln_force[i];
             let z = setup.data.ln_force[i] - fit.ln_force[i];
             let variance = fit.force_sd[i].powi(2) + fit.expectation_sd[i].powi(2);
-            self.chi2 += z * z / (variance + shared);
             self.miss(None, i, Miss { residual: z, sd: (variance + shared).sqrt() });
             sum_w += 1.0 / variance;
             sum_wz += z / variance;
@@ -198,8 +196,8 @@ impl Held {
         self.misses.entry(channel).or_insert_with(|| vec![None; strokes])[stroke] = Some(miss);
     }
 
-    fn read(&mut self, fit: &Fit, include: &[bool]) {
-        for reading in fit.readings.iter().filter(|reading| !include[reading.stroke]) {
+    fn read(&mut self, fit: &Fit) {
+        for reading in &fit.readings {
             let miss = Miss { residual: reading.residual, sd: reading.sd };
             self.miss(Some(reading.channel), reading.stroke, miss);
         }
@@ -233,16 +231,16 @@ impl Columns {
     fn take(&self, setup: &Setup<'_>, [before, after]: &[Fit; 2], include: &[bool], out: &mut [Held; 2]) {
         let plain = fit(setup, &Spec::default(), &self.alone, false, include);
         for held in out.iter_mut() {
-            held.read(before, include);
+            held.read(before);
             if let Some(plain) = &plain {
-                held.read(plain, include);
+                held.read(plain);
             }
         }
-        out[1].read(after, include);
+        out[1].read(after);
         if let Some((spec, channels)) = &self.joint
             && let Some(joint) = fit(setup, spec, channels, spec.on_force(), include)
         {
-            out[1].read(&joint, include);
+            out[1].read(&joint);
         }
     }
 }

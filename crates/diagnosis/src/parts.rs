@@ -41,8 +41,14 @@ pub(crate) struct Miss {
 }
 
 impl Miss {
+    /// Contribution to chi-square.
+    pub(crate) fn squared(&self) -> f64 {
+        (self.residual / self.sd).powi(2)
+    }
+
+    /// Up to what all densities share.
     fn log_density(&self) -> f64 {
-        -0.5 * (self.residual / self.sd).powi(2) - self.sd.ln()
+        -0.5 * self.squared() - self.sd.ln()
     }
 }
 
@@ -104,15 +110,14 @@ fn part<'a>(
     let (mut before, mut after, mut gains) = (0.0, 0.0, Vec::new());
     for (_, a, b) in pairs {
         before += (a.residual / b.sd).powi(2);
-        after += (b.residual / b.sd).powi(2);
+        after += b.squared();
         gains.push(b.log_density() - a.log_density());
     }
     if gains.is_empty() {
         return None;
     }
     let count = gains.len() as f64;
-    let sum = gains.iter().sum::<f64>();
-    let variance = gains.iter().map(|g| (g - sum / count).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+    let (delta_elpd, delta_elpd_se) = sum_and_error(&gains);
     Some(Part {
         channel,
         covariate,
@@ -120,9 +125,16 @@ fn part<'a>(
         readings: gains.len(),
         before: (before / count).sqrt(),
         after: (after / count).sqrt(),
-        delta_elpd: sum,
-        delta_elpd_se: (count * variance).sqrt(),
+        delta_elpd,
+        delta_elpd_se,
     })
+}
+
+/// Sum of independent gains, and its standard error from how they scatter.
+pub(crate) fn sum_and_error(gains: &[f64]) -> (f64, f64) {
+    let (count, sum) = (gains.len() as f64, gains.iter().sum::<f64>());
+    let variance = gains.iter().map(|g| (g - sum / count).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+    (sum, (count * variance).sqrt())
 }
 
 #[cfg(test)]

@@ -60,6 +60,19 @@ fn the_gap_shrinks_where_the_effect_is_seen_and_nowhere_else() {
     }
 }
 
+/// Free play between motors and joints moves no force, so no fit of forces has it. Its column has a baseline that takes a part of it.
+#[test]
+fn the_gap_of_a_column_shrinks_by_an_effect_that_forces_do_not_show() {
+    let hidden = campaign(&["backlash"], 11, Design::default());
+    let found = diagnosed(&hidden, hidden.rows.clone());
+    assert_eq!((found.status, found.effects[0].id), (Status::Named, "backlash"));
+    let parts = found.comparison.parts;
+    let whole = |channel: &str| parts.iter().find(|p| p.channel == channel && p.covariate.is_none()).unwrap();
+    let (gap, forces) = (whole("motor_ext_gap_m"), whole("force_n"));
+    assert!(gap.before > gap.after && gap.delta_elpd > gap.delta_elpd_se, "{gap:?}");
+    assert_eq!((forces.before, forces.delta_elpd), (forces.after, 0.0));
+}
+
 #[test]
 fn the_same_campaign_gives_the_same_bits() {
     let hidden = campaign(&["rate_effect"], 5, Design { strokes: 24, ..Design::default() });

@@ -34,15 +34,16 @@ pub(crate) struct Fit {
     pub(crate) ln_force: Vec<f64>,
     /// Standard deviation of that expectation.
     pub(crate) expectation_sd: Vec<f64>,
-    /// Readings of the columns that took part, minus their expectation.
+    /// Readings of the columns of strokes that took no part.
     pub(crate) readings: Vec<Reading>,
 }
 
-/// A cell of a column about a fit.
+/// A cell of a column that a fit predicts without having seen it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reading {
     pub(crate) channel: Channel,
     pub(crate) stroke: usize,
+    /// Reading minus expectation.
     pub(crate) residual: f64,
     /// Of the reading about its expectation, and of the expectation.
     pub(crate) sd: f64,

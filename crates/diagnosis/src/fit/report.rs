@@ -38,6 +38,9 @@ impl Problem<'_> {
         let (mut force_sd, mut ln_force, mut expectation_sd) = (Vec::new(), Vec::new(), Vec::new());
         let mut readings = Vec::new();
         for (r, row) in self.rows.iter().enumerate() {
+            if matches!(row, Row::Channel { .. }) && self.included[r] {
+                continue;
+            }
             let line = &jacobian[r * width..(r + 1) * width];
             let of_batch: f64 =
                 (0..batches).map(|k| line[self.nuisance_at + k] * p[self.nuisance_at + k]).sum();

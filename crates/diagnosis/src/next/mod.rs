@@ -61,8 +61,9 @@ pub(crate) fn next(
     expected: &[Expected],
 ) -> Option<NextExperiment> {
     let data = setup.data;
-    let unknown = equivalents.first().is_some_and(|id| id.starts_with("unknown:"));
-    if let (Some((covariate, log_bayes)), true) = (shape, unknown) {
+    if let Some((covariate, log_bayes)) = shape
+        && equivalents.first().is_some_and(|id| id.starts_with("unknown:"))
+    {
         return more_of(data, covariate, log_bayes);
     }
     let typical = |id: &str| -> Option<Explanation> {

@@ -181,7 +181,11 @@ fn shrinks(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
         );
         return Ok(());
     }
-    let gain = |part: &Part| format!("{:.1} ± {:.1}", part.delta_elpd, part.delta_elpd_se);
+    let cells = |part: &Part| {
+        let gap = [part.before, part.after].map(|value| format!("{value:.2}"));
+        let gain = format!("{:.1} ± {:.1}", part.delta_elpd, part.delta_elpd_se);
+        std::iter::once(part.readings.to_string()).chain(gap).chain([gain])
+    };
     let right = |name| (name, Align::Right);
     let numbers =
         [right("readings"), right("without effects"), right("with effects"), right("gain in ln density")];
@@ -190,11 +194,10 @@ fn shrinks(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
         [("column", Align::Left)].into_iter().chain(numbers),
     );
     for part in parts.iter().filter(|part| part.covariate.is_none()) {
-        let cells = [part.readings.to_string(), format!("{:.2}", part.before), format!("{:.2}", part.after)];
-        table.row([part.channel.to_owned()].into_iter().chain(cells).chain([gain(part)]))?;
+        table.row([part.channel.to_owned()].into_iter().chain(cells(part)))?;
     }
     page.table(table);
-    // Least even before: where the largest part differs most from the smallest.
+    // Over which the largest part differs most from the smallest before anything is added.
     let forces: Vec<&Part> = parts.iter().filter(|part| part.channel == "force_n").collect();
     let mut conditions: Vec<(&str, f64)> = Vec::new();
     for name in forces.iter().filter_map(|part| part.covariate) {
@@ -211,13 +214,11 @@ fn shrinks(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
     for (name, _) in conditions.iter().take(MOST_FIGURES) {
         for part in forces.iter().filter(|part| part.covariate == Some(name)) {
             let [from, to] = part.range.map_or_else(Default::default, |range| range.map(number));
-            let cells =
-                [part.readings.to_string(), format!("{:.2}", part.before), format!("{:.2}", part.after)];
-            table.row([(*name).to_owned(), from, to].into_iter().chain(cells).chain([gain(part)]))?;
+            table.row([(*name).to_owned(), from, to].into_iter().chain(cells(part)))?;
         }
     }
     page.table(table);
-    page.paragraph("All columns along all conditions are in gap.csv.");
+    page.paragraph("All columns along all conditions are in gap.csv. Gains count each reading on its own; strokes of a batch have an error in common, which the density of whole batches above takes into account.");
     Ok(())
 }
 
