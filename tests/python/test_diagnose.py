@@ -73,6 +73,30 @@ def test_predictions_are_repeated_from_the_model_file(diagnosed, soilctl, name):
     assert math.isclose(math.sqrt(squares / len(replay)), answer["gap"]["after"], rel_tol=0.01)
 
 
+def test_what_a_model_file_knows_is_held_and_not_looked_for(diagnosed, soilctl, validate, tmp_path):
+    first, first_out = diagnosed["campaign_a"]
+    known = [effect["id"] for effect in first["effects"]]
+    assert known
+    answer = soilctl.json("diagnose", CAMPAIGNS / "campaign_a", "--model-file", first["patch"], "--out", tmp_path)
+    validate(answer)
+    assert (answer["status"], answer["effects"]) == ("none", [])
+    assert answer["known_effects"] == known and answer["model_file"] == first["patch"]
+    assert not set(known) & {of["id"] for of in answer["testability"]}
+    assert math.isclose(answer["gap"]["before"], first["gap"]["after"], rel_tol=0.01)
+    # The new file has what was known, to the digit, and forces that it repeats.
+    files = [json.loads((out / "patch.json").read_text(encoding="utf-8")) for out in (first_out, tmp_path)]
+    assert files[1]["effects"] == files[0]["effects"] and files[1]["model"] == files[0]["model"]
+    for old, new in zip(rows(first_out / "predictions.csv"), rows(tmp_path / "predictions.csv"), strict=True):
+        assert math.isclose(float(old["force_after_n"]), float(new["force_before_n"]), rel_tol=5e-3)
+    assert ", ".join(known) in (tmp_path / "report.html").read_text(encoding="utf-8")
+    both = soilctl("diagnose", CAMPAIGNS / "campaign_a", "--model", "chen", "--model-file", first["patch"])
+    assert both.returncode == 2 and "--model-file" in both.stderr
+    broken = tmp_path / "broken.json"
+    broken.write_text(json.dumps({**files[0], "model": "no-such"}), encoding="utf-8")
+    unknown = soilctl("diagnose", CAMPAIGNS / "campaign_a", "--model-file", broken)
+    assert unknown.returncode == 2 and "no-such" in unknown.stderr
+
+
 def test_taking_the_effect_out_leaves_the_plain_model(diagnosed, soilctl, tmp_path):
     answer, _ = diagnosed["campaign_a"]
     with open(answer["patch"], encoding="utf-8") as file:

@@ -181,6 +181,11 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .args(["-p", "soilctl-session", "-p", "soilctl-live", "--tests", "--", "--ignored"])
         .args(skipped())
         .run()?;
+    // How often it names what is hidden, and how often something else.
+    cargo(workspace, "diagnosis of hidden campaigns")
+        .args(["test", "--release", "--locked", "-p", "soilctl-diagnosis", "--test", "rates"])
+        .args(["--", "--ignored", "--nocapture"])
+        .run()?;
     // From simulated strokes to the soil, against the truth; logs of gigabytes.
     cargo(workspace, "the whole chain")
         .args(["test", "--release", "--locked", "-p", "soilctl", "--test", "memory", "--test", "chain"])

@@ -1,6 +1,6 @@
 //! What a trace-derived column reads when no effect is there.
 
-use soilctl_effects::Channel;
+use soilctl_effects::{Active, Channel};
 
 use crate::data::{Data, Prior};
 
@@ -108,11 +108,33 @@ impl Baseline {
         let reads_delta = matches!(channel, Channel::FrictionAngle | Channel::SlipAngle);
         let mut known: Vec<f64> =
             if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
-        if let Some(expected) = data.expected.get(&channel) {
+        let responses = |terms: &mut Vec<(Vec<f64>, Prior)>| {
+            for &Active { effect, shape, .. } in data.known_responses() {
+                for response in effect.responses().iter().filter(|response| response.channel == channel) {
+                    let at = |stroke| effect.response(channel, shape, stroke, &data.reference);
+                    let prior = Prior { mean: response.mean, sd: response.sd };
+                    terms.push((data.strokes.iter().map(at).collect(), prior));
+                }
+            }
+        };
+        let simulated = data.expected.get(&channel);
+        let shown = simulated.is_some() && data.expected_shows_known;
+        if shown {
+            responses(&mut terms);
+        }
+        if let Some(expected) = simulated {
             // What is left of a baseline is how far the simulated arm is from the real one.
             known.clone_from(expected);
             for (_, prior) in &mut terms {
                 *prior = Prior { mean: 0.0, sd: SIMULATED * prior.sd };
+            }
+        }
+        if !shown {
+            responses(&mut terms);
+            for &Active { effect, amplitude, shape } in data.known_linked(channel) {
+                for (i, value) in known.iter_mut().enumerate() {
+                    *value += effect.shift(channel, amplitude, shape, &data.strokes[i], &data.reading(i));
+                }
             }
         }
         Self { known, terms, ln_scatter, reads_delta }

@@ -7,6 +7,7 @@ use soilctl_soil::STANDARD_GRAVITY_M_S2;
 use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
+use crate::known::Known;
 use crate::traces::{PhaseKey, traced};
 
 /// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation.
@@ -61,6 +62,10 @@ pub struct Data {
     pub(crate) expected: BTreeMap<Channel, Vec<f64>>,
     /// The same phase by phase.
     pub(crate) expected_phases: BTreeMap<PhaseKey, Vec<f64>>,
+    /// Whether that arm had the known effects.
+    pub(crate) expected_shows_known: bool,
+    /// Effects that are not to be found, but known.
+    pub(crate) known: Vec<Known>,
     /// Friction angle, deg.
     pub phi: Prior,
     /// Interface friction minus its set-point, deg.
@@ -128,6 +133,8 @@ impl Data {
             phases: BTreeMap::new(),
             expected: BTreeMap::new(),
             expected_phases: BTreeMap::new(),
+            expected_shows_known: false,
+            known: Vec::new(),
             phi,
             delta,
             density,
@@ -162,9 +169,11 @@ impl Data {
         self.channels.remove(&Channel::TareAfter);
     }
 
-    /// Takes what a simulated arm without effects read in the same strokes, found by their names, as what is to be expected.
-    /// Where a stroke is missing there, the mean at its tool angle stands for it.
-    pub fn expect(&mut self, simulated: &Self) {
+    /// Takes what a simulated arm read in the same strokes, found by their names, as what is to be expected: an arm without
+    /// effects, or, if it `shows_known`, with those of [`Data::know`]. Where a stroke is missing there, the mean at its tool angle
+    /// stands for it.
+    pub fn expect(&mut self, simulated: &Self, shows_known: bool) {
+        self.expected_shows_known = shows_known;
         let place = |row: &StrokeRow| {
             simulated
                 .rows
@@ -189,6 +198,12 @@ impl Data {
         self.expected = channels.filter_map(|(channel, cells)| Some((*channel, all(cells)?))).collect();
         let phases = simulated.phases.iter().filter(|(key, _)| self.phases.contains_key(key));
         self.expected_phases = phases.filter_map(|(key, cells)| Some((*key, all(cells)?))).collect();
+    }
+
+    /// Sees the strokes from another reference.
+    pub(crate) fn refer_to(&mut self, reference: Reference) {
+        self.strokes = self.rows.iter().map(|row| Stroke::new(row, &reference)).collect();
+        self.reference = reference;
     }
 
     /// Number of strokes.

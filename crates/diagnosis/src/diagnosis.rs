@@ -6,6 +6,7 @@ use soilctl_effects::{catalogue, effect};
 use crate::DiagnosisError;
 use crate::data::Data;
 use crate::gap::{Comparison, compare};
+use crate::known::settled;
 use crate::localise::{Where, localise};
 use crate::next::{Found, NextExperiment, next};
 use crate::search::Search;
@@ -53,16 +54,18 @@ pub struct Diagnosis {
     pub scatter: f64,
 }
 
-/// Diagnoses a campaign against a force model.
+/// Diagnoses a campaign against a force model and the effects that are known ([`Data::know`]).
 ///
 /// # Errors
 /// [`DiagnosisError::NoFit`] if no soil explains the forces at all.
 pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisError> {
+    let data = &settled(data, surface)?;
     let first = Setup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = Setup::new(data, surface, phi_deg);
     let search = Search::new(&setup)?;
-    let expected: Vec<Expected> = catalogue().iter().map(|&of| expected(&setup, phi_deg, of)).collect();
+    let open = catalogue().iter().filter(|of| !data.is_known(**of));
+    let expected: Vec<Expected> = open.map(|&of| expected(&setup, phi_deg, of)).collect();
     // With a handful of strokes the largest amplitudes alone could be seen, which is no test of anything.
     let testable = expected.iter().filter(|of| of.lambda >= LEAST_LAMBDA).count() > 0 && !data.is_summary();
     let verdict = judge(&search);

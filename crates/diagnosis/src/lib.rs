@@ -10,6 +10,7 @@ mod fit;
 mod gap;
 mod generic;
 mod grid;
+mod known;
 mod localise;
 mod next;
 mod parts;

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
-use soilctl_effects::{Base, Channel, force_n};
+use soilctl_effects::Channel;
 
 use crate::channels::spread;
 use crate::chi_square;
@@ -101,15 +101,8 @@ fn levels(covariate: &Covariate) -> Option<Vec<Vec<f64>>> {
 fn forces(setup: &Setup<'_>, baseline: &Fit) -> Option<Residuals> {
     let data = setup.data;
     let n = data.len();
-    let at = |i: usize, soil: [f64; 3]| {
-        let base = Base {
-            phi_deg: soil[0],
-            delta_deg: (data.delta_set_deg(i) + soil[1]).max(0.0),
-            density_kg_m3: data.density.mean * soil[2].exp(),
-            gravity_m_s2: data.gravity_m_s2,
-        };
-        force_n(setup.surface, &data.strokes[i], &data.reference, &base, &[]).ok().map(f64::ln)
-    };
+    let known = setup.known_and([]);
+    let at = |i: usize, soil: [f64; 3]| setup.ln_force(i, soil, &known);
     let mut directions: Vec<(Vec<f64>, f64)> = Vec::new();
     for (k, sd) in [data.phi.sd, data.delta.sd, data.density.sd].into_iter().enumerate() {
         let size = 0.01;

@@ -11,9 +11,9 @@ use crate::setup::Setup;
 use crate::spec::{Choice, Spec};
 
 /// ln prior of an effect showing, or not showing, in the channels that its amplitude fixes.
-const LN_LINKED: [f64; 2] = [-0.105, -2.303];
+pub(crate) const LN_LINKED: [f64; 2] = [-0.105, -2.303];
 /// ln prior of channels responding, or not.
-const LN_RESPONDS: [f64; 2] = [-0.511, -0.916];
+pub(crate) const LN_RESPONDS: [f64; 2] = [-0.511, -0.916];
 /// Sets that are extended in each round.
 const BEAM: usize = 4;
 /// Most effects in a set.
@@ -84,6 +84,16 @@ impl<'a> Search<'a> {
             channel_evidence.insert(channel, alone.log_evidence);
         }
         Ok(Self { setup, baseline, core, channel_evidence, include, shapes: shapes(setup.data) })
+    }
+
+    /// ln probability of everything that was read, without effects that are still to be found.
+    pub(crate) fn log_evidence(&self) -> f64 {
+        self.baseline.log_evidence + self.channel_evidence.values().sum::<f64>()
+    }
+
+    /// Effects that may be missing: those of the catalogue that are not known.
+    fn candidates(&self) -> impl Iterator<Item = &'static dyn Effect> {
+        catalogue().iter().copied().filter(|effect| !self.setup.data.is_known(*effect))
     }
 
     /// Fit and ln Bayes factor of one set over the baseline.
@@ -186,8 +196,7 @@ impl<'a> Search<'a> {
 
     /// Every effect alone, best first.
     pub(crate) fn singles(&self) -> Vec<Scored> {
-        let mut found: Vec<Scored> =
-            catalogue().iter().filter_map(|&effect| self.add(None, effect)).collect();
+        let mut found: Vec<Scored> = self.candidates().filter_map(|effect| self.add(None, effect)).collect();
         sort(&mut found);
         found
     }
@@ -225,7 +234,7 @@ impl<'a> Search<'a> {
 
     fn extend(&self, seed: &Scored, next: &mut Vec<Scored>) {
         let known = seed.ids();
-        for &effect in catalogue().iter().filter(|effect| !known.contains(&effect.id())) {
+        for effect in self.candidates().filter(|effect| !known.contains(&effect.id())) {
             let Some(found) = self.add(Some(seed), effect) else { continue };
             match next.iter_mut().find(|other| other.same_set(&found)) {
                 Some(other) if other.log_bayes < found.log_bayes => *other = found,

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use soilctl_effects::{ALTERNATIVE_MODELS, Channel, Mechanics};
+use soilctl_effects::{ALTERNATIVE_MODELS, Active, Base, Channel, Mechanics, force_n};
 
 use crate::channels::Baseline;
 use crate::data::Data;
@@ -63,6 +63,24 @@ impl<'a> Setup<'a> {
             }
         }
         Self { data, surface, baselines, nuisance, batch_terms, batch_sd }
+    }
+
+    /// ln force of a stroke, with `effects`, for a friction angle (deg), an offset of the interface friction (deg) and ln of the
+    /// density over its prior mean. `None` where the model has no answer.
+    pub(crate) fn ln_force(&self, stroke: usize, soil: [f64; 3], effects: &[Active<'_>]) -> Option<f64> {
+        let data = self.data;
+        let base = Base {
+            phi_deg: soil[0],
+            delta_deg: (data.delta_set_deg(stroke) + soil[1]).max(0.0),
+            density_kg_m3: data.density.mean * soil[2].exp(),
+            gravity_m_s2: data.gravity_m_s2,
+        };
+        force_n(self.surface, &data.strokes[stroke], &data.reference, &base, effects).ok().map(f64::ln)
+    }
+
+    /// What is known and `more`.
+    pub(crate) fn known_and(&self, more: impl IntoIterator<Item = Active<'static>>) -> Vec<Active<'static>> {
+        self.data.known.iter().map(|known| known.active).chain(more).collect()
     }
 
     /// Channels that read the interface friction, which every fit of forces has.

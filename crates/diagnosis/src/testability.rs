@@ -1,7 +1,7 @@
 //! What a design can show, before any data: the gap that is left after soil and interface are fitted anew.
 
 use nalgebra::{Matrix3, Vector3};
-use soilctl_effects::{Active, Base, Effect, force_n};
+use soilctl_effects::{Active, Effect};
 
 use crate::setup::Setup;
 
@@ -66,15 +66,8 @@ pub(crate) fn left_after_soil(
     sd: &[f64],
 ) -> Option<Vec<f64>> {
     let data = setup.data;
-    let at = |i: usize, soil: [f64; 3]| {
-        let base = Base {
-            phi_deg: soil[0],
-            delta_deg: (data.delta_set_deg(i) + soil[1]).max(0.0),
-            density_kg_m3: data.density.mean * soil[2].exp(),
-            gravity_m_s2: data.gravity_m_s2,
-        };
-        force_n(setup.surface, &data.strokes[i], &data.reference, &base, &[]).ok().map(f64::ln)
-    };
+    let known = setup.known_and([]);
+    let at = |i: usize, soil: [f64; 3]| setup.ln_force(i, soil, &known);
     let prior_sd = [data.phi.sd, data.delta.sd, data.density.sd];
     let mut soil = [phi_deg, 0.0, 0.0];
     let plain: Vec<f64> = (0..data.len()).map(|i| at(i, soil)).collect::<Option<_>>()?;
@@ -111,6 +104,13 @@ pub(crate) fn left_after_soil(
     Some(rest)
 }
 
+/// Change of ln force by an effect, on top of what is known, by stroke.
+pub(crate) fn change(setup: &Setup<'_>, phi_deg: f64, active: Active<'static>) -> Option<Vec<f64>> {
+    let (without, with) = (setup.known_and([]), setup.known_and([active]));
+    let at = |i: usize, effects: &[Active<'_>]| setup.ln_force(i, [phi_deg, 0.0, 0.0], effects);
+    (0..setup.data.len()).map(|i| Some(at(i, &with)? - at(i, &without)?)).collect()
+}
+
 /// `N (g / s)^2` of a change of ln force, after soil and interface are fitted anew.
 pub(crate) fn lambda(setup: &Setup<'_>, phi_deg: f64, change: &[f64], sd: &[f64]) -> Option<f64> {
     let rest = left_after_soil(setup, phi_deg, change, sd)?;
@@ -131,22 +131,7 @@ fn signal(
         |shape: &&f64| effect.needs(**shape).is_none_or(|channel| data.channels.contains_key(&channel));
     let (mut most, mut raw) = (0.0_f64, 0.0_f64);
     for &shape in shapes.iter().filter(told) {
-        let active = Active { effect, amplitude, shape };
-        let change: Option<Vec<f64>> = (0..data.len())
-            .map(|i| {
-                let base = Base {
-                    phi_deg,
-                    delta_deg: data.delta_set_deg(i),
-                    density_kg_m3: data.density.mean,
-                    gravity_m_s2: data.gravity_m_s2,
-                };
-                let with =
-                    force_n(setup.surface, &data.strokes[i], &data.reference, &base, &[active]).ok()?;
-                let without = force_n(setup.surface, &data.strokes[i], &data.reference, &base, &[]).ok()?;
-                Some((with / without).ln())
-            })
-            .collect();
-        let Some(change) = change else { continue };
+        let Some(change) = change(setup, phi_deg, Active { effect, amplitude, shape }) else { continue };
         let mut found = lambda(setup, phi_deg, &change, sd).unwrap_or(0.0);
         for channel in effect.linked() {
             let Some(cells) = data.channels.get(channel) else { continue };

@@ -146,7 +146,7 @@ fn traces_without_an_effect_are_not_firmly_named() {
 fn what_differs_from_a_simulated_arm_is_located_by_phase() {
     let campaign = campaign();
     let mut lifted = data(&campaign, &Hidden { lift_deg: 4.0, ..Hidden::default() });
-    lifted.expect(&drawn(&campaign, &Hidden::default(), 10));
+    lifted.expect(&drawn(&campaign, &Hidden::default(), 10), false);
     let found = diagnosed(&lifted);
     let of = |channel: &str, phase: Option<Phase>| {
         let mut places =

@@ -37,6 +37,11 @@ impl Loaded {
         &self.file
     }
 
+    /// Its effects, in the order in which they act.
+    pub fn effects(&self) -> impl Iterator<Item = Active<'static>> {
+        self.effects.iter().map(|&(effect, amplitude, shape)| Active { effect, amplitude, shape })
+    }
+
     /// Force in N that the model file expects to be read for a stroke, with its effects.
     ///
     /// # Errors
@@ -68,12 +73,7 @@ impl Loaded {
             density_kg_m3: soil.density_kg_m3.value,
             gravity_m_s2: soil.gravity_m_s2,
         };
-        let active: Vec<Active<'_>> = self
-            .effects
-            .iter()
-            .filter(|_| with_effects)
-            .map(|&(effect, amplitude, shape)| Active { effect, amplitude, shape })
-            .collect();
+        let active: Vec<Active<'_>> = self.effects().filter(|_| with_effects).collect();
         force_n(
             &self.mechanics,
             &Stroke::new(row, &self.file.reference),

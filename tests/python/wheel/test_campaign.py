@@ -227,6 +227,12 @@ def test_a_missing_effect_is_named(tmp_path):
     assert {path.name for path in tmp_path.iterdir()} >= {"patch.json", "predictions.csv", "report.html"}
     with pytest.raises(soilctl.SoilctlError, match=r"strokes\.csv"):
         soilctl.diagnose(tmp_path / "none")
+    # What it found is known to the next one.
+    again = soilctl.diagnose(DATA / "campaigns" / "campaign_a", model_file=found["patch"], out=tmp_path / "again")
+    assert again["known_effects"] == [effect["id"] for effect in found["effects"]]
+    assert (again["status"], again["effects"]) == ("none", [])
+    with pytest.raises(soilctl.InputError, match="--model-file"):
+        soilctl.diagnose(DATA / "campaigns" / "campaign_a", model="chen", model_file=found["patch"], out=tmp_path)
 
 
 def test_a_diagnosis_takes_traces_and_logs(tmp_path):

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use soilctl_effects::{Active, Base, Channel, force_n};
+use soilctl_effects::{Active, Channel};
 
 use crate::data::Prior;
 use crate::setup::Setup;
@@ -138,18 +138,14 @@ impl<'a> Problem<'a> {
         }
     }
 
-    pub(super) fn actives(&self, p: &[f64]) -> Vec<Active<'a>> {
+    /// What is known, then the choices.
+    pub(super) fn actives(&self, p: &[f64]) -> Vec<Active<'static>> {
         let amplitudes = &p[self.amplitude_at..];
-        self.spec
-            .choices
-            .iter()
-            .zip(amplitudes)
-            .map(|(choice, a)| Active {
-                effect: choice.effect,
-                amplitude: choice.sign * a.exp(),
-                shape: choice.shape,
-            })
-            .collect()
+        self.setup.known_and(self.spec.choices.iter().zip(amplitudes).map(|(choice, a)| Active {
+            effect: choice.effect,
+            amplitude: choice.sign * a.exp(),
+            shape: choice.shape,
+        }))
     }
 
     /// Nonlinear part of all expectations; `None` where the model has no answer.
@@ -161,22 +157,12 @@ impl<'a> Problem<'a> {
     pub(super) fn nonlinear_row(&self, row: Row, p: &[f64], actives: &[Active<'_>]) -> Option<f64> {
         let data = self.setup.data;
         match row {
-            Row::Force(i) => {
-                let base = Base {
-                    phi_deg: p[0],
-                    delta_deg: (data.delta_set_deg(i) + p[1]).max(0.0),
-                    density_kg_m3: data.density.mean * p[2].exp(),
-                    gravity_m_s2: data.gravity_m_s2,
-                };
-                let force =
-                    force_n(self.setup.surface, &data.strokes[i], &data.reference, &base, actives).ok()?;
-                Some(force.ln())
-            }
+            Row::Force(i) => self.setup.ln_force(i, [p[0], p[1], p[2]], actives),
             Row::Channel { stroke, block } => {
                 let channel = self.channels[block];
                 let reads_delta = self.with_force && self.setup.baselines[&channel].reads_delta;
                 let mut value = if reads_delta { p[1] } else { 0.0 };
-                for (choice, active) in self.spec.choices.iter().zip(actives) {
+                for (choice, active) in self.spec.choices.iter().zip(&actives[data.known.len()..]) {
                     if choice.linked && choice.effect.linked().contains(&channel) {
                         let (stroke_seen, reading) = (&data.strokes[stroke], data.reading(stroke));
                         value += choice.effect.shift(

@@ -3,13 +3,13 @@
 mod menu;
 
 use menu::{ANGLES, MENU, design};
-use soilctl_effects::{Active, Base, Channel, Effect, Reference, Stroke, effect, force_n};
+use soilctl_effects::{Active, Channel, Effect, effect};
 use soilctl_strokes::StrokeRow;
 
 use crate::chi_square;
 use crate::data::Data;
 use crate::setup::Setup;
-use crate::testability::{Expected, LEAST_LAMBDA, left_after_soil, stroke_sd};
+use crate::testability::{Expected, LEAST_LAMBDA, change, left_after_soil, stroke_sd};
 
 /// A proposed follow-up.
 #[derive(Debug, Clone)]
@@ -178,7 +178,10 @@ fn told_apart(
 ) -> Option<f64> {
     let mut rows = setup.data.rows.clone();
     rows.extend_from_slice(follow_up);
-    let data = Data::new(&setup.data.name, rows, setup.data.campaign.clone()).ok()?;
+    let mut data = Data::new(&setup.data.name, rows, setup.data.campaign.clone()).ok()?;
+    data.refer_to(setup.data.reference.clone());
+    data.gravity_m_s2 = setup.data.gravity_m_s2;
+    data.known.clone_from(&setup.data.known);
     let joint = Setup::new(&data, setup.surface, phi_deg);
     let sd = stroke_sd(&joint, Some(scatter));
     let variance_of_mean = |channel: &Channel| {
@@ -190,7 +193,8 @@ fn told_apart(
     let weight: Vec<f64> = sd.iter().map(|s| 1.0 / (s * s)).chain(of_means).collect();
     let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).zip(&weight).map(|((x, y), w)| x * y * w).sum::<f64>();
     let left = explanations.iter().map(|of| {
-        let change = change(&joint, phi_deg, *of, &setup.data.reference)?;
+        let (effect, amplitude, shape) = *of;
+        let change = change(&joint, phi_deg, Active { effect, amplitude, shape })?;
         let mut left = left_after_soil(&joint, phi_deg, &change, &sd)?;
         left.extend(readings.iter().map(|channel| mean_shift(&joint, *of, *channel, follow_up.len())));
         Some(left)
@@ -224,32 +228,6 @@ fn mean_shift(
     let data = setup.data;
     let shift = |i: usize| effect.shift(channel, amplitude, shape, &data.strokes[i], &data.reading(i));
     (data.len() - last..data.len()).map(shift).sum::<f64>() / last as f64
-}
-
-/// Change of ln force by an effect, by stroke.
-fn change(
-    setup: &Setup<'_>,
-    phi_deg: f64,
-    (effect, amplitude, shape): Explanation,
-    reference: &Reference,
-) -> Option<Vec<f64>> {
-    let data = setup.data;
-    data.rows
-        .iter()
-        .enumerate()
-        .map(|(i, row)| {
-            let base = Base {
-                phi_deg,
-                delta_deg: data.delta_set_deg(i),
-                density_kg_m3: data.density.mean,
-                gravity_m_s2: data.gravity_m_s2,
-            };
-            let stroke = Stroke::new(row, reference);
-            let force =
-                |active: &[Active<'_>]| force_n(setup.surface, &stroke, reference, &base, active).ok();
-            Some((force(&[Active { effect, amplitude, shape }])? / force(&[])?).ln())
-        })
-        .collect()
 }
 
 /// Probability that a standard normal number exceeds a value.

@@ -59,7 +59,8 @@ def certify(solution: Solution | _Path) -> Certificate:
 def diagnose(
     folder: _Path,
     *,
-    model: str = "table",
+    model: str | None = None,
+    model_file: _Path | None = None,
     traces: _Path | None = None,
     resimulate: _Path | None = None,
     out: _Path | None = None,
@@ -68,7 +69,9 @@ def diagnose(
 
     Args:
         folder: Holds ``strokes.csv`` and, beside it, ``campaign.json`` and ``traces.csv``.
-        model: Force model without effects, one of ``soilctl.MODELS``.
+        model: Force model without effects, one of ``soilctl.MODELS``; ``table`` by default.
+        model_file: A model file instead of ``model``, such as the patch of an earlier diagnosis: its force model, and its effects
+            as known ones, which are held as they are and not looked for.
         traces: Traces of the strokes; by default ``traces.csv`` in ``folder``, if it is there.
         resimulate: Folder with the campaign's logs: runs it again on the simulated arm, without and with what is found, and
             compares the traces. Takes some seconds a stroke.
@@ -79,11 +82,12 @@ def diagnose(
         The answer of ``soilctl diagnose``.
 
     Raises:
-        InputError: If the table has errors; the message names file and line.
+        InputError: If the table has errors; the message names file and line. Also if both a model and a model file are given.
         FileError: If a file cannot be read or written.
     """
-    named = [*_option("--traces", traces), *_option("--resimulate", resimulate), *_option("--out", out)]
-    return answer("diagnose", folder, "--model", model, *named)
+    against = [*_option("--model", model), *_option("--model-file", model_file)]
+    named = [*against, *_option("--traces", traces), *_option("--resimulate", resimulate), *_option("--out", out)]
+    return answer("diagnose", folder, *named)
 
 
 def shear(

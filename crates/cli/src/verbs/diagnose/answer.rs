@@ -39,6 +39,10 @@ pub(crate) struct DiagnosisAnswer {
     pub(super) report: String,
     /// The force model without effects.
     pub(super) model: String,
+    /// The model file that the campaign was held against; null without one.
+    pub(super) model_file: Option<String>,
+    /// Effects of that file, which were taken as known; `patch` has them before those that were found.
+    pub(super) known_effects: Vec<String>,
     /// Strokes.
     pub(super) strokes: usize,
     /// Strokes whose trace was used.
@@ -210,7 +214,9 @@ impl DiagnosisAnswer {
             }),
             patch: written.patch.display().to_string(),
             report: written.report.display().to_string(),
-            model: work.model.clone(),
+            model: work.against.model.clone(),
+            model_file: work.against.file.as_ref().map(|(path, _)| path.clone()),
+            known_effects: work.against.known().iter().map(|known| known.id.clone()).collect(),
             strokes: work.data.len(),
             traces: work.recorded.as_ref().map_or(0, |recorded| recorded.used),
             phi_deg: d.comparison.soil_after.phi_deg,
@@ -233,6 +239,12 @@ impl DiagnosisAnswer {
     pub(super) fn sentence(&self) -> String {
         let names = self.equivalence_set.join(", ");
         match self.status.as_str() {
+            "none" if !self.known_effects.is_empty() => {
+                format!(
+                    "beside {}, nothing is missing that these strokes could show",
+                    self.known_effects.join(", ")
+                )
+            }
             "none" => "nothing is missing that these strokes could show".into(),
             "named" => format!(
                 "missing: {}",

@@ -10,7 +10,7 @@ use soilctl_effects::{
 };
 use soilctl_strokes::StrokeTable;
 
-use super::Work;
+use super::{Against, Work};
 use crate::error::CliError;
 
 /// Where things were written.
@@ -24,7 +24,7 @@ pub(super) struct Written {
 pub(super) fn write(work: &Work, strokes: &Path, out: &Path) -> Result<Written, CliError> {
     let bytes = std::fs::read(strokes).map_err(|problem| failed(strokes, problem))?;
     let patch = out.join("patch.json");
-    let file = model_file(&work.model, &work.data, &work.diagnosis, &bytes);
+    let file = model_file(&work.against, &work.data, &work.diagnosis, &bytes);
     file.write(&patch)?;
     predictions(work, file, &patch, &out.join("predictions.csv"))?;
     gap_table(&work.diagnosis.comparison.parts, &out.join("gap.csv"))?;
@@ -47,8 +47,8 @@ fn value(value: f64, sd: f64, unit: &str) -> ParameterValue {
     ParameterValue { value, sd, unit: unit.into() }
 }
 
-/// The model file of a diagnosis; `bytes` are those of the stroke table.
-pub(super) fn model_file(model: &str, data: &Data, d: &Diagnosis, bytes: &[u8]) -> ModelFile {
+/// The model file of a diagnosis: what was known, then what was found; `bytes` are those of the stroke table.
+pub(super) fn model_file(against: &Against, data: &Data, d: &Diagnosis, bytes: &[u8]) -> ModelFile {
     let soil = &d.comparison.soil_after;
     let set = data.delta_set_deg(0);
     let mean = data.reference.delta_set_deg.unwrap_or(set);
@@ -66,7 +66,7 @@ pub(super) fn model_file(model: &str, data: &Data, d: &Diagnosis, bytes: &[u8]) 
     };
     ModelFile {
         schema: FILE_SCHEMA.into(),
-        model: model.into(),
+        model: against.model.clone(),
         status: status(d.status).into(),
         soil: SoilEntry {
             phi_deg: value(soil.phi_deg, soil.phi_sd_deg, "deg"),
@@ -75,15 +75,16 @@ pub(super) fn model_file(model: &str, data: &Data, d: &Diagnosis, bytes: &[u8]) 
             density_kg_m3: value(soil.density_kg_m3, soil.density_sd_kg_m3, "kg/m3"),
             gravity_m_s2: data.gravity_m_s2,
         },
-        effects: d
-            .effects
+        effects: against
+            .known()
             .iter()
-            .map(|found| EffectEntry {
+            .cloned()
+            .chain(d.effects.iter().map(|found| EffectEntry {
                 id: found.id.into(),
                 parameters: parameters(found.id, found.amplitude, found.amplitude_sd, found.shape),
                 shape: found.shape,
                 log_bayes_factor: found.log_bayes_factor,
-            })
+            }))
             .collect(),
         equivalence_set: d.equivalence_set.clone(),
         reference: data.reference.clone(),
@@ -148,10 +149,10 @@ fn write_design(next: &NextExperiment, path: &Path) -> Result<(), CliError> {
     std::fs::write(path, out).map_err(|problem| failed(path, problem))
 }
 
-/// The same file with the soil that fits best without effects.
-pub(super) fn without_effects(file: &ModelFile, c: &Comparison) -> ModelFile {
+/// The same file without the effects that were found (all but the first `known`), with the soil that fits best then.
+pub(super) fn without_effects(file: &ModelFile, known: usize, c: &Comparison) -> ModelFile {
     let mut plain = file.clone();
-    plain.effects.clear();
+    plain.effects.truncate(known);
     plain.soil.phi_deg.value = c.soil_before.phi_deg;
     plain.soil.delta_offset_deg.value = c.soil_before.delta_offset_deg;
     plain.soil.density_kg_m3.value = c.soil_before.density_kg_m3;
@@ -163,7 +164,7 @@ pub(super) fn without_effects(file: &ModelFile, c: &Comparison) -> ModelFile {
 fn predictions(work: &Work, file: ModelFile, patch: &Path, path: &Path) -> Result<(), CliError> {
     let c = &work.diagnosis.comparison;
     let name = patch.display().to_string();
-    let before = Loaded::new(without_effects(&file, c), &name)?;
+    let before = Loaded::new(without_effects(&file, work.against.known().len(), c), &name)?;
     let after = Loaded::new(file, &name)?;
     let mut text = String::from("stroke_id,force_before_n,force_after_n,heldout_before_n,heldout_after_n\n");
     for (i, row) in work.data.rows.iter().enumerate() {

@@ -16,6 +16,7 @@ pub(crate) use self_test::SelfTestAnswer;
 use soilctl_campaign::CampaignError;
 use soilctl_diagnosis::{Data, Diagnosis, Surface, diagnose};
 use soilctl_earth_pressure::model;
+use soilctl_effects::{EffectEntry, Loaded, ModelFile};
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use self::recorded::Recorded;
@@ -37,6 +38,10 @@ pub(crate) struct Args {
     /// Force model without effects: table (the bracket of bounds), chen, log-spiral, caquot, coulomb, ...
     #[arg(long, value_name = "NAME", default_value = "table")]
     model: String,
+
+    /// A model file instead, such as the patch of an earlier diagnosis: its force model, and its effects as known ones
+    #[arg(long, value_name = "PATCH", conflicts_with_all = ["model", "self_test"])]
+    model_file: Option<PathBuf>,
 
     /// Traces of the strokes [default: DIR/traces.csv, if it is there]
     #[arg(long, value_name = "FILE", conflicts_with = "self_test")]
@@ -67,10 +72,39 @@ pub(crate) struct Args {
     seed: u64,
 }
 
+/// What a campaign is held against.
+struct Against {
+    /// Id of the force model.
+    model: String,
+    /// The model file that it comes from, with its path.
+    file: Option<(String, ModelFile)>,
+}
+
+impl Against {
+    fn read(args: &Args, data: &mut Data) -> Result<Self, CliError> {
+        let Some(path) = &args.model_file else { return Ok(Self { model: args.model.clone(), file: None }) };
+        let known = Loaded::read(path)?;
+        data.know(&known);
+        let file = known.file().clone();
+        Ok(Self { model: file.model.clone(), file: Some((path.display().to_string(), file)) })
+    }
+
+    /// Effects of the model file.
+    fn known(&self) -> &[EffectEntry] {
+        self.file.as_ref().map_or(&[], |(_, file)| &file.effects)
+    }
+
+    /// In words.
+    fn described(&self) -> String {
+        let ids: Vec<&str> = self.known().iter().map(|known| known.id.as_str()).collect();
+        if ids.is_empty() { self.model.clone() } else { format!("{} with {}", self.model, ids.join(", ")) }
+    }
+}
+
 /// Everything that answer, files and page are made of.
 struct Work {
     title: String,
-    model: String,
+    against: Against,
     data: Data,
     diagnosis: Diagnosis,
     recorded: Option<Recorded>,
@@ -108,8 +142,9 @@ fn work(args: &Args, dir: &Path, strokes: &Path, out: &Path, output: &Output) ->
     }
     let recorded = Recorded::read(args.traces.as_deref(), dir, &table)?;
     let recorded = recorded.map(|recorded| recorded.added(&mut data));
+    let against = Against::read(args, &mut data)?;
     let ends = (data.levels_deg[0], data.levels_deg[data.levels_deg.len() - 1]);
-    let surface = Surface::new(model(&args.model)?, ends)?;
+    let surface = Surface::new(model(&against.model)?, ends)?;
     let weigh = |data: &Data| -> Result<Diagnosis, CliError> {
         let spinner = output.spinner("weighing explanations");
         let found = diagnose(data, &surface)?;
@@ -120,16 +155,27 @@ fn work(args: &Args, dir: &Path, strokes: &Path, out: &Path, output: &Output) ->
     let mut simulated = Simulated::default();
     if let Some(logs) = &args.resimulate {
         let log = first_log(logs.as_deref().unwrap_or(dir))?;
-        let file = files::model_file(&args.model, &data, &diagnosis, &[]);
-        let plain = files::without_effects(&file, &diagnosis.comparison);
-        output.note("the same commands on the simulated arm, without effects");
-        simulated.before = resimulate(&log, &plain, &data.campaign, out, output)?;
+        let file = files::model_file(&against, &data, &diagnosis, &[]);
+        let mut plain = files::without_effects(&file, against.known().len(), &diagnosis.comparison);
+        let with =
+            if plain.effects.is_empty() { "without effects" } else { "with the effects that are known" };
+        output.note(&format!("the same commands on the simulated arm, {with}"));
+        simulated.before = loop {
+            match resimulate(&log, &plain, &data.campaign, out, output) {
+                // What is known and cannot be simulated is left out there.
+                Err(CliError::Campaign(ref problem @ CampaignError::Effect { ref effect, .. })) => {
+                    output.note(&problem.to_string());
+                    plain.effects.retain(|known| known.id != *effect);
+                }
+                simulated => break simulated?,
+            }
+        };
         if let Some(before) = &simulated.before {
-            data.expect(&before.data);
+            data.expect(&before.data, !plain.effects.is_empty());
             diagnosis = weigh(&data)?;
         }
         if !diagnosis.effects.is_empty() && simulated.before.is_some() {
-            let file = files::model_file(&args.model, &data, &diagnosis, &[]);
+            let file = files::model_file(&against, &data, &diagnosis, &[]);
             output.note("the same commands on the simulated arm, with the effects");
             match resimulate(&log, &file, &data.campaign, out, output) {
                 Ok(after) => simulated.after = after,
@@ -142,5 +188,5 @@ fn work(args: &Args, dir: &Path, strokes: &Path, out: &Path, output: &Output) ->
         }
     }
     let title = dir.file_name().map_or_else(|| "campaign".into(), |name| name.to_string_lossy().into_owned());
-    Ok(Work { title, model: args.model.clone(), data, diagnosis, recorded, simulated })
+    Ok(Work { title, against, data, diagnosis, recorded, simulated })
 }

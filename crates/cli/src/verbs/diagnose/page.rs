@@ -17,8 +17,11 @@ const MOST_RIVALS: usize = 8;
 
 pub(super) fn render(work: &Work, answer: &DiagnosisAnswer) -> Result<HtmlReport, CliError> {
     let mut page = HtmlReport::new(&work.title);
-    page.kind("Diagnosis")
-        .subtitle(format!("{} strokes against the force model {}", answer.strokes, answer.model));
+    page.kind("Diagnosis").subtitle(format!(
+        "{} strokes against the force model {}",
+        answer.strokes,
+        work.against.described()
+    ));
     let kind = match answer.status.as_str() {
         "none" | "named" => CalloutKind::Good,
         _ => CalloutKind::Warning,
