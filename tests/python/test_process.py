@@ -331,3 +331,28 @@ def test_stopped_work_goes_on_where_it_was(soilctl, tmp_path, many_logs, kind):
     assert results(broken) == results(whole)
     # Nothing is left over.
     assert sorted(p.name for p in broken.iterdir()) == sorted(p.name for p in whole.iterdir())
+
+
+def test_shards_are_united_by_the_same_command(soilctl, tmp_path, many_logs):
+    whole, shared = tmp_path / "whole", tmp_path / "shared"
+    subprocess.run(many_logs(soilctl, whole), check=True, capture_output=True)
+    # Two shards at the same time, of which one is killed.
+    command = many_logs(soilctl, shared)
+    with subprocess.Popen([*command, "--shard", "1/2"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE) as other:
+        code, _ = stopped_by(signal.SIGKILL, [*command, "--shard", "2/2"], shared / "manifest.shard_2_of_2.jsonl")
+        assert code == -signal.SIGKILL
+        answer = json.loads(other.communicate(timeout=60)[0])
+    assert len(answer["strokes"]) == 30 and answer["reused"] == 0
+    assert not (shared / "strokes.csv").exists(), "a share is no campaign"
+    again = subprocess.run([*command, "--shard", "1/2"], check=True, capture_output=True)
+    assert json.loads(again.stdout)["reused"] == 30
+    done = subprocess.run(command, check=True, capture_output=True)
+    assert 35 <= json.loads(done.stdout)["reused"] < 60, "what the killed one had read counts, too"
+    assert results(shared) == results(whole)
+    assert sorted(p.name for p in shared.iterdir()) == sorted(p.name for p in whole.iterdir())
+    for words, mentions in (
+        (["--shard", "3/2", "--out", shared / "strokes.csv"], ["--shard", "I/N"]),
+        (["--shard", "1/2"], ["--out"]),
+        (["--shard", "1/2", "--out", shared / "strokes.csv", "--report", shared / "r.html"], ["--report"]),
+    ):
+        soilctl.refuses("process", tmp_path / "logs", *words, mentions=mentions)

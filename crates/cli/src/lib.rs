@@ -9,6 +9,7 @@ mod error;
 mod finite;
 mod output;
 mod progress;
+mod shard;
 mod text;
 mod verbs;
 

@@ -88,6 +88,66 @@ fn threads_shards_interruptions_and_extensions_do_not_change_a_byte() {
     assert!(!journal.exists());
 }
 
+/// Files below a folder with their bytes, by name.
+fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(files(&path));
+        } else {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            found.push((name, std::fs::read(&path).unwrap()));
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn shards_fill_one_store_at_a_time_and_nothing_is_solved_twice() {
+    let dir = tempfile::tempdir().unwrap();
+    let name = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let (store, alone) = (name("store"), name("alone.csv"));
+    let mut running: Vec<_> = ["1/3", "2/3", "3/3"]
+        .into_iter()
+        .map(|shard| {
+            let args = tiny(&["--threads", "1", "--shard", shard, "--store", &store, "--quiet"]);
+            Command::new(env!("CARGO_BIN_EXE_soilctl")).args(args).stdout(Stdio::null()).spawn().unwrap()
+        })
+        .collect();
+    // One is killed in the middle of its work.
+    running[1].kill().unwrap();
+    let codes: Vec<_> = running.iter_mut().map(|child| child.wait().unwrap().code()).collect();
+    assert_eq!(codes, [Some(0), None, Some(0)]);
+    let (_, plan) = json(&tiny(&["--dry-run", "--store", &store]));
+    let done = plan["done"].as_u64().unwrap();
+    assert!((4..=6).contains(&done), "{plan}");
+    // The whole grid takes what is there.
+    let table = name("table.csv");
+    let (code, answer) = json(&tiny(&["--threads", "2", "--store", &store, "--out", &table]));
+    assert_eq!((code, &answer["finished"], &answer["file"]), (0, &true.into(), &table.as_str().into()));
+    let (code, _) = json(&tiny(&["--threads", "1", "--out", &alone]));
+    assert_eq!(code, 0);
+    assert_eq!(text(Path::new(&table)), text(Path::new(&alone)));
+    assert!(!beside(Path::new(&table), ".partial.jsonl").exists());
+    // Another run with a store of its own leaves the same bytes; of the files of the first none has changed since.
+    let other = name("other");
+    let (code, answer) = json(&tiny(&["--store", &other]));
+    assert_eq!((code, &answer["file"]), (0, &other.as_str().into()));
+    let bytes = files(Path::new(&store));
+    assert_eq!(bytes.len(), 6);
+    assert_eq!(files(Path::new(&other)), bytes);
+    // Other rules are other cases.
+    let mut coarser = tiny(&["--dry-run", "--store", &store]);
+    coarser[11] = "0.2";
+    assert_eq!(json(&coarser).1["done"], 0);
+    let message = refused(&["table", "build", "--model", "chen", "--store", &store]);
+    assert!(message.contains("--store is for --model bounds"), "{message}");
+    let message = refused(&["table", "build", "--shard", "1/2"]);
+    assert!(message.contains("--out"), "{message}");
+}
+
 /// Runs until at least one case is in the journal, then presses Ctrl-C.
 fn interrupt(out: &Path, journal: &Path) {
     let args = tiny(&["--threads", "1", "--format", "json", "--out", out.to_str().unwrap()]);

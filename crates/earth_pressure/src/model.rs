@@ -27,6 +27,11 @@ pub trait ForceModel: Send + Sync {
         false
     }
 
+    /// Whether answers are interpolated in a table, with a margin for that.
+    fn interpolates(&self) -> bool {
+        false
+    }
+
     /// Coefficients for one case.
     ///
     /// # Errors

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use numpy::ndarray::{ArrayD, Dimension, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::exceptions::PyOverflowError;
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::PyFloat;
@@ -211,4 +212,24 @@ pub(crate) fn place(mut index: usize, shape: &[usize]) -> String {
         .collect();
     places.reverse();
     format!("element {places:?}: ")
+}
+
+/// A whole number that is not negative, of at most 64 bits, as an argument: Python's integers have no bounds.
+pub(crate) fn whole<'py, T>(value: &Bound<'py, PyAny>) -> PyResult<T>
+where
+    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    value.extract().map_err(|problem: PyErr| {
+        if problem.is_instance_of::<PyOverflowError>(value.py()) {
+            let most = u64::MAX >> (u64::BITS as usize - 8 * size_of::<T>());
+            kinds::InputError::new_err(format!("{value} is out of range; it must be from 0 to {most}"))
+        } else {
+            problem
+        }
+    })
+}
+
+/// The same for one that need not be given.
+pub(crate) fn whole_or_none(value: &Bound<'_, PyAny>) -> PyResult<Option<u64>> {
+    if value.is_none() { Ok(None) } else { whole(value).map(Some) }
 }

@@ -201,31 +201,42 @@ impl Solution {
         format!("Solution(lower={lower}, upper={upper})")
     }
 
-    /// The mesh of the upper bound; the faster the soil moves, the darker.
-    fn _repr_svg_(&self) -> Answer<String> {
-        let flow = self.flow()?;
-        let corners = || flow.triangles().iter().flatten();
+    /// The mesh of the upper bound; the faster the soil moves, the darker. Without one, that of the lower bound; None without
+    /// either.
+    fn _repr_svg_(&self) -> Answer<Option<String>> {
+        let flow = self.saved.upper.is_some().then(|| self.flow()).transpose()?;
+        let stress = self.saved.lower.is_some().then(|| self.stress_field()).transpose()?;
+        let triangles = match (&flow, &stress) {
+            (Some(flow), _) => flow.triangles(),
+            (None, Some(stress)) => stress.triangles(),
+            (None, None) => return Ok(None),
+        };
+        let corners = || triangles.iter().flatten();
         let end =
             |axis: usize, start: f64, pick: fn(f64, f64) -> f64| corners().map(|p| p[axis]).fold(start, pick);
         let (left, right) = (end(0, f64::INFINITY, f64::min), end(0, f64::NEG_INFINITY, f64::max));
         let (low, high) = (end(1, f64::INFINITY, f64::min), end(1, f64::NEG_INFINITY, f64::max));
         let scale = 640.0 / (right - left).max(f64::MIN_POSITIVE);
-        let speed = flow.speed().max(f64::MIN_POSITIVE);
+        let speed = |at: [f64; 2]| -> Option<f64> {
+            let flow = flow.as_ref()?;
+            let [x, y] = flow.velocity(at)?;
+            Some(x.hypot(y) / flow.speed().max(f64::MIN_POSITIVE))
+        };
         let mut svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 {:.1}\" width=\"640\" stroke=\"#555\" \
              stroke-width=\"0.3\">",
             scale * (high - low)
         );
-        for triangle in flow.triangles() {
+        for triangle in triangles {
             let middle = [0, 1].map(|axis| triangle.iter().map(|p| p[axis]).sum::<f64>() / 3.0);
-            let moves = flow.velocity(middle).map_or(0.0, |[x, y]| x.hypot(y) / speed).clamp(0.0, 1.0);
+            let moves = speed(middle).unwrap_or(0.0).clamp(0.0, 1.0);
             let [red, green] = [255.0 - 185.0 * moves, 255.0 - 125.0 * moves];
             let points =
                 triangle.map(|[x, y]| format!("{:.1},{:.1}", scale * (x - left), scale * (high - y)));
             // Writing into a string cannot fail.
             let _ = write!(svg, "<path d=\"M{}Z\" fill=\"rgb({red:.0},{green:.0},255)\"/>", points.join("L"));
         }
-        Ok(svg + "</svg>")
+        Ok(Some(svg + "</svg>"))
     }
 }
 

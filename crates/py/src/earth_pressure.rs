@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat};
 use soilctl_earth_pressure::{Case, EarthPressureError, ForceModel, Loads, MODEL_IDS, check_loads, model};
 use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
 
@@ -40,46 +40,102 @@ pub(crate) struct Prediction {
     /// Net coefficient (passive minus active); the geometric mean of the ends of a bracket.
     #[pyo3(get)]
     coefficient: Py<PyAny>,
-    /// Lower end of the bracket on the net coefficient; that itself for a point model.
-    #[pyo3(get)]
-    lower: Py<PyAny>,
-    /// Upper end of it.
-    #[pyo3(get)]
-    upper: Py<PyAny>,
+    /// Ends of the bracket on the net coefficient and on the force; None for a point model.
+    ends: Option<Ends>,
     /// By how much, relatively, interpolation in a table may be wrong; None for a formula.
     #[pyo3(get)]
     interpolation_margin: Option<Py<PyAny>>,
     /// Failure force in N with all loads; None without density, depth and width.
     #[pyo3(get)]
     force_n: Option<Py<PyAny>>,
-    /// Lower end of the bracket on the force in N.
-    #[pyo3(get)]
-    force_lower_n: Option<Py<PyAny>>,
-    /// Upper end of it.
-    #[pyo3(get)]
-    force_upper_n: Option<Py<PyAny>>,
+}
+
+/// Lower and upper ends.
+struct Ends {
+    coefficient: [Py<PyAny>; 2],
+    force_n: Option<[Py<PyAny>; 2]>,
+}
+
+impl Prediction {
+    /// One end of the bracket on the coefficient. That of a point model is a copy: who changes one array means one.
+    fn end(&self, py: Python<'_>, which: usize) -> PyResult<Py<PyAny>> {
+        match &self.ends {
+            Some(ends) => Ok(ends.coefficient[which].clone_ref(py)),
+            None => copied(py, &self.coefficient),
+        }
+    }
+
+    fn force_end(&self, py: Python<'_>, which: usize) -> PyResult<Option<Py<PyAny>>> {
+        match (&self.ends, &self.force_n) {
+            (Some(ends), _) => Ok(ends.force_n.as_ref().map(|ends| ends[which].clone_ref(py))),
+            (None, Some(force)) => copied(py, force).map(Some),
+            (None, None) => Ok(None),
+        }
+    }
+}
+
+/// Another array of the same numbers; a float as it is.
+fn copied(py: Python<'_>, value: &Py<PyAny>) -> PyResult<Py<PyAny>> {
+    let value = value.bind(py);
+    let copied =
+        if value.is_instance_of::<PyFloat>() { value.clone() } else { value.call_method0("copy")? };
+    Ok(copied.unbind())
 }
 
 #[pymethods]
 impl Prediction {
+    /// Lower end of the bracket on the net coefficient; that itself for a point model.
+    #[getter]
+    fn lower(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.end(py, 0)
+    }
+
+    /// Upper end of it.
+    #[getter]
+    fn upper(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.end(py, 1)
+    }
+
+    /// Lower end of the bracket on the force in N.
+    #[getter]
+    fn force_lower_n(&self, py: Python<'_>) -> PyResult<Option<Py<PyAny>>> {
+        self.force_end(py, 0)
+    }
+
+    /// Upper end of it.
+    #[getter]
+    fn force_upper_n(&self, py: Python<'_>) -> PyResult<Option<Py<PyAny>>> {
+        self.force_end(py, 1)
+    }
+
     /// Everything as a dict of numbers and arrays.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
         dict.set_item("model", &self.model)?;
         dict.set_item("coefficient", &self.coefficient)?;
-        dict.set_item("lower", &self.lower)?;
-        dict.set_item("upper", &self.upper)?;
+        dict.set_item("lower", self.lower(py)?)?;
+        dict.set_item("upper", self.upper(py)?)?;
+        let (lower_n, upper_n) = (self.force_lower_n(py)?, self.force_upper_n(py)?);
         for (key, value) in [
             ("interpolation_margin", &self.interpolation_margin),
             ("force_n", &self.force_n),
-            ("force_lower_n", &self.force_lower_n),
-            ("force_upper_n", &self.force_upper_n),
+            ("force_lower_n", &lower_n),
+            ("force_upper_n", &upper_n),
         ] {
             if let Some(value) = value {
                 dict.set_item(key, value)?;
             }
         }
         Ok(dict)
+    }
+
+    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
+        let mut rows = String::new();
+        for (key, value) in self.to_dict(py)? {
+            let value = value.str()?.to_string().replace('&', "&amp;").replace('<', "&lt;");
+            rows += &format!("<tr><th>{key}</th><td>{value}</td></tr>");
+        }
+        Ok(format!("<table>{rows}</table>"))
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
@@ -191,7 +247,20 @@ pub(crate) fn predict<'py>(
     let adhesion = Array::or(py, "adhesion_pa", adhesion_pa, 0.0)?;
     let surcharge = Array::or(py, "surcharge_pa", surcharge_pa, 0.0)?;
     let sizes = match (density_kg_m3, depth_m, width_m) {
-        (None, None, None) => None,
+        (None, None, None) => {
+            let loads = [
+                ("cohesion_pa", cohesion_pa),
+                ("adhesion_pa", adhesion_pa),
+                ("surcharge_pa", surcharge_pa),
+                ("gravity_m_s2", gravity_m_s2),
+            ];
+            if let Some((name, _)) = loads.into_iter().find(|(_, given)| given.is_some()) {
+                return Err(input(format!(
+                    "{name} changes forces only, not coefficients; give density_kg_m3, depth_m and width_m too"
+                )));
+            }
+            None
+        }
         (Some(density), Some(depth), Some(width)) => Some([
             Array::new("density_kg_m3", density)?,
             Array::new("depth_m", depth)?,
@@ -252,27 +321,22 @@ impl Columns {
             let all = || of.iter().zip(&self.newtons).map(|(k, [scale, rest])| scale * k + rest).collect();
             (!self.newtons.is_empty()).then(|| array(all())).transpose()
         };
-        let copy = |value: &Option<Py<PyAny>>| value.as_ref().map(|value| value.clone_ref(py));
         let force_n = force(&self.net)?;
-        let bracket = self.lower != self.net || self.upper != self.net;
-        let [force_lower_n, force_upper_n] = if bracket {
-            [force(&self.lower)?, force(&self.upper)?]
+        let ends = if self.lower != self.net || self.upper != self.net {
+            let force_n = force(&self.lower)?.zip(force(&self.upper)?).map(Into::into);
+            Some(Ends { coefficient: [array(self.lower)?, array(self.upper)?], force_n })
         } else {
-            [copy(&force_n), copy(&force_n)]
+            None
         };
-        let table = self.margin.iter().any(|&margin| margin != 0.0);
-        let interpolation_margin = if table { Some(array(self.margin)?) } else { None };
+        let interpolation_margin = if model.interpolates() { Some(array(self.margin)?) } else { None };
         let coefficient = array(self.net)?;
         Ok(Prediction {
             model: model.id().to_owned(),
             reference: model.reference().to_owned(),
-            lower: if bracket { array(self.lower)? } else { coefficient.clone_ref(py) },
-            upper: if bracket { array(self.upper)? } else { coefficient.clone_ref(py) },
+            ends,
             interpolation_margin,
             coefficient,
             force_n,
-            force_lower_n,
-            force_upper_n,
         })
     }
 }

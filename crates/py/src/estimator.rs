@@ -14,7 +14,9 @@ use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2};
 use crate::array::{Array, Column, common_shape};
 use crate::earth_pressure::known;
 use crate::error::{Answer, Fail, input, no_answer};
+use crate::patient::stoppable;
 use crate::region::{boundary_table, geojson, html, svg};
+use crate::watched::Watched;
 
 /// Everything that an estimate starts from.
 struct Known {
@@ -28,9 +30,9 @@ struct Known {
 }
 
 impl Known {
-    fn setup(&self) -> Setup<'_> {
+    fn setup<'a>(&self, model: &'a dyn ForceModel) -> Setup<'a> {
         Setup {
-            model: self.model.as_ref(),
+            model,
             observations: self.observations.clone(),
             delta_deg: self.delta_deg,
             density_kg_m3: self.density_kg_m3,
@@ -38,6 +40,15 @@ impl Known {
             gravity_m_s2: self.gravity_m_s2,
             loads: self.loads,
         }
+    }
+
+    /// Computes something of the measurements, without the interpreter's lock, until Ctrl-C.
+    fn compute<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&Setup<'_>) -> Result<T, EstimatorError> + Send,
+    ) -> Answer<T> {
+        stoppable(py, |stop| work(&self.setup(&Watched { model: self.model.as_ref(), stop })))
     }
 }
 
@@ -110,7 +121,7 @@ impl Estimate {
     /// Factor by which all force intervals must grow (or, below 1, may shrink) until the measurements only just agree; None
     /// if ten times the uncertainty is not enough.
     fn agreement_factor(&self, py: Python<'_>) -> Answer<Option<f64>> {
-        Ok(py.detach(|| agreement_factor(&self.known.setup()))?)
+        self.known.compute(py, agreement_factor)
     }
 
     /// Whether a soil, whatever its interface friction, is consistent.
@@ -137,7 +148,7 @@ impl Estimate {
     /// Raises:
     ///     InputError: If the angle is out of range.
     fn section<'py>(&self, py: Python<'py>, interface_friction_deg: f64) -> Answer<Bound<'py, PyDict>> {
-        let region = py.detach(|| section(&self.known.setup(), interface_friction_deg))?;
+        let region = self.known.compute(py, |setup| section(setup, interface_friction_deg))?;
         Ok(geojson(py, &region)?)
     }
 
@@ -147,7 +158,7 @@ impl Estimate {
     /// Raises:
     ///     InputError: If the angle is out of range.
     fn bands<'py>(&self, py: Python<'py>, interface_friction_deg: f64) -> Answer<Vec<Bound<'py, PyDict>>> {
-        let found = py.detach(|| bands(&self.known.setup(), interface_friction_deg))?;
+        let found = self.known.compute(py, |setup| bands(setup, interface_friction_deg))?;
         found.iter().map(|region| Ok(geojson(py, region)?)).collect()
     }
 
@@ -186,7 +197,7 @@ impl Estimate {
             depth_error_m,
             force_limit_n,
         };
-        let found = py.detach(|| next_strokes(&self.known.setup(), &self.found, &menu))?;
+        let found = self.known.compute(py, |setup| next_strokes(setup, &self.found, &menu))?;
         let dicts = found.iter().map(|stroke| -> PyResult<_> {
             let dict = PyDict::new(py);
             dict.set_item("tool_angle_deg", stroke.alpha_deg)?;
@@ -319,14 +330,13 @@ pub(crate) fn estimate<'py>(
         gravity_m_s2,
         loads: Loads { cohesion_pa, adhesion_pa, surcharge_pa },
     };
-    let answer = py.detach(|| -> Result<Estimate, EstimatorError> {
-        let setup = known.setup();
-        let found = find(&setup)?;
-        let conflict = if found.is_consistent() { Conflict::default() } else { conflict(&setup)? };
-        let fit = best_fit(&setup, &found)?;
-        Ok(Estimate { known, found, conflict, fit })
-    });
-    Ok(answer?)
+    let (found, conflict, fit) = known.compute(py, |setup| {
+        let found = find(setup)?;
+        let conflict = if found.is_consistent() { Conflict::default() } else { conflict(setup)? };
+        let fit = best_fit(setup, &found)?;
+        Ok((found, conflict, fit))
+    })?;
+    Ok(Estimate { known, found, conflict, fit })
 }
 
 fn finite(name: &str, value: f64) -> Answer<()> {

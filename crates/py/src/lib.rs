@@ -15,6 +15,7 @@ mod patient;
 mod plant;
 mod region;
 mod session;
+mod watched;
 mod work;
 
 /// Everything compiled of the package `soilctl`.

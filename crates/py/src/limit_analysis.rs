@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBool, PyDict};
 use soilctl_certificate::{Claim, LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
 use soilctl_cli::problem_units;
 use soilctl_limit_analysis::describe::{Aim, Quantity};
@@ -16,6 +16,7 @@ use soilctl_limit_analysis::{
 };
 use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
 
+use crate::array::{whole, whole_or_none};
 use crate::bracket::{Bracket, Progress, Proofs};
 use crate::earth_pressure::beyond;
 use crate::error::{Answer, Fail, file, input, kinds, no_answer};
@@ -60,6 +61,20 @@ fn run<B: Send>(
     bracket: impl Fn(&B) -> Bracket,
 ) -> Answer<Bracket> {
     let stop = Arc::clone(&options.stop);
+    let bar = match progress {
+        Some(wanted) if wanted.is_instance_of::<PyBool>() && wanted.is_truthy()? => {
+            Some(py.import("soilctl._progress")?.getattr("Levels")?.call0()?)
+        }
+        _ => None,
+    };
+    let progress = bar.as_ref().or(progress.filter(|given| !given.is_instance_of::<PyBool>()));
+    if let Some(given) = progress.filter(|given| !given.is_callable()) {
+        let message = format!(
+            "progress is of type {}; it must be callable, or True for a bar of tqdm",
+            given.get_type().name()?
+        );
+        return Err(Fail(kinds::InputTypeError::new_err(message)));
+    }
     let done = patiently(
         py,
         |report: &dyn Fn(Progress)| work(&options, report),
@@ -70,6 +85,9 @@ fn run<B: Send>(
         },
         || Ok(()),
     )?;
+    if let Some(bar) = &bar {
+        bar.call_method0("close")?;
+    }
     match done.raised {
         None => Ok(bracket(&done.answer?)),
         Some(raised) if raised.is_instance_of::<PyKeyboardInterrupt>(py) => {
@@ -160,9 +178,9 @@ pub(crate) fn bound(
     gravity_m_s2: f64,
     max_gap: f64,
     max_seconds: f64,
-    max_elements: usize,
-    max_memory_mb: Option<u64>,
-    threads: usize,
+    #[pyo3(from_py_with = whole)] max_elements: usize,
+    #[pyo3(from_py_with = whole_or_none)] max_memory_mb: Option<u64>,
+    #[pyo3(from_py_with = whole)] threads: usize,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> Answer<Bracket> {
     let degrees = Angle::from_degrees;
@@ -243,9 +261,9 @@ pub(crate) fn solve(
     problem: &Bound<'_, PyAny>,
     max_gap: f64,
     max_seconds: f64,
-    max_elements: usize,
-    max_memory_mb: Option<u64>,
-    threads: usize,
+    #[pyo3(from_py_with = whole)] max_elements: usize,
+    #[pyo3(from_py_with = whole_or_none)] max_memory_mb: Option<u64>,
+    #[pyo3(from_py_with = whole)] threads: usize,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> Answer<Bracket> {
     let description = match problem.cast::<PyDict>() {

@@ -9,7 +9,7 @@ use soilctl_controller::Sensed as Readings;
 use soilctl_kinematics::{JointAngles, MotorTorques};
 use soilctl_plant::{Drive, Ground, Hardware, PlantError, PlantParams, SoilPreset, presets};
 
-use crate::array::{Array, shaped};
+use crate::array::{Array, shaped, whole};
 use crate::earth_pressure::known;
 use crate::error::{Answer, Fail, file, input, kinds};
 
@@ -113,7 +113,7 @@ impl Plant {
         joint_angles_deg: Option<&Bound<'_, PyAny>>,
         model: &str,
         surface_z_m: f64,
-        seed: u64,
+        #[pyo3(from_py_with = whole)] seed: u64,
         file: Option<PathBuf>,
     ) -> Answer<Self> {
         let params = match file {
@@ -163,7 +163,11 @@ impl Plant {
     ///     InputError: If a torque is not finite; the message names the tick, the plant is as it was before.
     ///     SimulationError: If the arm left all bounds.
     #[pyo3(signature = (controller, *, ticks))]
-    fn run(slf: &Bound<'_, Self>, controller: &Bound<'_, PyAny>, ticks: u64) -> Answer<Py<Sensed>> {
+    fn run(
+        slf: &Bound<'_, Self>,
+        controller: &Bound<'_, PyAny>,
+        #[pyo3(from_py_with = whole)] ticks: u64,
+    ) -> Answer<Py<Sensed>> {
         let py = slf.py();
         if ticks == 0 {
             return Err(input("ticks is 0; it must be at least 1"));

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use soilctl_session::{Cell, SessionError, info_until, recover_until, replay_until, table_rows};
 
-use crate::array::shaped;
+use crate::array::{shaped, whole};
 use crate::error::{Answer, Fail, file, input, no_answer};
 use crate::patient::stoppable;
 
@@ -181,7 +181,11 @@ pub(crate) fn log_recover(py: Python<'_>, path: PathBuf, out: PathBuf) -> Answer
 ///     InputError: If it was written by another program.
 #[pyfunction]
 #[pyo3(signature = (path, *, from_keyframe = 0))]
-pub(crate) fn replay(py: Python<'_>, path: PathBuf, from_keyframe: u32) -> Answer<Bound<'_, PyDict>> {
+pub(crate) fn replay(
+    py: Python<'_>,
+    path: PathBuf,
+    #[pyo3(from_py_with = whole)] from_keyframe: u32,
+) -> Answer<Bound<'_, PyDict>> {
     let found = stoppable(py, |stop| replay_until(&path, from_keyframe, stop))?;
     let first = match &found.first_difference {
         None => None,

@@ -36,3 +36,20 @@ def not_finite(number):
 
 def fails_without_words(number):
     raise RuntimeError
+
+
+def told_again(number):
+    return {"number": number, "half": None if number == 3 else number / 2}
+
+
+def contradicts(number):
+    return {"number": number + 1}
+
+
+def of_other_shape(number):
+    return {"values": np.arange(number)}
+
+
+class Tripler:
+    def run(self, number):
+        return 3 * number

@@ -74,10 +74,26 @@ def numbers(value):
 def test_arguments(function, words):
     try:
         answer = function(**words)
-    except (soilctl.SoilctlError, TypeError, OverflowError) as problem:
+    except (soilctl.SoilctlError, TypeError) as problem:
         assert str(problem) and "panick" not in str(problem)
     else:
         assert all(np.isfinite(number).all() for number in numbers(answer.to_dict()))
+
+
+@pytest.mark.parametrize("value", [-1, 2**64, 10**400, -(10**400)])
+def test_whole_numbers_out_of_range_are_no_overflow(value, tmp_path):
+    calls = [
+        lambda: soilctl.Plant(seed=value),
+        lambda: soilctl.Plant().run(lambda sensed: np.zeros(5), ticks=value),
+        lambda: soilctl.bound(**PLATE, max_elements=value),
+        lambda: soilctl.bound(**PLATE, threads=value),
+        lambda: soilctl.bound(**PLATE, max_memory_mb=value),
+        lambda: soilctl.solve({}, max_elements=value),
+        lambda: soilctl.replay(tmp_path / "log.mcap", from_keyframe=value),
+    ]
+    for call in calls:
+        with pytest.raises(soilctl.InputError, match="out of range"):
+            call()
 
 
 def test_sizes_beyond_all_bounds_are_no_answer():

@@ -51,7 +51,7 @@ def test_a_log_tells_what_it_holds_and_replays_bit_for_bit(log):
     assert later["identical"] and later["steps"] == info["steps"] - 1000
     with pytest.raises(soilctl.NoAnswerError, match="key frame"):
         soilctl.replay(log, from_keyframe=10_000)
-    with pytest.raises(OverflowError):
+    with pytest.raises(soilctl.InputError, match="out of range"):
         soilctl.replay(log, from_keyframe=-1)
 
 
@@ -219,6 +219,33 @@ def test_strokes_are_processed(campaign, log):
     assert {**again, "reused": None} == {**answer, "reused": None} or again["exit_code"] == 0
     with pytest.raises(soilctl.InputError):
         soilctl.process(campaign / "plan.toml", out=out)
+
+
+def test_shards_are_united_by_the_same_call(campaign, log, tmp_path):
+    logs = [tmp_path / f"{letter}.mcap" for letter in "abc"]
+    for path in logs:
+        path.write_bytes(log.read_bytes())
+    whole, shared = tmp_path / "whole" / "strokes.csv", tmp_path / "shared" / "strokes.csv"
+    for out in (whole, shared):
+        out.parent.mkdir()
+    soilctl.process(logs, out=whole)
+    for i in (2, 1):
+        found = soilctl.process(logs, out=shared, shard=(i, 2))
+        assert len(found["strokes"]) == 3 - i
+    assert not shared.exists()
+    assert soilctl.process(logs, out=shared)["reused"] == 3
+    for name in ("strokes.csv", "traces.csv", "campaign.json"):
+        assert shared.with_name(name).read_bytes() == whole.with_name(name).read_bytes()
+    for bad in ((0, 2), (3, 2), (1,), ("a", "b")):
+        with pytest.raises(soilctl.InputError, match="--shard"):
+            soilctl.process(logs, out=shared, shard=bad)
+
+
+def test_answers_are_tables_in_notebooks(campaign):
+    found = soilctl.process(campaign / "logs", report=campaign / "page.html")
+    html = found._repr_html_()
+    assert isinstance(found, dict) and html.startswith("<table>") and "page.html</a>" in html
+    assert "<script" not in soilctl.answer("shear", DATA / "direct_shear.csv")._repr_html_()
 
 
 def test_a_missing_effect_is_named(tmp_path):

@@ -1,5 +1,10 @@
 """Estimates from arrays of measurements."""
 
+import os
+import signal
+import threading
+import time
+
 import numpy as np
 import pytest
 
@@ -121,3 +126,23 @@ def test_bad_input_is_refused(change, error, words):
     sound = {"force_n": 5.0, "force_error_n": 0.4, "interface_friction_deg": (22.0, 24.0), "model": "chen"}
     with pytest.raises(error, match=words):
         soilctl.estimate(**{**GEOMETRY, **sound, **change})
+
+
+def test_control_c_ends_an_estimate():
+    # Many strokes whose bands hardly differ: seconds of work.
+    count = 400
+    alpha = np.linspace(70.0, 100.0, count)
+    plate = {"tool_angle_deg": alpha, "depth_m": np.linspace(0.02, 0.05, count), "width_m": 0.127}
+    soil = {"friction_angle_deg": 41.0, "density_kg_m3": 1600.0, "interface_friction_deg": 23.0}
+    force = soilctl.predict("chen", **plate, **soil).force_n
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        while time.monotonic() < begin + 60.0:
+            soilctl.estimate(
+                **plate, force_n=force, force_error_n=0.1 * force, interface_friction_deg=(20.0, 26.0), model="chen"
+            )
+    timer.join()
+    print(f"ended {time.monotonic() - begin - 0.5:.2f} s after Ctrl-C")
+    assert estimate(forces(41.0, 1600.0)).consistent

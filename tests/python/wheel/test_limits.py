@@ -86,8 +86,56 @@ def test_meshes_go_to_meshio_and_pyvista(bracket, tmp_path):
     # Three points a triangle, which the formats must not unite: velocities jump.
     points, triangles = read.points[:, :2], read.cells[0].data
     corners = bracket.solution.triangles()
-    np.testing.assert_allclose(points[triangles], corners)
+    # In m: the plate is 0.1 m deep.
+    length = bracket.solution.length_m
+    assert length == pytest.approx(0.1)
+    np.testing.assert_allclose(points[triangles], bracket.solution.origin_m + length * corners)
     np.testing.assert_allclose(read.cell_data["velocity"][0][:, :2], bracket.solution.velocity(corners.mean(axis=1)))
+
+
+def test_the_lower_bound_is_a_mesh_of_stresses(bracket):
+    from soilctl.mesh import to_arrays, to_meshio
+
+    arrays = to_arrays(bracket.solution, "lower")
+    corners = arrays["points"][arrays["triangles"]]
+    sides = corners[:, 1:] - corners[:, :1]
+    areas = 0.5 * np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+    xx, yy, xy = arrays["stress"].T
+    # In Pa, tension positive: nowhere beyond yield, and under deep soil about its weight.
+    assert arrays["stress"].shape == (bracket.elements[0], 3)
+    beyond = np.hypot(xx - yy, 2 * xy) + (xx + yy) * math.sin(math.radians(30.0))
+    assert beyond.max() < 1e-6 * np.abs(arrays["stress"]).max()
+    middles = corners.mean(axis=1)
+    weight = 1600.0 * 9.80665 * middles[:, 1]
+    assert (areas * np.abs(yy - weight)).sum() < 0.5 * (areas * np.abs(weight)).sum()
+    mesh = to_meshio(bracket.solution, "lower")
+    np.testing.assert_array_equal(mesh.cell_data["stress"][0], arrays["stress"])
+    with pytest.raises(soilctl.InputError, match="bound"):
+        to_arrays(bracket.solution, "middle")
+
+
+def test_progress_is_a_bar(capfd):
+    pytest.importorskip("tqdm")
+    soilctl.bound(**SMOOTH, max_gap=0.1, progress=True)
+    assert "elements, gap" in capfd.readouterr().err
+    soilctl.bound(**SMOOTH, max_gap=0.1, progress=False)
+    assert capfd.readouterr().err == ""
+    with pytest.raises(soilctl.InputTypeError, match="progress is of type int"):
+        soilctl.bound(**SMOOTH, max_gap=0.1, progress=3)
+
+
+def test_one_sided_solutions_are_drawn(bracket, tmp_path):
+    path = tmp_path / "s.json"
+    bracket.solution.write(path)
+    document = json.loads(path.read_text())
+    for missing, starts in ((["upper"], "<svg"), (["lower"], "<svg"), (["lower", "upper"], None)):
+        path.write_text(json.dumps({key: None if key in missing else value for key, value in document.items()}))
+        try:
+            svg = soilctl.Solution.read(path)._repr_svg_()
+        except soilctl.InputError:
+            assert len(missing) == 2, "a solution has something to show"
+        else:
+            assert svg is None if starts is None else svg.startswith(starts)
 
 
 # VTK's own modules for numpy still use what numpy is about to drop.

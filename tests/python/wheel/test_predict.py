@@ -145,6 +145,35 @@ def test_other_threads_run_meanwhile():
     assert during > 0
 
 
+def test_who_changes_one_array_means_one():
+    alpha = np.array([70.0, 80.0])
+    found = soilctl.predict("coulomb", **{**SOUND, "tool_angle_deg": alpha}, **PLATE)
+    before = {key: np.copy(value) for key, value in found.to_dict().items() if key != "model"}
+    found.lower[:] = found.upper[:] = found.force_lower_n[:] = found.force_upper_n[:] = 0.0
+    for key, value in before.items():
+        np.testing.assert_array_equal(getattr(found, key), value, err_msg=key)
+    assert (alpha == [70.0, 80.0]).all()
+
+
+def test_tables_say_how_far_they_may_be_off_also_at_their_nodes():
+    # Every angle is a node of the table.
+    node = {"tool_angle_deg": 80.0, "friction_angle_deg": 40.0, "interface_friction_deg": 20.0}
+    assert soilctl.predict("table", **node).interpolation_margin == 0.0
+    between = soilctl.predict("table", **{**node, "friction_angle_deg": 42.0}).interpolation_margin
+    assert between > 0.0 and soilctl.predict("chen", **node).interpolation_margin is None
+
+
+@pytest.mark.parametrize("name", ["cohesion_pa", "adhesion_pa", "surcharge_pa", "gravity_m_s2"])
+def test_loads_need_sizes(name):
+    with pytest.raises(soilctl.InputError, match=f"{name} changes forces only"):
+        soilctl.predict(**SOUND, **{name: 1.0})
+
+
+def test_notebooks_show_a_table():
+    html = soilctl.predict("table", **SOUND, **PLATE)._repr_html_()
+    assert html.startswith("<table>") and "force_upper_n" in html
+
+
 def test_failure_surfaces_start_at_the_tip_and_end_at_the_ground():
     line = soilctl.failure_surface("coulomb", **SOUND)
     assert line.shape == (2, 2) and (line[0] == 0.0).all()

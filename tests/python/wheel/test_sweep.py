@@ -2,13 +2,26 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cells import deadly, fails_without_words, healed, not_finite, poisoned, square
+from cells import (
+    Tripler,
+    contradicts,
+    deadly,
+    fails_without_words,
+    healed,
+    not_finite,
+    of_other_shape,
+    poisoned,
+    square,
+    told_again,
+)
 
 import soilctl
 
@@ -145,6 +158,53 @@ def test_results_go_on_a_grid_with_named_axes(tmp_path):
     array = soilctl.sweep(square, [{"number": np.ones(3)}], store=tmp_path, executor=Serial())
     with pytest.raises(soilctl.InputError, match="number of cell 0"):
         array.to_xarray()
+
+
+def test_results_may_repeat_their_parameters(tmp_path):
+    cells = [{"number": n} for n in (1, 2, 3)]
+    found = soilctl.sweep(told_again, cells, store=tmp_path, executor=Serial())
+    frame = found.to_pandas()
+    assert list(frame.columns) == ["number", "half"]
+    # None is missing, on a grid.
+    grid = found.to_xarray()
+    assert list(grid.data_vars) == ["half"] and np.isnan(grid["half"].sel(number=3))
+    other = soilctl.sweep(contradicts, cells, store=tmp_path, executor=Serial())
+    for call in (other.to_pandas, other.to_xarray):
+        with pytest.raises(soilctl.InputError, match="key 'number'"):
+            call()
+    changing = soilctl.sweep(of_other_shape, cells, store=tmp_path, executor=Serial())
+    with pytest.raises(soilctl.InputError, match="shape"):
+        changing.to_xarray()
+
+
+def test_results_of_scripts_and_methods_are_told_apart(tmp_path):
+    with pytest.raises(soilctl.InputError, match="name="):
+        soilctl.sweep(Tripler().run, [{"number": 1}], store=tmp_path, executor=Serial())
+    named = soilctl.sweep(Tripler().run, [{"number": 1}], store=tmp_path, executor=Serial(), name="triple")
+    assert list(named) == [3]
+    script = """
+import soilctl
+def cell(number):
+    return {factor} * number
+if __name__ == "__main__":
+    print(list(soilctl.sweep(cell, [{{"number": 1}}], store="store", executor=__import__("concurrent.futures").futures.ThreadPoolExecutor(1))))
+"""
+    for name, factor in (("one", 10), ("two", 20), ("one", 10)):
+        (tmp_path / f"{name}.py").write_text(script.format(factor=factor))
+        done = subprocess.run([sys.executable, f"{name}.py"], cwd=tmp_path, capture_output=True, text=True, check=True)
+        assert done.stdout.strip() == f"[{factor}]"
+    assert len(files(tmp_path / "store")) == 2
+
+
+def test_the_command_line_fills_the_same_kind_of_store(tmp_path):
+    grid = ["--alpha", "90:90:5", "--phi", "25:30:5", "--delta", "0:0:5", "--max-elements", 700, "--max-gap", 0.2]
+    for shard in ("1/2", "2/2"):
+        soilctl.answer("table", "build", *grid, "--store", tmp_path, "--shard", shard)
+    assert len(files(tmp_path)) == 2
+    store, version = soilctl.Store(tmp_path), f"{soilctl.__version__} --max-gap 0.2 --max-elements 700"
+    cell = {"alpha_deg": 90.0, "phi_deg": 30.0, "delta_deg": 0.0}
+    found = store.read(store.key("soilctl table build", version, cell))["solved"]
+    assert found["lower"] <= 3.0 - 1.0 / 3.0 <= found["upper"] and found["certified"]
 
 
 def test_progress_is_a_bar(tmp_path, capfd):

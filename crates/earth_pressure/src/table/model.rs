@@ -41,6 +41,10 @@ impl ForceModel for TableModel {
         range_of(&self.table)
     }
 
+    fn interpolates(&self) -> bool {
+        true
+    }
+
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(self.id, case)?;
         let look = self
@@ -118,6 +122,10 @@ impl ForceModel for BracketModel {
             phi_deg: inner(a.phi_deg, b.phi_deg),
             delta_deg: inner(a.delta_deg, b.delta_deg),
         }
+    }
+
+    fn interpolates(&self) -> bool {
+        true
     }
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {

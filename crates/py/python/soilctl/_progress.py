@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 #: What a function with ``progress`` takes: called with the steps done and of all steps, or True for a bar of tqdm.
 Progress = Callable[[int, int], object] | bool | None
@@ -25,3 +26,20 @@ def told(progress: Progress, unit: str) -> Iterator[Callable[[int, int], object]
             bar.refresh()
 
         yield show
+
+
+class Levels:
+    """A bar of tqdm for meshes that refine themselves: nobody knows how many there will be."""
+
+    def __init__(self) -> None:
+        from tqdm import tqdm
+
+        self.bar = tqdm(unit=" meshes")
+
+    def __call__(self, level: Any) -> None:
+        self.bar.set_postfix_str(f"{level.elements} elements, gap {100 * level.gap:.2f} %")
+        self.bar.update()
+
+    def close(self) -> None:
+        """Leaves the bar as it is."""
+        self.bar.close()

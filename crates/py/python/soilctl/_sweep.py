@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import (
@@ -16,6 +17,8 @@ from concurrent.futures import (
 )
 from dataclasses import dataclass, field
 from html import escape
+from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from ._canonical import decode, encode
@@ -91,6 +94,9 @@ class SweepResult:
         """A ``pandas.DataFrame``: one row a cell that did not fail, its parameters and then its result.
 
         A result that is a dict becomes several columns, any other one the column ``result``.
+
+        Raises:
+            InputError: If a result has a key that is a parameter, too, with another value.
         """
         import pandas
 
@@ -98,14 +104,28 @@ class SweepResult:
         rows = []
         for index, cell in enumerate(self.cells):
             if index not in failed:
-                result = self[index]
-                rows.append({**cell, **(result if isinstance(result, dict) else {"result": result})})
+                rows.append({**cell, **self.columns(index)})
         return pandas.DataFrame(rows)
+
+    def columns(self, index: int) -> dict[str, Any]:
+        """The result of a cell by name, without what repeats a parameter: ``{"result": ...}`` if it is no dict.
+
+        Raises:
+            SweepError: If the cell failed.
+            InputError: If the result has a key that is a parameter, too, with another value.
+        """
+        result, cell = self[index], self.cells[index]
+        if not isinstance(result, dict):
+            return {"result": result}
+        for key in result.keys() & cell.keys():
+            if encode(result[key], key) != encode(cell[key], key):
+                raise InputError(f"the result of cell {index} has the key {key!r} of a parameter, with another value; rename one")
+        return {key: value for key, value in result.items() if key not in cell}
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset``: the parameters of the cells are its axes, a result that is a dict becomes several variables.
 
-        Cells need not fill the grid: what is missing or failed is NaN. Arrays in results, all of one shape, have axes of their
+        Cells need not fill the grid: what is missing, failed or None is NaN. Arrays in results, all of one shape, have axes of their
         own behind those of the parameters (``curve_0`` and so on).
 
         Raises:
@@ -148,7 +168,8 @@ def sweep(
         store: Folder for the results; made if it is not there.
         executor: Any ``concurrent.futures.Executor``; by default one process a core. For a cluster give
             ``dask.distributed.Client(...).get_executor()``.
-        name: Name under which results are stored; by default the function's module and qualified name.
+        name: Name under which results are stored; by default the function's module (of a script, its file's name) and qualified
+            name. Methods of objects need one, and so do notebooks that share a store and have functions of the same name.
         version: Change it when the function changes its answers; older results then no longer count.
         progress: Called with the number of cells that are done and of all cells, after each; or True for a bar of tqdm.
 
@@ -185,11 +206,18 @@ def _name(function: Callable[..., Any], name: str | None) -> str:
     if name is not None:
         return name
     found = getattr(function, "__qualname__", None)
-    if found is None or "<" in found:
+    # A method says nothing of its object, whose attributes may decide on the result; builtins have their module there.
+    bound = getattr(function, "__self__", None)
+    if found is None or "<" in found or not (bound is None or isinstance(bound, ModuleType)):
         raise InputError(
             f"{function!r} has no name that stands for it alone; give name=, or use a function at the top of a module"
         )
-    return f"{function.__module__}.{found}"
+    module = function.__module__
+    if module == "__main__":
+        # Scripts that share a store are told apart by their names; notebooks have none.
+        script = getattr(sys.modules["__main__"], "__file__", None)
+        module = module if script is None else Path(script).stem
+    return f"{module}.{found}"
 
 
 def _cell(cell: Cell, index: int) -> dict[str, Any]:

@@ -7,6 +7,7 @@ import json
 import os
 import tempfile
 from collections.abc import Iterable, Mapping
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,24 @@ from ._progress import Progress, told
 from .errors import InputError, InputTypeError
 
 _Path = str | os.PathLike[str]
+
+#: Most characters of a value in a notebook.
+_SHOWN = 200
+
+
+class Answer(dict[str, Any]):
+    """An answer of the command line: a dict that a notebook shows as a table, with links to the pages that were written."""
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><th>{escape(key)}</th><td>{_shown(value)}</td></tr>" for key, value in self.items())
+        return f"<table>{rows}</table>"
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, str) and value.endswith(".html"):
+        return f'<a href="{escape(value)}">{escape(value)}</a>'
+    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+    return escape(text if len(text) <= _SHOWN else text[:_SHOWN] + " ...")
 
 
 def answer(*words: object, progress: Progress = None) -> dict[str, Any]:
@@ -40,7 +59,7 @@ def answer(*words: object, progress: Progress = None) -> dict[str, Any]:
     with told(progress, "steps") as tell:
         exit_code, text = answer_command(line, tell)
     found: dict[str, Any] = json.loads(text) if text else {}
-    return {**found, "exit_code": exit_code}
+    return Answer(found, exit_code=exit_code)
 
 
 def certify(solution: Solution | _Path) -> Certificate:
@@ -174,6 +193,7 @@ def process(
     *,
     out: _Path | None = None,
     threads: int | None = None,
+    shard: tuple[int, int] | None = None,
     report: _Path | None = None,
     options: Iterable[object] = (),
     progress: Progress = None,
@@ -184,6 +204,9 @@ def process(
         logs: A log (.mcap), a folder with logs, or several.
         out: Stroke table to write (.csv or .parquet), with which the same call reads only what is new.
         threads: Logs that are read at a time; all cores if not given.
+        shard: ``(i, n)``: reads only each n-th log, starting with the i-th, and writes no table. The shards may run at the same time
+            in any executor or on other machines, if they see the same folder; the same call without ``shard`` then takes what they
+            have read, and its files are the same bytes as without them.
         report: One HTML page to write.
         options: Further words of the command line, such as ``["--urdf", "arm.urdf", "--surface-z", -0.33]``.
         progress: Called with the number of logs that are done and of all, or True for a bar of tqdm.
@@ -196,7 +219,8 @@ def process(
         FileError: If a file cannot be read or written.
     """
     paths = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
-    named = {"--out": out, "--threads": threads, "--report": report}
+    part = None if shard is None else "/".join(map(str, shard))
+    named = {"--out": out, "--threads": threads, "--shard": part, "--report": report}
     return answer("process", *paths, *_options(named), *options, progress=progress)
 
 

@@ -83,31 +83,40 @@ def log_table(path: str | os.PathLike[str], topic: str = "/controller/step") -> 
 def of_sweep(done: SweepResult) -> xarray.Dataset:
     """What :meth:`soilctl.SweepResult.to_xarray` gives."""
     names = list(done.cells[0]) if done.cells else []
-    axes: dict[str, list[Any]] = {}
-    for index, cell in enumerate(done.cells):
-        if set(cell) != set(names):
-            raise InputError(f"cell {index} has the parameters {sorted(cell)}, the first one {sorted(names)}")
-        for name, value in cell.items():
-            if not isinstance(value, (int, float, str)):
-                raise InputError(f"{name} of cell {index} is of type {type(value).__name__}; an axis takes numbers and texts")
-    for name in names:
-        axes[name] = sorted({cell[name] for cell in done.cells}, key=lambda value: (isinstance(value, str), value))
+    cells = [_parameters(index, cell, names) for index, cell in enumerate(done.cells)]
+    axes = {
+        name: sorted({cell[name] for cell in cells}, key=lambda value: (isinstance(value, str), value)) for name in names
+    }
     failed = {failure.index for failure in done.failures}
     variables: dict[str, tuple[tuple[str, ...], Any]] = {}
-    for index, cell in enumerate(done.cells):
+    shapes: dict[str, tuple[int, ...]] = {}
+    for index, cell in enumerate(cells):
         if index in failed:
             continue
-        result = done[index]
         at = tuple(axes[name].index(cell[name]) for name in names)
-        for key, value in (result if isinstance(result, dict) else {"result": result}).items():
+        for key, value in done.columns(index).items():
+            if value is None:
+                continue
             array = np.asarray(value)
+            if shapes.setdefault(key, array.shape) != array.shape:
+                raise InputError(f"{key} of cell {index} has shape {array.shape}, earlier ones {shapes[key]}")
             if key not in variables:
                 shape = (*(len(axis) for axis in axes.values()), *array.shape)
                 own = (f"{key}_{axis}" for axis in range(array.ndim))
                 kind = float if array.dtype.kind in "biuf" else object
                 variables[key] = ((*names, *own), np.full(shape, np.nan, kind))
             place = variables[key][1]
-            if place[at].shape != array.shape if array.ndim else np.ndim(place[at]) != 0:
-                raise InputError(f"{key} of cell {index} has shape {array.shape}, unlike that of earlier cells")
+            if place.dtype == float and array.dtype.kind not in "biuf":
+                raise InputError(f"{key} of cell {index} is no number, earlier ones are")
             place[at] = array if array.ndim else value
     return xarray.Dataset(variables, axes)
+
+
+def _parameters(index: int, cell: dict[str, Any], names: list[str]) -> dict[str, Any]:
+    if set(cell) != set(names):
+        raise InputError(f"cell {index} has the parameters {sorted(cell)}, the first one {sorted(names)}")
+    plain = {name: value.item() if isinstance(value, np.generic) else value for name, value in cell.items()}
+    for name, value in plain.items():
+        if not isinstance(value, (int, float, str)):
+            raise InputError(f"{name} of cell {index} is of type {type(value).__name__}; an axis takes numbers and texts")
+    return plain

@@ -139,6 +139,7 @@ fn process_args(
     Ok(process::Args {
         logs: answer.files.logs.iter().map(Into::into).collect(),
         out: Some(folder.file("strokes.csv")),
+        shard: None,
         threads: Some(u16::try_from(threads).unwrap_or(u16::MAX)),
         trace_rate: figures::TRACE_RATE_HZ,
         bag: process::BagArgs::default(),

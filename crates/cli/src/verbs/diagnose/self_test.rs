@@ -1,6 +1,7 @@
 //! `soilctl diagnose --self-test`: hidden campaigns, and how often the diagnosis is right.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -42,14 +43,24 @@ pub(super) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     let test = SelfTest::new(&args.model, args.seed)?;
     let cases = cases(args.rounds);
     let bar = output.bar(cases.len() as u64, "campaigns");
+    let mut done = 0;
     let mut outcomes = Vec::new();
+    let stop = output.interrupt();
     for case in &cases {
+        if stop.load(Ordering::Relaxed) {
+            break;
+        }
         if let Some(outcome) = run_case(&test, case)? {
             outcomes.push((case.clone(), outcome));
         }
+        done += 1;
         bar.inc(1);
     }
     bar.finish();
+    let stopped = done < cases.len();
+    if stopped {
+        output.note(&format!("stopped after {done} of {} campaigns", cases.len()));
+    }
     let Tally { rates, confusion } = tally(&outcomes);
     output.answer(&SelfTestAnswer {
         model: args.model.clone(),
@@ -58,7 +69,7 @@ pub(super) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         rates: rates.into_iter().map(|r| Rate { name: r.name.into(), rate: r.rate, of: r.of }).collect(),
         confusion,
     })?;
-    Ok(Outcome::Done)
+    Ok(if stopped { Outcome::Partial } else { Outcome::Done })
 }
 
 impl Answer for SelfTestAnswer {

@@ -8,6 +8,7 @@ use soilctl_process::log::LogSettings;
 use super::Args;
 use crate::args::read_text;
 use crate::error::CliError;
+use crate::shard::Shard;
 
 /// Most logs of one run.
 const MOST_LOGS: usize = 1_000_000;
@@ -33,9 +34,15 @@ pub(super) struct Inputs {
     pub(super) trace_rate_hz: f64,
     pub(super) threads: usize,
     pub(super) out: Option<(PathBuf, Form)>,
+    pub(super) shard: Option<Shard>,
 }
 
 impl Inputs {
+    /// Places of the logs that this run is about.
+    pub(super) fn own(&self) -> impl Iterator<Item = usize> {
+        (0..self.logs.len()).filter(|place| self.shard.is_none_or(|shard| shard.has(*place)))
+    }
+
     pub(super) fn of(args: &Args) -> Result<Self, CliError> {
         let mut paths = BTreeSet::new();
         for given in &args.logs {
@@ -61,6 +68,7 @@ impl Inputs {
             settings: settings(args)?,
             trace_rate_hz: rate,
             threads: args.threads.map_or(cores, usize::from),
+            shard: args.shard,
             out: args
                 .out
                 .as_deref()

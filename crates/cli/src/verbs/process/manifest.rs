@@ -14,6 +14,7 @@ use soilctl_process::table::StrokeRecord;
 
 use super::inputs::{Inputs, Log};
 use crate::error::CliError;
+use crate::shard::Shard;
 
 const SCHEMA: &str = "soilctl.process-manifest/1";
 
@@ -90,10 +91,30 @@ fn stamp(path: &Path) -> (u64, u64) {
 /// The manifest of an output folder, open for adding.
 pub(super) struct Manifest {
     pub(super) folder: PathBuf,
+    path: PathBuf,
     header: Header,
     file: File,
     /// Logs that are done already, by the place of the log.
     pub(super) known: BTreeMap<usize, Entry>,
+}
+
+/// Name of the manifest of a shard, whose logs another run will take over.
+fn of_shard(shard: Shard) -> String {
+    format!("manifest.shard_{}.jsonl", shard.named())
+}
+
+/// Manifests of shards in a folder, by name.
+pub(super) fn shards(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with("manifest.shard_") && name.ends_with(".jsonl") {
+            found.push(entry.path());
+        }
+    }
+    found.sort();
+    Ok(found)
 }
 
 pub(super) fn parts(folder: &Path) -> PathBuf {
@@ -121,25 +142,34 @@ impl Manifest {
             program_version: env!("CARGO_PKG_VERSION").into(),
             settings: format!("{:?}, traces at {} Hz", inputs.settings, inputs.trace_rate_hz),
         };
-        let path = folder.join("manifest.jsonl");
-        let text = match std::fs::read(&path) {
-            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
-            Err(problem) if problem.kind() == std::io::ErrorKind::NotFound => String::new(),
-            Err(problem) => return Err(failed(&path, problem)),
-        };
-        let mut lines = text.lines();
-        let same =
-            lines.next().and_then(|line| serde_json::from_str::<Header>(line).ok()).as_ref() == Some(&header);
+        let whole = folder.join("manifest.jsonl");
+        let path = inputs.shard.map_or_else(|| whole.clone(), |shard| folder.join(of_shard(shard)));
+        let mut earlier = vec![whole];
+        match inputs.shard {
+            // Others write theirs at the same time.
+            Some(_) => earlier.push(path.clone()),
+            None => earlier.extend(shards(folder).map_err(|problem| failed(folder, problem))?),
+        }
         let mut by_log: BTreeMap<String, Entry> = BTreeMap::new();
-        if same {
-            // A line that a kill cut in the middle does not parse, and its log is read again.
-            for entry in lines.filter_map(|line| serde_json::from_str::<Entry>(line).ok()) {
-                by_log.insert(entry.log.clone(), entry);
+        for path in &earlier {
+            let text = match std::fs::read(path) {
+                Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
+                Err(problem) if problem.kind() == std::io::ErrorKind::NotFound => String::new(),
+                Err(problem) => return Err(failed(path, problem)),
+            };
+            let mut lines = text.lines();
+            let found = lines.next().and_then(|line| serde_json::from_str::<Header>(line).ok());
+            if found.as_ref() == Some(&header) {
+                // A line that a kill cut in the middle does not parse, and its log is read again.
+                for entry in lines.filter_map(|line| serde_json::from_str::<Entry>(line).ok()) {
+                    by_log.insert(entry.log.clone(), entry);
+                }
             }
         }
         let traces = folder.join("traces.csv");
         let mut known = BTreeMap::new();
-        for (place, log) in inputs.logs.iter().enumerate() {
+        for place in inputs.own() {
+            let log = &inputs.logs[place];
             let entry = by_log.remove(&log.path.display().to_string());
             let usable = |entry: &Entry| {
                 let traced = match entry.trace_bytes {
@@ -156,7 +186,7 @@ impl Manifest {
             // Written anew, so that a cut line does not stay.
             let file = OpenOptions::new().create(true).write(true).truncate(true).open(&path);
             let file = file.map_err(|problem| failed(&path, problem))?;
-            Self { folder: folder.to_owned(), header, file, known }
+            Self { folder: folder.to_owned(), path, header, file, known }
         };
         let entries: Vec<Entry> = manifest.known.values().cloned().collect();
         let header = serde_json::to_string(&manifest.header)? + "\n";
@@ -172,9 +202,10 @@ impl Manifest {
     }
 
     fn line(&mut self, text: &str) -> Result<(), CliError> {
-        self.file.write_all(text.as_bytes()).and_then(|()| self.file.flush()).map_err(|problem| {
-            CliError::File { path: self.folder.join("manifest.jsonl").display().to_string(), problem }
-        })
+        self.file
+            .write_all(text.as_bytes())
+            .and_then(|()| self.file.flush())
+            .map_err(|problem| CliError::File { path: self.path.display().to_string(), problem })
     }
 }
 

@@ -24,6 +24,7 @@ use super::pages::{self, FigureFiles};
 use crate::args::{TopicArgs, finite};
 use crate::error::CliError;
 use crate::output::Output;
+use crate::shard::Shard;
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -47,6 +48,11 @@ pub(crate) struct Args {
     /// Logs that are read at a time; the answer does not depend on it [default: all processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
+
+    /// Reads only each N-th log, starting with the I-th, and writes no table: the same command without this one then takes what
+    /// all shards have read, wherever they ran
+    #[arg(long, value_name = "I/N", requires = "out", conflicts_with_all = ["report", "figures", "plot"])]
+    pub(crate) shard: Option<Shard>,
 
     /// Samples a second in traces.csv
     #[arg(long, value_name = "HZ", default_value_t = 50.0, value_parser = finite)]
@@ -164,6 +170,7 @@ impl Args {
             logs: vec![folder.to_owned()],
             out: Some(out.to_owned()),
             threads: None,
+            shard: None,
             trace_rate: 50.0,
             bag: BagArgs::default(),
             analysis: AnalysisArgs {
@@ -197,7 +204,7 @@ pub(crate) fn process(args: &Args, output: &Output) -> Result<(ProcessAnswer, Ou
     let rubbing = analysis::rubbing(args, &inputs)?;
     let analysis = analysis::analyse(&args.analysis, &done.strokes(), &campaign, rubbing)?;
     let mut written = Vec::new();
-    if !done.stopped {
+    if inputs.shard.is_none() && !done.stopped {
         written = outputs::write(&inputs, &done, &campaign)?;
     }
     if let (Some(path), Some(kind)) = (&args.plot, args.plot_kind) {
@@ -217,7 +224,7 @@ pub(crate) fn process(args: &Args, output: &Output) -> Result<(ProcessAnswer, Ou
         output.note(&format!(
             "stopped after {} of {} logs; the same command goes on from here",
             done.entries.len(),
-            inputs.logs.len()
+            inputs.own().count()
         ));
     }
     let outcome = match () {

@@ -61,8 +61,12 @@ pub(super) fn write(inputs: &Inputs, done: &Done, campaign: &Campaign) -> Result
     written.push(folder.join("traces.csv").display().to_string());
     manifest::finish(inputs, folder, &entries)?;
     written.push(folder.join("manifest.jsonl").display().to_string());
+    // What waited is in the table now.
     let waiting = manifest::parts(folder);
     std::fs::remove_dir_all(&waiting).map_err(failed(&waiting))?;
+    for shard in manifest::shards(folder).map_err(failed(folder))? {
+        std::fs::remove_file(&shard).map_err(failed(&shard))?;
+    }
     Ok(written)
 }
 

@@ -47,12 +47,13 @@ pub(super) fn process(inputs: &Inputs, output: &Output) -> Result<Done, CliError
     };
     let mut entries = manifest.as_mut().map(|m| std::mem::take(&mut m.known)).unwrap_or_default();
     let reused = entries.len();
-    let left: Vec<usize> = (0..inputs.logs.len()).filter(|place| !entries.contains_key(place)).collect();
+    let own: Vec<usize> = inputs.own().collect();
+    let left: Vec<usize> = own.iter().copied().filter(|place| !entries.contains_key(place)).collect();
     if reused > 0 {
         output.note(&format!("{reused} logs are as they were and are not read again"));
     }
     let stop = output.interrupt_keeping(manifest.is_some());
-    let bar = output.bar(inputs.logs.len() as u64, "logs");
+    let bar = output.bar(own.len() as u64, "logs");
     bar.inc(reused as u64);
     let folder = manifest.as_ref().map(|manifest| manifest.folder.clone());
     let next = AtomicUsize::new(0);
@@ -102,5 +103,5 @@ pub(super) fn process(inputs: &Inputs, output: &Output) -> Result<Done, CliError
     });
     bar.finish();
     result?;
-    Ok(Done { stopped: entries.len() < inputs.logs.len(), entries, reused })
+    Ok(Done { stopped: entries.len() < own.len(), entries, reused })
 }

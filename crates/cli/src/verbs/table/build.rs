@@ -21,7 +21,8 @@ const BOUNDS: &str = "bounds";
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Nodes at which the model has no answer (delta above phi among them) stay empty.\n\n\
     Bounds take hours: each case goes to FILE.partial.jsonl as soon as it is solved, and the same command goes on from \
-    there, also after Ctrl-C (exit code 3) or a power cut. On a finished file, a larger grid fills only what is missing. \
+    there, also after Ctrl-C (exit code 3) or a power cut. With --store a case goes there instead: any number of runs may share \
+    one, on any machines that see the folder, and one with --out makes the table of it. On a finished file, a larger grid fills only what is missing. \
     Same options, same bytes: for any number of threads, interruptions or shards.")]
 pub(super) struct Args {
     /// Model: bounds (lower and upper bound by limit analysis, both proven), or coulomb, log-spiral, log-spiral-thesis,
@@ -45,9 +46,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "FROM:TO:STEP")]
     delta: Option<Nodes>,
 
-    /// File to write (.csv, or .parquet if it is not bounds); its description goes beside it, with .json added
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
+    /// File to write (.csv, or .parquet if it is not bounds); its description goes beside it, with .json added. Not needed with
+    /// --store
+    #[arg(long, value_name = "FILE", required_unless_present = "store")]
+    out: Option<PathBuf>,
 
     #[command(flatten)]
     bounds: bounds::BoundsArgs,
@@ -75,7 +77,7 @@ pub(super) fn build(args: &Args, output: &Output) -> Result<TableAnswer, CliErro
         )));
     }
     if args.model == BOUNDS {
-        return bounds::build(&args.bounds, axes, &args.out, output);
+        return bounds::build(&args.bounds, axes, args.out.as_deref(), output);
     }
     if let Some(option) = args.bounds.given() {
         return Err(CliError::Usage(format!(
@@ -83,8 +85,11 @@ pub(super) fn build(args: &Args, output: &Output) -> Result<TableAnswer, CliErro
             args.model
         )));
     }
+    let Some(out) = &args.out else {
+        return Err(CliError::Usage("--out is missing: name the file for the table".into()));
+    };
     // Before the work, not after it.
-    Kind::of(&args.out)?;
+    Kind::of(out)?;
     let model = model(&args.model)?;
     let (table, first_refusal) = fill(model.as_ref(), axes, output)?;
     if table.is_empty() {
@@ -92,8 +97,8 @@ pub(super) fn build(args: &Args, output: &Output) -> Result<TableAnswer, CliErro
         return Err(CliError::Usage(format!("no node of the table could be filled: {reason}")));
     }
     let source = format!("{} on a grid; {}", model.id(), model.reference());
-    write_table(&table, &source, &args.out)?;
-    let file = args.out.display().to_string();
+    write_table(&table, &source, out)?;
+    let file = out.display().to_string();
     Ok(TableAnswer::Build { table: Head::of(&table, &source), file, first_refusal })
 }
 

@@ -9,7 +9,6 @@ use soilctl_earth_pressure::table::BracketTable;
 
 use super::cases::Node;
 use super::cost::{Cost, duration};
-use super::journal::journal_path;
 use crate::text::number;
 use crate::verbs::table::answer::Head;
 use crate::verbs::table::brackets::Gaps;
@@ -21,9 +20,9 @@ pub(crate) struct BuiltBounds {
     table: Head,
     /// Its gaps; null while there is no case.
     gaps: Option<Gaps>,
-    /// Whether every case is done and the file is written.
+    /// Whether every case is done and the file, if one was asked for, is written.
     pub(in crate::verbs::table) finished: bool,
-    /// The table if it is finished, otherwise the journal from which the next run goes on.
+    /// The table if it is finished, otherwise, or if no table was asked for, the journal or store from which the next run goes on.
     file: String,
     /// Cases of the grid, or of the shard.
     cases: usize,
@@ -46,9 +45,8 @@ impl BuiltBounds {
         empty: Vec<(Node, String)>,
         cases: usize,
         finished: bool,
-        out: &Path,
+        file: &Path,
     ) -> Self {
-        let file = if finished { out.to_owned() } else { journal_path(out) };
         Self {
             table: Head::of_brackets(table),
             gaps: Gaps::of(table),

@@ -162,11 +162,15 @@ impl Journal {
     }
 }
 
-/// Removes the journal of an output file that holds all of it.
+/// Removes the journal, if there is one, of an output file that holds all of it.
 pub(super) fn remove(out: &Path) -> Result<(), CliError> {
     let path = journal_path(out);
-    std::fs::remove_file(&path)
-        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+    match std::fs::remove_file(&path) {
+        Err(problem) if problem.kind() != std::io::ErrorKind::NotFound => {
+            Err(CliError::File { path: path.display().to_string(), problem })
+        }
+        _ => Ok(()),
+    }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ mod cases;
 mod cost;
 mod journal;
 mod solve;
+mod store;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,16 +13,18 @@ use std::path::{Path, PathBuf};
 use soilctl_earth_pressure::table::{BracketRow, BracketRules, BracketTable};
 
 pub(super) use answer::{BuiltBounds, Plan};
-use cases::{Node, Shard, key};
+use cases::{Node, key};
 use cost::Cost;
 use journal::{Entry, Found, Header, Journal};
 use solve::{Solver, solution_path};
+use store::Store;
 
 use super::answer::TableAnswer;
 use super::brackets::{NAME, SOURCE};
 use super::file::{Kind, read_brackets, write_brackets};
 use crate::error::CliError;
 use crate::output::Output;
+use crate::shard::Shard;
 use crate::verbs::limits::positive;
 
 /// Options of the model `bounds`.
@@ -39,9 +42,14 @@ pub(super) struct BoundsArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     threads: Option<u32>,
 
-    /// Bounds: only each N-th case, starting with the I-th; `table merge` unites the files of all shards
+    /// Bounds: only each N-th case, starting with the I-th; all shards may fill one --store, or `table merge` unites their files
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
+
+    /// Bounds: folder where each solved case is a file of its own, for any number of runs and machines at a time; what is there
+    /// is not solved again
+    #[arg(long, value_name = "DIR")]
+    store: Option<PathBuf>,
 
     /// Bounds: folder for the fields that prove each case, for `soilctl certify`
     #[arg(long, value_name = "DIR")]
@@ -60,6 +68,7 @@ impl BoundsArgs {
             (self.max_elements.is_some(), "--max-elements"),
             (self.threads.is_some(), "--threads"),
             (self.shard.is_some(), "--shard"),
+            (self.store.is_some(), "--store"),
             (self.save.is_some(), "--save"),
             (self.dry_run, "--dry-run"),
         ]
@@ -78,23 +87,54 @@ impl BoundsArgs {
     }
 }
 
+/// Where solved cases are kept until all are done.
+enum Kept<'a> {
+    Journal(Journal),
+    Store(&'a Store),
+}
+
+impl Kept<'_> {
+    fn add(&mut self, entry: &Entry) -> Result<(), CliError> {
+        match self {
+            Self::Journal(journal) => journal.add(entry),
+            Self::Store(store) => store.publish(entry),
+        }
+    }
+}
+
+/// `out` may be missing with a store: then the store is what is made.
 pub(super) fn build(
     args: &BoundsArgs,
     axes: [Vec<f64>; 3],
-    out: &Path,
+    out: Option<&Path>,
     output: &Output,
 ) -> Result<TableAnswer, CliError> {
-    Kind::of_brackets(out)?;
+    out.map(Kind::of_brackets).transpose()?;
     let header = Header::new(args.rules(), axes, args.shard.map(|shard| shard.to_string()));
     let cases = cases::cases(&header.axes, args.shard);
-    let known = known(out, &header)?;
+    let store = args.store.as_deref().map(|folder| Store::new(folder, &header));
+    let mut known = out.map_or_else(|| Ok(Vec::new()), |out| known(out, &header))?;
+    if let Some(store) = &store {
+        let left = todo(&cases, &known, None);
+        known.extend(store.known(&left)?);
+    }
     let todo = todo(&cases, &known, args.save.as_deref());
     let cost = Cost::new(header.rules, &known);
     if args.dry_run {
         let plan = Plan::new(cases.len(), &todo, &cost, args.threads());
         return Ok(TableAnswer::Plan(plan));
     }
-    let (entries, finished) = run(args, &header, known, &todo, &cost, out, output)?;
+    let kept = match (&store, out) {
+        (Some(store), _) => Kept::Store(store),
+        (None, Some(out)) => Kept::Journal(Journal::open(out, &header, &known)?),
+        (None, None) => {
+            return Err(CliError::Usage(
+                "--out is missing: name the file for the table, or with --store a folder for its cases"
+                    .into(),
+            ));
+        }
+    };
+    let (entries, finished) = run(args, &header, known, &todo, &cost, kept, output)?;
     let mut empty = Vec::new();
     let mut rows: Vec<BracketRow> = Vec::new();
     for entry in entries {
@@ -105,7 +145,7 @@ pub(super) fn build(
     }
     empty.sort_by_key(|(node, _)| key(*node));
     let table = BracketTable::new(NAME, header.rules, rows)?;
-    if finished {
+    if let Some(out) = out.filter(|_| finished) {
         if !table.rows().is_empty() {
             write_brackets(&table, SOURCE, out)?;
         }
@@ -115,7 +155,9 @@ pub(super) fn build(
             return Err(CliError::Usage(format!("no node of the table could be filled: {reason}")));
         }
     }
-    Ok(TableAnswer::BuildBounds(BuiltBounds::new(&table, empty, cases.len(), finished, out)))
+    let waiting = || args.store.clone().or_else(|| out.map(journal::journal_path)).unwrap_or_default();
+    let file = out.filter(|_| finished).map_or_else(waiting, Path::to_owned);
+    Ok(TableAnswer::BuildBounds(BuiltBounds::new(&table, empty, cases.len(), finished, &file)))
 }
 
 /// What is known from the journal, or else from the table itself if it is there already.
@@ -155,15 +197,14 @@ fn run(
     mut entries: Vec<Entry>,
     todo: &[Node],
     cost: &Cost,
-    out: &Path,
+    mut kept: Kept<'_>,
     output: &Output,
 ) -> Result<(Vec<Entry>, bool), CliError> {
     if let Some(folder) = &args.save {
         std::fs::create_dir_all(folder)
             .map_err(|problem| CliError::File { path: folder.display().to_string(), problem })?;
     }
-    let mut journal = Journal::open(out, header, &entries)?;
-    // The journal keeps what is done.
+    // What is done is kept.
     let stop = output.interrupt();
     let mut watch = cost.watch(todo, args.threads());
     let progress = output.spinner("first cases");
@@ -171,7 +212,7 @@ fn run(
     let solver = Solver { rules: header.rules, save: args.save.as_deref(), stop };
     let before = entries.len();
     solver.solve(todo, args.threads(), |entry| {
-        journal.add(&entry)?;
+        kept.add(&entry)?;
         watch.done(&entry);
         counted.add(1);
         progress.set_message(watch.words());
