@@ -149,7 +149,8 @@ fn saved(
 ///     max_elements: Most elements of a mesh.
 ///     max_memory_mb: Memory that may be used: a mesh whose programs may need more is not made.
 ///     threads: The bounds are the same for any number.
-///     progress: Called after each level with an object that has ``elements`` and ``gap``. If it raises, the run ends.
+///     progress: Called after each level with an object that has ``elements`` and ``gap``; if it raises, the run
+///         ends. Or True for a bar of tqdm.
 ///
 /// Raises:
 ///     InputError: If a number is out of its range.

@@ -74,7 +74,7 @@ def numbers(value):
 def test_arguments(function, words):
     try:
         answer = function(**words)
-    except (soilctl.SoilctlError, TypeError) as problem:
+    except (soilctl.SoilctlError, TypeError, OverflowError) as problem:
         assert str(problem) and "panick" not in str(problem)
     else:
         assert all(np.isfinite(number).all() for number in numbers(answer.to_dict()))

@@ -197,10 +197,10 @@ if __name__ == "__main__":
 
 
 def test_the_command_line_fills_the_same_kind_of_store(tmp_path):
-    grid = ["--alpha", "90:90:5", "--phi", "25:30:5", "--delta", "0:0:5", "--max-elements", 700, "--max-gap", 0.2]
+    grid = ["--alpha", "85:90:5", "--phi", "25:30:5", "--delta", "0:30:30", "--max-elements", 700, "--max-gap", 0.2]
     for shard in ("1/2", "2/2"):
         soilctl.answer("table", "build", *grid, "--store", tmp_path, "--shard", shard)
-    assert len(files(tmp_path)) == 2
+    assert len(files(tmp_path)) == 6
     store, version = soilctl.Store(tmp_path), f"{soilctl.__version__} --max-gap 0.2 --max-elements 700"
     cell = {"alpha_deg": 90.0, "phi_deg": 30.0, "delta_deg": 0.0}
     found = store.read(store.key("soilctl table build", version, cell))["solved"]

@@ -30,6 +30,8 @@ class Answer(dict[str, Any]):
 
 
 def _shown(value: object) -> str:
+    if isinstance(value, list) and value and all(isinstance(part, str) for part in value):
+        return "<br>".join(map(_shown, value))
     if isinstance(value, str) and value.endswith(".html"):
         return f'<a href="{escape(value)}">{escape(value)}</a>'
     text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
