@@ -38,6 +38,10 @@ def test_answer_files_and_truth(demo, validate):
         assert (stroke["stroke_id"] is None) == (stroke["why_none"] is not None)
         if stroke["error"] is not None:
             assert stroke["error"] == pytest.approx(stroke["force_n"] / stroke["limit_force_n"] - 1)
+    # Whatever was found is one of those that were asked for, in each of the preparations.
+    with_force = [stroke for stroke in answer["each"] if stroke["force_n"] is not None]
+    assert len(with_force) == count["with_force"] == answer["forces"]["compared"]
+    assert {stroke["batch"] for stroke in with_force} == {1, 2}
     errors = sorted(abs(s["error"]) for s in answer["each"] if s["error"] is not None)
     if errors:
         middle = (errors[(len(errors) - 1) // 2] + errors[len(errors) // 2]) / 2

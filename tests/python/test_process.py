@@ -350,6 +350,9 @@ def test_shards_are_united_by_the_same_command(soilctl, tmp_path, many_logs):
     assert 35 <= json.loads(done.stdout)["reused"] < 60, "what the killed one had read counts, too"
     assert results(shared) == results(whole)
     assert sorted(p.name for p in shared.iterdir()) == sorted(p.name for p in whole.iterdir())
+    # More shards than logs, as an array job may have.
+    idle = subprocess.run([*many_logs(soilctl, tmp_path / "idle"), "--shard", "61/61"], check=True, capture_output=True)
+    assert json.loads(idle.stdout)["strokes"] == []
     for words, mentions in (
         (["--shard", "3/2", "--out", shared / "strokes.csv"], ["--shard", "I/N"]),
         (["--shard", "1/2"], ["--out"]),

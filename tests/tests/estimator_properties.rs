@@ -250,11 +250,12 @@ fn the_next_stroke_is_a_flat_one() {
         depth_error_m: 0.0005,
         force_limit_n: None,
     };
-    let ranked = next_strokes(&setup, &now, &menu).unwrap();
+    let ranked = next_strokes(&setup, &now, &menu, &ChenLiu).unwrap();
     assert_eq!(ranked[0].alpha_deg, 40.0);
     assert!(ranked.iter().all(|c| c.area_left <= 1.0 + 1e-3));
     assert!(ranked[0].density_width_kg_m3 < 0.8 * ranked.last().unwrap().density_width_kg_m3);
-    let limited = next_strokes(&setup, &now, &StrokeMenu { force_limit_n: Some(2.0), ..menu }).unwrap();
+    let limited =
+        next_strokes(&setup, &now, &StrokeMenu { force_limit_n: Some(2.0), ..menu }, &ChenLiu).unwrap();
     assert!(limited.iter().all(|c| c.force_n <= 2.0));
 }
 

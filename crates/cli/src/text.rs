@@ -7,6 +7,18 @@ pub(crate) fn number(value: f64) -> String {
     if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
+/// A value with its standard deviation: both to the second digit of this. The unit `1` is left out.
+pub(crate) fn measured(value: f64, sd: f64, unit: &str) -> String {
+    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+    let places = 1 - sd.log10().floor() as i32;
+    if !(sd > 0.0 && (-8..=8).contains(&places)) {
+        return format!("{} ± {}{unit}", number(value), number(sd));
+    }
+    let (step, decimals) = (10.0_f64.powi(-places), places.max(0) as usize);
+    let rounded = |x: f64| format!("{:.decimals$}", (x / step).round() * step);
+    format!("{} ± {}{unit}", rounded(value), rounded(sd))
+}
+
 /// Four significant digits that are not above the number: a lower bound still holds.
 pub(crate) fn rounded_down(value: f64) -> String {
     towards(value, -1.0)
@@ -89,6 +101,21 @@ mod tests {
             (9.999_999, "10"),
         ] {
             assert_eq!(number(value), text);
+        }
+    }
+
+    #[test]
+    fn values_have_the_digits_that_their_deviation_allows() {
+        for (value, sd, unit, text) in [
+            (0.146_529, 0.033_081, "1", "0.147 ± 0.033"),
+            (-4.2, 1.26, "deg", "-4.2 ± 1.3 deg"),
+            (1603.7, 48.2, "Pa", "1604 ± 48 Pa"),
+            (16_037.0, 4_820.0, "Pa", "16000 ± 4800 Pa"),
+            (5.5e-4, 7.1e-5, "m/N", "0.000550 ± 0.000071 m/N"),
+            (2.0, 0.0, "1", "2 ± 0"),
+            (2.0, f64::NAN, "1", "2 ± NaN"),
+        ] {
+            assert_eq!(measured(value, sd, unit), text);
         }
     }
 

@@ -4,7 +4,7 @@
 //! uncertainty that such a stroke would have, and added as a measurement. What is left of the region, averaged
 //! over those soils, ranks the candidate. (Hong 2001, figure 7-13, found 40 deg by hand.)
 
-use soilctl_earth_pressure::{Case, ChenLiu};
+use soilctl_earth_pressure::{Case, ForceModel};
 use soilctl_soil::{Angle, Plate};
 
 use crate::estimate::{Estimate, estimate, region_only};
@@ -42,18 +42,20 @@ pub struct Candidate {
     pub density_width_kg_m3: f64,
     /// Largest force expected in N.
     pub force_n: f64,
-    /// Model used for prediction and region; `chen` where the setup's model does not cover the tool angle.
+    /// Model used for prediction and region: the setup's, or the closed form where that does not cover the tool angle.
     pub model: &'static str,
 }
 
-/// Candidates, the best first.
+/// Candidates, the best first. Tool angles that the setup's model does not cover are judged by `closed_form`, such as
+/// [`soilctl_earth_pressure::ChenLiu`].
 ///
 /// # Errors
 /// As [`estimate`]; [`EstimatorError::TooLittle`] if nothing is consistent, or the menu is empty.
-pub fn next_strokes(
-    setup: &Setup<'_>,
+pub fn next_strokes<'m>(
+    setup: &Setup<'m>,
     now: &Estimate,
     menu: &StrokeMenu,
+    closed_form: &'m dyn ForceModel,
 ) -> Result<Vec<Candidate>, EstimatorError> {
     if !now.is_consistent() {
         return Err(EstimatorError::TooLittle {
@@ -69,7 +71,7 @@ pub fn next_strokes(
     };
     // One model for old and new measurements alike, so that the two do not disagree by model form.
     let closed_form = if menu.tool_angles_deg.iter().any(|&alpha| outside(alpha)) {
-        let setup = Setup { model: &ChenLiu, ..setup.clone() };
+        let setup = Setup { model: closed_form, ..setup.clone() };
         let before = estimate(&setup)?;
         before.is_consistent().then_some(Stage { setup, before })
     } else {

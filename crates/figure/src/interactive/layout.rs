@@ -67,6 +67,10 @@ fn axis(axis: &Axis, (low, high): (f64, f64)) -> Value {
             ratio if ratio < 300.0 => json!("D2"),
             _ => json!(decade_step(low, high)),
         };
+        if high / low < 300.0 {
+            // Between decades plotly.js writes bare digits unless it is given a form.
+            json["tickformat"] = json!("~g");
+        }
     }
     json
 }

@@ -3,7 +3,9 @@
   if (typeof Plotly === "undefined") return;
   const recolor = (key, value) => soilctlPage.color(value);
   const below = { orientation: "h", x: 0.5, xanchor: "center", y: 0, yref: "container", yanchor: "bottom" };
-  const config = { responsive: true, displaylogo: false, displayModeBar: true };
+  // Pictures are saved by the links below; selecting points does nothing here.
+  const needless = ["toImage", "lasso2d", "select2d"];
+  const config = { responsive: true, displaylogo: false, displayModeBar: true, modeBarButtonsToRemove: needless };
   const figures = [...document.querySelectorAll("figure.plotted")].map((figure) => ({
     frame: figure,
     plot: figure.querySelector(".plot"),
@@ -16,7 +18,7 @@
     if (figure.frame.clientWidth < 600) layout.legend = below;
     // A finger must be able to scroll the page; the buttons still zoom.
     if (matchMedia("(pointer: coarse)").matches) layout.dragmode = false;
-    return [data, layout, { ...config, toImageButtonOptions: { filename: figure.frame.id, scale: 2 } }];
+    return [data, layout, config];
   };
   for (const figure of figures) {
     figure.frame.classList.add("live");

@@ -76,13 +76,15 @@ impl Table {
 
     pub(crate) fn to_html(&self) -> String {
         let caption = escape::html(&self.caption);
-        // Wide tables scroll inside their frame, which the keyboard can reach.
-        let mut out = format!(
-            "<div class=\"table\" role=\"region\" aria-label=\"{caption}\" tabindex=\"0\">\n<table>\n"
-        );
+        let mut out = String::new();
+        // Above the frame, or it would be as wide as the table and scroll with it.
         if !self.caption.is_empty() {
-            out += &format!("<caption>{caption}</caption>\n");
+            out += &format!("<p class=\"table-title\">{caption}</p>\n");
         }
+        // Wide tables scroll inside their frame, which the keyboard can reach.
+        out += &format!(
+            "<div class=\"table\" role=\"region\" aria-label=\"{caption}\" tabindex=\"0\">\n<table aria-label=\"{caption}\">\n"
+        );
         out += "<thead><tr>";
         for (name, align) in &self.columns {
             out += &format!("<th scope=\"col\" class=\"{}\">{}</th>", align.class(), escape::html(name));

@@ -6,7 +6,7 @@ use soilctl_process::table::StrokeRecord;
 use super::answer::{EachStroke, Forces};
 use crate::verbs::process::Skipped;
 
-/// Times on a log's clock that differ by less, in s, are of one stroke.
+/// By how much times on a log's clock, in s, may miss a stroke that they are of.
 const SAME_S: f64 = 0.5;
 
 /// What a log gave.
@@ -71,8 +71,9 @@ fn fill(stroke: &mut EachStroke, index: usize, batch: &Batch<'_>) {
         stroke.true_depth_m = Some(failure.depth_m);
         stroke.true_at_s = Some(failure.time_s);
     }
-    let near = |time_s: f64| (time_s - truth.start_s).abs() < SAME_S;
-    let Some(found) = batch.strokes.iter().find(|found| found.time_s.is_some_and(near)) else {
+    // The time of the failure, for that of the stroke is on the campaign's clock.
+    let during = |time_s: f64| time_s > truth.start_s - SAME_S && time_s < truth.end_s + SAME_S;
+    let Some(found) = batch.strokes.iter().find(|found| found.failure_time_s.is_some_and(during)) else {
         let skipped = skipped(truth, batch.skipped);
         let reason = skipped.map_or("no stroke was found in the log", |skip| &skip.reason);
         stroke.why_none = Some(reason.to_owned());

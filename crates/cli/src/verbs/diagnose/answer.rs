@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_diagnosis::{Phase, Testable};
+use soilctl_effects::effect;
 
 use super::Work;
 use super::files::{Written, parameters, status};
 use crate::output::Answer;
-use crate::text::{columns, number};
+use crate::text::{columns, measured, number};
 
 /// Most disagreements in the answer in words.
 const MOST_PLACES: usize = 8;
@@ -77,6 +78,13 @@ pub(crate) struct ParameterAnswer {
     pub(super) sd: f64,
     /// Unit, `1` for a number without.
     pub(super) unit: String,
+}
+
+impl ParameterAnswer {
+    /// With as many digits as it is known to.
+    pub(super) fn text(&self) -> String {
+        measured(self.value, self.sd, &self.unit)
+    }
 }
 
 /// Root mean squares of ln force; chi-square and log density are of batches that were left out.
@@ -246,10 +254,11 @@ impl DiagnosisAnswer {
                 )
             }
             "none" => "nothing is missing that these strokes could show".into(),
-            "named" => format!(
-                "missing: {}",
-                self.effects.iter().map(|e| e.id.as_str()).collect::<Vec<_>>().join(" and ")
-            ),
+            "named" => {
+                let told =
+                    |e: &EffectAnswer| format!("{} ({})", e.id, effect(&e.id).map_or("", |e| e.title()));
+                format!("missing: {}", self.effects.iter().map(told).collect::<Vec<_>>().join(" and "))
+            }
             "ambiguous" => format!("something is missing; these explain it about equally well: {names}"),
             "provisional" => {
                 format!("something is missing, and a shape without a name explains it as well: {names}")
@@ -285,11 +294,8 @@ impl Answer for DiagnosisAnswer {
     fn text(&self) -> String {
         let mut text = format!("{}: {}\n", self.status, self.sentence());
         for effect in &self.effects {
-            let parameters: Vec<String> = effect
-                .parameters
-                .iter()
-                .map(|(name, p)| format!("{name} {} ± {}", number(p.value), number(p.sd)))
-                .collect();
+            let parameters: Vec<String> =
+                effect.parameters.iter().map(|(name, p)| format!("{name} {}", p.text())).collect();
             text += &format!(
                 "  {} (ln Bayes factor {:.1}): {}\n",
                 effect.id,

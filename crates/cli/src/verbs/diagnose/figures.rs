@@ -47,8 +47,9 @@ pub(super) fn residuals(work: &Work, covariate: &str) -> Result<Option<Figure>, 
     if before.is_empty() {
         return Ok(None);
     }
-    let mut figure =
-        Figure::new("Measured over predicted force", Axis::linear(*label), Axis::linear("Difference (%)"));
+    let (name, _) = label.split_once(" (").unwrap_or((label, ""));
+    let title = format!("Measured over predicted force, by {}", name.to_lowercase());
+    let mut figure = Figure::new(title, Axis::linear(*label), Axis::linear("Difference (%)"));
     figure.push(RefLine::horizontal("", 0.0))?;
     figure.push(Points::new("without effects", before))?;
     if !work.diagnosis.effects.is_empty() {

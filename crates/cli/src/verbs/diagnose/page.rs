@@ -101,11 +101,8 @@ fn what(page: &mut HtmlReport, answer: &DiagnosisAnswer) -> Result<(), CliError>
     ];
     let mut table = Table::new("Effects of the best explanation", columns);
     for found in &answer.effects {
-        let parameters: Vec<String> = found
-            .parameters
-            .iter()
-            .map(|(name, p)| format!("{name} {} ± {} {}", number(p.value), number(p.sd), p.unit))
-            .collect();
+        let parameters: Vec<String> =
+            found.parameters.iter().map(|(name, p)| format!("{name} {}", p.text())).collect();
         let title = effect(&found.id).map_or("", |e| e.title());
         table.row([
             found.id.clone(),

@@ -1,6 +1,6 @@
 //! The estimate itself: everything that both the answer and the report are made of.
 
-use soilctl_earth_pressure::{ForceModel, model};
+use soilctl_earth_pressure::{ChenLiu, ForceModel, model};
 use soilctl_estimator::{
     Conflict, Estimate, Optimiser, Projections, Region, Setup, StrokeMenu, agreement_factor, best_fit,
     conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
@@ -48,7 +48,7 @@ pub(crate) fn run(args: &EstimateArgs, exact_data: bool) -> Result<Work, CliErro
     let disagreement = if consistent || exact_data { None } else { Some(disagreement(&setup)?) };
     let next = if args.next_strokes && consistent {
         Some(
-            next_strokes(&setup, &estimate, &menu(args, &inputs, &setup))?
+            next_strokes(&setup, &estimate, &menu(args, &inputs, &setup), &ChenLiu)?
                 .iter()
                 .map(NextStroke::from)
                 .collect(),

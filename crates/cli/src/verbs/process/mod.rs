@@ -229,7 +229,8 @@ pub(crate) fn process(args: &Args, output: &Output) -> Result<(ProcessAnswer, Ou
     }
     let outcome = match () {
         () if done.is_partial() => Outcome::Partial,
-        () if answer.strokes.is_empty() => Outcome::Negative,
+        // A share without a stroke says nothing of the whole.
+        () if answer.strokes.is_empty() && inputs.shard.is_none() => Outcome::Negative,
         () => Outcome::Done,
     };
     Ok((answer, outcome))

@@ -32,7 +32,7 @@ impl Done {
     }
 
     pub(super) fn all_failed(&self) -> bool {
-        !self.stopped && self.entries.values().all(|entry| entry.error.is_some())
+        !self.stopped && !self.entries.is_empty() && self.entries.values().all(|entry| entry.error.is_some())
     }
 
     pub(super) fn is_partial(&self) -> bool {
