@@ -1,5 +1,7 @@
 """Reference pages, made from what is installed, so that they cannot drift."""
 
+import dataclasses
+import importlib
 import inspect
 import json
 import os
@@ -16,6 +18,8 @@ COMMAND = Path(sys.executable).with_name("soilctl")
 ROOT = Path(__file__).resolve().parents[1]
 PLATE = ["--alpha", "80", "--phi", "40", "--delta", "25"]
 STROKES = ["estimate", "data/soils/ticino_rained/strokes.csv", "--delta", "23"]
+#: Modules that are imported on their own, since they need other packages.
+PARTS = ["gym", "mesh", "plot", "xarray"]
 FIGURES = {
     "surfaces": ["predict", *PLATE],
     "velocity": ["bound", "--alpha", "80", "--phi", "35", "--delta", "20", "--max-gap", "0.05"],
@@ -63,23 +67,39 @@ def _described(thing):
     return f"<pre>{escape(inspect.getdoc(thing) or '', quote=False)}</pre>\n"
 
 
+def _entry(name, thing, mark):
+    """A public name under a heading, a class with its members."""
+    if inspect.isclass(thing):
+        parts = [f"{mark} {name}\n\n{_described(thing)}"]
+        # How it is made, if it is not only returned.
+        made = _signature(name, thing)
+        if not (issubclass(thing, BaseException) or dataclasses.is_dataclass(thing) or made.endswith("()")):
+            parts = [f"{mark} {name}\n\n**`{made}`**\n\n{_described(thing)}"]
+        for member in (m for m in vars(thing) if not m.startswith("_") or m == "__geo_interface__"):
+            value = getattr(thing, member)
+            if thing.__module__.startswith("soilctl") and inspect.getdoc(value):
+                # Plain values have the documentation of their type.
+                if not (callable(value) or inspect.isdatadescriptor(value)):
+                    continue
+                head = _signature(member, value) if callable(value) else member
+                parts.append(f"**`{name}.{head}`**\n\n{_described(value)}")
+        return parts
+    if callable(thing):
+        return [f"{mark} {name}\n\n**`{_signature(name, thing)}`**\n\n{_described(thing)}"]
+    return [f"{mark} {name}\n\n`{thing!r}`\n"]
+
+
 def python():
     """Everything public, as `help()` tells it."""
     parts = ["# Python\n", "What `help()` says of everything in the package; [the guide](../python.md) shows how it goes together.\n"]
     names = [name for name in soilctl.__all__ if not name.startswith("__")]
     for name in sorted(names, key=str.lower):
-        thing = getattr(soilctl, name)
-        if inspect.isclass(thing):
-            parts.append(f"## {name}\n\n{_described(thing)}")
-            for member in (m for m in vars(thing) if not m.startswith("_") or m == "__geo_interface__"):
-                value = getattr(thing, member)
-                if thing.__module__.startswith("soilctl") and inspect.getdoc(value):
-                    head = _signature(member, value) if callable(value) else member
-                    parts.append(f"**`{name}.{head}`**\n\n{_described(value)}")
-        elif callable(thing):
-            parts.append(f"## {name}\n\n**`{_signature(name, thing)}`**\n\n{_described(thing)}")
-        else:
-            parts.append(f"## {name}\n\n`{thing!r}`\n")
+        parts += _entry(name, getattr(soilctl, name), "##")
+    for part in PARTS:
+        module = importlib.import_module(f"soilctl.{part}")
+        parts.append(f"## soilctl.{part}\n\n{_described(module)}")
+        for name in sorted(module.__all__, key=str.lower):
+            parts += _entry(f"{part}.{name}", getattr(module, name), "###")
     return "\n".join(parts)
 
 

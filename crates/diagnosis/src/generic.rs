@@ -50,6 +50,11 @@ pub(crate) fn covariates(data: &Data) -> Vec<Covariate> {
     found
 }
 
+/// Whether a recorded condition is not always the same.
+pub(crate) fn varies(data: &Data, name: &str) -> bool {
+    covariates(data).iter().any(|covariate| covariate.name == name)
+}
+
 fn covariate(name: &'static str, cells: Vec<Option<f64>>) -> Option<Covariate> {
     let known: Vec<f64> = cells.iter().flatten().copied().collect();
     let mean = known.iter().sum::<f64>() / known.len().max(1) as f64;
@@ -94,6 +99,10 @@ pub(crate) fn shapes(data: &Data) -> Vec<Generic> {
         let square: Vec<f64> = linear.iter().map(|x| x * x).collect();
         let name = c.name.to_owned();
         shapes.push(Generic { covariate: name.clone(), columns: vec![linear.clone()] });
+        if c.name == "order" {
+            shapes
+                .extend(of_order(c).map(|column| Generic { covariate: name.clone(), columns: vec![column] }));
+        }
         let few =
             c.levels.as_ref().map_or(usize::MAX, |levels| levels.iter().max().map_or(1, |last| last + 1));
         if few > 2 {
@@ -150,6 +159,44 @@ fn steps(c: &Covariate) -> impl Iterator<Item = Vec<Vec<f64>>> {
         let step: Vec<f64> = values.iter().map(|x| f64::from(u8::from(*x >= cut))).collect();
         Some(vec![standard(&step)?])
     })
+}
+
+/// The first strokes of a preparation unlike the later ones, and every other stroke unlike the ones between.
+fn of_order(c: &Covariate) -> impl Iterator<Item = Vec<f64>> {
+    let first = c.values.iter().copied().fold(f64::INFINITY, f64::min);
+    let fading = move |x: &f64| (-(x - first) / 1.5).exp();
+    let alternating = |x: &f64| (std::f64::consts::PI * x).cos();
+    let over = |shape: &dyn Fn(&f64) -> f64| standard(&c.values.iter().map(shape).collect::<Vec<_>>());
+    [over(&fading), over(&alternating)].into_iter().flatten()
+}
+
+/// What an effect that goes steadily with a condition may be mistaken for: other shapes over that condition and those next to it.
+/// None for other effects.
+pub(crate) fn rivals(data: &Data, id: &str) -> Vec<Generic> {
+    let over: &[&str] = match id {
+        "preparation_drift" | "force_drift" | "moisture_drying" => &["time_s", "batch"],
+        "adjacent_stroke" => &["gap_prior_m", "order"],
+        _ => return Vec::new(),
+    };
+    let mut found = Vec::new();
+    for c in covariates(data).iter().filter(|c| over.contains(&c.name)) {
+        let columns = if c.name == "order" { of_order(c).collect() } else { fine_steps(c) };
+        found.extend(
+            columns.into_iter().map(|column| Generic { covariate: c.name.into(), columns: vec![column] }),
+        );
+    }
+    found
+}
+
+/// Steps at up to fifteen places.
+fn fine_steps(c: &Covariate) -> Vec<Vec<f64>> {
+    let mut sorted = c.values.clone();
+    sorted.sort_by(f64::total_cmp);
+    let mut cuts: Vec<f64> = (1..16).map(|k| sorted[k * sorted.len() / 16]).collect();
+    cuts.dedup();
+    let step =
+        |cut: &f64| standard(&c.values.iter().map(|x| f64::from(u8::from(x >= cut))).collect::<Vec<_>>());
+    cuts.iter().filter_map(step).collect()
 }
 
 /// One and two waves over the range.

@@ -6,7 +6,7 @@ use soilctl_effects::{Channel, Effect, catalogue};
 
 use crate::DiagnosisError;
 use crate::fit::{Fit, everything, fit};
-use crate::generic::{Generic, shapes};
+use crate::generic::{Generic, rivals, shapes};
 use crate::setup::Setup;
 use crate::spec::{Choice, Spec};
 
@@ -242,6 +242,45 @@ impl<'a> Search<'a> {
                 None => next.push(found),
             }
         }
+    }
+
+    /// Whether a column that an effect of the set would shift is there and does not show it.
+    pub(crate) fn is_denied_by_a_reading(&self, spec: &Spec) -> bool {
+        let read = |channel: &Channel| self.setup.data.channels.contains_key(channel);
+        spec.choices.iter().any(|choice| !choice.linked && choice.effect.linked().iter().any(read))
+    }
+
+    /// ln Bayes factor of a set that may also shift all forces by a constant.
+    pub(crate) fn at_any_level(&self, of: &Scored) -> f64 {
+        let level = vec![1.0; self.setup.data.len()];
+        let spec = Spec { generic: vec![level], ..of.spec.clone() };
+        self.evaluate(&spec).map_or(f64::NEG_INFINITY, |(_, gain)| gain)
+    }
+
+    /// The shape over the condition of one of a set's effects that explains more in its place, averaged over such shapes; with its
+    /// ln Bayes factor.
+    pub(crate) fn shape_instead(&self, of: &Scored) -> Option<(String, f64)> {
+        let choices = &of.spec.choices;
+        let paid = of.log_bayes - of.gain;
+        let mut best: Option<(String, f64)> = None;
+        for (k, out) in choices.iter().enumerate() {
+            let mut spec = of.spec.clone();
+            spec.choices.remove(k);
+            let found: Vec<(String, f64)> = rivals(self.setup.data, out.effect.id())
+                .into_iter()
+                .filter_map(|shape| {
+                    spec.generic = shape.columns;
+                    self.evaluate(&spec).map(|(_, gain)| (shape.covariate, gain + paid))
+                })
+                .collect();
+            let Some((covariate, most)) = found.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
+            let mean = found.iter().map(|(_, gain)| (gain - most).exp()).sum::<f64>() / found.len() as f64;
+            let averaged = most + mean.ln();
+            if averaged > best.as_ref().map_or(of.log_bayes, |(_, known)| *known) {
+                best = Some((covariate.clone(), averaged));
+            }
+        }
+        best
     }
 
     /// Shapes without a name, added to a set of effects, best first.

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::generic::varies;
 use crate::search::{Scored, ScoredShape, Search, THRESHOLD};
 
 /// What a diagnosis ends with.
@@ -22,8 +23,15 @@ pub enum Status {
     NotTestable,
 }
 
-/// Effects within this ln Bayes factor of the best are not told apart.
+/// Effects within this ln Bayes factor of the best are not told apart. Nor are they within this part of it more, for formulas are not
+/// nature's, unless a reading denies them.
 const TOLD_APART: f64 = 2.0;
+const TOLD_APART_SHARE: f64 = 0.05;
+/// Effects that only a condition that must vary tells apart, whatever their formulas make of the same strokes.
+const TWINS: [(&str, &str, &str); 1] = [("density_gradient", "side_effects_3d", "width_m")];
+/// Part of the best set's ln Bayes factor that one with the twin in its place must have to be as likely, if both may shift all forces
+/// alike: where a formula is 1 is a convention.
+const TWIN_SHARE: f64 = 0.6;
 /// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead.
 const UNKNOWN_MARGIN: f64 = 3.0;
 /// ln Bayes factor by which such a shape may trail and still leave doubt.
@@ -73,7 +81,13 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     };
     let of_size = &sizes[best.spec.choices.len() - 1];
     let mut equivalents: Vec<String> = Vec::new();
-    for scored in of_size.iter().filter(|scored| scored.log_bayes > best.log_bayes - TOLD_APART) {
+    let as_likely = |scored: &&Scored| {
+        let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { TOLD_APART_SHARE };
+        scored.log_bayes > (1.0 - form) * best.log_bayes - TOLD_APART
+            || (twins(search, best, scored)
+                && search.at_any_level(scored) > TWIN_SHARE * search.at_any_level(best))
+    };
+    for scored in of_size.iter().filter(as_likely) {
         for id in scored.ids() {
             if !equivalents.iter().any(|known| known == id) {
                 equivalents.push(id.into());
@@ -84,9 +98,13 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let on_force = best.spec.on_force();
     let more = if on_force { search.shapes_on(Some(best)).into_iter().next() } else { None };
     let left_over = more.filter(|more| more.log_bayes - toll > LEFT_OVER + LEFT_OVER_SHARE * best.log_bayes);
+    let instead = if on_force { search.shape_instead(best) } else { None };
     let status = if lead > UNKNOWN_MARGIN + LEFT_OVER_SHARE * best.log_bayes && on_force {
         Status::Unknown
-    } else if (lead > DOUBT + 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force) || left_over.is_some() {
+    } else if (lead > DOUBT + 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force)
+        || left_over.is_some()
+        || instead.is_some()
+    {
         Status::Provisional
     } else if equivalents.len() > best.spec.choices.len() {
         Status::Ambiguous
@@ -98,16 +116,30 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
         Status::Provisional => left_over.or(shape),
         _ => None,
     };
-    if let Some(shape) = &shape {
-        let name = format!("unknown:{}", shape.covariate);
+    let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
+    let shape = if status == Status::Provisional { instead.or(shape) } else { shape };
+    if let Some((covariate, _)) = &shape {
+        let name = format!("unknown:{covariate}");
         if status == Status::Unknown {
             equivalents.insert(0, name);
         } else {
             equivalents.push(name);
         }
     }
-    let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
     Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
+}
+
+/// Whether two sets differ by twins only, and the condition that would tell these apart is always the same.
+fn twins(search: &Search<'_>, one: &Scored, other: &Scored) -> bool {
+    let (of_one, of_other) = (one.ids(), other.ids());
+    let left = |ids: &[&'static str], others: &[&str]| -> Vec<&'static str> {
+        ids.iter().copied().filter(|id| !others.contains(id)).collect()
+    };
+    let pair = (left(&of_one, &of_other), left(&of_other, &of_one));
+    let ([a], [b]) = (pair.0.as_slice(), pair.1.as_slice()) else { return false };
+    TWINS.iter().any(|(x, y, condition)| {
+        ((a, b) == (x, y) || (a, b) == (y, x)) && !varies(search.setup.data, condition)
+    })
 }
 
 /// What each effect of a set earns over the best set without it.

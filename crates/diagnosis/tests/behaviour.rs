@@ -108,7 +108,7 @@ fn a_follow_up_asks_for_the_reading_that_settles_it() {
     let rows = hidden.followed_by(&next.rows, 1).unwrap().unwrap();
     assert!(rows[..48].iter().all(|row| row.heap_height_m.is_none()));
     let settled = diagnosed(&hidden, rows);
-    assert_eq!(settled.status, Status::Named);
+    assert_eq!(settled.status, Status::Named, "{:?} {:?}", settled.equivalence_set, settled.alone);
     assert_eq!(settled.equivalence_set, ["cohesion"]);
 }
 
@@ -217,4 +217,45 @@ fn what_is_outside_the_catalogue_is_unknown_and_followed_along_its_covariate() {
         }
     }
     assert!(unknown >= 3, "{unknown}");
+}
+
+/// A sensor that was knocked between two strokes reads otherwise from then on: that is no steady drift of the preparations. And what the
+/// first strokes of each preparation bear more is not what earlier strokes nearby have done.
+#[test]
+fn steps_and_first_strokes_are_no_steady_effects() {
+    let test = SelfTest::new("chen", SEED).unwrap();
+    for number in 0..6 {
+        let case = Case { kind: Kind::Null, number, ids: Vec::new(), design: Design::default() };
+        let hidden = test.campaign(&case).unwrap().unwrap();
+        let mut knocked = hidden.rows.clone();
+        let from = 15 + 3 * number as usize;
+        knocked[from..].iter_mut().for_each(|row| row.force_n *= 1.25);
+        let mut fresh = hidden.rows.clone();
+        for row in &mut fresh {
+            row.force_n *= if row.order.is_some_and(|order| order <= 2) { 1.25 } else { 1.0 };
+        }
+        for (what, rows) in [("knocked", knocked), ("fresh", fresh)] {
+            let found = diagnosed(&hidden, rows);
+            assert_ne!(found.status, Status::Named, "{what} {number}: {:?}", found.effects);
+        }
+    }
+}
+
+/// Denser soil below and end effects both raise the force over depth squared, and only a second width tells which it is.
+#[test]
+fn one_width_does_not_tell_a_density_gradient_from_end_effects() {
+    for (id, number) in [("density_gradient", 3), ("side_effects_3d", 4)] {
+        let one_width = Design { widths_m: vec![0.127], ..Design::default() };
+        let hidden = campaign(&[id], number, one_width);
+        let found = diagnosed(&hidden, hidden.rows.clone());
+        assert_eq!(found.status, Status::Ambiguous, "{id}: {:?} {:?}", found.effects, found.alone);
+        for twin in ["density_gradient", "side_effects_3d"] {
+            assert!(found.equivalence_set.iter().any(|known| known == twin), "{:?}", found.equivalence_set);
+        }
+        let next = found.next.unwrap();
+        assert!(next.text.contains("narrower plate") && next.power > 0.8, "{}: {}", next.text, next.power);
+        let two_widths = campaign(&[id], number, Design::default());
+        let found = diagnosed(&two_widths, two_widths.rows.clone());
+        assert_eq!((found.status, found.effects[0].id), (Status::Named, id));
+    }
 }

@@ -4,12 +4,15 @@ use std::borrow::Cow;
 
 use numpy::ndarray::{ArrayD, Dimension, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
-use pyo3::exceptions::PyOverflowError;
+use pyo3::exceptions::{PyOverflowError, PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
-use pyo3::types::PyFloat;
+use pyo3::types::{PyFloat, PyInt};
 
 use crate::error::{Answer, Fail, input, kinds};
+
+/// Most axes of an argument. The bindings hold 32, and a Jacobian has one more than the angles.
+const MOST_AXES: usize = 31;
 
 /// An argument: a number, or an array of 64-bit floats.
 pub(crate) struct Array<'py> {
@@ -22,9 +25,14 @@ impl<'py> Array<'py> {
     pub(crate) fn new(name: &'static str, value: &Bound<'py, PyAny>) -> Answer<Self> {
         let py = value.py();
         let numpy = py.import(intern!(py, "numpy"))?;
+        refuse_masked(name, value, &numpy)?;
         let given = numpy
             .call_method1(intern!(py, "asarray"), (value,))
-            .map_err(|problem| input(format!("{name} is no array: {}", problem.value(py))))?;
+            .map_err(|problem| no_array(py, name, problem))?;
+        let axes: usize = given.getattr(intern!(py, "ndim"))?.extract()?;
+        if axes > MOST_AXES {
+            return Err(input(format!("{name} has {axes} axes; it must have at most {MOST_AXES}")));
+        }
         let dtype = given.getattr(intern!(py, "dtype"))?;
         let kind: String = dtype.getattr(intern!(py, "kind"))?.extract()?;
         if !matches!(kind.as_str(), "f" | "i" | "u") {
@@ -55,10 +63,6 @@ impl<'py> Array<'py> {
             Some(value) => Self::new(name, value),
             None => Self::new(name, PyFloat::new(py, default).as_any()),
         }
-    }
-
-    pub(crate) const fn name(&self) -> &'static str {
-        self.name
     }
 
     /// Refuses what is empty or not finite.
@@ -123,6 +127,14 @@ impl<'py> Array<'py> {
         Ok((rows.to_vec(), rest.to_vec()))
     }
 
+    /// Rows of `N` numbers, the last axis, spread out to a shape of the others.
+    fn rows_of<const N: usize>(&self, rest: &[usize]) -> Answer<Vec<[f64; N]>> {
+        let shape: Vec<usize> = rest.iter().copied().chain([N]).collect();
+        let flat = self.flat(&shape)?;
+        let (rows, _) = flat.as_chunks::<N>();
+        Ok(rows.to_vec())
+    }
+
     /// One row of `N` numbers.
     pub(crate) fn row<const N: usize>(&self, of: &str) -> Answer<[f64; N]> {
         match self.rows::<N>(of)? {
@@ -133,6 +145,76 @@ impl<'py> Array<'py> {
             }
         }
     }
+}
+
+type Rows<const N: usize> = Vec<[f64; N]>;
+
+/// Rows of `N` numbers of two arrays, and the shape that all axes but the last have together, by numpy's rules.
+pub(crate) fn rows_together<const N: usize>(
+    (first, of_first): (&Array<'_>, &str),
+    (second, of_second): (&Array<'_>, &str),
+) -> Answer<([Rows<N>; 2], Vec<usize>)> {
+    first.rows::<N>(of_first)?;
+    second.rows::<N>(of_second)?;
+    let mut shape = common_shape(&[first, second])?;
+    shape.pop();
+    Ok(([first.rows_of(&shape)?, second.rows_of(&shape)?], shape))
+}
+
+/// The ends of an interval: a tuple, list or array of two numbers.
+pub(crate) fn interval(name: &'static str, value: &Bound<'_, PyAny>) -> Answer<(f64, f64)> {
+    let array = Array::new(name, value)?;
+    let shape = array.shape();
+    match (shape, array.flat(shape)?.as_ref()) {
+        ([2], &[low, high]) => Ok((low, high)),
+        ([], &[only]) => Err(Fail(kinds::InputTypeError::new_err(format!(
+            "{name} is the number {only}; it must be two numbers, the ends of an interval"
+        )))),
+        _ => {
+            Err(input(format!("{name} has shape {shape:?}; it must be two numbers, the ends of an interval")))
+        }
+    }
+}
+
+/// The same for one that need not be given.
+pub(crate) fn interval_or_none(
+    name: &'static str,
+    value: Option<&Bound<'_, PyAny>>,
+) -> Answer<Option<(f64, f64)>> {
+    value.map(|value| interval(name, value)).transpose()
+}
+
+/// Refuses arrays with masked elements: `asarray` would take the numbers behind the mask.
+fn refuse_masked(name: &str, value: &Bound<'_, PyAny>, numpy: &Bound<'_, PyModule>) -> Answer<()> {
+    // Most arguments are numbers.
+    if value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>() {
+        return Ok(());
+    }
+    let py = value.py();
+    let masked = numpy.getattr(intern!(py, "ma"))?;
+    if !value.is_instance(&masked.getattr(intern!(py, "MaskedArray"))?)? {
+        return Ok(());
+    }
+    if masked.call_method1(intern!(py, "is_masked"), (value,))?.is_truthy()? {
+        return Err(input(format!(
+            "{name} has masked elements, which have no value; leave them out or fill them"
+        )));
+    }
+    Ok(())
+}
+
+/// What numpy made no array of. Whatever else was raised on the way, Ctrl-C or a lack of memory, is no matter of the argument.
+fn no_array(py: Python<'_>, name: &str, problem: PyErr) -> Fail {
+    let message = format!("{name} is no array: {}", problem.value(py));
+    let refused = if problem.is_instance_of::<PyTypeError>(py) {
+        kinds::InputTypeError::new_err(message)
+    } else if problem.is_instance_of::<PyValueError>(py) {
+        kinds::InputError::new_err(message)
+    } else {
+        return Fail(problem);
+    };
+    refused.set_cause(py, Some(problem));
+    Fail(refused)
 }
 
 fn no_match(array: &Array<'_>, shape: &[usize]) -> Fail {

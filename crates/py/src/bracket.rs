@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use soilctl_certificate::Solution as Saved;
 
-use crate::certificate::Solution;
-use crate::error::{Answer, no_answer};
+use crate::certificate::{Solution, or_none};
+use crate::copies::{hash_of, maker};
+use crate::error::{Answer, input, no_answer};
 
 /// Proven bounds: the true value for rigid-plastic soil with associated flow lies between them.
 #[pyclass(module = "soilctl", frozen)]
@@ -20,13 +21,13 @@ pub(crate) struct Bracket {
     pub(crate) upper: f64,
     /// What is bounded.
     #[pyo3(get)]
-    pub(crate) quantity: &'static str,
+    pub(crate) quantity: String,
     /// Its unit; empty for pure numbers.
     #[pyo3(get)]
-    pub(crate) unit: &'static str,
+    pub(crate) unit: String,
     /// Why the run ended: gap, time, elements, memory or stopped.
     #[pyo3(get)]
-    pub(crate) ended: &'static str,
+    pub(crate) ended: String,
     /// Time spent in s.
     #[pyo3(get)]
     pub(crate) seconds: f64,
@@ -43,11 +44,12 @@ pub(crate) struct Bracket {
 }
 
 /// Saved solutions that prove a bracket.
+#[derive(PartialEq)]
 pub(crate) enum Proofs {
     /// Both bounds are of one problem.
     Both(Arc<Saved>),
     /// Bounds are of soils of different strength.
-    Several(Vec<(&'static str, Arc<Saved>)>),
+    Several(Vec<(String, Arc<Saved>)>),
 }
 
 #[pymethods]
@@ -96,16 +98,46 @@ impl Bracket {
     /// The numbers as a dict.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
-        dict.set_item("quantity", self.quantity)?;
-        dict.set_item("unit", self.unit)?;
+        dict.set_item("quantity", &self.quantity)?;
+        dict.set_item("unit", &self.unit)?;
         dict.set_item("lower", self.lower)?;
         dict.set_item("upper", self.upper)?;
         dict.set_item("gap", self.gap())?;
-        dict.set_item("ended", self.ended)?;
+        dict.set_item("ended", &self.ended)?;
         if let Some(force_n) = self.force_n {
             dict.set_item("force_n", force_n)?;
         }
         Ok(dict)
+    }
+
+    /// Equal are brackets with the same numbers and proofs, however long they took.
+    fn __eq__(&self, other: &Self) -> bool {
+        let ends = |of: &Self| (of.lower, of.upper, of.force_n, of.origin_m);
+        ends(self) == ends(other)
+            && (&self.quantity, &self.unit, &self.ended) == (&other.quantity, &other.unit, &other.ended)
+            && self.elements == other.elements
+            && self.proofs == other.proofs
+    }
+
+    fn __hash__(&self) -> u64 {
+        hash_of(&[Some(self.lower), Some(self.upper)])
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    /// Itself: nothing of it can be changed.
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let (py, own) = (slf.py(), slf.get());
+        let told = (own.lower, own.upper, &own.quantity, &own.unit, &own.ended, own.seconds);
+        let solutions: Vec<_> = own.solutions(py)?.items().iter().collect();
+        let args = (told, own.force_n, own.elements, solutions).into_pyobject(py)?;
+        Ok((maker(py, "_restore_bracket")?, args))
     }
 
     fn __repr__(&self) -> String {
@@ -138,6 +170,29 @@ impl Bracket {
     }
 }
 
+/// A bracket as `__reduce__` has taken it apart: lower, upper, quantity, unit, why it ended, seconds; and what else there is.
+#[pyfunction]
+#[pyo3(name = "_restore_bracket")]
+pub(crate) fn restore_bracket(
+    told: (f64, f64, String, String, String, f64),
+    force_n: Option<(f64, f64)>,
+    elements: (usize, usize),
+    solutions: Vec<(String, Py<Solution>)>,
+) -> Answer<Bracket> {
+    let (lower, upper, quantity, unit, ended, seconds) = told;
+    let Some(first) = solutions.first() else {
+        return Err(input("a bracket needs a solution that proves it"));
+    };
+    let origin_m = first.1.get().origin();
+    let proofs = match solutions.as_slice() {
+        [(name, only)] if name == "both" => Proofs::Both(only.get().saved()),
+        several => {
+            Proofs::Several(several.iter().map(|(name, one)| (name.clone(), one.get().saved())).collect())
+        }
+    };
+    Ok(Bracket { lower, upper, quantity, unit, ended, seconds, force_n, elements, proofs, origin_m })
+}
+
 /// One level of meshes, as ``progress`` is told about it.
 #[pyclass(module = "soilctl", frozen, get_all)]
 pub(crate) struct Progress {
@@ -147,4 +202,13 @@ pub(crate) struct Progress {
     pub(crate) gap: Option<f64>,
     /// What strength was divided by, in the search of a factor of safety; else None.
     pub(crate) factor: Option<f64>,
+}
+
+#[pymethods]
+impl Progress {
+    fn __repr__(&self) -> String {
+        let Self { elements, .. } = self;
+        let [gap, factor] = [self.gap, self.factor].map(or_none);
+        format!("Progress(elements={elements}, gap={gap}, factor={factor})")
+    }
 }

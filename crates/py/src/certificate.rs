@@ -5,12 +5,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use soilctl_certificate::{CertificateError, Solution as Saved, prove_lower, prove_upper};
 use soilctl_limit_analysis::results::{FlowResults, MOVING, StressResults, Units, write_vtu};
 
 use crate::array::{Array, shaped};
-use crate::error::{Answer, Fail, file, input, kinds, no_answer};
+use crate::copies::{hash_of, maker};
+use crate::error::{Answer, Fail, file_at, input, kinds, no_answer};
 use crate::work::each;
 
 /// A lower and an upper bound with the fields that prove them.
@@ -28,11 +29,23 @@ impl Solution {
         Self { saved, origin_m }
     }
 
+    pub(crate) fn saved(&self) -> Arc<Saved> {
+        Arc::clone(&self.saved)
+    }
+
+    pub(crate) const fn origin(&self) -> [f64; 2] {
+        self.origin_m
+    }
+
     fn flow(&self) -> Answer<FlowResults> {
         match &self.saved.upper {
             Some(claim) => Ok(FlowResults::new(&self.saved.statement, &claim.field)?),
             None => Err(no_answer("the solution has no upper bound, so it shows no flow")),
         }
+    }
+
+    fn claims(&self) -> [Option<f64>; 2] {
+        [self.saved.lower.as_ref().map(|c| c.claimed), self.saved.upper.as_ref().map(|c| c.claimed)]
     }
 
     fn stress_field(&self) -> Answer<StressResults> {
@@ -194,10 +207,31 @@ impl Solution {
         Ok(write_vtu(flow.as_ref(), stress.as_ref(), &units)?)
     }
 
+    /// Equal are solutions with the same problem, fields, claims and origin.
+    fn __eq__(&self, other: &Self) -> bool {
+        self.origin_m == other.origin_m && self.saved == other.saved
+    }
+
+    fn __hash__(&self) -> u64 {
+        hash_of(&self.claims())
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    /// Itself: nothing of it can be changed.
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+
+    /// By way of a file: solutions are read and written as nothing else.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("soilctl._copies")?.call_method1("reduced", (slf,))
+    }
+
     fn __repr__(&self) -> String {
-        let claims =
-            [self.saved.lower.as_ref().map(|c| c.claimed), self.saved.upper.as_ref().map(|c| c.claimed)];
-        let [lower, upper] = claims.map(or_none);
+        let [lower, upper] = self.claims().map(or_none);
         format!("Solution(lower={lower}, upper={upper})")
     }
 
@@ -240,8 +274,15 @@ impl Solution {
     }
 }
 
+/// A saved solution with the origin that its file does not say.
+#[pyfunction]
+#[pyo3(name = "_restore_solution")]
+pub(crate) fn restore_solution(path: PathBuf, origin_m: [f64; 2]) -> Answer<Solution> {
+    Ok(Solution::of(Arc::new(Saved::read(&path)?), origin_m))
+}
+
 /// A number as Python shows it.
-fn or_none(value: Option<f64>) -> String {
+pub(crate) fn or_none(value: Option<f64>) -> String {
     value.map_or_else(|| "None".to_owned(), |value| value.to_string())
 }
 
@@ -261,6 +302,7 @@ impl From<Outside> for Fail {
 }
 
 /// What a solution proves, whatever it claims.
+#[derive(PartialEq)]
 #[pyclass(module = "soilctl", frozen, get_all)]
 pub(crate) struct Certificate {
     /// Whether every claim is proven.
@@ -314,6 +356,21 @@ impl Certificate {
         self.certified
     }
 
+    fn __eq__(&self, other: &Self) -> bool {
+        self == other
+    }
+
+    fn __hash__(&self) -> u64 {
+        hash_of(&[self.lower_claimed, self.lower_proven, self.upper_claimed, self.upper_proven])
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let (py, own) = (slf.py(), slf.get());
+        let lower = (own.lower_claimed, own.lower_proven, &own.lower_refusal);
+        let upper = (own.upper_claimed, own.upper_proven, &own.upper_refusal);
+        Ok((maker(py, "_restore_certificate")?, (own.certified, lower, upper).into_pyobject(py)?))
+    }
+
     fn __repr__(&self) -> String {
         let certified = if self.certified { "True" } else { "False" };
         let [lower, upper] = [self.lower_proven, self.upper_proven].map(or_none);
@@ -335,10 +392,31 @@ impl Certificate {
     }
 }
 
+/// A certificate as `__reduce__` has taken it apart: what is claimed of each bound, what is proven, and why it is not.
+#[pyfunction]
+#[pyo3(name = "_restore_certificate")]
+pub(crate) fn restore_certificate(
+    certified: bool,
+    lower: (Option<f64>, Option<f64>, Option<String>),
+    upper: (Option<f64>, Option<f64>, Option<String>),
+) -> Certificate {
+    let (lower_claimed, lower_proven, lower_refusal) = lower;
+    let (upper_claimed, upper_proven, upper_refusal) = upper;
+    Certificate {
+        certified,
+        lower_claimed,
+        lower_proven,
+        lower_refusal,
+        upper_claimed,
+        upper_proven,
+        upper_refusal,
+    }
+}
+
 impl From<CertificateError> for Fail {
     fn from(problem: CertificateError) -> Self {
         match problem {
-            CertificateError::File { .. } => file(problem),
+            CertificateError::File { ref path, .. } => file_at(&problem, path),
             CertificateError::Format { .. } | CertificateError::Schema { .. } => input(problem),
             _ => Self(kinds::ProofError::new_err(problem.to_string())),
         }

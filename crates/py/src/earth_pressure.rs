@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat};
+use pyo3::types::{PyDict, PyFloat, PyTuple};
 use soilctl_earth_pressure::{Case, EarthPressureError, ForceModel, Loads, MODEL_IDS, check_loads, model};
 use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
 
 use crate::array::{Array, Column, common_shape, place, shaped};
-use crate::error::{Answer, Fail, file, input, no_answer};
+use crate::copies::maker;
+use crate::error::{Answer, Fail, file_at, input, no_answer};
 use crate::work::in_blocks;
 
 /// Models by id, made once: tables take a while to read.
@@ -129,6 +130,18 @@ impl Prediction {
         Ok(dict)
     }
 
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let (py, own) = (slf.py(), slf.get());
+        let ends = own.ends.as_ref().map(|ends| {
+            let [low, high] = &ends.coefficient;
+            let force_n = ends.force_n.as_ref().map(|[low, high]| (low, high));
+            ((low, high), force_n)
+        });
+        let named = (&own.model, &own.reference);
+        let args = (named, &own.coefficient, ends, &own.interpolation_margin, &own.force_n);
+        Ok((maker(py, "_restore_prediction")?, args.into_pyobject(py)?))
+    }
+
     fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
         let mut rows = String::new();
         for (key, value) in self.to_dict(py)? {
@@ -146,6 +159,24 @@ impl Prediction {
         };
         Ok(format!("Prediction(model={:?}, coefficient={coefficient}{force})", self.model))
     }
+}
+
+type Pair = (Py<PyAny>, Py<PyAny>);
+
+/// A prediction as `__reduce__` has taken it apart.
+#[pyfunction]
+#[pyo3(name = "_restore_prediction")]
+pub(crate) fn restore_prediction(
+    named: (String, String),
+    coefficient: Py<PyAny>,
+    ends: Option<(Pair, Option<Pair>)>,
+    interpolation_margin: Option<Py<PyAny>>,
+    force_n: Option<Py<PyAny>>,
+) -> Prediction {
+    let (model, reference) = named;
+    let ends =
+        ends.map(|(both, force_n)| Ends { coefficient: both.into(), force_n: force_n.map(Into::into) });
+    Prediction { model, reference, coefficient, ends, interpolation_margin, force_n }
 }
 
 /// What is kept of each element.
@@ -400,7 +431,7 @@ impl From<EarthPressureError> for Fail {
     fn from(problem: EarthPressureError) -> Self {
         match problem {
             EarthPressureError::Singular { .. } | EarthPressureError::EmptyCell { .. } => no_answer(problem),
-            EarthPressureError::File { .. } => file(problem),
+            EarthPressureError::File { ref path, .. } => file_at(&problem, path),
             _ => input(problem),
         }
     }

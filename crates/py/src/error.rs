@@ -1,6 +1,7 @@
 //! From the crates' errors to the exceptions of `soilctl.errors`, with the same messages as on the command line.
 
 use std::fmt::Display;
+use std::path::Path;
 
 use pyo3::PyErr;
 use soilctl_soil::SoilError;
@@ -34,6 +35,11 @@ pub(crate) fn no_answer(message: impl Display) -> Fail {
 /// A file that cannot be read or written.
 pub(crate) fn file(message: impl Display) -> Fail {
     Fail(kinds::FileError::new_err(message.to_string()))
+}
+
+/// The same, of which it is known which file it is.
+pub(crate) fn file_at(message: impl Display, path: impl AsRef<Path>) -> Fail {
+    Fail(kinds::FileError::new_err((message.to_string(), path.as_ref().to_owned())))
 }
 
 impl From<PyErr> for Fail {

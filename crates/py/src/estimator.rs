@@ -4,14 +4,15 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use soilctl_earth_pressure::{EarthPressureError, ForceModel, Loads};
+use soilctl_earth_pressure::{ChenLiu, EarthPressureError, ForceModel, Loads};
 use soilctl_estimator::{
     Conflict, Estimate as Found, EstimatorError, Fit, Observation, Setup, StrokeMenu, agreement_factor,
     bands, best_fit, conflict, estimate as find, next_strokes, section,
 };
-use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2};
+use soilctl_soil::{Angle, Plate};
 
-use crate::array::{Array, Column, common_shape};
+use crate::array::{Array, Column, common_shape, interval, interval_or_none};
+use crate::copies::maker;
 use crate::earth_pressure::known;
 use crate::error::{Answer, Fail, input, no_answer};
 use crate::patient::stoppable;
@@ -20,6 +21,8 @@ use crate::watched::Watched;
 
 /// Everything that an estimate starts from.
 struct Known {
+    /// As given, a row a measurement: tool angle and slope of the ground in degrees, depth, width, force and its half width.
+    given: Vec<[f64; 6]>,
     model: Arc<dyn ForceModel>,
     observations: Vec<Observation>,
     delta_deg: (f64, f64),
@@ -197,7 +200,11 @@ impl Estimate {
             depth_error_m,
             force_limit_n,
         };
-        let found = self.known.compute(py, |setup| next_strokes(setup, &self.found, &menu))?;
+        let found = stoppable(py, |stop| {
+            let model = Watched { model: self.known.model.as_ref(), stop };
+            let closed_form = Watched { model: &ChenLiu, stop };
+            next_strokes(&self.known.setup(&model), &self.found, &menu, &closed_form)
+        })?;
         let dicts = found.iter().map(|stroke| -> PyResult<_> {
             let dict = PyDict::new(py);
             dict.set_item("tool_angle_deg", stroke.alpha_deg)?;
@@ -234,6 +241,37 @@ impl Estimate {
         boundary_table(py, &self.found.region)
     }
 
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    /// Itself: nothing of it can be changed.
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+
+    /// What it was made from; it is made again from that, to the last bit.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, ())> {
+        let (py, known) = (slf.py(), &slf.get().known);
+        let dict = PyDict::new(py);
+        let columns =
+            ["tool_angle_deg", "surface_slope_deg", "depth_m", "width_m", "force_n", "force_error_n"];
+        for (column, name) in columns.into_iter().enumerate() {
+            dict.set_item(name, known.given.iter().map(|row| row[column]).collect::<Vec<_>>())?;
+        }
+        dict.set_item("interface_friction_deg", known.delta_deg)?;
+        dict.set_item("density_kg_m3", known.density_kg_m3)?;
+        dict.set_item("friction_search_deg", known.phi_search_deg)?;
+        dict.set_item("model", known.model.id())?;
+        dict.set_item("cohesion_pa", known.loads.cohesion_pa)?;
+        dict.set_item("adhesion_pa", known.loads.adhesion_pa)?;
+        dict.set_item("surcharge_pa", known.loads.surcharge_pa)?;
+        dict.set_item("gravity_m_s2", known.gravity_m_s2)?;
+        let again =
+            py.import("functools")?.getattr("partial")?.call((maker(py, "estimate")?,), Some(&dict))?;
+        Ok((again, ()))
+    }
+
     fn __repr__(&self) -> String {
         match (self.found.phi_deg, self.found.density_kg_m3) {
             (Some([a, b]), Some([c, d])) => {
@@ -263,7 +301,8 @@ impl Estimate {
 ///     width_m: Width of the plate.
 ///     force_n: Measured failure force.
 ///     force_error_n: Half width of its interval.
-///     interface_friction_deg: Friction between soil and plate, known to lie between these two.
+///     interface_friction_deg: Friction between soil and plate, known to lie between these two. Any sequence of two numbers,
+///         here and below.
 ///     surface_slope_deg: Slope of the ground.
 ///     density_kg_m3: Bulk density, known to lie between these two; None if nothing is known.
 ///     friction_search_deg: Friction angles to search between; None for 5 to 60, as far as the model reaches.
@@ -276,7 +315,7 @@ impl Estimate {
 #[pyo3(signature = (
     *, tool_angle_deg, depth_m, width_m, force_n, force_error_n, interface_friction_deg, surface_slope_deg = None,
     density_kg_m3 = None, friction_search_deg = None, model = "table", cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
-    gravity_m_s2 = STANDARD_GRAVITY_M_S2,
+    gravity_m_s2 = 9.80665,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn estimate<'py>(
@@ -286,10 +325,10 @@ pub(crate) fn estimate<'py>(
     width_m: &Bound<'py, PyAny>,
     force_n: &Bound<'py, PyAny>,
     force_error_n: &Bound<'py, PyAny>,
-    interface_friction_deg: (f64, f64),
+    interface_friction_deg: &Bound<'py, PyAny>,
     surface_slope_deg: Option<&Bound<'py, PyAny>>,
-    density_kg_m3: Option<(f64, f64)>,
-    friction_search_deg: Option<(f64, f64)>,
+    density_kg_m3: Option<&Bound<'py, PyAny>>,
+    friction_search_deg: Option<&Bound<'py, PyAny>>,
     model: &str,
     cohesion_pa: f64,
     adhesion_pa: f64,
@@ -311,22 +350,22 @@ pub(crate) fn estimate<'py>(
     let column = |array| Column::new(array, &shape);
     let (alpha, depth, width) = (column(&alpha)?, column(&depth)?, column(&width)?);
     let (force, error, beta) = (column(&force)?, column(&error)?, column(&beta)?);
-    let observations = (0..shape.iter().product()).map(|i| -> Answer<Observation> {
-        let (alpha, beta) = (Angle::from_degrees(alpha.at(i)), Angle::from_degrees(beta.at(i)));
-        let plate = Plate::new(alpha, beta, depth.at(i), width.at(i))?;
-        Ok(Observation::new(i.to_string(), plate, force.at(i), error.at(i))?)
+    let columns = [alpha, beta, depth, width, force, error];
+    let given: Vec<[f64; 6]> =
+        (0..shape.iter().product()).map(|i| columns.each_ref().map(|column| column.at(i))).collect();
+    let observations = given.iter().enumerate().map(|(i, row)| -> Answer<Observation> {
+        let [alpha, beta, depth_m, width_m, force_n, error_n] = *row;
+        let plate = Plate::new(Angle::from_degrees(alpha), Angle::from_degrees(beta), depth_m, width_m)?;
+        Ok(Observation::new(i.to_string(), plate, force_n, error_n)?)
     });
     let observations = observations.collect::<Answer<Vec<_>>>()?;
-    if let Some((low, high)) = friction_search_deg {
-        finite("friction_search_deg[0]", low)?;
-        finite("friction_search_deg[1]", high)?;
-    }
     let known = Known {
+        given,
         model: known(model)?,
         observations,
-        delta_deg: interface_friction_deg,
-        density_kg_m3,
-        phi_search_deg: friction_search_deg,
+        delta_deg: interval("interface_friction_deg", interface_friction_deg)?,
+        density_kg_m3: interval_or_none("density_kg_m3", density_kg_m3)?,
+        phi_search_deg: interval_or_none("friction_search_deg", friction_search_deg)?,
         gravity_m_s2,
         loads: Loads { cohesion_pa, adhesion_pa, surcharge_pa },
     };

@@ -9,8 +9,9 @@ use soilctl_kinematics::{
     KinematicsError, MotorAngles, TaskForce, TaskPose, TaskVelocity, Wrist, urdf,
 };
 
-use crate::array::{Array, shaped};
-use crate::error::{Answer, Fail, file, input, no_answer};
+use crate::array::{Array, rows_together, shaped};
+use crate::copies::maker;
+use crate::error::{Answer, Fail, file_at, input, no_answer};
 use crate::work::each;
 
 const JOINTS: &str = "base, shoulder, elbow, twist, wrist";
@@ -24,6 +25,8 @@ const POSE: &str = "x, y, z, n1, n2";
 #[pyclass(module = "soilctl", frozen)]
 pub(crate) struct Arm {
     pub(crate) arm: Arc<soilctl_kinematics::Arm>,
+    /// The file that it was made from; None for the arm of Hong (2001).
+    text: Option<String>,
 }
 
 #[pymethods]
@@ -36,11 +39,17 @@ impl Arm {
     #[new]
     #[pyo3(signature = (file = None))]
     fn new(file: Option<PathBuf>) -> Answer<Self> {
-        let arm = match file {
-            Some(file) => soilctl_kinematics::Arm::read(&file)?,
-            None => soilctl_kinematics::Arm::thesis(),
+        let (arm, text) = match file {
+            // Read once only: a copy is the arm that this one is. What cannot be read has its message from the crate.
+            Some(file) => match std::fs::read_to_string(&file) {
+                Ok(text) => {
+                    (soilctl_kinematics::Arm::from_toml(&text, &file.display().to_string())?, Some(text))
+                }
+                Err(_) => (soilctl_kinematics::Arm::read(&file)?, None),
+            },
+            None => (soilctl_kinematics::Arm::thesis(), None),
         };
-        Ok(Self { arm: Arc::new(arm) })
+        Ok(Self { arm: Arc::new(arm), text })
     }
 
     /// An arm from the text of a TOML file.
@@ -49,7 +58,8 @@ impl Arm {
     ///     InputError: If the text describes no arm; the message names the key.
     #[staticmethod]
     fn from_toml(text: &str) -> Answer<Self> {
-        Ok(Self { arm: Arc::new(soilctl_kinematics::Arm::from_toml(text, "the text")?) })
+        let arm = soilctl_kinematics::Arm::from_toml(text, "the text")?;
+        Ok(Self { arm: Arc::new(arm), text: Some(text.to_owned()) })
     }
 
     /// Least and greatest joint angles in rad, shape (2, 5).
@@ -99,7 +109,8 @@ impl Arm {
         shaped(py, all.into_iter().flat_map(|j| j.0.concat()).collect(), &rest)
     }
 
-    /// Velocities of the pose, shape (..., 5), for joint angles and velocities (rad/s), each of shape (..., 5).
+    /// Velocities of the pose, shape (..., 5), for joint angles and velocities (rad/s), each of shape (..., 5); one for all
+    /// of the other will do.
     ///
     /// Raises:
     ///     InputError, NoAnswerError: As ``jacobian``.
@@ -109,9 +120,9 @@ impl Arm {
         joint_angles_rad: &Bound<'py, PyAny>,
         joint_velocities_rad_s: &Bound<'py, PyAny>,
     ) -> Answer<Bound<'py, PyAny>> {
-        let (joints, rest) = Array::new("joint_angles_rad", joint_angles_rad)?.rows::<5>(JOINTS)?;
-        let given = Array::new("joint_velocities_rad_s", joint_velocities_rad_s)?;
-        let rates = same::<5>(&given, &rest, JOINTS)?;
+        let joints = Array::new("joint_angles_rad", joint_angles_rad)?;
+        let rates = Array::new("joint_velocities_rad_s", joint_velocities_rad_s)?;
+        let ([joints, rates], rest) = rows_together::<5>((&joints, JOINTS), (&rates, JOINTS))?;
         rows(py, &rest, |i| {
             let velocity =
                 self.arm.jacobian(&JointAngles(joints[i]))?.task_velocity(&JointVelocities(rates[i]))?;
@@ -119,7 +130,8 @@ impl Arm {
         })
     }
 
-    /// Joint torques in N m, shape (..., 5), that press with a force at the tip (N, and N m for n1 and n2).
+    /// Joint torques in N m, shape (..., 5), that press with a force at the tip (N, and N m for n1 and n2); one posture or one
+    /// force for all of the other will do.
     ///
     /// Raises:
     ///     InputError, NoAnswerError: As ``jacobian``.
@@ -129,8 +141,9 @@ impl Arm {
         joint_angles_rad: &Bound<'py, PyAny>,
         force: &Bound<'py, PyAny>,
     ) -> Answer<Bound<'py, PyAny>> {
-        let (joints, rest) = Array::new("joint_angles_rad", joint_angles_rad)?.rows::<5>(JOINTS)?;
-        let forces = same::<5>(&Array::new("force", force)?, &rest, POSE)?;
+        let joints = Array::new("joint_angles_rad", joint_angles_rad)?;
+        let forces = Array::new("force", force)?;
+        let ([joints, forces], rest) = rows_together::<5>((&joints, JOINTS), (&forces, POSE))?;
         rows(py, &rest, |i| {
             let torques = self.arm.jacobian(&JointAngles(joints[i]))?.joint_torques(&TaskForce(forces[i]))?;
             Ok::<_, KinematicsError>(torques.0)
@@ -242,12 +255,26 @@ impl Arm {
         urdf(&self.arm)
     }
 
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Option<String>,))> {
+        Ok((maker(slf.py(), "_restore_arm")?, (slf.get().text.clone(),)))
+    }
+
     fn __repr__(&self) -> String {
         let links = &self.arm.config().links;
         format!(
             "Arm(upper_arm_m={}, forearm_m={}, hand_m={})",
             links.upper_arm_m, links.forearm_m, links.hand_m
         )
+    }
+}
+
+/// An arm as `__reduce__` has taken it apart: from the text of a file.
+#[pyfunction]
+#[pyo3(name = "_restore_arm")]
+pub(crate) fn restore_arm(text: Option<&str>) -> Answer<Arm> {
+    match text {
+        Some(text) => Arm::from_toml(text),
+        None => Arm::new(None),
     }
 }
 
@@ -273,19 +300,6 @@ fn cartesian(stiffness: &Array<'_>, base_rad: f64) -> Answer<CartesianStiffness>
     Ok(springs.to_cartesian(base_rad)?)
 }
 
-/// Rows of an array that must have the shape of another one.
-fn same<const N: usize>(array: &Array<'_>, rest: &[usize], of: &str) -> Answer<Vec<[f64; N]>> {
-    let (rows, own) = array.rows::<N>(of)?;
-    if own != rest {
-        return Err(input(format!(
-            "{} has shape {:?}; it must have the joints' {rest:?} before the last axis",
-            array.name(),
-            array.shape()
-        )));
-    }
-    Ok(rows)
-}
-
 fn rows<'py>(
     py: Python<'py>,
     rest: &[usize],
@@ -302,7 +316,7 @@ impl From<KinematicsError> for Fail {
             KinematicsError::Unreachable { .. }
             | KinematicsError::Singular { .. }
             | KinematicsError::OutOfLimits { .. } => no_answer(problem),
-            KinematicsError::Io { .. } => file(problem),
+            KinematicsError::Io { file: ref path, .. } => file_at(&problem, path),
             _ => input(problem),
         }
     }

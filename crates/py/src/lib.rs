@@ -6,6 +6,7 @@ mod array;
 mod bracket;
 mod certificate;
 mod cli;
+mod copies;
 mod earth_pressure;
 mod error;
 mod estimator;
@@ -26,21 +27,21 @@ mod _native {
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
-    use crate::bracket::{Bracket, Progress};
+    use crate::bracket::{Bracket, Progress, restore_bracket};
     #[pymodule_export]
-    use crate::certificate::{Certificate, Solution};
+    use crate::certificate::{Certificate, Solution, restore_certificate, restore_solution};
     #[pymodule_export]
     use crate::cli::{answer_command, run_command};
     #[pymodule_export]
-    use crate::earth_pressure::{Prediction, failure_surface, predict, valid_range};
+    use crate::earth_pressure::{Prediction, failure_surface, predict, restore_prediction, valid_range};
     #[pymodule_export]
     use crate::estimator::{Estimate, estimate};
     #[pymodule_export]
-    use crate::kinematics::Arm;
+    use crate::kinematics::{Arm, restore_arm};
     #[pymodule_export]
     use crate::limit_analysis::{bound, solve};
     #[pymodule_export]
-    use crate::plant::{Plant, Sensed, soil_names};
+    use crate::plant::{Plant, Sensed, restore_sensed, soil_names};
     #[pymodule_export]
     use crate::session::{log_info, log_recover, log_table, replay};
 }

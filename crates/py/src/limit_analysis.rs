@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict};
+use pyo3::types::{PyBool, PyMapping};
 use soilctl_certificate::{Claim, LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
 use soilctl_cli::problem_units;
 use soilctl_limit_analysis::describe::{Aim, Quantity};
@@ -14,12 +14,12 @@ use soilctl_limit_analysis::{
     Bound as Proven, Bounds, Description, DescriptionError, EmbeddedPlate, Ended, LimitError, Options,
     Problem, SafetyBounds, bound as solve_bounds, factor_of_safety,
 };
-use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
+use soilctl_soil::{Angle, Interface, Plate, Soil};
 
 use crate::array::{whole, whole_or_none};
 use crate::bracket::{Bracket, Progress, Proofs};
 use crate::earth_pressure::beyond;
-use crate::error::{Answer, Fail, file, input, kinds, no_answer};
+use crate::error::{Answer, Fail, file, file_at, input, kinds, no_answer};
 use crate::patient::patiently;
 
 /// Stands in for a size that was not given, so that the others are checked all the same.
@@ -75,7 +75,7 @@ fn run<B: Send>(
         );
         return Err(Fail(kinds::InputTypeError::new_err(message)));
     }
-    let done = patiently(
+    let ran = patiently(
         py,
         |report: &dyn Fn(Progress)| work(&options, report),
         || stop.store(true, Ordering::Relaxed),
@@ -84,10 +84,11 @@ fn run<B: Send>(
             None => Ok(()),
         },
         || Ok(()),
-    )?;
+    );
     if let Some(bar) = &bar {
         bar.call_method0("close")?;
     }
+    let done = ran?;
     match done.raised {
         None => Ok(bracket(&done.answer?)),
         Some(raised) if raised.is_instance_of::<PyKeyboardInterrupt>(py) => {
@@ -143,7 +144,7 @@ fn saved(
 ///     cohesion_pa: Cohesion of the soil.
 ///     adhesion_pa: Adhesion between soil and plate.
 ///     surcharge_pa: Vertical pressure on the surface.
-///     gravity_m_s2: Gravity.
+///     gravity_m_s2: Gravity; by default the standard one.
 ///     max_gap: Gap at which to stop.
 ///     max_seconds: Time that may be spent.
 ///     max_elements: Most elements of a mesh.
@@ -160,7 +161,7 @@ fn saved(
 #[pyo3(signature = (
     *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = 0.0, density_kg_m3 = None,
     depth_m = None, width_m = None, cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
-    gravity_m_s2 = STANDARD_GRAVITY_M_S2, max_gap = 0.01, max_seconds = 60.0, max_elements = 20000,
+    gravity_m_s2 = 9.80665, max_gap = 0.01, max_seconds = 60.0, max_elements = 20000,
     max_memory_mb = None, threads = 1, progress = None,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -243,7 +244,8 @@ pub(crate) fn bound(
 /// or a factor of safety (see ``Bracket.quantity``).
 ///
 /// Args:
-///     problem: Path of a problem file (.toml or .json), or the description as a dict.
+///     problem: Path of a problem file (.toml or .json), or the description as a dict or another mapping, whose numbers may be
+///         numpy's.
 ///     max_gap, max_seconds, max_elements, max_memory_mb, threads, progress: As for ``bound``.
 ///
 /// Raises:
@@ -267,9 +269,9 @@ pub(crate) fn solve(
     #[pyo3(from_py_with = whole)] threads: usize,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> Answer<Bracket> {
-    let description = match problem.cast::<PyDict>() {
-        Ok(dict) => {
-            let text: String = py.import("json")?.call_method1("dumps", (dict,))?.extract()?;
+    let description = match problem.cast::<PyMapping>() {
+        Ok(given) => {
+            let text: String = py.import("soilctl._plain")?.call_method1("dumps", (given,))?.extract()?;
             Description::from_json(&text)
         }
         Err(_) => Description::read(&problem.extract::<PathBuf>()?),
@@ -314,9 +316,9 @@ fn bracket(
     Bracket {
         lower,
         upper,
-        quantity,
-        unit,
-        ended: ended(bounds.ended),
+        quantity: quantity.into(),
+        unit: unit.into(),
+        ended: ended(bounds.ended).into(),
         seconds: bounds.seconds,
         force_n: newtons.map(|n| (n * lower, n * upper)),
         elements: (bounds.lower.elements, bounds.upper.elements),
@@ -331,13 +333,13 @@ fn safety_bracket(description: &Description, found: &SafetyBounds) -> Bracket {
         saved(&proof.described.statement, proof.described.scale(), Some(&proof.bound), None)
     };
     let of_upper = saved(&upper.described.statement, upper.described.scale(), None, Some(&upper.bound));
-    let proofs = vec![("lower", of_lower(lower)), ("upper", of_upper)];
+    let proofs = vec![("lower".into(), of_lower(lower)), ("upper".into(), of_upper)];
     Bracket {
         lower: lower.factor,
         upper: upper.factor,
-        quantity: "factor of safety",
-        unit: "",
-        ended: ended(found.ended),
+        quantity: "factor of safety".into(),
+        unit: String::new(),
+        ended: ended(found.ended).into(),
         seconds: found.seconds,
         force_n: None,
         elements: (lower.bound.elements, upper.bound.elements),
@@ -362,7 +364,7 @@ impl From<LimitError> for Fail {
             LimitError::Certificate(problem) => problem.into(),
             LimitError::NoCollapse { .. } | LimitError::NothingProven { .. } => no_answer(problem),
             LimitError::File(problem) => file(problem),
-            LimitError::Description(DescriptionError::File { .. }) => file(problem),
+            LimitError::Description(DescriptionError::File { ref path, .. }) => file_at(&problem, path),
             _ => input(problem),
         }
     }

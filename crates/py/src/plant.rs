@@ -1,17 +1,19 @@
 //! The simulated arm and its sand, one tick at a time.
 
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, TryLockError};
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use soilctl_controller::Sensed as Readings;
 use soilctl_kinematics::{JointAngles, MotorTorques};
 use soilctl_plant::{Drive, Ground, Hardware, PlantError, PlantParams, SoilPreset, presets};
 
 use crate::array::{Array, shaped, whole};
+use crate::copies::maker;
 use crate::earth_pressure::known;
-use crate::error::{Answer, Fail, file, input, kinds};
+use crate::error::{Answer, Fail, file_at, input, kinds};
 
 /// Torques beyond this are a mistake of the caller, in N m.
 const MOST_TORQUE_NM: f64 = 1e4;
@@ -19,6 +21,7 @@ const MOST_TORQUE_NM: f64 = 1e4;
 const LOOK: u64 = 64;
 
 /// What the sensors report for one tick of 2 ms.
+#[derive(Clone, Copy)]
 #[pyclass(module = "soilctl", frozen)]
 pub(crate) struct Sensed {
     readings: Readings,
@@ -68,8 +71,49 @@ impl Sensed {
         shaped(py, self.readings.amplifier_voltage_v.to_vec(), &[5])
     }
 
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let (py, it) = (slf.py(), &slf.get().readings);
+        let motors = (it.motor_counts, it.motor_sequence);
+        let external = (it.external_counts, it.external_sequence);
+        let wrench = (it.wrench, it.wrench_sequence, it.wrench_overload);
+        let amplifiers = (it.amplifier_current_a, it.amplifier_voltage_v, it.amplifier_sequence);
+        let args = (it.tick, motors, external, wrench, amplifiers).into_pyobject(py)?;
+        Ok((maker(py, "_restore_sensed")?, args))
+    }
+
     fn __repr__(&self) -> String {
         format!("Sensed(tick={}, wrench={:?})", self.readings.tick, self.readings.wrench)
+    }
+}
+
+/// Readings as `__reduce__` has taken them apart.
+#[pyfunction]
+#[pyo3(name = "_restore_sensed")]
+pub(crate) const fn restore_sensed(
+    tick: u64,
+    motors: ([i32; 5], u32),
+    external: ([i32; 5], u32),
+    wrench: ([f64; 6], u32, bool),
+    amplifiers: ([f64; 5], [f64; 5], u32),
+) -> Sensed {
+    let (motor_counts, motor_sequence) = motors;
+    let (external_counts, external_sequence) = external;
+    let (wrench, wrench_sequence, wrench_overload) = wrench;
+    let (amplifier_current_a, amplifier_voltage_v, amplifier_sequence) = amplifiers;
+    Sensed {
+        readings: Readings {
+            tick,
+            motor_counts,
+            motor_sequence,
+            external_counts,
+            external_sequence,
+            wrench,
+            wrench_sequence,
+            wrench_overload,
+            amplifier_current_a,
+            amplifier_voltage_v,
+            amplifier_sequence,
+        },
     }
 }
 
@@ -95,11 +139,17 @@ fn counts<'py>(py: Python<'py>, counts: &[i32; 5]) -> Answer<Bound<'py, PyAny>> 
 ///     InputError: If a name is unknown or a number out of its range.
 ///     FileError: If the file cannot be read.
 ///     NoAnswerError: If the joints cannot be there, or the model has no force for this soil.
-#[pyclass(module = "soilctl")]
+#[pyclass(module = "soilctl", frozen)]
 pub(crate) struct Plant {
-    /// Behind a lock, since effects on the soil need not be shared; it is never waited for.
-    plant: Mutex<soilctl_plant::Plant>,
+    /// Never waited for, and never held while Python code may run: that might use the plant.
+    inside: Mutex<Inside>,
+}
+
+struct Inside {
+    plant: soilctl_plant::Plant,
     ticks: u64,
+    /// Readings of the last tick; None before the first.
+    last: Option<Readings>,
 }
 
 #[pymethods]
@@ -107,7 +157,7 @@ impl Plant {
     #[new]
     #[pyo3(signature = (
         soil = None, *, joint_angles_deg = None, model = "chen", surface_z_m = -0.3302, seed = 1, file = None
-    ))]
+    ), text_signature = "(soil=None, *, joint_angles_deg=None, model='chen', surface_z_m=-0.3302, seed=1, file=None)")]
     fn new(
         soil: Option<&str>,
         joint_angles_deg: Option<&Bound<'_, PyAny>>,
@@ -134,7 +184,8 @@ impl Plant {
             None => None,
         };
         let start = JointAngles::from_degrees(start);
-        Ok(Self { plant: Mutex::new(soilctl_plant::Plant::new(params, ground, &start, seed)?), ticks: 0 })
+        let plant = soilctl_plant::Plant::new(params, ground, &start, seed)?;
+        Ok(Self { inside: Mutex::new(Inside { plant, ticks: 0, last: None }) })
     }
 
     /// Lets the motors act for one tick of 2 ms, then reads the sensors.
@@ -145,30 +196,33 @@ impl Plant {
     ///
     /// Raises:
     ///     InputError: If a torque is not finite or beyond 1e4 N m. The plant is as it was before.
-    ///     SimulationError: If the arm left all bounds.
+    ///     SimulationError: If the arm left all bounds, or another thread is using the plant.
     #[pyo3(signature = (motor_torques_nm, *, amplifiers_enabled = true))]
-    fn step(&mut self, motor_torques_nm: &Bound<'_, PyAny>, amplifiers_enabled: bool) -> Answer<Sensed> {
+    fn step(&self, motor_torques_nm: &Bound<'_, PyAny>, amplifiers_enabled: bool) -> Answer<Sensed> {
         let drive = drive(motor_torques_nm, amplifiers_enabled)?;
         self.exchange(&drive)
     }
 
     /// Runs a controller for some ticks: each tick its ``step(sensed)`` gives the motor torques, shape (5,), in N m.
     ///
-    /// A callable does instead of an object with ``step``. The first tick is run with amplifiers off, to have readings.
+    /// A callable does instead of an object with ``step``. It gets the readings of the tick before: a plant that has none yet
+    /// runs its first tick with amplifiers off, so that the controller is called once less than there are ticks. Two runs of 500
+    /// ticks are thus the same as one of 1000.
     ///
     /// Returns:
     ///     The last readings.
     ///
     /// Raises:
-    ///     InputError: If a torque is not finite; the message names the tick, the plant is as it was before.
-    ///     SimulationError: If the arm left all bounds.
+    ///     InputError: If a torque is not finite; the message names the tick whose readings the controller had, the plant is as
+    ///         it was after that.
+    ///     SimulationError: If the arm left all bounds, or another thread is using the plant.
     #[pyo3(signature = (controller, *, ticks))]
     fn run(
-        slf: &Bound<'_, Self>,
+        &self,
+        py: Python<'_>,
         controller: &Bound<'_, PyAny>,
         #[pyo3(from_py_with = whole)] ticks: u64,
-    ) -> Answer<Py<Sensed>> {
-        let py = slf.py();
+    ) -> Answer<Sensed> {
         if ticks == 0 {
             return Err(input("ticks is 0; it must be at least 1"));
         }
@@ -180,12 +234,15 @@ impl Plant {
                 return Err(Fail(kinds::InputTypeError::new_err(message)));
             }
         };
-        // Borrowed for each tick only: the controller may look at the plant.
-        let mut sensed = Py::new(py, slf.try_borrow_mut().map_err(busy)?.exchange(&Drive::default())?)?;
-        for tick in 1..ticks {
-            let torques = step.call1((&sensed,))?;
-            let drive = drive(&torques, true)?;
-            sensed = Py::new(py, slf.try_borrow_mut().map_err(busy)?.exchange(&drive)?)?;
+        let last = self.inside()?.last;
+        let (mut sensed, done) = match last {
+            Some(readings) => (Sensed { readings }, 0),
+            None => (self.exchange(&Drive::default())?, 1),
+        };
+        for tick in done..ticks {
+            let torques = step.call1((sensed,))?;
+            let drive = drive(&torques, true).map_err(|fail| after(py, &sensed, fail))?;
+            sensed = self.exchange(&drive)?;
             if tick % LOOK == 0 {
                 py.check_signals()?;
             }
@@ -197,8 +254,9 @@ impl Plant {
     ///
     /// Raises:
     ///     InputError: If there is no soil.
-    fn prepare_soil(&mut self) -> Answer<()> {
-        match self.inside().ground_mut() {
+    ///     SimulationError: If another thread is using the plant.
+    fn prepare_soil(&self) -> Answer<()> {
+        match self.inside()?.plant.ground_mut() {
             Some(ground) => {
                 ground.prepare();
                 Ok(())
@@ -210,29 +268,35 @@ impl Plant {
     /// The sand: a dict of ``friction_angle_deg``, ``interface_friction_deg``, ``cohesion_pa``, ``density_kg_m3`` (of the
     /// present preparation) and ``gravity_m_s2``; None without sand.
     #[getter]
-    fn soil<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let plant = self.plant.lock().unwrap_or_else(PoisonError::into_inner);
-        let Some(ground) = plant.ground() else { return Ok(None) };
-        let (soil, interface) = (ground.soil(), ground.interface());
+    fn soil<'py>(&self, py: Python<'py>) -> Answer<Option<Bound<'py, PyDict>>> {
+        let values = self.inside()?.plant.ground().map(|ground| {
+            let (soil, interface) = (ground.soil(), ground.interface());
+            [
+                ("friction_angle_deg", soil.friction().degrees()),
+                ("interface_friction_deg", interface.friction().degrees()),
+                ("cohesion_pa", soil.cohesion_pa()),
+                ("density_kg_m3", ground.density_kg_m3()),
+                ("gravity_m_s2", soil.gravity_m_s2()),
+            ]
+        });
+        let Some(values) = values else { return Ok(None) };
         let dict = PyDict::new(py);
-        dict.set_item("friction_angle_deg", soil.friction().degrees())?;
-        dict.set_item("interface_friction_deg", interface.friction().degrees())?;
-        dict.set_item("cohesion_pa", soil.cohesion_pa())?;
-        dict.set_item("density_kg_m3", ground.density_kg_m3())?;
-        dict.set_item("gravity_m_s2", soil.gravity_m_s2())?;
+        for (key, value) in values {
+            dict.set_item(key, value)?;
+        }
         Ok(Some(dict))
     }
 
     /// Ticks run since the plant was made.
     #[getter]
-    fn ticks(&self) -> u64 {
-        self.ticks
+    fn ticks(&self) -> Answer<u64> {
+        Ok(self.inside()?.ticks)
     }
 
     /// What no sensor tells, as of the last tick: a dict of true joint angles, tip, wrench and soil.
     #[getter]
     fn truth<'py>(&self, py: Python<'py>) -> Answer<Bound<'py, PyDict>> {
-        let truth = *self.plant.lock().unwrap_or_else(PoisonError::into_inner).truth();
+        let truth = *self.inside()?.plant.truth();
         let soil = &truth.soil;
         let dict = PyDict::new(py);
         dict.set_item("joint_angles_rad", shaped(py, truth.joints.0.to_vec(), &[5])?)?;
@@ -262,28 +326,50 @@ impl Plant {
     ///     SimulationError: If the arm is lost.
     #[getter]
     fn energy_j(&self) -> Answer<f64> {
-        Ok(self.plant.lock().unwrap_or_else(PoisonError::into_inner).energy_j()?)
+        Ok(self.inside()?.plant.energy_j()?)
     }
 
-    fn __repr__(&self) -> String {
-        format!("Plant(ticks={})", self.ticks)
+    fn __reduce__(&self) -> Answer<()> {
+        let message = "a plant is a simulation that goes on, and cannot be copied or pickled; make another one with the same \
+                       arguments and give it the same torques";
+        Err(Fail(PyTypeError::new_err(message)))
+    }
+
+    fn __repr__(&self) -> Answer<String> {
+        Ok(format!("Plant(ticks={})", self.ticks()?))
     }
 }
 
 impl Plant {
-    fn inside(&mut self) -> &mut soilctl_plant::Plant {
-        self.plant.get_mut().unwrap_or_else(PoisonError::into_inner)
+    fn inside(&self) -> Answer<MutexGuard<'_, Inside>> {
+        match self.inside.try_lock() {
+            Ok(inside) => Ok(inside),
+            Err(TryLockError::Poisoned(inside)) => Ok(inside.into_inner()),
+            Err(TryLockError::WouldBlock) => {
+                Err(Fail(kinds::SimulationError::new_err("the plant is in use by another thread")))
+            }
+        }
     }
 
-    fn exchange(&mut self, drive: &Drive) -> Answer<Sensed> {
-        let readings = self.inside().exchange(drive)?;
-        self.ticks += 1;
+    fn exchange(&self, drive: &Drive) -> Answer<Sensed> {
+        let mut inside = self.inside()?;
+        let readings = inside.plant.exchange(drive)?;
+        inside.ticks += 1;
+        inside.last = Some(readings);
         Ok(Sensed { readings })
     }
 }
 
-fn busy(_: pyo3::pycell::PyBorrowMutError) -> Fail {
-    Fail(kinds::SimulationError::new_err("the plant is in use by another thread"))
+/// What a controller gave for readings, refused: with their tick in front. Exceptions of other kinds stay what they are.
+fn after(py: Python<'_>, sensed: &Sensed, fail: Fail) -> Fail {
+    let Fail(refused) = fail;
+    if !refused.is_instance_of::<kinds::InputError>(py) {
+        return Fail(refused);
+    }
+    let message = format!("after tick {}: {}", sensed.readings.tick, refused.value(py));
+    let named = PyErr::from_type(refused.get_type(py), message);
+    named.set_cause(py, refused.cause(py));
+    Fail(named)
 }
 
 /// Checked before the plant sees it.
@@ -308,7 +394,7 @@ impl From<PlantError> for Fail {
     fn from(problem: PlantError) -> Self {
         match problem {
             PlantError::Diverged { .. } => Self(kinds::SimulationError::new_err(problem.to_string())),
-            PlantError::Io { .. } => file(problem),
+            PlantError::Io { file: ref path, .. } => file_at(&problem, path),
             PlantError::Kinematics(problem) => problem.into(),
             PlantError::Force(problem) => problem.into(),
             _ => input(problem),

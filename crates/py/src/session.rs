@@ -9,7 +9,7 @@ use pyo3::types::{PyDict, PyList};
 use soilctl_session::{Cell, SessionError, info_until, recover_until, replay_until, table_rows};
 
 use crate::array::{shaped, whole};
-use crate::error::{Answer, Fail, file, input, no_answer};
+use crate::error::{Answer, Fail, file, file_at, input, no_answer};
 use crate::patient::stoppable;
 
 /// Columns of a table, each of one type.
@@ -213,9 +213,8 @@ pub(crate) fn replay(
 impl From<SessionError> for Fail {
     fn from(problem: SessionError) -> Self {
         match problem {
-            SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. } => {
-                file(problem)
-            }
+            SessionError::File { ref path, .. } => file_at(&problem, path),
+            SessionError::Write { .. } | SessionError::NotALog { .. } => file(problem),
             SessionError::Missing { .. } | SessionError::NoKeyframe { .. } => no_answer(problem),
             _ => input(problem),
         }

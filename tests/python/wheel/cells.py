@@ -6,6 +6,8 @@ import time
 
 import numpy as np
 
+import soilctl
+
 
 def square(number, offset=0.0):
     return {"square": number**2 + offset, "values": np.arange(3.0) * number}
@@ -48,6 +50,10 @@ def contradicts(number):
 
 def of_other_shape(number):
     return {"values": np.arange(number)}
+
+
+def bracket(alpha):
+    return soilctl.bound(tool_angle_deg=alpha, friction_angle_deg=30.0, interface_friction_deg=10.0, max_gap=0.3)
 
 
 class Tripler:

@@ -36,6 +36,15 @@ def test_forces_and_velocities_do_the_same_work():
     np.testing.assert_allclose((ARM.joint_torques(POSTURES, force) * rates).sum(axis=1), power)
 
 
+def test_one_posture_or_one_rate_goes_with_many():
+    for method in (ARM.velocity, ARM.joint_torques):
+        one = np.array([0.2, -0.1, 0.3, 0.1, 0.05])
+        np.testing.assert_array_equal(method(POSTURES, one), method(POSTURES, np.tile(one, (3, 1))))
+        np.testing.assert_array_equal(method(POSTURES[0], np.tile(one, (4, 1))), np.tile(method(POSTURES[0], one), (4, 1)))
+        assert method(POSTURES[:, None], np.ones((2, 5))).shape == (3, 2, 5)
+    assert ARM.jacobian(np.full([1] * 30 + [5], 0.5)).shape == (*[1] * 30, 5, 5)
+
+
 def test_springs_pull_back():
     springs = [1000.0, 2000.0, 3000.0, 0.0, 0.0]
     posture, shift = np.radians([0.0, 30.0, 100.0, 0.0, 30.0]), [0.01, 0.0, 0.002, 0.0, 0.0]
@@ -70,7 +79,9 @@ def test_a_digging_pose_is_reached():
         (lambda: ARM.forward([0, 0, 1e9, 0, 0]), soilctl.InputError, "1000 rad"),
         (lambda: ARM.forward(["a"] * 5), soilctl.InputTypeError, "real numbers"),
         (lambda: ARM.inverse([[0.5, 0, 0, 3, 0], [50, 0, 0, 3, 0]]), soilctl.NoAnswerError, r"element \[1\]"),
-        (lambda: ARM.velocity(POSTURES, POSTURES[0]), soilctl.InputError, "shape"),
+        (lambda: ARM.velocity(POSTURES, POSTURES[:2]), soilctl.InputError, "shape"),
+        (lambda: ARM.velocity(POSTURES, np.ones(4)), soilctl.InputError, "last axis must have length 5"),
+        (lambda: ARM.forward(np.zeros([1] * 40 + [5])), soilctl.InputError, "41 axes"),
         (lambda: ARM.check_limits(np.full(5, 3.1)), soilctl.NoAnswerError, "limit"),
         (lambda: soilctl.Arm("no-such-file.toml"), soilctl.FileError, "no-such-file"),
         (lambda: soilctl.Arm.from_toml("x = 1"), soilctl.InputError, "the text"),

@@ -96,6 +96,61 @@ def test_whole_numbers_out_of_range_are_no_overflow(value, tmp_path):
             call()
 
 
+class Raising:
+    """What has no array, for a reason of its own."""
+
+    def __init__(self, problem):
+        self.problem = problem
+
+    def __array__(self, dtype=None, copy=None):
+        raise self.problem
+
+
+@pytest.mark.parametrize("problem", [KeyboardInterrupt(), MemoryError("full"), ZeroDivisionError("x")])
+def test_what_is_no_matter_of_the_argument_comes_through(problem):
+    with pytest.raises(type(problem)) as caught:
+        soilctl.predict(**{**PLATE, "tool_angle_deg": Raising(problem)})
+    assert caught.value is problem
+
+
+@pytest.mark.parametrize(
+    ("problem", "error"), [(ValueError("odd"), soilctl.InputError), (TypeError("odd"), soilctl.InputTypeError)]
+)
+def test_what_numpy_refuses_is_the_cause(problem, error):
+    with pytest.raises(error, match="tool_angle_deg is no array: odd") as caught:
+        soilctl.predict(**{**PLATE, "tool_angle_deg": Raising(problem)})
+    assert type(caught.value) is error and caught.value.__cause__ is problem
+
+
+def test_more_axes_than_there_may_be_are_refused():
+    for axes in (32, 33, 64):
+        with pytest.raises(soilctl.InputError, match=f"{axes} axes; it must have at most 31"):
+            soilctl.predict(**{**PLATE, "tool_angle_deg": np.full([1] * axes, 80.0)})
+    found = soilctl.predict(**{**PLATE, "tool_angle_deg": np.full([1] * 31, 80.0)})
+    assert found.coefficient.shape == (1,) * 31
+
+
+def test_masked_elements_have_no_value():
+    angles = np.ma.array([80.0, 85.0, 90.0], mask=[False, True, False])
+    with pytest.raises(soilctl.InputError, match="tool_angle_deg has masked elements"):
+        soilctl.predict(**{**PLATE, "tool_angle_deg": angles})
+    with pytest.raises(soilctl.InputError, match="masked"):
+        soilctl.predict(**{**PLATE, "tool_angle_deg": np.ma.masked})
+    with pytest.raises(soilctl.InputError, match="force_n has masked elements"):
+        soilctl.estimate(**{**STROKES, "force_n": np.ma.array([4.0, 5.0], mask=[True, False])})
+    # Without one that is masked, they are arrays.
+    whole = soilctl.predict(**{**PLATE, "tool_angle_deg": np.ma.array([80.0, 85.0])}).coefficient
+    np.testing.assert_array_equal(whole, soilctl.predict(**{**PLATE, "tool_angle_deg": [80.0, 85.0]}).coefficient)
+
+
+def test_masked_elements_have_no_axis_and_no_file():
+    xarray = pytest.importorskip("soilctl.xarray")
+    with pytest.raises(soilctl.InputError, match="masked"):
+        xarray.predict(**{**PLATE, "tool_angle_deg": np.ma.array([80.0, 85.0], mask=[False, True])})
+    with pytest.raises(soilctl.InputError, match="masked"):
+        soilctl.Store.key("f", "", {"x": np.ma.array([1.0, 2.0], mask=[False, True])})
+
+
 def test_sizes_beyond_all_bounds_are_no_answer():
     for name in SIZES:
         with pytest.raises(soilctl.NoAnswerError, match="double precision"):

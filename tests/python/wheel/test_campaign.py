@@ -236,8 +236,8 @@ def test_shards_are_united_by_the_same_call(campaign, log, tmp_path):
     assert soilctl.process(logs, out=shared)["reused"] == 3
     for name in ("strokes.csv", "traces.csv", "campaign.json"):
         assert shared.with_name(name).read_bytes() == whole.with_name(name).read_bytes()
-    for bad in ((0, 2), (3, 2), (1,), ("a", "b")):
-        with pytest.raises(soilctl.InputError, match="--shard"):
+    for bad in ((0, 2), (3, 2), (1,), ("a", "b"), "1/2", 1, (1, 2, 3), (1.0, 2.0)):
+        with pytest.raises(soilctl.InputError, match=r"shard is .*\(i, n\)"):
             soilctl.process(logs, out=shared, shard=bad)
 
 
@@ -246,6 +246,9 @@ def test_answers_are_tables_in_notebooks(campaign):
     html = found._repr_html_()
     assert isinstance(found, dict) and html.startswith("<table>") and "page.html</a>" in html
     assert "<script" not in soilctl.answer("shear", DATA / "direct_shear.csv")._repr_html_()
+    # Whatever its user puts into it.
+    found.update({"array": np.arange(3), "path": [campaign], 5: object()})
+    assert "<td>" in found._repr_html_()
 
 
 def test_a_missing_effect_is_named(tmp_path):
@@ -297,6 +300,12 @@ def test_angles_of_shear_tests_follow_their_power_law():
     assert soil["power_law"]["a_deg_at_1_psi"] == pytest.approx(40.0 * (psi / 1000.0) ** -0.05, rel=1e-9)
     file = soilctl.shear(DATA / "direct_shear.csv", soils=["nevada_fine"])
     assert [one["soil"] for one in file["soils"]] == ["nevada_fine"]
+    # One is not several letters, nor several numbers.
+    for one in (700, 700.0, np.float64(700.0), np.array(700.0), [700.0]):
+        assert soilctl.shear(DATA / "direct_shear.csv", soils="nevada_fine", stress_pa=one)["soils"][0]["soil"] == "nevada_fine"
+    for bad in ("700", ["x"], None, [None]):
+        with pytest.raises(soilctl.InputTypeError, match="stress_pa"):
+            soilctl.shear(DATA / "direct_shear.csv", stress_pa=bad)
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """The command that the wheel installs, and its answers in this process."""
 
+import errno
 import json
 import os
 import signal
@@ -51,6 +52,22 @@ def test_wrong_usage_is_an_exception(capfd):
     with pytest.raises(soilctl.InputError, match="its shell"):
         soilctl.answer("completions", "bash")
     assert capfd.readouterr() == ("", "")
+
+
+def test_errors_of_files_are_those_of_the_system(tmp_path):
+    gone = tmp_path / "gone.toml"
+    calls = [soilctl.solve, soilctl.certify, soilctl.Arm, soilctl.log_info, lambda path: soilctl.Plant(file=path)]
+    for call in calls:
+        with pytest.raises(FileNotFoundError, match="gone.toml") as caught:
+            call(gone)
+        assert isinstance(caught.value, soilctl.FileError)
+        assert (caught.value.errno, caught.value.filename) == (errno.ENOENT, str(gone))
+    with pytest.raises(FileNotFoundError) as caught:
+        soilctl.answer("certify", gone)
+    assert caught.value.errno == errno.ENOENT
+    with pytest.raises(soilctl.FileError) as caught:
+        soilctl.certify(tmp_path)
+    assert caught.value.errno == errno.EISDIR and not isinstance(caught.value, FileNotFoundError)
 
 
 def interrupted(*words, when, cwd=None):

@@ -117,6 +117,12 @@ def test_measurements_that_disagree_are_named():
         ({"force_n": [1.0, 2.0, 3.0]}, soilctl.InputError, "broadcasting"),
         ({"interface_friction_deg": (24.0, 22.0)}, soilctl.InputError, "delta"),
         ({"interface_friction_deg": 23.0}, TypeError, "interface_friction_deg"),
+        ({"interface_friction_deg": [22.0, 23.0, 24.0]}, soilctl.InputError, "two numbers"),
+        ({"interface_friction_deg": {22.0, 24.0}}, soilctl.InputTypeError, "real numbers"),
+        ({"density_kg_m3": [1500.0]}, soilctl.InputError, "two numbers"),
+        ({"density_kg_m3": "ab"}, soilctl.InputTypeError, "real numbers"),
+        ({"friction_search_deg": [[20.0, 50.0]]}, soilctl.InputError, "two numbers"),
+        ({"friction_search_deg": (20.0, np.nan)}, soilctl.InputError, r"friction_search_deg\[1\] is nan"),
         ({"tool_angle_deg": [[80.0], [90.0]]}, soilctl.InputError, "one axis"),
         ({"force_n": ["5"]}, soilctl.InputTypeError, "real numbers"),
         ({"model": "none"}, soilctl.InputError, "no force model"),
@@ -126,6 +132,15 @@ def test_bad_input_is_refused(change, error, words):
     sound = {"force_n": 5.0, "force_error_n": 0.4, "interface_friction_deg": (22.0, 24.0), "model": "chen"}
     with pytest.raises(error, match=words):
         soilctl.estimate(**{**GEOMETRY, **sound, **change})
+
+
+def test_intervals_are_any_two_numbers():
+    force = forces(41.0, 1600.0)
+    ends = {"interface_friction_deg": (22.0, 24.0), "density_kg_m3": (1500.0, 1700.0), "friction_search_deg": (20.0, 50.0)}
+    expected = estimate(force, **ends).to_dict()
+    for kind in (list, np.array, lambda pair: np.array(pair, dtype=np.int32), lambda pair: [np.float32(end) for end in pair]):
+        found = estimate(force, **{name: kind(pair) for name, pair in ends.items()})
+        assert found.to_dict() == expected
 
 
 def test_control_c_ends_an_estimate():

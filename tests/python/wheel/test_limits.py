@@ -4,6 +4,7 @@ import json
 import math
 import os
 import signal
+import types
 from pathlib import Path
 
 import numpy as np
@@ -199,6 +200,39 @@ def test_progress_is_told_and_may_end_the_run():
         soilctl.bound(**SMOOTH, max_gap=1e-5, progress=enough)
 
 
+def cut():
+    """A vertical cut, whose factor of safety is sought: there is no gap before the first pair of bounds."""
+    polygon = [[48, 2], [52, 2], [52, 4], [50, 4], [50, 3], [48, 3]]
+    return {
+        "schema": "soilctl.problem/1",
+        "default_boundary": "free",
+        "objective": {"kind": "strength-reduction"},
+        "soil": [{"name": "clay", "phi_deg": 0, "cohesion_kpa": 10, "unit_weight_kn_m3": 20}],
+        "region": [{"soil": "clay", "polygon": polygon}],
+        "boundary": [{"kind": "fixed", "sides": ["bottom"]}, {"kind": "smooth", "sides": ["left", "right"]}],
+    }
+
+
+def test_the_bar_begins_without_a_gap(capfd):
+    pytest.importorskip("tqdm")
+    gaps = []
+    soilctl.solve(cut(), max_gap=0.5, max_elements=1500, progress=lambda level: gaps.append(level.gap))
+    assert gaps[0] is None and gaps[-1] is not None
+    soilctl.solve(cut(), max_gap=0.5, max_elements=1500, progress=True)
+    shown = capfd.readouterr().err
+    assert "no gap yet" in shown and "elements, gap" in shown
+    assert shown.endswith("\n"), "the bar is closed"
+    with pytest.raises(soilctl.NoAnswerError):
+        soilctl.bound(**SMOOTH, max_seconds=1e-3, progress=True)
+    assert capfd.readouterr().err.endswith("\n"), "the bar is closed after an error, too"
+
+
+def test_levels_are_shown_as_what_they_are():
+    levels = []
+    soilctl.bound(**SMOOTH, max_gap=0.3, progress=levels.append)
+    assert repr(levels[-1]) == f"Progress(elements={levels[-1].elements}, gap={levels[-1].gap}, factor=None)"
+
+
 def test_control_c_ends_the_run_and_keeps_the_best():
     def interrupt(level):
         if level.gap is not None:
@@ -257,6 +291,11 @@ def test_a_described_problem_holds_prandtls_load(tmp_path):
     found = soilctl.solve(strip(20.0), max_gap=0.05)
     assert (2 + math.pi) * 20.0 * 2.0 in found and found.unit == "kN/m"
     assert list(found.solutions) == ["both"] and soilctl.certify(found.solution)
+    # Numbers of numpy's, arrays and other mappings say the same.
+    other = strip(np.float32(20.0))
+    other["soil"][0]["phi_deg"] = np.int64(0)
+    other["region"][0]["polygon"] = np.array(other["region"][0]["polygon"])
+    assert soilctl.solve(types.MappingProxyType(other), max_gap=0.05) == found
     path = tmp_path / "strip.json"
     path.write_text(json.dumps(strip(20.0)))
     again = soilctl.solve(path, max_gap=0.05)
@@ -265,17 +304,8 @@ def test_a_described_problem_holds_prandtls_load(tmp_path):
 
 def test_a_factor_of_safety_is_bracketed():
     # Not at the origin, which the fields must come back to.
-    polygon = [[48, 2], [52, 2], [52, 4], [50, 4], [50, 3], [48, 3]]
-    cut = {
-        "schema": "soilctl.problem/1",
-        "default_boundary": "free",
-        "objective": {"kind": "strength-reduction"},
-        "soil": [{"name": "clay", "phi_deg": 0, "cohesion_kpa": 10, "unit_weight_kn_m3": 20}],
-        "region": [{"soil": "clay", "polygon": polygon}],
-        "boundary": [{"kind": "fixed", "sides": ["bottom"]}, {"kind": "smooth", "sides": ["left", "right"]}],
-    }
     factors = []
-    found = soilctl.solve(cut, max_gap=0.15, max_elements=3000, progress=lambda level: factors.append(level.factor))
+    found = soilctl.solve(cut(), max_gap=0.15, max_elements=3000, progress=lambda level: factors.append(level.factor))
     # A vertical cut of clay stands up to a height of 3.776 to 3.781 c / gamma (Martin; Pastor et al.).
     assert found.quantity == "factor of safety" and 3.7776 * 10 / 20 in found and found.gap <= 0.15
     assert len(factors) > 1 and all(factor > 0 for factor in factors)

@@ -1,5 +1,8 @@
 """The simulated plant, driven by a controller of the user's own."""
 
+import time
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -85,9 +88,46 @@ def test_a_nan_from_a_controller_is_refused_in_its_tick():
     def controller(sensed):
         return np.full(5, np.nan if sensed.tick == 7 else 0.0)
 
-    with pytest.raises(soilctl.InputError, match="nan"):
+    with pytest.raises(soilctl.InputError, match=r"after tick 7: motor_torques_nm\[0\] is nan"):
         plant.run(controller, ticks=100)
     assert plant.ticks == 7
+    with pytest.raises(soilctl.InputTypeError, match="after tick 7: motor_torques_nm holds"):
+        plant.run(lambda sensed: ["a"] * 5, ticks=1)
+
+
+def test_two_runs_are_as_one():
+    whole, parts = soilctl.Plant("ticino_rained"), soilctl.Plant("ticino_rained")
+    once, twice = Holder(), Holder()
+    last = whole.run(once, ticks=100)
+    for _ in range(2):
+        sensed = parts.run(twice, ticks=50)
+    assert once.steps == twice.steps == 99 and sensed.tick == last.tick == 100
+    np.testing.assert_array_equal(sensed.wrench, last.wrench)
+    np.testing.assert_array_equal(sensed.motor_counts, last.motor_counts)
+    np.testing.assert_array_equal(parts.truth["joint_angles_rad"], whole.truth["joint_angles_rad"])
+    assert parts.energy_j == whole.energy_j
+
+
+class Slow:
+    """Torques that let other threads run while they are read."""
+
+    def __array__(self, dtype=None, copy=None):
+        time.sleep(1e-3)
+        return np.zeros(5)
+
+
+def test_threads_may_share_a_plant():
+    plant = soilctl.Plant()
+
+    def drive(_):
+        for _ in range(20):
+            plant.step(Slow())
+            assert plant.ticks > 0 and np.isfinite(plant.truth["tip_m"]).all()
+        plant.run(lambda sensed: Slow(), ticks=20)
+
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(drive, range(4)))
+    assert plant.ticks == 4 * 40
 
 
 def test_a_controller_may_look_at_the_plant_and_its_errors_come_through():
@@ -172,6 +212,23 @@ def test_the_environment_is_the_plant():
         np.testing.assert_array_equal(observation["wrench"], sensed.wrench)
         np.testing.assert_array_equal(observation["motor_counts"], sensed.motor_counts)
         assert reward == -plant.truth["depth_m"] and not terminated and not truncated
-    for bad in ({"max_torque_nm": 0.0}, {"max_torque_nm": np.nan}, {"ticks_per_step": 0}):
+    wrong = [
+        {"max_torque_nm": 0.0},
+        {"max_torque_nm": np.nan},
+        {"ticks_per_step": 0},
+        {"ticks_per_step": 1.5},
+        {"soil": "cheese"},
+        {"seed": 1},
+        {"model": "none"},
+        {"surface_z_m": np.nan},
+        {"render_mode": "human"},
+        {"reward": 3},
+    ]
+    for bad in wrong:
         with pytest.raises(soilctl.InputError):
             PlantEnv(**bad)
+    with pytest.raises(TypeError, match="colour"):
+        PlantEnv(colour="red")
+    made = gymnasium.make("soilctl/Plant-v0", render_mode=None)
+    made.reset(seed=1)
+    assert made.render_mode is None

@@ -1,5 +1,6 @@
 """The generated reference has everything: each verb, each option, each public name; and no page leads nowhere."""
 
+import inspect
 import re
 import subprocess
 import sys
@@ -46,12 +47,21 @@ def test_every_public_name_is_in_the_reference():
     page = reference.python()
     for name in soilctl.__all__:
         assert name.startswith("__") or f"## {name}\n" in page
+    for part in ("gym", "mesh", "plot", "xarray"):
+        module = pytest.importorskip(f"soilctl.{part}")
+        assert f"## soilctl.{part}\n" in page
+        for name in module.__all__:
+            assert f"### {part}.{name}\n" in page and inspect.getdoc(getattr(module, name)), name
+    assert "gravity_m_s2=9.80665" in page and "Ellipsis" not in page
+    # Fields of classes without members of their own.
+    for field in ("failures: Cells that failed", "error: Type and message"):
+        assert field in page
 
 
 def test_options_that_pages_name_are_there():
     known = {word for _, words in options() for word in words}
-    # Of other programs: cargo, its tests, maturin, and a script of the tests.
-    others = {"--release", "--bench", "--path", "--manifest-path", "--example", "--nocapture", "--latency", "--servo", "--memory", "--image"}
+    # Of other programs: cargo, its tests, maturin, a script of the tests, and sbatch.
+    others = {"--release", "--bench", "--path", "--manifest-path", "--example", "--nocapture", "--latency", "--servo", "--memory", "--image", "--array", "--wrap"}
     for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         text = path.read_text(encoding="utf-8")
         # In code only; a table's rule is no option.

@@ -279,6 +279,60 @@ def test_what_an_executor_loses_is_run_a_second_time(tmp_path):
     assert [f.error for f in found.failures] == ["ValueError: lost"] and twice.submitted == 2
 
 
+def test_results_are_sliced_and_shown_in_short(tmp_path):
+    cells = [{"number": n} for n in range(40)]
+    found = soilctl.sweep(poisoned, cells, store=tmp_path, executor=ThreadPoolExecutor(8), name="n")
+    assert [one["square"] for one in found[1:7:2]] == [1, 9, 25] and found[40:] == []
+    assert [one["square"] for one in found[:-3:-1]] == [39**2, 38**2]
+    with pytest.raises(soilctl.SweepError, match="poison 7"):
+        found[5:9]
+    assert repr(found) == f"SweepResult(40 cells, 2 failed, 40 run now, store={str(tmp_path)!r})"
+    assert repr(found.store) == f"Store({str(tmp_path)!r})"
+    for kind, name in ((soilctl.SweepResult, "failures"), (soilctl.Failure, "error"), (soilctl.Store, "folder")):
+        assert f"    {name}: " in kind.__doc__
+
+
+UNGUARDED = """
+import multiprocessing
+import soilctl
+from cells import square
+
+multiprocessing.set_start_method("{method}", force=True)
+done = soilctl.sweep(square, [{{"number": n}} for n in range(9)], store="store")
+print(*(failure.error for failure in done.failures), sep="\\n")
+"""
+GUARDED = """
+import multiprocessing
+import soilctl
+
+def cell(number):
+    return 3 * number
+
+if __name__ == "__main__":
+    multiprocessing.set_start_method("{method}")
+    print(sum(soilctl.sweep(cell, [{{"number": n}} for n in range(9)], store="store")))
+"""
+
+
+@pytest.mark.parametrize("method", ["spawn", "forkserver"])
+def test_a_script_without_a_guard_is_told_of_it(tmp_path, method):
+    words = {"cwd": tmp_path, "capture_output": True, "text": True, "timeout": 120, "check": True}
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parent)}
+    (tmp_path / "script.py").write_text(UNGUARDED.format(method=method))
+    errors = subprocess.run([sys.executable, "script.py"], env=environment, **words).stdout.splitlines()
+    assert len(errors) == 9 and all('if __name__ == "__main__":' in error for error in errors)
+    (tmp_path / "script.py").write_text(GUARDED.format(method=method))
+    assert subprocess.run([sys.executable, "script.py"], env=environment, **words).stdout.strip() == "108"
+
+
+def test_a_process_for_each_core_that_may_be_used():
+    if not hasattr(os, "sched_setaffinity"):
+        pytest.skip("cores cannot be chosen here")
+    script = "import os; os.sched_setaffinity(0, {min(os.sched_getaffinity(0))}); from soilctl._sweep import _cores; print(_cores())"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "1"
+
+
 def test_a_dask_cluster_loses_a_worker_and_no_result(tmp_path):
     distributed = pytest.importorskip("distributed")
     cells = [{"number": n} for n in range(300)]

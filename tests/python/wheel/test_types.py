@@ -36,6 +36,15 @@ def test_all_that_is_public_is_documented():
                 assert not missing, f"{name}: {missing}"
 
 
+def test_signatures_show_their_numbers():
+    for function in (soilctl.bound, soilctl.estimate, soilctl.Plant, soilctl.solve, soilctl.predict):
+        shown = str(inspect.signature(function))
+        assert "Ellipsis" not in shown and "..." not in shown, shown
+    assert inspect.signature(soilctl.bound).parameters["gravity_m_s2"].default == 9.80665
+    assert inspect.signature(soilctl.estimate).parameters["gravity_m_s2"].default == 9.80665
+    assert inspect.signature(soilctl.Plant).parameters["surface_z_m"].default == -0.3302
+
+
 def test_the_import_is_light(tmp_path, record_property):
     script = "import time; t = time.perf_counter(); import soilctl, sys; print(time.perf_counter() - t, *sys.modules)"
     seconds, *modules = run("-c", script, cwd=tmp_path).split()

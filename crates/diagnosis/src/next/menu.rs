@@ -60,8 +60,14 @@ pub(super) const MENU: [Menu; 10] = [
     },
     Menu {
         covariates: &["base_deg"],
-        name: "the box turned by 90 deg, strokes over all base angles",
-        change: |_, i, row| row.base_deg = Some(cycle(&[-90.0, 0.0, 90.0, -45.0, 45.0, 0.0], i)),
+        name: "the box turned by 90 deg in every other batch (base angles count from the box), strokes over the arm's base angles",
+        change: |data, i, row| {
+            // The arm goes where it went before; of a box that was turned already, nobody knows where that was.
+            let (low, high) =
+                data.reference.base_deg.filter(|(low, high)| high - low <= 90.0).unwrap_or((-35.0, 35.0));
+            let turn = if (i / BATCH).is_multiple_of(2) { 90.0 } else { 0.0 };
+            row.base_deg = Some(turn + cycle(&[low, f64::midpoint(low, high), high], i));
+        },
     },
     Menu {
         covariates: &["gap_prior_m"],

@@ -133,7 +133,8 @@ fn best_on_menu(
             let Some(lambda) = told_apart(setup, soil, explanations, &rows, &readings) else { continue };
             let power = normal_tail(NEEDED - lambda.sqrt());
             if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
-                let text = format!("{}{with}: {question}", entry.name);
+                let doubt = if power < LEAST_POWER { ", though it will hardly settle it" } else { "" };
+                let text = format!("{}{with}: {question}{doubt}", entry.name);
                 best = Some(NextExperiment { text, rows, readings: readings.clone(), power });
             }
         }

@@ -58,6 +58,8 @@ def _key(key: Any, place: str) -> str:
 
 
 def _array(array: np.ndarray, place: str) -> dict[str, Any]:
+    if np.ma.is_masked(array):
+        raise InputError(f"{place} has masked elements, which have no value; leave them out or fill them")
     if array.dtype.kind not in "biuf":
         raise InputTypeError(f"{place} is an array of {array.dtype}; only real numbers and booleans are stored")
     if array.dtype.kind == "f" and not np.isfinite(array).all():

@@ -1,7 +1,7 @@
 """Types of the compiled part; `stubtest` compares them with it."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final, TypeAlias, final
 
 import numpy as np
@@ -22,6 +22,12 @@ __all__ = [
     "Progress",
     "Sensed",
     "Solution",
+    "_restore_arm",
+    "_restore_bracket",
+    "_restore_certificate",
+    "_restore_prediction",
+    "_restore_sensed",
+    "_restore_solution",
     "answer_command",
     "bound",
     "estimate",
@@ -145,6 +151,10 @@ class Bracket:
     @property
     def solutions(self) -> dict[str, Solution]: ...
     def __contains__(self, value: float, /) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __copy__(self) -> Bracket: ...
+    def __deepcopy__(self, _memo: Any, /) -> Bracket: ...
     def to_dict(self) -> dict[str, Any]: ...
     def _repr_html_(self) -> str: ...
 
@@ -169,23 +179,23 @@ def bound(
     cohesion_pa: float = 0.0,
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
-    gravity_m_s2: float = ...,
+    gravity_m_s2: float = 9.80665,
     max_gap: float = 0.01,
     max_seconds: float = 60.0,
     max_elements: int = 20000,
     max_memory_mb: int | None = None,
     threads: int = 1,
-    progress: Callable[[Progress], object] | None = None,
+    progress: Callable[[Progress], object] | bool | None = None,
 ) -> Bracket: ...
 def solve(
-    problem: _Path | dict[str, Any],
+    problem: _Path | Mapping[str, Any],
     *,
     max_gap: float = 0.01,
     max_seconds: float = 60.0,
     max_elements: int = 20000,
     max_memory_mb: int | None = None,
     threads: int = 1,
-    progress: Callable[[Progress], object] | None = None,
+    progress: Callable[[Progress], object] | bool | None = None,
 ) -> Bracket: ...
 
 @final
@@ -209,6 +219,10 @@ class Solution:
     def failure_surface(self) -> list[NDArray[np.float64]]: ...
     def contacts(self) -> list[dict[str, NDArray[np.float64]]]: ...
     def vtu(self) -> str: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __copy__(self) -> Solution: ...
+    def __deepcopy__(self, _memo: Any, /) -> Solution: ...
     def _repr_svg_(self) -> str | None: ...
 
 @final
@@ -228,6 +242,8 @@ class Certificate:
     @property
     def upper_refusal(self) -> str | None: ...
     def __bool__(self) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
     def _repr_html_(self) -> str: ...
 
 @final
@@ -262,6 +278,8 @@ class Estimate:
     def to_dict(self) -> dict[str, Any]: ...
     def to_pandas(self) -> Any: ...
     def contains(self, friction_angle_deg: float, density_kg_m3: float) -> bool: ...
+    def __copy__(self) -> Estimate: ...
+    def __deepcopy__(self, _memo: Any, /) -> Estimate: ...
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
     def _repr_html_(self) -> str: ...
@@ -274,15 +292,15 @@ def estimate(
     width_m: ArrayLike,
     force_n: ArrayLike,
     force_error_n: ArrayLike,
-    interface_friction_deg: tuple[float, float],
+    interface_friction_deg: ArrayLike,
     surface_slope_deg: ArrayLike | None = None,
-    density_kg_m3: tuple[float, float] | None = None,
-    friction_search_deg: tuple[float, float] | None = None,
+    density_kg_m3: ArrayLike | None = None,
+    friction_search_deg: ArrayLike | None = None,
     model: str = "table",
     cohesion_pa: float = 0.0,
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
-    gravity_m_s2: float = ...,
+    gravity_m_s2: float = 9.80665,
 ) -> Estimate: ...
 
 @final
@@ -310,7 +328,7 @@ class Plant:
         *,
         joint_angles_deg: ArrayLike | None = None,
         model: str = "chen",
-        surface_z_m: float = ...,
+        surface_z_m: float = -0.3302,
         seed: int = 1,
         file: _Path | None = None,
     ) -> Plant: ...
@@ -327,6 +345,27 @@ class Plant:
     def energy_j(self) -> float: ...
 
 def soil_names() -> list[str]: ...
+def _restore_arm(text: str | None) -> Arm: ...
+def _restore_bracket(
+    told: tuple[float, float, str, str, str, float],
+    force_n: tuple[float, float] | None,
+    elements: tuple[int, int],
+    solutions: Sequence[tuple[str, Solution]],
+) -> Bracket: ...
+def _restore_certificate(
+    certified: bool,
+    lower: tuple[float | None, float | None, str | None],
+    upper: tuple[float | None, float | None, str | None],
+) -> Certificate: ...
+def _restore_prediction(
+    named: tuple[str, str],
+    coefficient: Any,
+    ends: Any,
+    interpolation_margin: Any,
+    force_n: Any,
+) -> Prediction: ...
+def _restore_sensed(tick: int, motors: Any, external: Any, wrench: Any, amplifiers: Any) -> Sensed: ...
+def _restore_solution(path: _Path, origin_m: tuple[float, float]) -> Solution: ...
 def log_info(path: _Path) -> dict[str, Any]: ...
 def log_recover(path: _Path, *, out: _Path) -> dict[str, Any]: ...
 def log_table(path: _Path, topic: str = "/controller/step") -> dict[str, Any]: ...

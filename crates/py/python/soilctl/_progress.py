@@ -37,7 +37,9 @@ class Levels:
         self.bar = tqdm(unit=" meshes")
 
     def __call__(self, level: Any) -> None:
-        self.bar.set_postfix_str(f"{level.elements} elements, gap {100 * level.gap:.2f} %")
+        # There is none before the first pair of bounds.
+        gap = "no gap yet" if level.gap is None else f"gap {100 * level.gap:.2f} %"
+        self.bar.set_postfix_str(f"{level.elements} elements, {gap}")
         self.bar.update()
 
     def close(self) -> None:

@@ -22,10 +22,16 @@ class Store:
     A result is in ``results/ab/abcd....json``, where ``abcd...`` is the SHA-256 of function, version and cell. It
     appears in one step (written beside, then renamed) and never changes. Errors are in ``failed/``, until the cell
     succeeds.
+
+    Attributes:
+        folder: The folder, a ``pathlib.Path``.
     """
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = Path(folder)
+
+    def __repr__(self) -> str:
+        return f"Store({str(self.folder)!r})"
 
     @staticmethod
     def key(name: str, version: str, cell: Any) -> str:
@@ -61,11 +67,11 @@ class Store:
             result = document["result"].encode("utf-8")
             sound = hashlib.sha256(result).hexdigest() == document["sha256"]
         except OSError as problem:
-            raise FileError(f"{path}: {problem.strerror}") from problem
+            raise FileError(f"{path}: {problem.strerror}", path, problem.errno) from problem
         except (ValueError, KeyError, AttributeError, TypeError) as problem:
-            raise FileError(f"{path} is no result of a sweep; delete it, and it is made again") from problem
+            raise FileError(f"{path} is no result of a sweep; delete it, and it is made again", path) from problem
         if not sound:
-            raise FileError(f"{path} is damaged; delete it, and it is made again")
+            raise FileError(f"{path} is damaged; delete it, and it is made again", path)
         return decode(result)
 
     def publish(self, key: str, name: str, version: str, cell: Any, result: bytes) -> None:
@@ -99,4 +105,5 @@ def _write(path: Path, data: bytes) -> None:
     except OSError as problem:
         with contextlib.suppress(OSError):
             partial.unlink()
-        raise FileError(f"{path}: {problem.strerror}; check the folder and the free space") from problem
+        told = f"{path}: {problem.strerror}; check the folder and the free space"
+        raise FileError(told, path, problem.errno) from problem

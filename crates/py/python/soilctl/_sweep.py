@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import sys
 from collections import deque
@@ -19,7 +20,7 @@ from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, overload
 
 from ._canonical import decode, encode
 from ._progress import Progress, told
@@ -31,44 +32,62 @@ Cell = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Failure:
-    """A cell that failed."""
+    """A cell that failed.
 
-    #: Place of the cell among those given.
+    Attributes:
+        index: Place of the cell among those given.
+        cell: The cell.
+        error: Type and message of the exception.
+    """
+
     index: int
-    #: The cell.
     cell: dict[str, Any]
-    #: Type and message of the exception.
     error: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SweepResult:
     """What a sweep did. Results are read from the store when they are asked for.
 
-    Indexing gives the result of a cell, in the order in which cells were given; iterating gives those that there are.
+    Indexing gives the result of a cell, in the order in which cells were given, and a slice a list of them; iterating gives those
+    that there are.
+
+    Attributes:
+        cells: The cells, in the order given.
+        keys: Addresses of their results in the store.
+        store: Where the results are, a :class:`Store`.
+        failures: Cells that failed, in the order given, each a :class:`Failure`. They are tried again the next time.
+        submitted: Number of the cells that were handed to the executor in this run.
     """
 
-    #: The cells, in the order given.
     cells: list[dict[str, Any]]
-    #: Addresses of their results in the store.
     keys: list[str]
-    #: Where the results are.
     store: Store
-    #: Cells that failed, in the order given. They are tried again the next time.
     failures: list[Failure] = field(default_factory=list)
-    #: Cells that were handed to the executor in this run.
     submitted: int = 0
+
+    def __repr__(self) -> str:
+        return (
+            f"SweepResult({len(self)} cells, {len(self.failures)} failed, {self.submitted} run now, "
+            f"store={str(self.store.folder)!r})"
+        )
 
     def __len__(self) -> int:
         """Number of cells."""
         return len(self.cells)
 
-    def __getitem__(self, index: int) -> Any:
-        """The result of the cell at this place.
+    @overload
+    def __getitem__(self, index: int) -> Any: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Any]: ...
+    def __getitem__(self, index: int | slice) -> Any:
+        """The result of the cell at this place, or a list of those in a slice.
 
         Raises:
-            SweepError: If it failed.
+            SweepError: If one of them failed.
         """
+        if isinstance(index, slice):
+            return [self[place] for place in range(len(self))[index]]
         cell = self.cells[index]
         for failure in self.failures:
             if failure.index == index % len(self.cells):
@@ -166,8 +185,9 @@ def sweep(
             numbers, text, lists, dicts and numpy arrays, or have ``to_dict()``.
         cells: Keyword arguments, one mapping a cell, of the same kinds of values.
         store: Folder for the results; made if it is not there.
-        executor: Any ``concurrent.futures.Executor``; by default one process a core. For a cluster give
-            ``dask.distributed.Client(...).get_executor()``.
+        executor: Any ``concurrent.futures.Executor``; by default one process a core that this one may use. For a cluster give
+            ``dask.distributed.Client(...).get_executor()``. Where processes are spawned rather than forked, a script must call this
+            under ``if __name__ == "__main__":``.
         name: Name under which results are stored; by default the function's module (of a script, its file's name) and qualified
             name. Methods of objects need one, and so do notebooks that share a store and have functions of the same name.
         version: Change it when the function changes its answers; older results then no longer count.
@@ -236,6 +256,31 @@ def _call(function: Callable[..., Any], cell: bytes) -> tuple[bool, bytes]:
         return False, (f"{kind}: {text}" if text else kind).encode("utf-8", "replace")
 
 
+def _cores() -> int:
+    """Cores that this process may use, which may be fewer than there are."""
+    count = getattr(os, "process_cpu_count", None)
+    if count is not None:
+        return count() or 1
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+#: Said of every cell if not even a process without a cell lives.
+_UNGUARDED = (
+    "its process died, as does every other one that is started; a script must call sweep under "
+    'if __name__ == "__main__":, since each process imports it anew'
+)
+
+
+def _processes_live() -> bool:
+    """Whether a process can be started at all: an unguarded script that is imported by it would start others, and dies."""
+    if multiprocessing.get_start_method() == "fork":
+        return True
+    with ProcessPoolExecutor(1) as pool:
+        return not isinstance(pool.submit(os.getpid).exception(), BrokenExecutor)
+
+
 def _problem(future: Future[tuple[bool, bytes]]) -> BaseException | None:
     """What the executor says went wrong, not the cell."""
     try:
@@ -272,11 +317,15 @@ class _Run:
                 for key in [key for key in todo if not self.settled(key)]:
                     self.failed(key, todo[key], "the executor broke before it was done")
             return
-        workers = os.cpu_count() or 1
+        workers = _cores()
         left = todo
         while left:
             with ProcessPoolExecutor(min(workers, len(left))) as pool:
                 suspects = self.through(pool, left, in_flight=2 * workers)
+            if suspects and not _processes_live():
+                for key in [key for key in left if not self.settled(key)]:
+                    self.failed(key, todo[key], _UNGUARDED)
+                return
             # A worker died, and took the pool along. Whose fault it was shows when each is alone.
             for key in suspects:
                 with ProcessPoolExecutor(1) as alone:

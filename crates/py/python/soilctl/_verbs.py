@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import csv
 import json
+import operator
 import os
 import tempfile
 from collections.abc import Iterable, Mapping
 from html import escape
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +27,7 @@ class Answer(dict[str, Any]):
     """An answer of the command line: a dict that a notebook shows as a table, with links to the pages that were written."""
 
     def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><th>{escape(key)}</th><td>{_shown(value)}</td></tr>" for key, value in self.items())
+        rows = "".join(f"<tr><th>{escape(str(key))}</th><td>{_shown(value)}</td></tr>" for key, value in self.items())
         return f"<table>{rows}</table>"
 
 
@@ -34,7 +36,7 @@ def _shown(value: object) -> str:
         return "<br>".join(map(_shown, value))
     if isinstance(value, str) and value.endswith(".html"):
         return f'<a href="{escape(value)}">{escape(value)}</a>'
-    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=str)
     return escape(text if len(text) <= _SHOWN else text[:_SHOWN] + " ...")
 
 
@@ -114,8 +116,8 @@ def diagnose(
 def shear(
     points: _Path | Mapping[str, Iterable[Any]],
     *,
-    soils: Iterable[str] = (),
-    stress_pa: Iterable[float] = (),
+    soils: str | Iterable[str] = (),
+    stress_pa: float | Iterable[float] = (),
     fit_limit_pa: float | None = None,
 ) -> dict[str, Any]:
     """The friction angle of direct-shear tests against normal stress: a power law, a slope on a floor, a constant.
@@ -123,8 +125,8 @@ def shear(
     Args:
         points: A CSV file, or columns (a dict of sequences of one length, or a ``pandas.DataFrame``) with the names
             ``friction_angle_deg``, ``normal_stress_pa`` or ``normal_stress_psi`` and, if there are several, ``soil``.
-        soils: Only these; all if there are none.
-        stress_pa: Normal stresses at which the angle is asked for.
+        soils: Only this one, or these; all if there are none.
+        stress_pa: Normal stress, or several, at which the angle is asked for.
         fit_limit_pa: The power law is fitted to the loads below; 17237 if not given.
 
     Returns:
@@ -132,14 +134,14 @@ def shear(
 
     Raises:
         InputError: If the points make no sense, or columns differ in length.
-        InputTypeError: If points are neither a path nor columns.
+        InputTypeError: If points are neither a path nor columns, or stresses no numbers.
         FileError: If the file cannot be read.
     """
     words: list[object] = [*_option("--fit-limit", fit_limit_pa)]
-    for soil in soils:
+    for soil in [soils] if isinstance(soils, str) else soils:
         words += ["--soil", soil]
-    for stress in stress_pa:
-        words += ["--stress", float(stress)]
+    for stress in _numbers("stress_pa", stress_pa):
+        words += ["--stress", stress]
     if isinstance(points, (str, os.PathLike)):
         return answer("shear", points, *words)
     if not isinstance(points, Mapping) and not hasattr(points, "columns"):
@@ -155,6 +157,18 @@ def shear(
             writer.writerow(columns)
             writer.writerows(zip(*columns.values(), strict=True))
         return answer("shear", path, *words)
+
+
+def _numbers(name: str, value: float | Iterable[float]) -> list[float]:
+    """One number or several."""
+    if isinstance(value, (str, bytes)):
+        raise InputTypeError(f"{name} is {value!r}; it must be a number or several")
+    # An array without axes is one number, too.
+    several: Any = [value] if isinstance(value, Real) or getattr(value, "ndim", 1) == 0 else value
+    try:
+        return [float(one) for one in several]
+    except (TypeError, ValueError) as problem:
+        raise InputTypeError(f"{name} is {value!r}; it must be a number or several") from problem
 
 
 def simulate(
@@ -218,12 +232,24 @@ def process(
 
     Raises:
         InputError: If no log can be used, or an option makes no sense.
+        InputTypeError: If ``shard`` is no pair of whole numbers.
         FileError: If a file cannot be read or written.
     """
     paths = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
-    part = None if shard is None else "/".join(map(str, shard))
-    named = {"--out": out, "--threads": threads, "--shard": part, "--report": report}
+    named = {"--out": out, "--threads": threads, "--shard": _shard(shard), "--report": report}
     return answer("process", *paths, *_options(named), *options, progress=progress)
+
+
+def _shard(shard: tuple[int, int] | None) -> str | None:
+    if shard is None:
+        return None
+    try:
+        part, parts = (operator.index(number) for number in shard)
+    except (TypeError, ValueError) as problem:
+        raise InputTypeError(f"shard is {shard!r}; it must be (i, n), two whole numbers with 1 <= i <= n") from problem
+    if not 1 <= part <= parts:
+        raise InputError(f"shard is {shard!r}; it must be (i, n), two whole numbers with 1 <= i <= n")
+    return f"{part}/{parts}"
 
 
 def _options(values: Mapping[str, object]) -> Iterable[object]:

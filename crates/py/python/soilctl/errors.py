@@ -6,17 +6,26 @@ All are :class:`SoilctlError`; each is also the built-in exception that one woul
 
 from __future__ import annotations
 
+import errno as codes
+import os
+import re
+from typing import Any
+
 __all__ = [
     "FileError",
     "InputError",
     "InputTypeError",
     "Interrupted",
+    "MissingFileError",
     "NoAnswerError",
     "ProofError",
     "SimulationError",
     "SoilctlError",
     "SweepError",
 ]
+
+#: How a message of the compiled part tells what the system said.
+_CODE = re.compile(r"\(os error (\d+)\)")
 
 
 class SoilctlError(Exception):
@@ -32,7 +41,38 @@ class InputTypeError(InputError, TypeError):
 
 
 class FileError(SoilctlError, OSError):
-    """A file that cannot be read or written."""
+    """A file that cannot be read or written. If it is not there, a :class:`MissingFileError`.
+
+    Attributes:
+        errno: The system's number of what went wrong; None if it was not the system that refused.
+        strerror: The same in words; None likewise.
+        filename: The file; None if the message alone says which one it is.
+    """
+
+    def __new__(cls, message: str = "", filename: str | os.PathLike[str] | None = None, errno: int | None = None) -> FileError:
+        found = _CODE.search(str(message))
+        code = int(found[1]) if errno is None and found else errno
+        # As OSError itself does.
+        kind = MissingFileError if cls is FileError and code == codes.ENOENT else cls
+        error = super().__new__(kind, message)
+        error.errno = code
+        error.strerror = None if code is None else os.strerror(code)
+        error.filename = None if filename is None else os.fspath(filename)
+        return error
+
+    def __init__(self, message: str = "", filename: str | os.PathLike[str] | None = None, errno: int | None = None) -> None:
+        super().__init__(message)
+
+    def __str__(self) -> str:
+        """The message, which has all of it."""
+        return str(self.args[0])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.args[0], self.filename, self.errno)
+
+
+class MissingFileError(FileError, FileNotFoundError):
+    """A file that is not there."""
 
 
 class NoAnswerError(SoilctlError, ArithmeticError):

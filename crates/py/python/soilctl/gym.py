@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable
 from typing import Any
 
@@ -14,7 +15,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from ._native import Plant, Sensed
-from .errors import InputError
+from .errors import InputError, InputTypeError
 
 __all__ = ["PlantEnv"]
 
@@ -34,10 +35,13 @@ class PlantEnv(gymnasium.Env[dict[str, Any], NDArray[np.float64]]):
         max_torque_nm: Bound of the action space.
         ticks_per_step: Ticks for which an action is held.
         reward: What a step is worth, told by ``Plant.truth`` (a dict) after it; 0 if not given.
+        render_mode: None; there is nothing to be seen.
         options: Further keywords of :class:`soilctl.Plant`, but not its seed, which :meth:`reset` takes.
 
     Raises:
-        InputError: If a number is out of its range. What else :class:`soilctl.Plant` refuses, :meth:`reset` raises.
+        InputError: If a number is out of its range, a name is unknown, or a seed or a way of rendering is given.
+        TypeError: If there is no such option.
+        FileError, NoAnswerError: What else :class:`soilctl.Plant` refuses.
     """
 
     metadata: dict[str, Any] = {"render_modes": []}
@@ -49,15 +53,29 @@ class PlantEnv(gymnasium.Env[dict[str, Any], NDArray[np.float64]]):
         max_torque_nm: float = 50.0,
         ticks_per_step: int = 1,
         reward: Callable[[dict[str, Any]], float] | None = None,
+        render_mode: str | None = None,
         **options: Any,
     ) -> None:
         if not 0.0 < max_torque_nm <= 1e4:
             raise InputError(f"max_torque_nm is {max_torque_nm} N m; it must be above 0 and at most 10000 N m")
-        if ticks_per_step < 1:
-            raise InputError(f"ticks_per_step is {ticks_per_step}; it must be at least 1")
+        try:
+            ticks = operator.index(ticks_per_step)
+        except TypeError as problem:
+            raise InputTypeError(f"ticks_per_step is {ticks_per_step!r}; it must be a whole number") from problem
+        if ticks < 1:
+            raise InputError(f"ticks_per_step is {ticks}; it must be at least 1")
+        if render_mode is not None:
+            raise InputError(f"render_mode is {render_mode!r}; it must be None, there is nothing to be seen")
+        if not (reward is None or callable(reward)):
+            raise InputTypeError(f"reward is of type {type(reward).__name__}; it must be callable")
+        if "seed" in options:
+            raise InputError("seed is none of the options; give it to reset()")
+        # Refuses what reset() would refuse.
+        Plant(soil, **options)
+        self.render_mode = render_mode
         self._soil = soil
         self._options = options
-        self._ticks = ticks_per_step
+        self._ticks = ticks
         self._reward = reward
         self._plant: Plant | None = None
         self.action_space = spaces.Box(-max_torque_nm, max_torque_nm, (5,), np.float64)

@@ -49,6 +49,8 @@ def predict(model: str = "chen", **arguments: Any) -> xarray.Dataset:
 def _named(name: str, value: Any) -> xarray.DataArray:
     if isinstance(value, xarray.DataArray):
         return value
+    if np.ma.is_masked(value):
+        raise InputError(f"{name} has masked elements, which have no value; leave them out or fill them")
     array = np.asarray(value)
     if array.ndim > 1:
         raise InputTypeError(f"{name} has {array.ndim} axes without names; give an xarray.DataArray")
