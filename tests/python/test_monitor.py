@@ -187,6 +187,139 @@ def test_ticks_are_round_and_at_least_two(serve, log):
         assert np.allclose(steps, steps[0]) and float(f"{steps[0]:.0e}") == pytest.approx(steps[0])
 
 
+def test_labels_of_a_chart_have_their_room(serve, log):
+    _, page = serve("--play", log)
+    for height in [46, 52, 64, 110]:
+        for low, high in [(-361, -330), (-422, 395), (-340.4, -329.7), (0, 1.7), (-4, 71), (19, 47.2), (0, 40), (-20, 60), (-55.1, -44.9), (97.4, 103.1)]:
+            shown = page.evaluate("([low, high, height]) => labels(low, high, height)", [low, high, height])
+            places = np.array([place for _, place in shown])
+            assert len(shown) >= 2 and (-np.diff(places) >= 12).all() and places.min() >= 9 and places.max() <= height, (low, high, height)
+            # At its line, or as much below as the upper edge demands.
+            lines = np.array([height - (level - low) / (high - low) * height for level, _ in shown])
+            assert np.allclose(places, np.maximum(9, lines - 2))
+
+
+# Curves of so many seconds at a spacing in s, without the seconds from 12 to 20.
+CURVES = """spacing => {
+  const time_s = Array.from({length: Math.round(30 / spacing)}, (_, k) => k * spacing).filter(time => time <= 12 || time >= 20);
+  const of = value => time_s.map(() => value);
+  monitor.charts.clear();
+  monitor.charts.window_s = 30;
+  monitor.charts.add({time_s, force_n: of(5), friction_angle_deg: of(20), friction_setpoint_deg: of(null), z_m: of(-.3), displacement_m: of(.0103), machine: of('stroke')});
+  monitor.charts.draw();
+}"""
+# Of each hundredth of a chart's time, whether there is something of a colour in it.
+INK = """([kind, name]) => {
+  const canvas = document.querySelector(`[data-chart=${kind}]`), pen = canvas.getContext('2d'), {data} = pen.getImageData(0, 0, canvas.width, canvas.height);
+  pen.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  const wanted = [1, 3, 5].map(at => parseInt(pen.fillStyle.slice(at, at + 2), 16)), found = Array(100).fill(false);
+  for (let k = 0; k < data.length; k += 4)
+    if (data[k + 3] > 100 && wanted.every((part, n) => Math.abs(part - data[k + n]) < 12)) found[Math.floor(k / 4 % canvas.width / canvas.width * 100)] = true;
+  return found;
+}"""
+
+
+@pytest.mark.parametrize("spacing", [0.032, 0.064, 1.0])
+def test_curves_and_bars_break_where_nothing_is_known(serve, log, spacing):
+    _, page = serve("--play", log)
+    page.evaluate(CURVES, spacing)
+    last_s = 30 - spacing
+    for kind, colour in [("force", "accent"), ("z", "accent"), ("displacement", "accent"), ("machine", "second")]:
+        ink = page.evaluate(INK, [kind, colour])
+        # Thinned curves are whole but there. Labels lie over the first seconds.
+        for part, found in enumerate(ink):
+            time = last_s - 30 + 0.3 * (part + 0.5)
+            if abs(time - 12) > 0.5 and abs(time - 20) > 0.5 and time > 5:
+                assert found == (not 12 < time < 20), (kind, time)
+    # The pointer over what is not known finds no number.
+    box = page.locator("[data-chart=force]").bounding_box()
+    value = "document.querySelector('[data-chart=force]').parentElement.querySelector('b').textContent"
+    for time, words in [(16, "–"), (25, "5.0 N"), (6, "5.0 N")]:
+        page.mouse.move(box["x"] + box["width"] * (time - last_s + 30) / 30, box["y"] + 20)
+        until(page, f"words => {value} === words", arg=words)
+    assert page.problems == []
+
+
+def test_a_view_has_all_of_the_arm_in_it(serve, log, six_joints):
+    # All corners of bodies, and of the box, as the page draws them.
+    points = """(() => { const {scene} = monitor, {sandbox} = scene.description, links = scene.arm.pose(scene.arm.values(scene.state, monitor.names));
+      return [scene.arm.extent(links), sandbox && [sandbox.x_m, sandbox.y_m, [sandbox.floor_z_m, sandbox.top_z_m]]]; })()"""
+    for number, path in enumerate([log, six_joints[0]]):
+        _, page = serve("--play", path)
+        for width, height in [(1280, 800), (1366, 668), (390, 844)]:
+            page.set_viewport_size({"width": width, "height": height})
+            for view in ["home", "side"]:
+                # It is fitted at the middle, and the arm leaves it at the beginning.
+                seek(page, 10.0)
+                page.evaluate("view => monitor.scene.show(view)", view)
+                for time_s in [10.0, 0.0, 15.0]:
+                    seek(page, time_s)
+                    found, box = page.evaluate(points)
+                    if box:
+                        found += [[x, y, z] for x in box[0] for y in box[1] for z in box[2]]
+                    else:
+                        assert number == 1
+                    look = camera(page)
+                    seen = np.array([project(np.array(point), look) for point in found])
+                    assert (seen.min(axis=0) >= 4).all() and (seen.max(axis=0) <= [look["width"] - 4, look["height"] - 4]).all(), (view, time_s)
+                    # And not lost in it.
+                    assert ((seen.max(axis=0) - seen.min(axis=0)) / [look["width"], look["height"]]).max() > 0.4
+        # Whoever turns it keeps it.
+        page.locator("#scene").focus()
+        page.keyboard.press("ArrowLeft")
+        still(page)
+        before = camera(page)
+        seek(page, 0.0)
+        assert camera(page) == before
+        assert page.problems == []
+
+
+def test_the_plate_is_outlined_where_sand_hides_it(serve, soilctl, log):
+    _, page = serve("--play", log)
+    begin_s, end_s = stroke_of(soilctl, log)
+    page.evaluate("monitor.scene.show('plate')")
+
+    def outline():
+        before, corner = picture(page)
+        page.evaluate("monitor.scene.kept = monitor.scene.edges; monitor.scene.edges = []; monitor.scene.redraw()")
+        still(page)
+        after, _ = picture(page)
+        page.evaluate("monitor.scene.edges = monitor.scene.kept; monitor.scene.redraw()")
+        still(page)
+        return places(np.abs(before - after).max(axis=2) > 30, corner)
+
+    seek(page, 0.5 * (begin_s + end_s))
+    state, width = page.evaluate("[monitor.state, monitor.scene.description.plate.width_m]")
+    plate = state["plate"]
+    at, across = np.array([plate["x_m"], plate["y_m"], plate["z_m"]]), np.array([-plate["y_m"], plate["x_m"], 0]) / math.hypot(plate["x_m"], plate["y_m"])
+    ends = [project(at + side * 0.5 * width * across, camera(page)) for side in [-1, 1]]
+    seen = outline()
+    # All along the lower edge, but where the signs lie over it, and nowhere far from the plate.
+    for share in np.linspace(0.05, 0.95, 13):
+        place = ends[0] + share * (ends[1] - ends[0])
+        assert 0.4 < share < 0.6 or np.linalg.norm(seen - place, axis=1).min() < 4, share
+    length = np.linalg.norm(ends[1] - ends[0])
+    assert np.linalg.norm(seen - 0.5 * (ends[0] + ends[1]), axis=1).max() < 1.2 * length
+    # In the air there is nothing to outline.
+    seek(page, 0.5)
+    assert len(outline()) == 0
+    assert page.problems == []
+
+
+def test_a_log_says_what_the_soil_bears_safely(serve, soilctl, guarded_log):
+    _, page = serve("--play", guarded_log)
+    begin_s, end_s = stroke_of(soilctl, guarded_log)
+    angles, forces = (json.loads(words.split("=")[1]) for words in SAFE_FORCE)
+    for share in [0.2, 0.6, 0.9]:
+        seek(page, begin_s + share * (end_s - begin_s))
+        state = page.evaluate("monitor.state")
+        wanted = np.interp(state["friction_angle_deg"], angles, forces)
+        assert state["safe_force_n"] == pytest.approx(wanted, rel=1e-9)
+        assert page.locator("#legend [data-key=safe] b").inner_text() == f"{wanted:.1f} N"
+    seek(page, 0.5)
+    assert page.evaluate("monitor.state.safe_force_n") is None and page.locator("#legend [data-key=safe] b").inner_text() == ""
+
+
 def test_the_soil_has_a_furrow_and_a_heap_after_the_stroke(serve, soilctl, log):
     _, page = serve("--play", log)
     heights = "Array.from(monitor.scene.soil.heights)"
@@ -228,7 +361,7 @@ def test_playing_scrubbing_and_keys(serve, log, joints):
     for share in [0.25, 0.5, 0.75]:
         page.mouse.click(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
         wanted = share * last_s
-        until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 1", arg=wanted)
+        until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 1 && monitor.player.settled", arg=wanted)
         still(page)
         shown = page.evaluate("[monitor.player.state.time_s, monitor.state.time_s, Number(document.getElementById('scene').dataset.tick) * .002]")
         assert abs(shown[0] - wanted) <= 3 * last_s / box["width"] + 0.01
@@ -246,13 +379,13 @@ def test_playing_scrubbing_and_keys(serve, log, joints):
     assert page.locator("#help").is_visible()
     page.keyboard.press("Escape")
     page.locator("#events li[data-seek]").nth(3).click()
-    until(page, "monitor.player.state.time_s > 0")
+    until(page, "monitor.player.state.time_s > 0 && monitor.player.settled")
     # From event to event, and from state to state in the track.
     times = page.evaluate("monitor.panel.entries.map(entry => entry.time_s)")
     page.locator("#events ol").focus()
     marked = page.evaluate("monitor.panel.current")
     page.keyboard.press("ArrowDown")
-    until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 1e-6", arg=times[marked + 1])
+    until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 1e-6 && monitor.player.settled", arg=times[marked + 1])
     here = page.evaluate("monitor.state.time_s")
     page.locator("#scrub").focus()
     page.keyboard.press("ArrowRight")
@@ -260,6 +393,84 @@ def test_playing_scrubbing_and_keys(serve, log, joints):
     page.keyboard.press("Shift+L")
     until(page, "wanted => Math.abs(monitor.player.state.time_s - wanted) < 0.05", arg=here + 5)
     assert page.problems == []
+
+
+def burst(page, *keys):
+    """Keys one after the other, before any answer can come."""
+    page.evaluate("keys => { for (const key of keys) document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true})); }", keys)
+
+
+def test_quick_keys_all_count(serve, log):
+    _, page = serve("--play", log)
+    begin_s = page.evaluate("monitor.player.log.from_s")
+    shown = "[monitor.player.state.time_s, monitor.player.state.playing, monitor.player.state.speed]"
+
+    def settled(*wanted):
+        # At once, and when the monitor has answered.
+        assert page.evaluate(shown) == pytest.approx(wanted)
+        until(page, "monitor.player.settled")
+        assert page.evaluate(shown) == pytest.approx(wanted)
+
+    burst(page, "l", "l", "l", "l")
+    settled(begin_s + 20, False, 1)
+    assert abs(page.evaluate("monitor.state.time_s") - 20) < 0.033
+    burst(page, "j", "l", "j", "j")
+    settled(begin_s + 10, False, 1)
+    burst(page, "+", "+", "+", "+", "-")
+    settled(begin_s + 10, False, 10)
+    burst(page, " ", " ", "-", "-", "-", " ", " ")
+    until(page, "monitor.player.settled")
+    time_s, playing, speed = page.evaluate(shown)
+    assert not playing and speed == 1 and abs(time_s - 10) < 1
+    burst(page, " ", " ", " ")
+    until(page, "monitor.player.settled && monitor.player.state.playing")
+    burst(page, " ")
+    # From event to event, too.
+    times = page.evaluate("monitor.panel.entries.map(entry => entry.time_s)")
+    burst(page, "Home")
+    page.locator("#events ol").focus()
+    burst(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowUp")
+    until(page, "monitor.player.settled")
+    wanted = sorted({time for time in times if time > begin_s + 1e-6})[1]
+    assert page.evaluate(shown)[0] == pytest.approx(wanted)
+    assert page.problems == []
+
+
+def test_a_reload_keeps_looks_and_place(serve, log):
+    monitor, page = serve("--play", log)
+    seek(page, 9.0)
+    assert page.evaluate("document.documentElement.dataset.theme") is None
+    page.keyboard.press("d")
+    burst(page, "+")
+    page.reload()
+    until(page, "monitor.state && monitor.player.settled && Math.abs(monitor.state.time_s - 9) < .04")
+    assert page.evaluate("[document.documentElement.dataset.theme, monitor.player.state.speed, monitor.scene.look]") == ["dark", 2, "dark"]
+    # Whoever comes anew begins at the beginning.
+    page.goto(monitor.url + "?again")
+    until(page, "monitor.state")
+    assert page.evaluate("monitor.player.state.time_s") < 0.1
+    # Where the browser keeps nothing, all the rest goes on.
+    page.add_init_script("for (const name of ['localStorage', 'sessionStorage']) Object.defineProperty(window, name, {get() { throw new DOMException('blocked', 'SecurityError'); }});")
+    page.reload()
+    until(page, "monitor.state && monitor.player.log")
+    page.keyboard.press("d")
+    assert page.evaluate("document.documentElement.dataset.theme") == "dark"
+    assert page.problems == []
+
+
+def test_at_rest_nothing_is_counted_and_charts_have_names(serve, log):
+    _, page = serve("--play", log)
+    until(page, "document.getElementById('rate').textContent === ''")
+    page.keyboard.press(" ")
+    until(page, "/^[1-9]\\d* frames.s$/.test(document.getElementById('rate').textContent)")
+    page.keyboard.press(" ")
+    until(page, "document.getElementById('rate').textContent === ''")
+    for canvas in page.locator("canvas").all():
+        assert canvas.get_attribute("role") == "img" and canvas.get_attribute("aria-label")
+    # What was lost, of a live session.
+    lost = "dropped => { monitor.panel.show({...monitor.state, dropped}, true); return document.getElementById('lost').textContent; }"
+    assert page.evaluate(lost, {"log_steps": 0, "states": 12, "events": 0, "messages": 3}) == "lost: 12 states, 3 messages"
+    assert page.evaluate(lost, {"log_steps": 0, "states": 0, "events": 0, "messages": 0}) == ""
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -443,6 +654,15 @@ def test_forces_of_another_program(serve, soilctl, tmp_path):
     assert page.problems == []
 
 
+def first_word_is_on_top(page):
+    """Whether nothing lies over the beginning of the banner."""
+    return page.evaluate("""(() => { const banner = document.getElementById('banner'), range = document.createRange();
+      range.setStart(banner.firstChild, 0);
+      range.setEnd(banner.firstChild, 7);
+      const {x, y, width, height} = range.getBoundingClientRect();
+      return [.1, .5, .9].every(share => document.elementFromPoint(x + share * width, y + height / 2) === banner); })()""")
+
+
 def test_a_live_session(serve, run):
     session = run()
     _, page = serve("--connect", session.socket)
@@ -479,6 +699,7 @@ def test_a_live_session(serve, run):
     # The session ends, and another one begins.
     session.end()
     until(page, "document.getElementById('banner').textContent.includes('Session lost, reconnecting')")
+    assert first_word_is_on_top(page)
     run("next")
     page.locator("#banner").wait_for(state="hidden")
     until(page, "monitor.state && monitor.state.time_s < 60")
@@ -500,13 +721,44 @@ def test_commands_from_the_page(serve, run, browser):
     until(page, "document.getElementById('answer').textContent.includes('refused')")
     page.locator("#stop").click()
     until(page, "monitor.state.mode === 'fault'")
+    # A fault that has no number.
+    until(page, "document.getElementById('readout').textContent.endsWith('emergency stop')")
+    assert page.locator("#events li", has_text="fault · emergency stop").last.locator("b").inner_text() == ""
     stranger = open_page(browser, monitor.url.split("#")[0])
     stranger.evaluate("monitor.commands.line('reset')")
     until(stranger, "monitor.state")
     assert stranger.locator("#commands").is_hidden()
+    assert stranger.locator("#stop").is_hidden()
+    # The address with the token, opened in the tab that shows the page: only its end changes.
+    stranger.evaluate("window.same = true")
+    stranger.goto(monitor.url)
+    stranger.locator("#commands").wait_for(state="visible")
+    assert stranger.evaluate("window.same") and "token" not in stranger.url and stranger.locator("#locked").is_hidden()
     stranger.context.close()
     assert page.problems == []
     assert "commands need the token" in monitor.end()
+
+
+def test_the_stop_is_at_hand(serve, run):
+    session = run()
+    _, page = serve("--connect", session.socket, "--commands", viewport={"width": 390, "height": 844})
+    page.locator("#stop").wait_for(state="visible")
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    for end in [0, 1]:
+        # It stays in sight.
+        page.evaluate("end => scrollTo(0, end * document.documentElement.scrollHeight)", end)
+        box = page.locator("#stop").bounding_box()
+        assert box["x"] >= 0 and box["x"] + box["width"] <= 390 and box["y"] >= 0 and box["y"] + box["height"] <= 844
+        assert page.evaluate("([x, y]) => document.elementFromPoint(x, y).id", [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]) == "stop"
+    page.get_by_role("button", name="enable", exact=True).click()
+    until(page, "monitor.state.mode === 'ready'")
+    # By its key, also while a command is typed.
+    page.locator("#text").fill("res")
+    page.keyboard.press(".")
+    page.keyboard.press("Control+.")
+    until(page, "monitor.state.mode === 'fault'")
+    assert page.locator("#text").input_value() == "res."
+    assert page.problems == []
 
 
 def test_wrong_usage(soilctl, tmp_path):

@@ -25,8 +25,10 @@ class Arm {
       if (rods && shape.tagName === 'sphere' && reach > 2 * number('radius') && at[2] < 0)
         this.bodies.push({link: visual.parentElement.getAttribute('name'), place: Matrix.move(Vector.times(at, .5)), mesh: Shapes.cylinder(.007, reach), colour: [.55, .56, .58, 1]});
       this.bodies.push({link: visual.parentElement.getAttribute('name'), place: origin(visual), mesh,
-                        colour: numbers(own) ?? colours[name] ?? [.7, .7, .7, 1], metal: shape.tagName === 'box'});
+                        colour: numbers(own) ?? colours[name] ?? [.7, .7, .7, 1], metal: shape.tagName === 'box',
+                        size: shape.tagName === 'box' ? numbers(shape.getAttribute('size')) : null});
     }
+    for (const body of this.bodies) body.corners = Shapes.around(body.mesh);
     this.joints = [...robot.querySelectorAll(':scope > joint')].map(joint => {
       const type = joint.getAttribute('type'), mimic = joint.querySelector(':scope > mimic');
       return {
@@ -48,6 +50,14 @@ class Arm {
     if (names.length) return Object.fromEntries(names.map((name, k) => [name, state?.positions[k] ?? 0]));
     const angles = state?.joints_deg ?? [0, 30, 100, 0, 30];
     return Object.fromEntries(this.joints.filter(joint => joint.turns).map((joint, k) => [joint.name, angles[k] * Math.PI / 180]));
+  }
+  // Points between which everything lies.
+  extent(links) {
+    const ends = this.bones.flatMap(({parent, child}) => [links[parent], links[child]]).filter(Boolean).map(link => link.slice(12, 15));
+    return ends.concat(this.bodies.filter(({link}) => links[link]).flatMap(({link, place, corners}) => {
+      const at = Matrix.times(links[link], place);
+      return corners.map(corner => Matrix.point(at, corner));
+    }));
   }
   // Matrices of all links.
   pose(values) {

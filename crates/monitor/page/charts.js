@@ -3,6 +3,10 @@ const COLUMNS = ['force_n', 'friction_angle_deg', 'friction_setpoint_deg', 'z_m'
 const MOST_POINTS = 12000;
 // Plates slide at less; forces near zero give any angle.
 const FRICTION_DEG = [-20, 60];
+// Between states that are further apart, and as many times as far as is usual, nothing is known: histories may be thinned.
+const GAP_S = .3, GAP_TIMES = 5;
+// Labels are not closer, and the first one has its room.
+const LABEL_PX = 12, LABEL_TOP_PX = 9;
 const MACHINE = {off: 'line', fault: 'bad', idle: 'grid', hold: 'grid', joint_move: 'accent', cartesian_move: 'accent', joint_velocity: 'accent',
   joint_touch: 'third', cartesian_touch: 'third', insert: 'third', stroke: 'second'};
 
@@ -70,8 +74,13 @@ class Charts {
     const [from, to] = this.span();
     let first = this.time.findIndex(time => time >= from);
     first = first < 0 ? 0 : Math.max(0, first - 1);
+    this.gap_s = gapOf(this.time, first);
     let at = this.time.length - 1;
-    if (this.cursor != null) at = Math.max(first, this.time.findLastIndex(time => time <= from + (to - from) * this.cursor));
+    if (this.cursor != null) {
+      const time = from + (to - from) * this.cursor;
+      at = Math.max(first, this.time.findLastIndex(known => known <= time));
+      if (this.isGap(at) && time - this.time[at] > this.gap_s / GAP_TIMES) at = -1;
+    }
     for (const chart of this.charts) {
       const pen = this.pen(chart.canvas);
       if (!pen) continue;
@@ -82,6 +91,8 @@ class Charts {
       else this.curves(chart, pen, first, from, to, at);
     }
   }
+  // Whether nothing is known between a state and the next.
+  isGap(k) { return this.time[k + 1] - this.time[k] > this.gap_s; }
   pen(canvas) {
     const ratio = devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width || !height) return null;
@@ -124,7 +135,7 @@ class Charts {
     const room = Math.max(high - low, chart.kind === 'friction' ? 4 : chart.kind === 'z' ? 4 : 1) * .12;
     [low, high] = [chart.kind === 'force' ? 0 : low - room, high + room];
     const x = time => (time - from) / (to - from) * width, y = value => height - (value - low) / (high - low) * height;
-    const levels = ticks(low, high, height / 26);
+    const levels = ticks(low, high, height / 26), words = labels(low, high, height);
     pen.strokeStyle = this.colour('grid');
     pen.lineWidth = 1;
     for (const level of levels) { const place = Math.round(y(level)) + .5; pen.beginPath(); pen.moveTo(0, place); pen.lineTo(width, place); pen.stroke(); }
@@ -134,11 +145,12 @@ class Charts {
       const end = () => { this.line(pen, run, colour, dash); run = []; };
       for (let k = first; k < this.time.length; k++) {
         if (list[k] === null) end(); else run.push([x(this.time[k]), y(list[k])]);
+        if (this.isGap(k)) end();
       }
       end();
     }
-    if (this.cursor != null) this.line(pen, [[x(this.time[at]), 0], [x(this.time[at]), height]], 'faint');
-    for (const level of levels) this.words(pen, label(level), 2, y(level) > 12 ? y(level) - 2 : y(level) + 10);
+    this.upright(pen, at < 0 ? this.cursor * width : x(this.time[at]));
+    for (const [level, place] of words) this.words(pen, label(level), 2, place);
     if (chart.kind === 'joints') {
       // Which is which, also without colours.
       series.forEach(([list], j) => { if (list[at] != null) this.words(pen, `${j + 1}`, width - 8 - 9 * (j % 3), y(list[at]) - 3); });
@@ -147,6 +159,8 @@ class Charts {
     const shown = series.map(([list]) => list[at]);
     chart.value.textContent = shown[0] == null ? '–' : `${shown[0].toFixed(1)} ${chart.unit}${shown[1] == null ? '' : ` (${shown[1].toFixed(1)})`}`;
   }
+  // At the pointer.
+  upright(pen, place) { if (this.cursor != null) this.line(pen, [[place, 0], [place, pen.height]], 'faint'); }
   // In front of curves, and to be read there.
   words(pen, words, x, y) {
     pen.strokeStyle = this.colour('panel');
@@ -156,7 +170,9 @@ class Charts {
     pen.fillText(words, x, y);
   }
   line(pen, points, colour, dash = []) {
-    if (points.length < 2) return;
+    if (!points.length) return;
+    // A state between two gaps is a dot.
+    if (points.length < 2) points = [points[0], [points[0][0] + 1.6, points[0][1]]];
     pen.strokeStyle = this.colour(colour);
     pen.lineWidth = dash.length ? 1.2 : 1.6;
     pen.lineJoin = 'round';
@@ -170,8 +186,9 @@ class Charts {
     const {width, height} = pen, list = this.data.machine, x = time => (time - from) / (to - from) * width;
     for (let k = first; k < list.length;) {
       let end = k;
-      while (end + 1 < list.length && list[end + 1] === list[k]) end++;
-      const left = Math.max(0, x(this.time[k])), right = end + 1 < list.length ? x(this.time[end + 1]) : width, words = list[k].replace('_', ' ');
+      while (end + 1 < list.length && list[end + 1] === list[k] && !this.isGap(end)) end++;
+      const left = Math.max(0, x(this.time[k])), words = list[k].replace('_', ' ');
+      const right = this.isGap(end) ? Math.max(left + 2, x(this.time[end])) : end + 1 < list.length ? x(this.time[end + 1]) : width;
       pen.globalAlpha = .32;
       pen.fillStyle = this.colour(MACHINE[list[k]] ?? 'grid');
       pen.fillRect(left, 0, right - left, height);
@@ -180,7 +197,7 @@ class Charts {
       if (pen.measureText(words).width < right - left - 6) { pen.fillStyle = this.colour('ink'); pen.fillText(words, left + 4, height / 2 + 2); }
       k = end + 1;
     }
-    if (this.cursor != null && at >= 0) this.line(pen, [[x(this.time[at]), 0], [x(this.time[at]), height]], 'faint');
+    this.upright(pen, at < 0 ? this.cursor * width : x(this.time[at]));
     chart.value.textContent = list[at]?.replace('_', ' ') ?? '–';
   }
 }
@@ -200,6 +217,26 @@ function ticks(low, high, wanted) {
     if (count >= 2) return Array.from({length: Math.min(count, 50)}, (_, k) => (first + k) * step);
   }
   return [];
+}
+
+// How much further apart states are where something is missing between them, in s.
+function gapOf(times, first) {
+  const steps = Float64Array.from(times.slice(first + 1), (time, k) => time - times[first + k]).sort();
+  return Math.max(GAP_S, GAP_TIMES * (steps[Math.floor(steps.length / 2)] ?? 0));
+}
+
+// Levels of a chart that have a label, with its place in px from above: none over another one, and two if they fit in.
+function labels(low, high, height) {
+  let found = [];
+  for (const wanted of [height / 26, height / 13, height / 6]) {
+    found = [];
+    for (const level of ticks(low, high, wanted)) {
+      const place = Math.max(LABEL_TOP_PX, height - (level - low) / (high - low) * height - 2);
+      if (!found.length || found.at(-1)[1] - place >= LABEL_PX) found.push([level, place]);
+    }
+    if (found.length > 1) break;
+  }
+  return found;
 }
 
 function label(number) { return Number(number.toPrecision(6)).toString().replace('-', '−'); }

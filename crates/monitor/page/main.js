@@ -2,6 +2,8 @@
 const page = {};
 // A monitor says something every five seconds, a session every 33 ms.
 const STALE_MS = 3500, LIFELESS_MS = 15000, MOST_WAIT_MS = 4000, SHIFT_PX = 30;
+// Pictures in a second that are no movement: a change, and the same once more in full.
+const RESTING = 2;
 const get = id => document.getElementById(id);
 
 class Link {
@@ -14,7 +16,7 @@ class Link {
       this.wait = 250;
       this.hear(JSON.parse(event.data));
     };
-    socket.onopen = () => { this.connected = true; const token = takeToken(); if (token) this.send({type: 'authorize', token}); };
+    socket.onopen = () => { this.connected = true; this.authorize(); };
     socket.onclose = event => this.again(event.reason);
   }
   again(reason) {
@@ -23,6 +25,7 @@ class Link {
     setTimeout(() => this.open(), this.wait);
     this.wait = Math.min(MOST_WAIT_MS, this.wait * 2);
   }
+  authorize() { const token = takeToken(); if (token) this.send({type: 'authorize', token}); }
   // A connection that only looks like one says nothing, not even that it is closed.
   check() {
     if (!this.connected || performance.now() - this.last < LIFELESS_MS) return;
@@ -36,10 +39,25 @@ class Link {
 function takeToken() {
   const given = new URLSearchParams(location.hash.slice(1)).get('token');
   if (given) {
-    sessionStorage.setItem('token', given);
+    page.token = given;
+    keep('session', 'token', given);
     history.replaceState(null, '', location.pathname);
   }
-  return sessionStorage.getItem('token');
+  return page.token ?? kept('session', 'token');
+}
+
+// What the browser keeps for a page: `local` for all of them, `session` for this tab. Where that is blocked, nothing is kept.
+function keep(where, name, value) { try { window[`${where}Storage`].setItem(name, value); } catch { /* then not */ } }
+function kept(where, name) { try { return window[`${where}Storage`].getItem(name); } catch { return null; } }
+
+// The place in a log that a reload is to find again. Whoever comes by the address begins where the monitor says.
+function keepPlace() {
+  if (page.player.log && page.player.state) keep('session', 'place', JSON.stringify({name: document.title, ...page.player.state}));
+}
+function keptPlace() {
+  if (performance.getEntriesByType('navigation')[0]?.type !== 'reload') return null;
+  const place = JSON.parse(kept('session', 'place'));
+  return place?.name === document.title ? place : null;
 }
 
 function showLink(state, words) { Object.assign(get('link').dataset, {state}); get('link').textContent = words; }
@@ -64,7 +82,7 @@ const hear = {
     const shown = own ? ['force', 'friction', 'z', 'displacement', 'machine'] : [...message.has_force ? ['force'] : [], 'z', 'joints'];
     page.charts.choose(shown, page.joints.map(joint => joint.factor));
     get('events').hidden = !own;
-    if (message.commands && !sessionStorage.getItem('token')) page.commands.lock();
+    if (message.commands && !takeToken()) page.commands.lock();
     const key = name => get('legend').querySelector(`[data-key=${name}]`);
     key('lead').hidden = !own;
     key('force').hidden = !message.has_force;
@@ -76,7 +94,7 @@ const hear = {
   log(message) {
     page.panel.setEvents(message.events);
     page.scene.scaleForces(Math.max(0, ...message.overview_n));
-    page.player.open(message);
+    page.player.open(message, keptPlace());
     showLink('log', message.damage.length ? 'log, damaged' : 'log');
     get('damage').hidden = !message.damage.length;
     get('damage').querySelector('ul').replaceChildren(...message.damage.map(words => Object.assign(document.createElement('li'), {textContent: words})));
@@ -88,7 +106,6 @@ const hear = {
     page.scene.update(message, page.hello?.safe_force);
     page.panel.show(message, page.live);
     if (page.live) page.charts.addState(message);
-    else page.panel.at(message.time_s);
     noteHeard(message);
   },
   pose(message) {
@@ -117,6 +134,12 @@ function noteHeard(message) {
 }
 
 function keys(event) {
+  // Also while a command is typed.
+  if (event.key === '.' && (event.ctrlKey || event.metaKey) && !get('stop').hidden) {
+    if (!event.repeat) get('stop').click();
+    event.preventDefault();
+    return;
+  }
   if (event.ctrlKey || event.metaKey || event.altKey || get('help').open) return;
   const typing = event.target.matches('input[list], select');
   if (typing) return;
@@ -139,7 +162,7 @@ function keys(event) {
 
 function theme(wanted) {
   const dark = matchMedia('(prefers-color-scheme: dark)').matches, now = document.documentElement.dataset.theme ?? (dark ? 'dark' : 'light');
-  if (wanted === undefined) document.documentElement.dataset.theme = now === 'dark' ? 'light' : 'dark';
+  if (wanted === undefined) keep('local', 'theme', document.documentElement.dataset.theme = now === 'dark' ? 'light' : 'dark');
   page.scene.look = document.documentElement.dataset.theme ?? (dark ? 'dark' : 'light');
   page.scene.redraw();
   page.charts.redraw();
@@ -165,11 +188,18 @@ function pointers(canvas) {
   canvas.addEventListener('wheel', event => { event.preventDefault(); page.scene.zoom(Math.exp(event.deltaY * .0012)); }, {passive: false});
 }
 
+// How much of the view lies behind readout and legend, in px from above and from below.
+function covered() {
+  const {clientWidth, clientHeight} = get('view'), readout = get('readout'), legend = get('legend'), most = .3 * clientHeight;
+  const above = readout.offsetWidth > clientWidth / 2 ? readout.offsetTop + readout.offsetHeight : 0;
+  return [Math.min(above, most), Math.min(legend.offsetHeight && clientHeight - legend.offsetTop, most)];
+}
+
 function start() {
   const send = message => page.link.send(message);
   page.heard = [];
-  page.scene = new Scene(get('scene'), ready => { get('no-webgl').hidden = ready; });
-  page.player = new Player(send);
+  page.scene = new Scene(get('scene'), ready => { get('no-webgl').hidden = ready; }, covered);
+  page.player = new Player(send, time_s => page.panel.at(time_s));
   page.charts = new Charts(get('charts'), time_s => page.player.active && page.player.seek(time_s));
   page.panel = new Panel(time_s => page.player.seek(time_s));
   page.commands = new Commands(send);
@@ -185,12 +215,17 @@ function start() {
   get('help-open').addEventListener('click', () => get('help').showModal());
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => theme(null));
   document.addEventListener('keydown', keys);
+  // The address that the monitor printed, opened where the page is open already, changes nothing but its end.
+  addEventListener('hashchange', () => { takeToken(); if (page.link.connected) page.link.authorize(); });
+  addEventListener('pagehide', keepPlace);
   new ResizeObserver(() => page.scene.redraw()).observe(get('view'));
   pointers(get('scene'));
+  if (['light', 'dark'].includes(kept('local', 'theme'))) document.documentElement.dataset.theme = kept('local', 'theme');
   theme(null);
   setInterval(() => {
     const drawn = page.scene.drawn.filter(time => time > performance.now() - 1000).length;
-    get('rate').textContent = page.scene.ready ? `${drawn} frames/s` : '';
+    const moves = page.player.state?.playing ? drawn > 0 : drawn > RESTING;
+    get('rate').textContent = page.scene.ready && moves ? `${drawn} frames/s` : '';
     page.link.check();
     page.commands.check();
     const silent = performance.now() - page.link.last;

@@ -19,13 +19,13 @@ class Panel {
     this.row('Sequence', step);
     this.row('Motion', state.trajectory?.replaceAll('_', ' ') ?? '–');
     this.row('Plate', state.plate ? `${number(Math.hypot(state.plate.x_m, state.plate.y_m) * 1000, 0, 'mm')}, ${number(state.plate.tool_angle_deg, 1, '°')}` : 'not homed');
-    if (state.fault) this.row('Fault', `${state.fault.kind.replaceAll('_', ' ')}: ${state.fault.value.toPrecision(4)} over ${state.fault.limit.toPrecision(4)}`, 'bad');
+    if (state.fault) this.row('Fault', faultWords(state.fault), 'bad');
     else this.row('Fault', null);
     this.mark('force', number(Math.hypot(...state.force_rtz_n), 1, 'N'));
     this.mark('lead', number(state.lead_m === null ? null : state.lead_m * 1000, 1, 'mm'));
     this.mark('safe', state.safe_force_n === null ? '' : number(state.safe_force_n, 1, 'N'));
-    const {log_steps, states, events, messages} = state.dropped;
-    this.lost.textContent = live && log_steps + states + events + messages ? `lost: ${log_steps} steps, ${states} states, ${events} events, ${messages} messages` : '';
+    const lost = live ? Object.entries(state.dropped).filter(([, count]) => count).map(([what, count]) => `${count} ${what.replace('log_', '')}`) : [];
+    this.lost.textContent = lost.length ? `lost: ${lost.join(', ')}` : '';
   }
   // Of a log of another program.
   showPose(pose, names, joints) {
@@ -67,7 +67,8 @@ class Panel {
     part('time', event.time_s.toFixed(2));
     part('span', event.kind.replaceAll('_', ' ').replaceAll('/', ' · ') + (event.index ? ` ${event.index}` : '')).className = /^(fault|sequence_failed)/.test(event.kind) ? 'fault' : '';
     const [factor, digits, unit] = EVENT_NUMBERS[event.kind.split('/')[0]] ?? [];
-    part('b', unit ? `${(event.value * factor).toFixed(digits)} ${unit}` : event.value ? Number(event.value.toPrecision(4)) : '');
+    const number = event.value && !(event.kind.startsWith('fault') && !event.limit);
+    part('b', unit ? `${(event.value * factor).toFixed(digits)} ${unit}` : number ? Number(event.value.toPrecision(4)) : '');
     if (seekable) { node.dataset.seek = event.time_s; node.addEventListener('click', () => this.seek(event.time_s)); }
     this.entries.push({time_s: event.time_s, node});
     return node;
@@ -91,23 +92,30 @@ class Panel {
   }
 }
 
+// Faults that are a yes or no have no limit.
+function faultWords({kind, value, limit}) {
+  return kind.replaceAll('_', ' ') + (limit ? `: ${value?.toPrecision(4)} over ${limit.toPrecision(4)}` : '');
+}
+
 class Commands {
   constructor(send) {
     this.send = send;
     this.id = 0;
     const get = id => document.getElementById(id);
-    Object.assign(this, {root: get('commands'), locked: get('locked'), answer: get('answer'), words: get('words')});
+    Object.assign(this, {root: get('commands'), locked: get('locked'), answer: get('answer'), words: get('words'), stop: get('stop')});
     get('line').addEventListener('submit', event => { event.preventDefault(); this.line(get('text').value.trim()); get('text').value = ''; });
     get('quick').addEventListener('click', event => event.target.dataset.line && this.line(event.target.dataset.line));
-    get('stop').addEventListener('click', () => this.line('emergency_stop'));
+    this.stop.addEventListener('click', () => this.line('emergency_stop'));
   }
+  // The commands and the stop, which is always in sight, or why they are not there.
+  open(allowed, locked) { [this.root.hidden, this.stop.hidden, this.locked.hidden] = [!allowed, !allowed, !locked]; }
   allow(words) {
-    [this.root.hidden, this.locked.hidden] = [false, true];
+    this.open(true, false);
     this.words.replaceChildren(...words.map(([word, help]) => new Option(help, word)));
   }
-  lock() { [this.root.hidden, this.locked.hidden] = [true, false]; }
+  lock() { this.open(false, true); }
   forget() {
-    this.root.hidden = this.locked.hidden = true;
+    this.open(false, false);
     this.asked = null;
   }
   // An emergency stop that nobody answers must not look like one that is done.

@@ -1,8 +1,8 @@
 // Playing a log: buttons, the track with its overview, and keys.
 const SPEEDS = [.1, .25, .5, 1, 2, 5, 10, 20, 60];
 class Player {
-  constructor(send) {
-    this.send = send;
+  constructor(send, moved) {
+    Object.assign(this, {send, moved, id: 0});
     this.root = document.getElementById('player');
     const get = id => document.getElementById(id);
     Object.assign(this, {button: get('play'), scrub: get('scrub'), speed: get('speed'), time: get('time'), overview: get('overview')});
@@ -11,25 +11,40 @@ class Player {
     get('back').addEventListener('click', () => this.step(-1));
     get('step').addEventListener('click', () => this.step(1));
     this.scrub.addEventListener('input', () => this.seek(Number(this.scrub.value)));
-    this.speed.addEventListener('change', () => send({type: 'speed', speed: Number(this.speed.value)}));
+    this.speed.addEventListener('change', () => this.run(Number(this.speed.value)));
     new ResizeObserver(() => this.draw()).observe(this.overview);
   }
   get active() { return Boolean(this.log); }
-  // A log, or null for a live session. After a lost connection the place is taken up again.
-  open(log) {
-    const before = this.state;
-    this.log = log;
+  // A log, or null for a live session. After a lost connection the place is taken up again, and that of `kept` after a reload.
+  open(log, kept) {
+    const before = this.state ?? kept;
+    [this.log, this.id] = [log, 0];
+    if (this.state) this.state.id = 0;
     this.root.hidden = !log;
     if (!log) return;
     Object.assign(this.scrub, {min: log.from_s, max: log.to_s});
     this.draw();
     if (before) {
       this.seek(before.time_s);
-      this.send({type: 'speed', speed: before.speed});
-      if (before.playing) this.send({type: 'play'});
+      this.run(before.speed);
+      if (before.playing) this.ask({type: 'play'}, {playing: true});
     }
   }
+  // Asks the monitor, and shows at once what will come of it: the next key counts from there, however late the answer is.
+  ask(request, change) {
+    const {from_s, to_s} = this.log, state = {time_s: from_s, playing: false, speed: 1, ...this.state, ...change};
+    this.id += 1;
+    this.asked = performance.now();
+    this.send({...request, id: this.id});
+    this.set({...state, time_s: Math.min(to_s, Math.max(from_s, state.time_s))});
+  }
+  // Whether the monitor has said all that there is to what was asked. A request that was lost on the way is not waited for.
+  get settled() { return (this.state?.id ?? 0) >= this.id || performance.now() - this.asked > PATIENCE_MS; }
+  // What the monitor says; what it said before it heard the last request is out of date.
   show(state) {
+    if (state.id >= this.id || this.settled) this.set(state);
+  }
+  set(state) {
     this.state = state;
     this.button.textContent = state.playing ? 'Pause' : 'Play';
     this.button.setAttribute('aria-pressed', state.playing);
@@ -37,13 +52,20 @@ class Player {
     this.time.textContent = `${clock(state.time_s)} / ${clock(this.log?.to_s ?? 0)}`;
     this.scrub.setAttribute('aria-valuetext', `${state.time_s.toFixed(2)} s`);
     if (SPEEDS.includes(state.speed)) this.speed.value = state.speed;
+    this.moved(state.time_s);
   }
-  toggle() { this.send({type: this.state?.playing ? 'pause' : 'play'}); }
-  seek(time_s) { this.send({type: 'seek', time_s}); }
-  step(count) { this.send({type: 'step', count}); }
+  toggle() {
+    const {playing, time_s} = this.state ?? {};
+    if (playing) this.ask({type: 'pause'}, {playing: false});
+    // From the end it begins anew.
+    else this.ask({type: 'play'}, {playing: true, ...time_s >= this.log.to_s && {time_s: this.log.from_s}});
+  }
+  seek(time_s) { this.ask({type: 'seek', time_s}, {time_s}); }
+  step(count) { this.ask({type: 'step', count}, {time_s: (this.state?.time_s ?? 0) + count * this.log.state_s, playing: false}); }
+  run(speed) { this.ask({type: 'speed', speed}, {speed}); }
   faster(by) {
     const place = SPEEDS.findIndex(speed => speed >= (this.state?.speed ?? 1));
-    this.send({type: 'speed', speed: SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, place + by))]});
+    this.run(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, place + by))]);
   }
   key(key) {
     if (!this.log) return false;

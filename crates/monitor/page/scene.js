@@ -7,15 +7,21 @@ const LOOKS = {
 const SUN = Vector.unit([.42, -.55, .95]);
 // The middle of things and how large they are: the arm and its box.
 const OWN_SPACE = {middle: [.3, 0, -.1], size: 1};
+// Views with `fits` have the arm and the box in their picture, wherever the arm is, until somebody turns, moves or zooms them.
 const VIEWS = {
-  home: {azimuth: -55, elevation: 22, distance: 2.2, off: [-.11, -.02, 0]}, side: {azimuth: -90, elevation: 3, distance: 1.9, off: [-.05, 0, .08]},
+  home: {azimuth: -55, elevation: 22, distance: 2.2, off: [0, 0, 0], fits: true}, side: {azimuth: -90, elevation: 3, distance: 1.9, off: [0, 0, 0], fits: true},
   top: {azimuth: -90, elevation: 89, distance: 1.9, off: [0, 0, -.23]}, plate: {azimuth: -118, elevation: 30, distance: .6, off: null},
 };
+// The room around what a view fits. When less than the least is left it is fitted anew, with some to spare, so that it seldom moves.
+const ROOM_PX = 22, LEAST_ROOM_PX = 5, SPARE = 1.06;
+// Other views stand further away where width by height is less.
+const NARROW = 1.12;
+// Corners of the table that the arm stands on.
+const TABLE = [[-.34, -.3, -.035], [.07, .3, 0]];
 
 class Scene {
-  constructor(canvas, say) {
-    this.canvas = canvas;
-    this.say = say;
+  constructor(canvas, say, covered) {
+    Object.assign(this, {canvas, say, covered});
     this.gl = canvas.getContext('webgl2', {antialias: !isSoftware(), alpha: false, powerPreference: 'high-performance'});
     this.ready = Boolean(this.gl);
     this.pace = new Pace(() => this.redraw());
@@ -86,6 +92,7 @@ class Scene {
   }
   // What does not move; begins anew.
   describe(description) {
+    if (description.urdf !== this.description?.urdf) this.camera.points = null;
     this.description = description;
     this.arm = new Arm(description.urdf, description.sandbox);
     this.soil = description.sandbox && new Soil(description.sandbox);
@@ -103,6 +110,7 @@ class Scene {
     for (const mesh of this.meshes.splice(this.lasting)) { gl.deleteVertexArray(mesh.array); gl.deleteBuffer(mesh.points); gl.deleteBuffer(mesh.faces); }
     this.light = Matrix.times(Matrix.box(.85 * size, .5 * size, 4 * size), Matrix.look(Vector.plus(middle, Vector.times(SUN, 2 * size)), middle, [0, 0, 1]));
     this.bodies = this.arm.bodies.map(body => ({...body, mesh: this.mesh(body.mesh)}));
+    this.edges = description.sandbox ? this.arm.bodies.filter(body => body.size).map(body => ({...body, mesh: this.mesh(Shapes.edges(body.size))})) : [];
     this.sand = this.skirt = this.arrowMesh = this.safeMesh = undefined;
     if (this.soil) this.soil.changed = true;
     this.fixed = this.rim = this.glass = [];
@@ -114,7 +122,7 @@ class Scene {
   // The box of the sand and the table of the arm.
   box({x_m, y_m, floor_z_m, top_z_m}) {
     const wide = [x_m[1] - x_m[0], y_m[1] - y_m[0]], slab = this.slab.bind(this);
-    const table = slab([-.34, -.3, -.035], [.07, .3, 0]);
+    const table = slab(...TABLE);
     const tray = slab([x_m[0] - .012, y_m[0] - .012, floor_z_m - .016], [x_m[1] + .012, y_m[1] + .012, floor_z_m - .001]);
     this.fixed = [table, tray];
     this.floor = slab([-1.7, -2, floor_z_m - .022], [2.3, 2, floor_z_m - .0175]);
@@ -130,31 +138,56 @@ class Scene {
   }
   patch(patch) { this.soil?.patch(patch); this.redraw(); }
   show(view) {
-    const {off, distance, ...turn} = VIEWS[view], {middle, size} = this.space;
+    const {off, distance, ...look} = VIEWS[view], {middle, size} = this.space;
     const target = off && Vector.plus(middle, this.space === OWN_SPACE ? off : [0, 0, 0]);
-    this.camera = {...turn, distance: distance * size, target, view};
+    this.camera = {...look, distance: distance * size, target, view, narrow: NARROW};
     this.redraw();
   }
   turn(azimuth, elevation) {
     const camera = this.camera;
+    camera.fits = false;
     camera.azimuth += azimuth;
     camera.elevation = Math.min(89, Math.max(-10, camera.elevation + elevation));
     this.redraw();
   }
-  zoom(factor) { this.camera.distance = Math.min(6 * this.space.size, Math.max(.15 * this.space.size, this.camera.distance * factor)); this.redraw(); }
+  zoom(factor) { this.camera.fits = false; this.camera.distance = Math.min(6 * this.space.size, Math.max(.15 * this.space.size, this.camera.distance * factor)); this.redraw(); }
   shift(x, y) {
     const {eye, target} = this.lens(), z = Vector.unit(Vector.minus(eye, target)), right = Vector.unit(Vector.cross([0, 0, 1], z)), up = Vector.cross(z, right);
     const scale = 2 * this.camera.distance * Math.tan(FOV_DEG * Math.PI / 360) / this.canvas.clientHeight;
+    this.camera.fits = false;
     this.camera.target = Vector.plus(target, Vector.plus(Vector.times(right, -x * scale), Vector.times(up, y * scale)));
     this.redraw();
   }
-  // Where the camera is. A narrow view stands further away, so that the same width is seen.
+  // From what is seen to the camera.
+  out() {
+    const {azimuth, elevation} = this.camera, rad = Math.PI / 180;
+    return [Math.cos(elevation * rad) * Math.cos(azimuth * rad), Math.cos(elevation * rad) * Math.sin(azimuth * rad), Math.sin(elevation * rad)];
+  }
+  // Where the camera is. A view that has become narrow stands further away, so that the same width is seen.
   lens() {
-    const {azimuth, elevation, distance} = this.camera, rad = Math.PI / 180;
     const target = this.camera.target ?? (this.tip ? [...this.tip] : [.4, 0, -.33]);
-    const narrow = Math.max(1, 1.12 / (this.canvas.clientWidth / this.canvas.clientHeight || 1));
-    const out = [Math.cos(elevation * rad) * Math.cos(azimuth * rad), Math.cos(elevation * rad) * Math.sin(azimuth * rad), Math.sin(elevation * rad)];
-    return {eye: Vector.plus(target, Vector.times(out, distance * narrow)), target, up: [0, 0, 1]};
+    const narrow = Math.max(1, this.camera.narrow / (this.canvas.clientWidth / this.canvas.clientHeight || 1));
+    return {eye: Vector.plus(target, Vector.times(this.out(), this.camera.distance * narrow)), target, up: [0, 0, 1]};
+  }
+  // Fits a view to where the arm is and was. It is fitted again when the arm leaves it, or when its size changes.
+  fit(links) {
+    const {camera, canvas: {clientWidth: width, clientHeight: height}} = this;
+    if (!camera.fits || !this.state) return;
+    const points = this.arm.extent(links), size = `${width} ${height}`;
+    if (camera.points && camera.size === size && points.every(point => this.sees(point))) return;
+    const {sandbox: box, tip_box_m: tips} = this.description;
+    const still = box ? [...corners([box.x_m[0], box.y_m[0], box.floor_z_m], [box.x_m[1], box.y_m[1], box.top_z_m]), ...corners(...TABLE)] : corners(...tips);
+    const spare = camera.points && camera.size === size ? SPARE : 1, [above, below] = this.covered();
+    Object.assign(camera, {points: [...(camera.points ?? still), ...points], size, narrow: width / height});
+    const pixel = 2 * Math.tan(FOV_DEG * Math.PI / 360) / height, room = (all, px) => (all / 2 - px) * pixel / spare, side = room(width, ROOM_PX);
+    Object.assign(camera, standpoint(camera.points, this.out(), {left: side, right: side, down: room(height, below + ROOM_PX / 2), up: room(height, above + ROOM_PX)}));
+  }
+  // Whether a point is in the picture, and not just so.
+  sees(point) {
+    const {eye, target} = this.lens(), {clientWidth: width, clientHeight: height} = this.canvas, z = Vector.unit(Vector.minus(eye, target));
+    const x = Vector.unit(Vector.cross([0, 0, 1], z)), y = Vector.cross(z, x), way = Vector.minus(point, eye);
+    const scale = height / 2 / Math.tan(FOV_DEG * Math.PI / 360) / -Vector.dot(way, z);
+    return scale > 0 && Math.abs(Vector.dot(way, x)) * scale < width / 2 - LEAST_ROOM_PX && Math.abs(Vector.dot(way, y)) * scale < height / 2 - LEAST_ROOM_PX;
   }
   update(state, safeForce) { [this.state, this.safeForce] = [state, safeForce]; this.redraw(); }
   redraw() {
@@ -180,6 +213,7 @@ class Scene {
       this.skirt = this.mesh(this.soil.skirt(), this.skirt);
       this.soil.changed = false;
     }
+    this.fit(links);
     const lens = this.lens(), look = LOOKS[this.look];
     const view = Matrix.times(Matrix.perspective(FOV_DEG * Math.PI / 180, size[0] / size[1], .05 * scale, 12 * scale), Matrix.look(lens.eye, lens.target, lens.up));
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
@@ -190,6 +224,7 @@ class Scene {
       gl.clear(gl.DEPTH_BUFFER_BIT);
       this.use(this.depth, {view: this.light, light: this.light});
       this.solids(links, look);
+      this.earth();
     }
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, ...size);
@@ -199,6 +234,8 @@ class Scene {
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
     this.use(this.main, {view, light: this.light, eye: lens.eye, sun: SUN, sky: look.sky, ground: look.ground, sunlight: look.sun, shadows: level ? 0 : 1, level: this.ground, space: [middle[0], middle[1], scale]});
     if (lens.eye[2] > this.floor[1][14]) this.put(this.floor[0], this.floor[1], look.floor, KIND.floor);
+    this.earth();
+    this.buried(links);
     this.solids(links, look);
     this.vectors(links);
     gl.depthMask(false);
@@ -240,10 +277,20 @@ class Scene {
     for (const {link, place, mesh, colour, metal} of this.bodies)
       if (links[link]) this.put(mesh, Matrix.times(links[link], place), colour, KIND.body, metal ? .9 : .35);
     this.skeleton(links);
-    if (this.sand) {
-      this.put(this.sand, Matrix.unit(), [.90, .79, .60, 1], KIND.sand);
-      this.put(this.skirt, Matrix.unit(), [.84, .72, .53, 1], KIND.sand);
-    }
+  }
+  earth() {
+    if (!this.sand) return;
+    this.put(this.sand, Matrix.unit(), [.90, .79, .60, 1], KIND.sand);
+    this.put(this.skirt, Matrix.unit(), [.84, .72, .53, 1], KIND.sand);
+  }
+  // The edges of the plate where sand hides them: behind it, before anything else is drawn.
+  buried(links) {
+    const {gl} = this;
+    gl.depthFunc(gl.GREATER);
+    gl.depthMask(false);
+    for (const {link, place, mesh} of this.edges) if (links[link]) this.put(mesh, Matrix.times(links[link], place), [.13, .19, .27, .8], KIND.flat, 0, gl.LINES);
+    gl.depthMask(true);
+    gl.depthFunc(gl.LESS);
   }
   // Bones from link to link, and balls where joints move.
   skeleton(links) {

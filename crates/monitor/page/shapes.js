@@ -43,6 +43,18 @@ const Shapes = {
     }
     return {points, faces};
   },
+  // The edges of a box, as lines.
+  edges([x, y, z]) {
+    const ends = corners([-x / 2, -y / 2, -z / 2], [x / 2, y / 2, z / 2]), faces = [];
+    for (const bit of [1, 2, 4]) for (let k = 0; k < 8; k++) if (!(k & bit)) faces.push(k, k | bit);
+    return {points: ends.flatMap(end => [...end, 0, 0, 1]), faces};
+  },
+  // Corners of the box around a body.
+  around({points}) {
+    const low = [0, 1, 2].map(axis => Infinity), high = low.map(value => -value);
+    points.forEach((value, k) => { const axis = k % 6; if (axis < 3) [low[axis], high[axis]] = [Math.min(low[axis], value), Math.max(high[axis], value)]; });
+    return corners(low, high);
+  },
   // From the origin along z; thick ones have a head.
   arrow(length, radius) {
     const head = Math.min(length, radius * 5);

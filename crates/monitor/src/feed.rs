@@ -87,12 +87,13 @@ impl Feed {
             );
         };
         let now = Instant::now();
+        player.hear(request.id());
         match request {
-            PageRequest::Play {} => player.play(now),
-            PageRequest::Pause {} => player.pause(),
-            PageRequest::Step { count } => player.step(*count),
-            PageRequest::Seek { time_s } => player.seek(*time_s),
-            PageRequest::Speed { speed } => {
+            PageRequest::Play { .. } => player.play(now),
+            PageRequest::Pause { .. } => player.pause(),
+            PageRequest::Step { count, .. } => player.step(*count),
+            PageRequest::Seek { time_s, .. } => player.seek(*time_s),
+            PageRequest::Speed { speed, .. } => {
                 if let Err(problem) = player.set_speed(*speed, now) {
                     return refuse(None, Problem::Value, &problem);
                 }

@@ -168,9 +168,12 @@ pub(crate) struct PlayerState {
     pub(crate) playing: bool,
     pub(crate) speed: f64,
     pub(crate) at_end: bool,
+    /// `id` of the last request that it takes into account; 0 before the first.
+    pub(crate) id: u64,
 }
 
-/// What a page asks of the monitor.
+/// What a page asks of the monitor. Requests to a player may have an `id`, so that the page knows which of them a
+/// [`PlayerState`] is about.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub(crate) enum PageRequest {
@@ -179,15 +182,48 @@ pub(crate) enum PageRequest {
     /// A command as an operator types it.
     Line { id: u64, text: String },
     /// Go on.
-    Play {},
+    Play {
+        #[serde(default)]
+        id: u64,
+    },
     /// Stand still.
-    Pause {},
+    Pause {
+        #[serde(default)]
+        id: u64,
+    },
     /// Go to a time.
-    Seek { time_s: f64 },
+    Seek {
+        time_s: f64,
+        #[serde(default)]
+        id: u64,
+    },
     /// So many states further, or back.
-    Step { count: i32 },
+    Step {
+        count: i32,
+        #[serde(default)]
+        id: u64,
+    },
     /// How many times as fast as real time.
-    Speed { speed: f64 },
+    Speed {
+        speed: f64,
+        #[serde(default)]
+        id: u64,
+    },
+}
+
+impl PageRequest {
+    /// Its number; 0 if it has none.
+    pub(crate) const fn id(&self) -> u64 {
+        match self {
+            Self::Authorize { .. } => 0,
+            Self::Line { id, .. }
+            | Self::Play { id }
+            | Self::Pause { id }
+            | Self::Seek { id, .. }
+            | Self::Step { id, .. }
+            | Self::Speed { id, .. } => *id,
+        }
+    }
 }
 
 /// The kinds of [`PageRequest`], to tell them from the operators' messages.

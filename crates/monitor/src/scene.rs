@@ -2,6 +2,7 @@
 
 use soilctl_campaign::Plan;
 use soilctl_controller::ControllerConfig;
+use soilctl_controller::laws::SafeForceSet;
 use soilctl_kinematics::Arm;
 use soilctl_live::protocol::{COMMANDS, Configuration, SafeForce};
 use soilctl_plant::PlantParams;
@@ -27,6 +28,7 @@ pub(crate) struct Scene {
     pub(crate) heap_length: f64,
     pub(crate) repose_deg: f64,
     pub(crate) safe_force: SafeForce,
+    safe_set: SafeForceSet,
     pub(crate) strokes: usize,
     soil: String,
 }
@@ -66,9 +68,15 @@ impl Scene {
             heap_length: plant.ground.heap_length,
             repose_deg,
             safe_force: SafeForce { angle_deg: table.angle_deg.clone(), force_n: table.force_n.clone() },
+            safe_set: *params.safe_force(),
             strokes: params.plan().strokes().len(),
             soil: soil.map(|soil| soil.title.clone()).unwrap_or_default(),
         })
+    }
+
+    /// Largest force in N at an angle to the plate's normal that the soil bears safely; none without a table.
+    pub(crate) fn safe_force_n(&self, angle_deg: f64) -> Option<f64> {
+        self.safe_set.largest_n(angle_deg.to_radians())
     }
 
     /// The scene for a page.

@@ -52,6 +52,26 @@ fn every_page_has_its_own_place() {
 }
 
 #[test]
+fn a_page_learns_which_of_its_requests_were_heard() {
+    let dir = tempfile::tempdir().unwrap();
+    let (monitor, _) = monitor(play(&log(dir.path())), false);
+    let mut page = Page::open(monitor.address());
+    assert_eq!(page.wait("player", |_| true)["id"], 0);
+    // Also if nothing comes of them: it stands still already.
+    let requests = [
+        json!({"type": "pause"}),
+        json!({"type": "speed", "speed": 1.0}),
+        json!({"type": "step", "count": 0}),
+    ];
+    for (request, id) in requests.into_iter().zip(1..) {
+        let mut request = request;
+        request["id"] = json!(id);
+        page.say(&request);
+        assert_eq!(page.wait("player", |_| true)["id"], id);
+    }
+}
+
+#[test]
 fn playing_goes_on_to_the_end_without_a_gap_in_the_curves() {
     let dir = tempfile::tempdir().unwrap();
     let (monitor, _) = monitor(play(&log(dir.path())), false);

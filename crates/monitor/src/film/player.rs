@@ -20,6 +20,8 @@ pub(crate) struct Player {
     moved: Instant,
     sent: Option<Instant>,
     jumped: bool,
+    /// The last request, by its id.
+    heard: u64,
     told: Option<PlayerState>,
 }
 
@@ -35,6 +37,7 @@ impl Player {
             moved: Instant::now(),
             sent: None,
             jumped: true,
+            heard: 0,
             told: None,
         };
         player.seek(from_s);
@@ -50,6 +53,11 @@ impl Player {
 
     pub(crate) const fn pause(&mut self) {
         self.playing = false;
+    }
+
+    /// A request, by its id, is carried out or refused.
+    pub(crate) const fn hear(&mut self, id: u64) {
+        self.heard = id;
     }
 
     /// Goes to a time in s; beyond the ends to the ends.
@@ -108,6 +116,7 @@ impl Player {
             playing: self.playing,
             speed: self.speed,
             at_end: self.is_at_end(),
+            id: self.heard,
         };
         if self.jumped || place != self.place {
             let seen = (!self.jumped).then_some(self.place);

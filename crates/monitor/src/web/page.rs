@@ -13,8 +13,9 @@ const SCALE_MARKS: [(&str, f64); 2] = [("/*FORCE_M_PER_N*/", FORCE_M_PER_N), ("/
 const DOCUMENT: &str = include_str!("../../page/page.html");
 const STYLE: &str = include_str!("../../page/style.css");
 /// In the order in which they build on each other.
-const SCRIPTS: [&str; 11] = [
+const SCRIPTS: [&str; 12] = [
     include_str!("../../page/matrix.js"),
+    include_str!("../../page/fit.js"),
     include_str!("../../page/shapes.js"),
     include_str!("../../page/arm.js"),
     include_str!("../../page/soil.js"),

@@ -59,11 +59,11 @@ impl Track {
 
     /// A state; the last one beyond the end.
     pub(crate) fn state(&self, number: usize) -> StateMessage {
-        self.samples
-            .get(number)
-            .or(self.samples.last())
-            .map(|sample| sample.state(&self.words))
-            .unwrap_or_default()
+        let sample = self.samples.get(number).or(self.samples.last());
+        let state = sample.map(|sample| sample.state(&self.words)).unwrap_or_default();
+        // A log does not hold it, but the table and the angle of which it is made.
+        let safe_force_n = state.friction_angle_deg.and_then(|angle_deg| self.scene.safe_force_n(angle_deg));
+        StateMessage { safe_force_n, ..state }
     }
 
     /// Time of a state in s.
