@@ -10,6 +10,7 @@ import tomllib
 from pathlib import Path
 
 import numpy as np
+import pytest
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -19,6 +20,8 @@ LONG_S = 120
 CHROMIUM_ARGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
                  "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 MARKER = (255, 0, 255)
+# By which what is drawn may miss what was computed.
+MOST_PX = 2.0
 
 PLAN = """version = 1
 design = "{design}"
@@ -168,3 +171,27 @@ def project(point, camera):
 
 def camera(page):
     return json.loads(page.evaluate("document.getElementById('scene').dataset.camera"))
+
+
+def off_by(page, joints_deg):
+    return float(np.linalg.norm(marker(page) - project(tip_m(joints_deg), camera(page))))
+
+
+@pytest.fixture
+def serve(soilctl, browser):
+    """Function that starts a monitor and opens its page; all ends with the test."""
+    monitors, pages = [], []
+
+    def begin(*options, path="", listen="127.0.0.1:0", **looks):
+        monitor = Monitor(soilctl.binary, *options, listen=listen)
+        monitors.append(monitor)
+        page = open_page(browser, monitor.url + path, **looks)
+        pages.append(page)
+        return monitor, page
+
+    yield begin
+    for page in pages:
+        page.context.close()
+    for monitor in monitors:
+        if monitor.process.poll() is None:
+            monitor.end(code=3 if monitor.answer["damage"] else 0)

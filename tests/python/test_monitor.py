@@ -1,22 +1,15 @@
-"""`soilctl monitor`: the page on a log and on a live session, in a browser."""
+"""`soilctl monitor`: the page on a log, in a browser."""
 
 import csv
 import json
 import math
-import subprocess
-import time
 
 import numpy as np
 import pytest
-from monitor_page import CHROMIUM_ARGS, LONG_S, ROOT, SAFE_FORCE, Monitor, camera, marker, open_page, picture, places, project, seek, still, tip_m, until, write_plan
-from rosbags.rosbag2 import StoragePlugin, Writer
-from test_live import Operator, wait_for
-from test_process import BIAS, DELTA, STORE, SURFACE_M, TYPES, URDF, motion, write_bag
+from monitor_page import CHROMIUM_ARGS, MOST_PX, SAFE_FORCE, Monitor, camera, marker, off_by, open_page, picture, places, project, seek, serve, still, until, write_plan
 
 # Taken by the fixture `browser`: this page needs WebGL.
-__all__ = ["CHROMIUM_ARGS"]
-
-MOST_PX = 2.0
+__all__ = ["CHROMIUM_ARGS", "serve"]
 
 
 @pytest.fixture(scope="module")
@@ -38,36 +31,12 @@ def joints(soilctl, log, tmp_path_factory):
         return {int(row[tick]): [math.degrees(float(row[k])) for k in places] for row in reader}
 
 
-@pytest.fixture
-def serve(soilctl, browser):
-    """Function that starts a monitor and opens its page; all ends with the test."""
-    monitors, pages = [], []
-
-    def begin(*options, path="", listen="127.0.0.1:0", **looks):
-        monitor = Monitor(soilctl.binary, *options, listen=listen)
-        monitors.append(monitor)
-        page = open_page(browser, monitor.url + path, **looks)
-        pages.append(page)
-        return monitor, page
-
-    yield begin
-    for page in pages:
-        page.context.close()
-    for monitor in monitors:
-        if monitor.process.poll() is None:
-            monitor.end(code=3 if monitor.answer["damage"] else 0)
-
-
 def stroke_of(soilctl, log):
     """Begin and end of the first stroke in s."""
     text = soilctl("log", "info", log, code=0).stdout
     words = next(line for line in text.splitlines() if line.startswith("stroke:"))
     keys = dict(pair.rsplit(" ", 1) for pair in words.removeprefix("stroke: ").split(", "))
     return float(keys["start_s"]), float(keys["end_s"])
-
-
-def off_by(page, joints_deg):
-    return float(np.linalg.norm(marker(page) - project(tip_m(joints_deg), camera(page))))
 
 
 def test_the_end_point_is_drawn_where_it_is(serve, log, joints):
@@ -200,6 +169,7 @@ def test_labels_of_a_chart_have_their_room(serve, log):
 
 
 # Curves of so many seconds at a spacing in s, without the seconds from 12 to 20.
+
 CURVES = """spacing => {
   const time_s = Array.from({length: Math.round(30 / spacing)}, (_, k) => k * spacing).filter(time => time <= 12 || time >= 20);
   const of = value => time_s.map(() => value);
@@ -209,6 +179,7 @@ CURVES = """spacing => {
   monitor.charts.draw();
 }"""
 # Of each hundredth of a chart's time, whether there is something of a colour in it.
+
 INK = """([kind, name]) => {
   const canvas = document.querySelector(`[data-chart=${kind}]`), pen = canvas.getContext('2d'), {data} = pen.getImageData(0, 0, canvas.width, canvas.height);
   pen.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
@@ -238,40 +209,6 @@ def test_curves_and_bars_break_where_nothing_is_known(serve, log, spacing):
         page.mouse.move(box["x"] + box["width"] * (time - last_s + 30) / 30, box["y"] + 20)
         until(page, f"words => {value} === words", arg=words)
     assert page.problems == []
-
-
-def test_a_view_has_all_of_the_arm_in_it(serve, log, six_joints):
-    # All corners of bodies, and of the box, as the page draws them.
-    points = """(() => { const {scene} = monitor, {sandbox} = scene.description, links = scene.arm.pose(scene.arm.values(scene.state, monitor.names));
-      return [scene.arm.extent(links), sandbox && [sandbox.x_m, sandbox.y_m, [sandbox.floor_z_m, sandbox.top_z_m]]]; })()"""
-    for number, path in enumerate([log, six_joints[0]]):
-        _, page = serve("--play", path)
-        for width, height in [(1280, 800), (1366, 668), (390, 844)]:
-            page.set_viewport_size({"width": width, "height": height})
-            for view in ["home", "side"]:
-                # It is fitted at the middle, and the arm leaves it at the beginning.
-                seek(page, 10.0)
-                page.evaluate("view => monitor.scene.show(view)", view)
-                for time_s in [10.0, 0.0, 15.0]:
-                    seek(page, time_s)
-                    found, box = page.evaluate(points)
-                    if box:
-                        found += [[x, y, z] for x in box[0] for y in box[1] for z in box[2]]
-                    else:
-                        assert number == 1
-                    look = camera(page)
-                    seen = np.array([project(np.array(point), look) for point in found])
-                    assert (seen.min(axis=0) >= 4).all() and (seen.max(axis=0) <= [look["width"] - 4, look["height"] - 4]).all(), (view, time_s)
-                    # And not lost in it.
-                    assert ((seen.max(axis=0) - seen.min(axis=0)) / [look["width"], look["height"]]).max() > 0.4
-        # Whoever turns it keeps it.
-        page.locator("#scene").focus()
-        page.keyboard.press("ArrowLeft")
-        still(page)
-        before = camera(page)
-        seek(page, 0.0)
-        assert camera(page) == before
-        assert page.problems == []
 
 
 def test_the_plate_is_outlined_where_sand_hides_it(serve, soilctl, log):
@@ -506,259 +443,6 @@ def test_a_lost_monitor_is_said_and_found_again(serve, soilctl, log):
     finally:
         page.context.close()
         again.end()
-
-
-class Run:
-    """A live session in real time."""
-
-    def __init__(self, binary, folder, name):
-        self.socket = folder / "live"
-        plan = ROOT / "data" / "plans" / "table_6_2.toml"
-        words = [str(binary), "run", str(plan), "--socket", str(self.socket), "--log", str(folder / f"{name}.mcap"), "--real-time", "--quiet"]
-        self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        wait_for(self.socket, self.process)
-
-    def end(self):
-        if self.process.poll() is None:
-            self.process.terminate()
-        self.process.wait(timeout=LONG_S)
-
-
-@pytest.fixture
-def run(soilctl, tmp_path):
-    """Function that starts a session; whatever is left is ended."""
-    runs = []
-
-    def begin(name="run"):
-        runs.append(Run(soilctl.binary, tmp_path, name))
-        return runs[-1]
-
-    yield begin
-    for session in runs:
-        session.end()
-
-
-@pytest.fixture(scope="module")
-def six_joints(tmp_path_factory):
-    """A bag of rosbags' writer: an arm of six joints and a gripper, without wrenches; its joints and their positions at a time."""
-    places = {"pan": ("revolute", [0, 0, 0.09], "z"), "lift": ("revolute", [0, 0.13, 0], "y"), "elbow": ("revolute", [0, -0.12, 0.42], "y"),
-              "wrist_1": ("revolute", [0, 0, 0.39], "y"), "wrist_2": ("continuous", [0, 0.1, 0], "z"), "wrist_3": ("revolute", [0, 0, 0.1], "y"),
-              "flange": ("fixed", [0, 0.09, 0], "z"), "finger": ("prismatic", [0, 0.06, 0], "x")}
-    links = ["base", *places]
-    # Meshes are in files that a bag does not hold: such links are drawn as bones.
-    urdf = "".join(f'<link name="{link}"><visual><geometry><mesh filename="package://a/{link}.stl"/></geometry></visual></link>' for link in links)
-    urdf += '<link name="other_finger"/><joint name="other" type="prismatic"><parent link="flange"/><child link="other_finger"/>'
-    urdf += '<axis xyz="1 0 0"/><mimic joint="finger" multiplier="-1"/><limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
-    for parent, (name, (kind, xyz, axis)) in zip(links, places.items(), strict=False):
-        urdf += f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{name}"/><origin xyz="{xyz[0]} {xyz[1]} {xyz[2]}"/>'
-        urdf += f'<axis xyz="{" ".join(str(int(axis == a)) for a in "xyz")}"/><limit lower="-6" upper="6" effort="1" velocity="1"/></joint>'
-
-    def positions(t):
-        return {"pan": 0.5 * math.sin(0.3 * t), "lift": -0.8 + 0.3 * math.sin(0.5 * t), "elbow": 1.6 + 0.2 * math.sin(0.7 * t), "wrist_1": -0.8,
-                "wrist_2": math.sin(t), "wrist_3": 0.3, "finger": 0.02 + 0.02 * math.sin(t)}
-
-    def tip(t, link="finger"):
-        """By hand: product of shifts and turns."""
-        turn, at, values = np.eye(3), np.zeros(3), positions(t)
-        for name, (kind, xyz, axis) in places.items():
-            at = at + turn @ np.array(xyz)
-            c, s = math.cos(values.get(name, 0)), math.sin(values.get(name, 0))
-            if kind == "prismatic":
-                at = at + turn @ np.array([values[name], 0, 0])
-            elif kind != "fixed":
-                turn = turn @ (np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) if axis == "z" else np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]))
-            if name == link:
-                return at
-        raise AssertionError(link)
-
-    path = tmp_path_factory.mktemp("six") / "bag"
-    state, header, stamp = TYPES["sensor_msgs/msg/JointState"], TYPES["std_msgs/msg/Header"], TYPES["builtin_interfaces/msg/Time"]
-    with Writer(path, version=9, storage_plugin=StoragePlugin.MCAP) as writer:
-        words = TYPES["std_msgs/msg/String"]
-        connection = writer.add_connection("/robot_description", words.__msgtype__, typestore=STORE)
-        writer.write(connection, 0, STORE.serialize_cdr(words(data=f'<robot name="six">{urdf}</robot>'), words.__msgtype__))
-        connection = writer.add_connection("/arm/joints", state.__msgtype__, typestore=STORE)
-        for k in range(2000):
-            values = positions(k / 100)
-            # The gripper tells of itself, in messages of its own.
-            for names in [list(values)[:6], ["finger"]]:
-                ns = (1_700_000_000 * 100 + k) * 10_000_000
-                message = state(header=header(stamp=stamp(sec=ns // 10**9, nanosec=ns % 10**9), frame_id=""), name=names,
-                                position=np.array([values[name] for name in names]), velocity=np.array([]), effort=np.array([]))
-                writer.write(connection, ns, STORE.serialize_cdr(message, state.__msgtype__))
-    return next(path.glob("*.mcap")), tip
-
-
-def off_from(page, tip):
-    return float(np.linalg.norm(marker(page) - project(np.asarray(tip), camera(page))))
-
-
-def test_an_arm_of_another_program(serve, six_joints):
-    log, tip = six_joints
-    _, page = serve("--play", log)
-    errors = {}
-    for view in ["home", "side", "top"]:
-        page.evaluate("view => monitor.scene.show(view)", view)
-        for time_s in [0.5, 7.0, 13.0, 19.5]:
-            seek(page, time_s)
-            shown_s = page.evaluate("monitor.state.time_s")
-            assert 0 <= time_s - shown_s <= 0.041
-            errors[view, time_s] = off_from(page, tip(shown_s))
-            assert page.evaluate("monitor.state.tip_m") == pytest.approx(list(tip(shown_s)), abs=1e-6)
-    assert max(errors.values()) <= MOST_PX, errors
-    # Curves of what there is, and nothing else.
-    shown = page.evaluate("[...document.querySelectorAll('#charts figure')].filter(figure => !figure.hidden).map(figure => figure.querySelector('canvas').dataset.chart)")
-    assert shown == ["z", "joints", "time"]
-    text = page.locator("#readout").inner_text()
-    assert "wrist_2" in text and "mm" in text
-    assert page.evaluate("monitor.charts.data.positions.at(-1).length") == 7
-    # A joint that follows another one, which the log does not name.
-    other = page.evaluate("monitor.scene.arm.pose(monitor.scene.arm.values(monitor.state, monitor.names)).other_finger.slice(12, 15)")
-    shown_s = page.evaluate("monitor.state.time_s")
-    assert np.linalg.norm(np.array(other) - tip(shown_s, "flange")) == pytest.approx(0.02 + 0.02 * math.sin(shown_s), abs=1e-6)
-    picture = "document.querySelector('[data-chart=joints]').toDataURL()"
-    before = page.evaluate(picture)
-    seek(page, 0.0)
-    page.keyboard.press(" ")
-    until(page, "monitor.player.state.playing && monitor.state.time_s > 1")
-    assert page.evaluate(picture) != before
-    assert page.locator("#events").is_hidden() and page.problems == [] and page.requests == []
-    # Another link at which to look.
-    _, page = serve("--play", log, "--plate-frame", "wrist_1")
-    seek(page, 7.0)
-    assert off_from(page, tip(page.evaluate("monitor.state.time_s"), "wrist_1")) <= MOST_PX
-
-
-def test_forces_of_another_program(serve, soilctl, tmp_path):
-    bag = write_bag(tmp_path, shuffle=True, frame="load_cell")
-    urdf = tmp_path / "gantry.urdf"
-    soilctl.refuses("monitor", "--play", bag, mentions=["--urdf", "bag"])
-    urdf.write_text(URDF, encoding="utf-8")
-    soilctl.refuses("monitor", "--play", bag, "--urdf", urdf, "--plate-frame", "nowhere", mentions=["nowhere", "blade_edge"])
-    soilctl.refuses("monitor", "--play", bag, "--urdf", urdf, "--joint-topic", "/none", mentions=["/none", "/gantry/joints"])
-    _, page = serve("--play", bag, "--urdf", urdf, "--plate-frame", "blade_edge", "--surface-z", SURFACE_M)
-    for time_s in [1.5, 6.0, 8.0]:
-        seek(page, time_s)
-        state = page.evaluate("monitor.state")
-        x, z, force = motion(state["time_s"])
-        assert state["tip_m"] == pytest.approx([x, 0, z], abs=1e-6)
-        assert off_from(page, [x, 0, z]) <= MOST_PX
-        # The sensor's reading, not tared, turned by its 30 deg about y.
-        turn = math.radians(30)
-        root = np.array([math.cos(turn) * BIAS[0] + math.sin(turn) * BIAS[2], BIAS[1], -math.sin(turn) * BIAS[0] + math.cos(turn) * BIAS[2]])
-        root += force * np.array([-math.cos(DELTA), 0, math.sin(DELTA)])
-        # Joints and wrenches are up to 0.2 s apart in this bag.
-        assert state["force_n"] == pytest.approx(root, abs=0.15)
-    assert page.evaluate("monitor.charts.level_m") == SURFACE_M
-    assert "0.4" not in page.locator("#legend").inner_text() and "force as read" in page.locator("#legend").inner_text()
-    assert page.problems == []
-
-
-def first_word_is_on_top(page):
-    """Whether nothing lies over the beginning of the banner."""
-    return page.evaluate("""(() => { const banner = document.getElementById('banner'), range = document.createRange();
-      range.setStart(banner.firstChild, 0);
-      range.setEnd(banner.firstChild, 7);
-      const {x, y, width, height} = range.getBoundingClientRect();
-      return [.1, .5, .9].every(share => document.elementFromPoint(x + share * width, y + height / 2) === banner); })()""")
-
-
-def test_a_live_session(serve, run):
-    session = run()
-    _, page = serve("--connect", session.socket)
-    assert page.locator("#link").inner_text() == "live, real time"
-    assert page.locator("#player").is_hidden() and page.locator("#commands").is_hidden()
-    operator = Operator(session.socket)
-    operator.ask(name="enable")
-    picture = "document.querySelector('[data-chart=z]').toDataURL()"
-    for target in [[10, 40, 90, 0, 30], [-15, 50, 80, 10, 40]]:
-        before = page.evaluate(picture)
-        operator.ask(name="move_joints", joints_deg=target)
-        operator.wait_event("trajectory_ended/joint_move/completed")
-        # The page may be some states behind.
-        seen = {}
-        until_s = time.monotonic() + 3
-
-        def note(state, seen=seen, until_s=until_s):
-            seen[state["tick"]] = state["joints_deg"]
-            return time.monotonic() > until_s
-
-        operator.wait_state(note)
-        # The picture of one state, for as long as the screenshot takes.
-        page.evaluate("monitor.scene.update = () => {}")
-        still(page)
-        page.evaluate("monitor.scene.draw(0)")
-        still(page)
-        tick = page.evaluate("Number(document.getElementById('scene').dataset.tick)")
-        if tick not in seen:
-            operator.wait_state(lambda state, seen=seen, tick=tick: seen.update({state["tick"]: state["joints_deg"]}) or state["tick"] >= tick)
-        assert off_by(page, seen[tick]) <= MOST_PX
-        page.evaluate("delete monitor.scene.update")
-        assert page.evaluate(picture) != before
-    assert "joint move" in page.locator("#events").inner_text()
-    # The session ends, and another one begins.
-    session.end()
-    until(page, "document.getElementById('banner').textContent.includes('Session lost, reconnecting')")
-    assert first_word_is_on_top(page)
-    run("next")
-    page.locator("#banner").wait_for(state="hidden")
-    until(page, "monitor.state && monitor.state.time_s < 60")
-    assert page.problems == [] and page.requests == []
-
-
-def test_commands_from_the_page(serve, run, browser):
-    session = run()
-    monitor, page = serve("--connect", session.socket, "--commands")
-    assert monitor.answer["commands"] and "#token=" in monitor.url
-    page.locator("#commands").wait_for(state="visible")
-    # The token is out of the address.
-    assert "token" not in page.url
-    page.get_by_role("button", name="enable", exact=True).click()
-    until(page, "document.getElementById('answer').textContent.includes('done in tick')")
-    until(page, "monitor.state.mode === 'ready'")
-    page.locator("#text").fill("plan_index 60000")
-    page.keyboard.press("Enter")
-    until(page, "document.getElementById('answer').textContent.includes('refused')")
-    page.locator("#stop").click()
-    until(page, "monitor.state.mode === 'fault'")
-    # A fault that has no number.
-    until(page, "document.getElementById('readout').textContent.endsWith('emergency stop')")
-    assert page.locator("#events li", has_text="fault · emergency stop").last.locator("b").inner_text() == ""
-    stranger = open_page(browser, monitor.url.split("#")[0])
-    stranger.evaluate("monitor.commands.line('reset')")
-    until(stranger, "monitor.state")
-    assert stranger.locator("#commands").is_hidden()
-    assert stranger.locator("#stop").is_hidden()
-    # The address with the token, opened in the tab that shows the page: only its end changes.
-    stranger.evaluate("window.same = true")
-    stranger.goto(monitor.url)
-    stranger.locator("#commands").wait_for(state="visible")
-    assert stranger.evaluate("window.same") and "token" not in stranger.url and stranger.locator("#locked").is_hidden()
-    stranger.context.close()
-    assert page.problems == []
-    assert "commands need the token" in monitor.end()
-
-
-def test_the_stop_is_at_hand(serve, run):
-    session = run()
-    _, page = serve("--connect", session.socket, "--commands", viewport={"width": 390, "height": 844})
-    page.locator("#stop").wait_for(state="visible")
-    assert page.evaluate("document.documentElement.scrollWidth") <= 390
-    for end in [0, 1]:
-        # It stays in sight.
-        page.evaluate("end => scrollTo(0, end * document.documentElement.scrollHeight)", end)
-        box = page.locator("#stop").bounding_box()
-        assert box["x"] >= 0 and box["x"] + box["width"] <= 390 and box["y"] >= 0 and box["y"] + box["height"] <= 844
-        assert page.evaluate("([x, y]) => document.elementFromPoint(x, y).id", [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]) == "stop"
-    page.get_by_role("button", name="enable", exact=True).click()
-    until(page, "monitor.state.mode === 'ready'")
-    # By its key, also while a command is typed.
-    page.locator("#text").fill("res")
-    page.keyboard.press(".")
-    page.keyboard.press("Control+.")
-    until(page, "monitor.state.mode === 'fault'")
-    assert page.locator("#text").input_value() == "res."
-    assert page.problems == []
 
 
 def test_wrong_usage(soilctl, tmp_path):
