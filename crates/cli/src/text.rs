@@ -10,11 +10,11 @@ pub(crate) fn number(value: f64) -> String {
 /// A value with its standard deviation: both to the second digit of this. The unit `1` is left out.
 pub(crate) fn measured(value: f64, sd: f64, unit: &str) -> String {
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
-    let places = 1 - sd.log10().floor() as i32;
-    if !(sd > 0.0 && (-8..=8).contains(&places)) {
+    let places = 1.0 - sd.log10().floor();
+    if !(-8.0..=8.0).contains(&places) {
         return format!("{} ± {}{unit}", number(value), number(sd));
     }
-    let (step, decimals) = (10.0_f64.powi(-places), places.max(0) as usize);
+    let (step, decimals) = (10.0_f64.powf(-places), places.max(0.0) as usize);
     let rounded = |x: f64| format!("{:.decimals$}", (x / step).round() * step);
     format!("{} ± {}{unit}", rounded(value), rounded(sd))
 }

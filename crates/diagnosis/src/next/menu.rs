@@ -60,12 +60,12 @@ pub(super) const MENU: [Menu; 10] = [
     },
     Menu {
         covariates: &["base_deg"],
-        name: "the box turned by 90 deg in every other batch (base angles count from the box), strokes over the arm's base angles",
+        name: "the box turned round by 180 deg in every other batch (base angles count from the box), strokes over the arm's base angles",
         change: |data, i, row| {
             // The arm goes where it went before; of a box that was turned already, nobody knows where that was.
             let (low, high) =
                 data.reference.base_deg.filter(|(low, high)| high - low <= 90.0).unwrap_or((-35.0, 35.0));
-            let turn = if (i / BATCH).is_multiple_of(2) { 90.0 } else { 0.0 };
+            let turn = if (i / BATCH).is_multiple_of(2) { 180.0 } else { 0.0 };
             row.base_deg = Some(turn + cycle(&[low, f64::midpoint(low, high), high], i));
         },
     },

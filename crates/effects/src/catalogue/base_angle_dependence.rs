@@ -6,27 +6,25 @@ use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Sh
 ///
 /// Base angles count from the box, so in a box that was turned they go beyond what an arm reaches. Nobody knows how the change goes
 /// on there: as it began (shapes 1, 2), not at all (3, 4), or, if it is the arm's own angle that counts, from the start with each
-/// quarter turn of the box (5, 6). Without a turn these are the same; with one, the range is that of the arm.
+/// turn of the box (5, 6). Without a turn these are the same; with one, the range is that of the arm.
 pub(super) struct BaseAngleDependence;
 
-/// Range of base angles in deg beyond which the box must have been turned, and by how much.
+/// Ranges of base angles in deg beyond which the box must have been turned, by a quarter and by a half.
 const TURNED: f64 = 100.0;
-const TURN: f64 = 90.0;
+const TURNED_ROUND: f64 = 190.0;
+const QUARTER: f64 = 90.0;
 
+/// Position of a base angle between the ends of the arm's range, which are -1 and 1.
 fn position(shape: f64, stroke: &Stroke, reference: &Reference) -> Option<f64> {
-    let range =
-        reference.base_deg.map(|(low, high)| high - low).filter(|range| *range > TURNED && shape > 2.5);
-    Some(match stroke.base_deg.zip(range) {
-        None => stroke.base_position?,
-        Some((base_deg, range)) => {
-            // To either side of 0, before and after the turn.
-            let reach = 0.5 * (range - TURN).min(TURN);
-            if shape < 4.5 {
-                (base_deg / reach).clamp(-1.0, 1.0)
-            } else {
-                (base_deg - TURN * (base_deg / TURN).round()) / reach
-            }
-        }
+    let range = reference.base_deg.map(|(low, high)| high - low).filter(|range| *range > TURNED);
+    let Some((base_deg, range)) = stroke.base_deg.zip(range) else { return stroke.base_position };
+    // To either side of 0, before and after the turn.
+    let turn = if range > TURNED_ROUND { 2.0 * QUARTER } else { QUARTER };
+    let reach = 0.5 * (range - turn).min(QUARTER);
+    Some(match shape {
+        ..2.5 => base_deg / reach,
+        2.5..4.5 => (base_deg / reach).clamp(-1.0, 1.0),
+        _ => (base_deg - QUARTER * (base_deg / QUARTER).round()) / reach,
     })
 }
 
@@ -62,7 +60,8 @@ impl Effect for BaseAngleDependence {
     ) -> Result<(), EffectsError> {
         let x = position(shape, stroke, reference).unwrap_or(0.0);
         let odd = shape.rem_euclid(2.0) > 0.5;
-        let pattern = if odd { 0.5 * x } else { x * x };
+        // Beyond the ends nothing grows with the square.
+        let pattern = if odd { 0.5 * x } else { x.abs().min(x * x) };
         c.ln_factor += (amplitude * pattern).max(-0.99).ln_1p();
         Ok(())
     }
@@ -90,10 +89,12 @@ mod tests {
 
     #[test]
     fn beyond_a_turn_the_change_goes_on_stays_or_repeats() {
-        let turned = [-30.0, 0.0, 30.0, 60.0, 90.0, 120.0];
-        assert_eq!(positions(&turned, 3.0), [-1.0, 0.0, 1.0, 1.0, 1.0, 1.0]);
-        assert_eq!(positions(&turned, 5.0), [-1.0, 0.0, 1.0, -1.0, 0.0, 1.0]);
-        let on = positions(&turned, 1.0);
-        assert!(on.windows(2).all(|pair| (pair[1] - pair[0] - 0.4).abs() < 1e-12), "{on:?}");
+        for (turn, on) in [(90.0, [2.0, 3.0, 4.0]), (180.0, [5.0, 6.0, 7.0])] {
+            let turned = [-30.0, 0.0, 30.0, turn - 30.0, turn, turn + 30.0];
+            assert_eq!(positions(&turned, 1.0)[..3], [-1.0, 0.0, 1.0]);
+            assert_eq!(positions(&turned, 1.0)[3..], on);
+            assert_eq!(positions(&turned, 3.0), [-1.0, 0.0, 1.0, 1.0, 1.0, 1.0]);
+            assert_eq!(positions(&turned, 5.0), [-1.0, 0.0, 1.0, -1.0, 0.0, 1.0]);
+        }
     }
 }

@@ -25,7 +25,10 @@ impl Effect for SurfaceSlope {
     fn shape(&self) -> Option<Shape> {
         Some(Shape {
             parameter: Some(Parameter { name: "azimuth_deg", unit: "deg" }),
-            values: &[-135.0, -90.0, -45.0, 0.0, 45.0, 90.0, 135.0, 180.0],
+            values: &[
+                -157.5, -135.0, -112.5, -90.0, -67.5, -45.0, -22.5, 0.0, 22.5, 45.0, 67.5, 90.0, 112.5,
+                135.0, 157.5, 180.0,
+            ],
         })
     }
 
