@@ -9,22 +9,19 @@ use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Sh
 /// turn of the box (5, 6). Without a turn these are the same; with one, the range is that of the arm.
 pub(super) struct BaseAngleDependence;
 
-/// Ranges of base angles in deg beyond which the box must have been turned, by a quarter and by a half.
-const TURNED: f64 = 100.0;
-const TURNED_ROUND: f64 = 190.0;
-const QUARTER: f64 = 90.0;
+/// By how much a box is turned, in deg: a wider range of base angles is that of no arm.
+const TURN: f64 = 180.0;
 
 /// Position of a base angle between the ends of the arm's range, which are -1 and 1.
 fn position(shape: f64, stroke: &Stroke, reference: &Reference) -> Option<f64> {
-    let range = reference.base_deg.map(|(low, high)| high - low).filter(|range| *range > TURNED);
+    let range = reference.base_deg.map(|(low, high)| high - low).filter(|range| *range > TURN);
     let Some((base_deg, range)) = stroke.base_deg.zip(range) else { return stroke.base_position };
     // To either side of 0, before and after the turn.
-    let turn = if range > TURNED_ROUND { 2.0 * QUARTER } else { QUARTER };
-    let reach = 0.5 * (range - turn).min(QUARTER);
+    let reach = 0.5 * (range - TURN);
     Some(match shape {
         ..2.5 => base_deg / reach,
         2.5..4.5 => (base_deg / reach).clamp(-1.0, 1.0),
-        _ => (base_deg - QUARTER * (base_deg / QUARTER).round()) / reach,
+        _ => (base_deg - TURN * (base_deg / TURN).round()) / reach,
     })
 }
 
@@ -84,17 +81,16 @@ mod tests {
     fn without_a_turn_all_continuations_are_the_same() {
         for shape in [1.0, 3.0, 5.0] {
             assert_eq!(positions(&[-30.0, 0.0, 15.0, 30.0], shape), [-1.0, 0.0, 0.5, 1.0]);
+            // Nor is an arm that reaches far a turned box: the amplitude is that from one end to the other.
+            assert_eq!(positions(&[-80.0, 0.0, 40.0, 80.0], shape), [-1.0, 0.0, 0.5, 1.0]);
         }
     }
 
     #[test]
     fn beyond_a_turn_the_change_goes_on_stays_or_repeats() {
-        for (turn, on) in [(90.0, [2.0, 3.0, 4.0]), (180.0, [5.0, 6.0, 7.0])] {
-            let turned = [-30.0, 0.0, 30.0, turn - 30.0, turn, turn + 30.0];
-            assert_eq!(positions(&turned, 1.0)[..3], [-1.0, 0.0, 1.0]);
-            assert_eq!(positions(&turned, 1.0)[3..], on);
-            assert_eq!(positions(&turned, 3.0), [-1.0, 0.0, 1.0, 1.0, 1.0, 1.0]);
-            assert_eq!(positions(&turned, 5.0), [-1.0, 0.0, 1.0, -1.0, 0.0, 1.0]);
-        }
+        let turned = [-30.0, 0.0, 30.0, 150.0, 180.0, 210.0];
+        assert_eq!(positions(&turned, 1.0), [-1.0, 0.0, 1.0, 5.0, 6.0, 7.0]);
+        assert_eq!(positions(&turned, 3.0), [-1.0, 0.0, 1.0, 1.0, 1.0, 1.0]);
+        assert_eq!(positions(&turned, 5.0), [-1.0, 0.0, 1.0, -1.0, 0.0, 1.0]);
     }
 }
