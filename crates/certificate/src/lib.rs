@@ -1,9 +1,8 @@
 //! Saved limit-analysis solutions, and proofs of the bounds they claim.
 //!
-//! A rigid structure is pushed through soil (plane strain, Mohr-Coulomb, associated flow). How much force the soil can
-//! resist is bounded from below by any stress field in equilibrium that the soil can bear, and from above by any flow
-//! that dilates as its friction demands. [`prove_lower`] and [`prove_upper`] check such fields with interval arithmetic
-//! whose ends are rounded outwards, and return the bound that is then *proven* for exactly the numbers of the
+//! A collapse load in plane strain is bounded from below by any *statically admissible* stress field and from above by any
+//! *kinematically admissible* velocity field. [`prove_lower`] and [`prove_upper`] check such fields with interval
+//! arithmetic whose ends are rounded outwards, and return the bound that is then *proven* for exactly the numbers of the
 //! [`Statement`]. They share no code with the solver that made the fields and trust nothing in them: a field from
 //! elsewhere, altered or wrong, either proves a true bound or is refused with a reason.
 //!
@@ -19,22 +18,59 @@
 //! # Ok::<(), soilctl_certificate::CertificateError>(())
 //! ```
 //!
+//! # The two theorems
+//!
+//! Tension is positive. `s` is the total stress, `u` the pore pressure, `p = (xx + yy)/2 + u` the mean effective stress and
+//! `r = sqrt(((xx - yy)/2)^2 + xy^2)` the radius of Mohr's circle. For a velocity `v`, `e = exx + eyy` is the dilation and
+//! `g = sqrt((exx - eyy)^2 + 4 exy^2)` the shear rate. Mohr-Coulomb soil with friction angle `phi`, cohesion `c` and, if its
+//! tension is limited, greatest effective tension `t` bears the convex set of stresses
+//!
+//! ```text
+//! K = { s :  r <= c cos(phi) - p sin(phi),   p + r <= t }
+//! ```
+//!
+//! Its support function is what a strain rate can dissipate at most. It is finite only on the cone of the flow rule:
+//!
+//! ```text
+//! D(v) = sup { s : e(v)  |  s in K } <= (c cot(phi) - u) e                   if  e >= g sin(phi), infinite otherwise
+//!                                    <= (t - u) e + Q max(g - e, 0),         Q = max(0, (c cos(phi) - t sin(phi))/(1 - sin(phi)))
+//! ```
+//!
+//! Without friction and limit to the tension, `e = 0` and `D(v) = c g`.
+//!
+//! Let `b` be the dead body force, `T` the dead tractions, `m` the factor on the live ones `b'`, `T'`, and `F` the force of
+//! the structure on the soil per unit width, times its velocity `V`.
+//!
+//! ```text
+//! static theorem      div s + b + m b' = 0 in the soil,  s n = T + m T' on loaded sides,  s n continuous,  s in K
+//!                     =>  F(s), or m, is a lower bound
+//!
+//! kinematic theorem   v = 0 on fixed sides,  v . n = 0 on smooth ones,  e >= g sin(phi),  opening >= |slip| tan(phi)
+//!                     =>  int D(v) + int D([v]) - W(v), or that over P(v), is an upper bound
+//! ```
+//!
+//! with `W` the power of the dead loads and `P > 0` that of the live ones. Both follow from virtual work: for a stress field
+//! and a velocity field as above
+//!
+//! ```text
+//! F(s) + W(v) + m P(v)  =  int s : e(v) + int (s n) . [v]  <=  int D(v) + int D([v])
+//! ```
+//!
+//! Over all fields, the greatest lower and the least upper bound are a pair of dual cone programs, and their common value is
+//! the *collapse load* (Drucker, Prager & Greenberg 1952). What is proven here is weak duality for given fields; that they
+//! are the best ones is not claimed.
+//!
 //! # What is bounded
 //!
-//! - [`Objective::Structure`]: `F`, the force of the structure on the soil (per unit width) times the structure's velocity
-//!   `V`: the largest that a stress field in equilibrium with weight and loads can have, of all that soil and faces can
-//!   bear.
+//! - [`Objective::Structure`]: `F`, the largest that a statically admissible stress field can have.
 //! - [`Objective::Loads`]: the largest factor `m` on all live loads for which there is such a stress field.
 //! - [`Objective::Body`]: the same for a body force that is added to gravity.
 //! - [`Objective::Everything`]: the largest factor on gravity, pore pressure, surcharge and all loads together.
 //!
-//! Strength is one of the effective stress, the stress plus the pore pressure `u` in both normal parts. With its mean
-//! `p = (xx + yy)/2 + u` and `r = sqrt(((xx - yy)/2)^2 + xy^2)`, a soil bears `c cos(phi) - sin(phi) p >= r` and, where its
-//! tension is limited to `t`, `t - p >= r`; a [face](Condition::Face) bears `|shear| <= adhesion - (normal + u)
-//! tan(delta)`, a frictionless one without adhesion `normal + u <= 0` only. Soil beyond [far](Condition::Far) lines is part
-//! of it: to the left and right of the mesh, below it, or all around. Its cohesion is that along the line. Where such soil
-//! adjoins a [fixed](Condition::Fixed) or [smooth](Condition::Smooth) wall or base at a corner of the mesh, that goes on for
-//! ever too.
+//! A [face](Condition::Face) bears `|shear| <= adhesion - (normal + u) tan(delta)`, a frictionless one without adhesion
+//! `normal + u <= 0` only. Soil beyond [far](Condition::Far) lines is part of it: to the left and right of the mesh, below
+//! it, or all around. Its cohesion is that along the line. Where such soil adjoins a [fixed](Condition::Fixed) or
+//! [smooth](Condition::Smooth) wall or base at a corner of the mesh, that goes on for ever too.
 //!
 //! # Every interval holds the true number
 //!
@@ -53,25 +89,22 @@
 //!
 //! # Upper bound
 //!
-//! For a stress field as above and a flow `v` that is zero far away, virtual work says that `F` and the power of all other
-//! loads add up to the power of the stresses on the strain rate, on the jumps of `v`, and on `v - V` at the faces. With `D`
-//! not below the latter and `W` the power of weight, surcharge and given tractions, `F <= D - W`. If a factor is bounded,
-//! `V` is zero, `P > 0` the power of the loads that it multiplies and `W` that of the others: it is at most `(D - W)/P`. With
-//! [`Objective::Everything`] water is one of these loads, so `P` has the `u e` and `u o` that are said below to lessen `D`.
-//! Integrals of polynomials are exact but for rounding.
+//! The velocity `v` is zero far away; at faces of the structure `v - V` jumps. If a factor is bounded, `V` is zero. With
+//! [`Objective::Everything`] water is one of the live loads, so `P` has the `u e` and `u o` that are said below to lessen
+//! `D`. Integrals of polynomials are exact but for rounding.
 //!
-//! *Soil with friction* has a velocity quadratic on each triangle. Its strain rate must be in the cone that is dual to
-//! what the soil bears (`e = exx + eyy >= g sin(phi)`, `g = sqrt((exx - eyy)^2 + 4 exy^2)`); then the power of the
-//! effective stress is at most `c cot(phi) e`. Jumps and faces are thin layers: with opening `o` and slip `s`, `o >= |s|
-//! tan`, and the power is at most `c cot o`. The cones are convex: strain rates, linear on a triangle, obey at the corners
-//! and hence everywhere; jumps, quadratic along an edge, obey at Bernstein control points and hence everywhere.
+//! *Soil with friction* has a velocity quadratic on each triangle. Its strain rate must obey the flow rule `e >= g
+//! sin(phi)`; then the power of the effective stress is at most `c cot(phi) e`. Jumps and faces are thin layers: with
+//! opening `o` and slip `s`, `o >= |s| tan(phi)`, and the power is at most `c cot(phi) o`. The cones are convex: strain
+//! rates, linear on a triangle, obey at the corners and hence everywhere; jumps, quadratic along an edge, obey at Bernstein
+//! control points and hence everywhere.
 //!
 //! - *Jumps between two soils* may use either, since the traction is within the strength of both, each with its own pore
 //!   pressure.
 //! - *Cohesion* is linear, and more of it never dissipates less, so it may be taken as zero where rounding makes it less.
 //! - *Pore pressure* `u` adds `-u e` and `-u o`, at faces that of the soil there.
-//! - *A greatest tension* `t` cuts the cone off. The power is then at most `t e + Q max(g - e, 0)` too, with `Q = max(0, (c
-//!   cos(phi) - t sin(phi))/(1 - sin(phi)))`; in a layer `e = o` and `g = sqrt(o^2 + s^2)`. Both factors are convex and not
+//! - *A greatest tension* `t` cuts the cone off. The power is then at most `t e + Q max(g - e, 0)` too; in a layer `e = o`
+//!   and `g = sqrt(o^2 + s^2)`. Both factors are convex and not
 //!   negative, so they are at most the linear functions through their values at corners, and at most the polynomials that
 //!   have their values at control points as coefficients. The lesser of the two bounds counts.
 //!
@@ -93,17 +126,19 @@
 //!
 //! # Lower bound
 //!
-//! The stress is a reference plus `xx = f_yy, yy = f_xx, xy = -f_xy` of a function `f` with continuous slopes, cubic on
-//! each third of a triangle. The reference is in equilibrium with the weight. The rest needs no force: it is in equilibrium
-//! with itself in each part, and tractions on an edge are derivatives along the edge of the slopes, which both sides share.
+//! The stress is a reference stress plus `xx = f_yy, yy = f_xx, xy = -f_xy` of an Airy stress function `f` with continuous
+//! slopes, cubic on each third of a triangle (the Clough-Tocher macro-element). The reference is in equilibrium with the
+//! weight. The rest needs no force: it is in equilibrium with itself in each part, and tractions on an edge are derivatives
+//! along the edge of the slopes, which both sides share.
 //! *So equilibrium holds by construction*: both sides of an edge take value and slopes at its ends from the same vertex
 //! copies and the slope across its middle from the same number; a cubic and its quadratic slope across are determined by
 //! these. What is proven is the force on the structure, or, for the other objectives, [`LowerField::multiplier`]: it only
 //! enters by the reference and the loads. With [`Objective::Everything`] the field is the `m`-th part of the stress that goes
 //! with the factor `m`: in equilibrium with what acts, and within the strength of soils and faces with the `m`-th part of their
 //! cohesion, adhesion and greatest tension; `m` times that is in equilibrium with `m` times all that acts, and within the
-//! strength. Affine functions carry no stress; chains name some, so that values near them can
-//! be stored without loss.
+//! strength. Affine functions carry no stress: an Airy stress function is known up to one.
+//! *Gauges* ([`LowerField::gauges`]) are affine functions of this kind; values are stored relative to one of them, so that
+//! small differences are kept without loss.
 //!
 //! - *Reference.* All regions have the base, made with the unit weight `w` of the first: with depth `d` below the datum,
 //!   gravity `g`, surcharge `q` and `t = g_x/g_y` it is `yy = w g_y d - q, xy = w g_x d, xx = (1 + 2 t^2) w g_y d - q`. A
@@ -116,24 +151,24 @@
 //!   of the column part, is the same on both sides of all interfaces: on vertical ones it is zero.
 //! - *Free and loaded edges.* Let `T` be the given traction, less that of the reference, times the length of a side walked
 //!   with the soil on the left; both are linear. Tractions of `f` add up to the change of `(f_y, -f_x)`. So along a run of
-//!   such sides `f` is an affine function, that of the run's chain, plus one that is zero with its slopes where the run
+//!   such sides `f` is an affine function, the run's gauge, plus one that is zero with its slopes where the run
 //!   starts and whose slopes change by the integral of `T` turned left. It is a cubic on each side: value and slopes at both
 //!   ends of an edge and the slope across its middle carry it over exactly. It goes on from side to side in one way, and a
 //!   vertex copy is at one place of one run only, so all edges at a copy take the same value and slopes from it.
-//! - *Branches.* A function that is one function all around a body carries no force on it. So an edge inside the soil may
-//!   have other vertex copies on its two sides: alike, but relative to two chains, the same two at both ends. Then the
-//!   function beyond the edge, with its slopes, differs by no more than the affine function between these chains, which
-//!   carries no stress, so tractions are the same on both sides. A run of free or loaded sides goes on with another chain
+//! - *Branch cuts.* A function that is single-valued all around a body carries no force on it. So an edge inside the soil
+//!   may have other vertex copies on its two sides: alike, but relative to two gauges, the same two at both ends. Then the
+//!   function beyond the edge, with its slopes, differs by no more than the affine function between these gauges, which
+//!   carries no stress, so tractions are the same on both sides. A run of free or loaded sides goes on with another gauge
 //!   beyond a copy where such edges end: there both copies are at one place of the run.
 //! - *Lines of given shear.* With `n = to - from` turned left, the slope across `g = grad f . n` has `g' = t . ref n` (no
 //!   shear stress) or `g' = 0` (far lines: that of the reference). This makes it a known quadratic polynomial but for a
-//!   constant, which comes from the first chain that the line touches or from [`LowerField::lines`]. The slope across an
+//!   constant, which comes from the first gauge that the line touches or from [`LowerField::lines`]. The slope across an
 //!   edge equals `g` if it does at both ends and in the middle. Lines that follow each other along the soil share the
 //!   constant if they are all level or all vertical: there `g` over the signed length of `n` is `f_y` or `-f_x`, and its
 //!   derivative is the shear stress of the base, whatever the region.
 //! - *Apexes.* On free sides without surcharge of soil without cohesion the stress must vanish; they lie at the datum, as
 //!   does the reference's zero, and no load acts before or next to them. At all their vertex copies all Bernstein
-//!   coefficients up to two steps away are zero (beyond the chain). The one next to a neighbour `C` of an apex `T` is `f +
+//!   coefficients up to two steps away are zero (beyond the gauge). The one next to a neighbour `C` of an apex `T` is `f +
 //!   grad f . (T - C)/3` = 0, which restricts the [`Jet`] of `C`. The conditions for continuous slopes across and within
 //!   triangles then hold as for the general element; those along lines of given shear do since `g'` is zero at an apex.
 //! - *Strength.* Stress, cohesion and pore pressure are linear on each part, and what is borne is a convex set of all
@@ -180,6 +215,14 @@
 //!
 //! Upper bounds with friction at faces in soil without friction, with adhesion alone at faces in soil with friction, and
 //! with a closed wall of soil without friction of which only a part moves.
+//!
+//! # Sources
+//!
+//! - Clough & Tocher (1965), Finite element stiffness matrices for analysis of plate bending. Conf. Matrix Methods in
+//!   Structural Mechanics, Wright-Patterson AFB. Bernstein form: Lai & Schumaker (2007), Spline Functions on Triangulations.
+//! - Drucker, Prager & Greenberg (1952), Extended limit design theorems for continuous media. Q. Appl. Math. 9, 381-389.
+//! - Makrodimopoulos & Martin (2006, 2007): the cones and the convexity arguments for stresses and strain rates that are
+//!   linear on a simplex. Int. J. Numer. Methods Eng. 66, 604-634; Int. J. Numer. Anal. Methods Geomech. 31, 835-865.
 
 mod element;
 mod error;
@@ -191,6 +234,7 @@ mod lower;
 mod mesh;
 mod problem;
 mod proof;
+mod runs;
 mod shown;
 mod solution;
 mod statement;
@@ -204,8 +248,9 @@ pub use fields::{
     Chain, Flow, Gradient, Jet, LowerField, StreamCopy, StreamJet, UpperField, Velocity, VertexCopy,
 };
 pub use lower::prove_lower;
-pub use mesh::{Mesh, Place, Triangle, Vertex};
+pub use mesh::{Mesh, Place, Side, Triangle, Vertex};
 pub use proof::{Bound, Proof, prove};
+pub use runs::Run;
 pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownStress, show_flow, show_stress};
 pub use solution::{Claim, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
 pub use statement::{Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement};

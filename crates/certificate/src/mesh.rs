@@ -50,3 +50,18 @@ pub struct Triangle {
     /// Index of the region in which it lies.
     pub region: usize,
 }
+
+/// An edge of a triangle as the triangle sees it: the one opposite to a corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Side {
+    /// Index of the triangle.
+    pub triangle: usize,
+    /// The corner opposite to the edge, 0 to 2.
+    pub corner: usize,
+}
+
+impl std::fmt::Display for Side {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "triangle {}, edge {}", self.triangle, self.corner)
+    }
+}

@@ -5,21 +5,17 @@ use crate::fields::{LowerField, UpperField};
 use crate::interval::Vector;
 use crate::lower::element::NodeStresses;
 use crate::lower::node_stresses;
+use crate::mesh::Side;
 use crate::problem::finite;
 use crate::statement::{Condition, LineUse, Statement};
-use crate::tiling::{Beyond, Side, Tiling};
+use crate::tiling::{Beyond, Tiling};
 use crate::upper::piece_velocities;
 
 /// What an edge of a triangle adjoins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Adjoins {
     /// The edge of another triangle, with the same vertices.
-    Soil {
-        /// Index of that triangle.
-        triangle: usize,
-        /// The edge: that opposite to this corner.
-        corner: usize,
-    },
+    Soil(Side),
     /// A boundary.
     Boundary {
         /// The side of a line.
@@ -123,7 +119,7 @@ fn corners(tiling: &Tiling) -> Vec<[[f64; 2]; 3]> {
 
 fn adjoins(tiling: &Tiling) -> Vec<[Adjoins; 3]> {
     let one = |triangle: usize, corner: usize| match tiling.beyond(Side { triangle, corner }) {
-        Beyond::Soil(Side { triangle, corner }) => Adjoins::Soil { triangle, corner },
+        Beyond::Soil(other) => Adjoins::Soil(other),
         Beyond::Boundary(on, condition) => {
             Adjoins::Boundary { side: on.side, ends: [on.start, on.end], condition }
         }

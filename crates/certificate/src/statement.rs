@@ -69,6 +69,20 @@ pub struct Line {
     pub to: usize,
 }
 
+impl Line {
+    /// First and last point in the sense in which it is walked.
+    #[must_use]
+    pub fn walked(self, forward: bool) -> [usize; 2] {
+        if forward { [self.from, self.to] } else { [self.to, self.from] }
+    }
+
+    /// Whether a point is one of its ends.
+    #[must_use]
+    pub fn touches(self, point: usize) -> bool {
+        self.from == point || self.to == point
+    }
+}
+
 /// One side of a line: the left one when it is walked from its first point to its last (`forward`), or from its last
 /// to its first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -78,6 +92,14 @@ pub struct LineUse {
     pub line: usize,
     /// Whether the line is walked from its first point to its last.
     pub forward: bool,
+}
+
+impl LineUse {
+    /// The other side of the line.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        Self { forward: !self.forward, ..self }
+    }
 }
 
 /// A region of one soil.
@@ -129,6 +151,12 @@ impl Linear {
     #[must_use]
     pub const fn uniform(value: f64) -> Self {
         Self { at_origin: value, gradient: [0.0; 2] }
+    }
+
+    /// Its value at a point, rounded.
+    #[must_use]
+    pub fn at(&self, [x, y]: [f64; 2]) -> f64 {
+        self.at_origin + self.gradient[0] * x + self.gradient[1] * y
     }
 
     /// Whether it is zero everywhere.
@@ -193,12 +221,30 @@ pub enum Condition {
 }
 
 impl Condition {
-    /// Whether the condition says what the shear stress along the line is.
-    pub(crate) fn shear_is_given(self) -> bool {
+    /// Whether it says what the shear stress along the line is: on smooth lines, frictionless faces without adhesion, and
+    /// far lines.
+    #[must_use]
+    pub fn shear_is_given(self) -> bool {
         match self {
             Self::Smooth | Self::Far => true,
             Self::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion == 0.0,
             Self::Free | Self::Loaded { .. } | Self::Fixed => false,
+        }
+    }
+
+    /// Whether it says what the tractions are: on free and loaded lines.
+    #[must_use]
+    pub fn traction_is_given(self) -> bool {
+        matches!(self, Self::Free | Self::Loaded { .. })
+    }
+
+    /// Whether it says, in soil without friction, what the velocity across the line is: zero, or that of the structure.
+    #[must_use]
+    pub fn is_wall(self) -> bool {
+        match self {
+            Self::Fixed | Self::Far | Self::Smooth => true,
+            Self::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion > 0.0,
+            Self::Free | Self::Loaded { .. } => false,
         }
     }
 }

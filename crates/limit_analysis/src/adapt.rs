@@ -1,6 +1,7 @@
 //! Meshes that put elements where the gap is.
 
 use crate::mesh::{Mesh, MeshError, SizeField};
+use crate::vector::{Point, centroid, twice_area};
 
 /// Smallest edge wanted.
 const SMALLEST: f64 = 1e-4;
@@ -19,17 +20,8 @@ pub(crate) fn wanted_sizes(
 ) -> Result<SizeField, MeshError> {
     let total: f64 = shares.iter().map(|s| s.max(0.0)).sum();
     let floor = 1e-6 * total / shares.len() as f64;
-    let current: Vec<([f64; 2], f64)> = mesh
-        .triangles
-        .iter()
-        .map(|t| {
-            let v = t.corners.map(|c| mesh.vertices[c].position);
-            let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
-            let area =
-                0.5 * ((v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[1][1] - v[0][1]) * (v[2][0] - v[0][0]));
-            (centre, (area / 0.433).sqrt())
-        })
-        .collect();
+    let corners = || (0..mesh.triangles.len()).map(|t| mesh.corners(t));
+    let points: Vec<Point> = corners().map(|v| centroid(&v)).collect();
     let factor = |share: f64, each: f64| (each / share.max(floor)).powf(1.0 / 3.0).clamp(0.15, 3.0);
     // Bisection on what each triangle may carry: the count falls as it grows.
     let count = |each: f64| -> f64 { shares.iter().map(|s| factor(*s, each).powi(-2)).sum() };
@@ -38,7 +30,8 @@ pub(crate) fn wanted_sizes(
         let each = (low * high).sqrt();
         if count(each) > target as f64 { low = each } else { high = each }
     }
-    let points: Vec<[f64; 2]> = current.iter().map(|c| c.0).collect();
-    let sizes: Vec<f64> = current.iter().zip(shares).map(|((_, h), s)| h * factor(*s, high)).collect();
+    // The edge of the equilateral triangle of the same area, times what makes the shares even.
+    let size = |(v, share): ([Point; 3], &f64)| (0.5 * twice_area(v) / 0.433).sqrt() * factor(*share, high);
+    let sizes: Vec<f64> = corners().zip(shares).map(size).collect();
     SizeField::new(&points, &sizes, SMALLEST, largest, GRADING)
 }

@@ -13,6 +13,7 @@ use soilctl_certificate::Condition;
 
 use crate::mesh::{Guide, Mesh};
 use crate::problem::Problem;
+use crate::vector::centroid;
 
 /// Walls are flatter than the limit by this angle in radians.
 const SPARE: f64 = 0.1;
@@ -108,16 +109,14 @@ impl Bowl {
 
     /// Triangles below the wall.
     pub(crate) fn still(&self, mesh: &Mesh) -> Vec<bool> {
-        mesh.triangles
-            .iter()
+        (0..mesh.triangles.len())
             .map(|t| {
-                let v = t.corners.map(|c| mesh.vertices[c].position);
-                let mean = |i: usize| (v[0][i] + v[1][i] + v[2][i]) / 3.0;
+                let [x, y] = centroid(&mesh.corners(t));
                 let is_outside = |(top, inwards): &([f64; 2], f64)| {
-                    let away = inwards * (mean(0) - top[0]);
-                    away > 0.0 && mean(1) < top[1] - self.slope * away
+                    let away = inwards * (x - top[0]);
+                    away > 0.0 && y < top[1] - self.slope * away
                 };
-                let is_below = !self.bottoms.is_empty() && mean(1) < self.wall(mean(0));
+                let is_below = !self.bottoms.is_empty() && y < self.wall(x);
                 is_below || self.rims.iter().any(is_outside)
             })
             .collect()

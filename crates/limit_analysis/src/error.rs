@@ -5,7 +5,6 @@ use thiserror::Error;
 
 use crate::describe::DescriptionError;
 use crate::mesh::MeshError;
-use crate::mesh::files::FileError;
 
 /// What can go wrong on the way to a bound.
 #[derive(Debug, Error)]
@@ -17,9 +16,14 @@ pub enum LimitError {
     /// A proof was refused.
     #[error(transparent)]
     Certificate(#[from] CertificateError),
-    /// A mesh or a solution cannot be written for another program.
-    #[error(transparent)]
-    File(#[from] FileError),
+    /// A number of a solution is too large to be written for another program.
+    #[error("field \"{field}\": a value is {value}; it must be finite")]
+    NotFinite {
+        /// What the number is.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A problem description makes no sense.
     #[error(transparent)]
     Description(#[from] DescriptionError),
@@ -88,6 +92,21 @@ fn span(low: f64, high: f64) -> String {
     match high.next_down() {
         under if is_shorter(under, high) => format!("{low} up to {under}"),
         _ => format!("{low} up to, but not including, {high}"),
+    }
+}
+
+/// Checks that a number is at least `low` and below `high`.
+pub(crate) fn in_range(
+    quantity: &'static str,
+    value: f64,
+    low: f64,
+    high: f64,
+    unit: &'static str,
+) -> Result<(), LimitError> {
+    if value >= low && value < high {
+        Ok(())
+    } else {
+        Err(LimitError::Range { quantity, value, low, high, unit })
     }
 }
 

@@ -1,12 +1,13 @@
 //! Solved fields as plain numbers, and how to find one's way in them.
 
+use soilctl_certificate::Side;
+
 use crate::lower::macro_element::{Curvature, curvatures};
 use crate::lower::{Lower, node_stresses};
 use crate::mesh::Mesh;
-use crate::topology::{Side, Topology};
+use crate::topology::Topology;
 use crate::upper::{Element, Limit, Upper, Velocity, gradients, shear_rates};
-
-pub(crate) type Point = [f64; 2];
+use crate::vector::{Point, centroid, twice_area};
 
 /// A stress field: values `[xx, yy, xy]` at the nodes of the three parts of each triangle.
 #[derive(Debug, Clone)]
@@ -41,7 +42,7 @@ pub(crate) struct Piece {
 
 impl StressField {
     pub(crate) fn new(mesh: &Mesh, topology: &Topology, lower: &Lower, x: &[f64]) -> Self {
-        let corners = mesh.triangles.iter().map(|t| t.corners.map(|c| mesh.vertices[c].position)).collect();
+        let corners = (0..mesh.triangles.len()).map(|t| mesh.corners(t)).collect();
         let parts = (0..mesh.triangles.len())
             .map(|t| {
                 node_stresses(&lower.reference, mesh, &lower.function, t)
@@ -52,8 +53,7 @@ impl StressField {
     }
 
     pub(crate) fn centre(&self, t: usize) -> Point {
-        let v = &self.corners[t];
-        [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0]
+        centroid(&self.corners[t])
     }
 }
 
@@ -63,7 +63,7 @@ pub(crate) fn near(corners: &[[Point; 3]], across: &[[Option<Side>; 3]], p: Poin
     for _ in 0..corners.len() {
         let v = &corners[here];
         let outside = (0..3)
-            .map(|k| (k, doubled_area(v[(k + 1) % 3], v[(k + 2) % 3], p)))
+            .map(|k| (k, twice_area([v[(k + 1) % 3], v[(k + 2) % 3], p])))
             .filter(|(k, a)| *a < 0.0 && across[here][*k].is_some())
             .min_by(|a, b| a.1.total_cmp(&b.1));
         match outside.and_then(|(k, _)| across[here][k]) {
@@ -71,7 +71,7 @@ pub(crate) fn near(corners: &[[Point; 3]], across: &[[Option<Side>; 3]], p: Poin
             None => break,
         }
     }
-    let holds = |v: &[Point; 3]| (0..3).all(|k| doubled_area(v[(k + 1) % 3], v[(k + 2) % 3], p) >= 0.0);
+    let holds = |v: &[Point; 3]| (0..3).all(|k| twice_area([v[(k + 1) % 3], v[(k + 2) % 3], p]) >= 0.0);
     if holds(&corners[here]) { here } else { corners.iter().position(holds).unwrap_or(here) }
 }
 
@@ -114,7 +114,7 @@ fn whole(v: &[Point; 3], control: &[Point; 6]) -> Piece {
 
 /// Those of a stream function.
 fn thirds(v: &[Point; 3], local: &[f64; 12]) -> Vec<Piece> {
-    let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
+    let centre = centroid(v);
     let piece = |(k, part): (usize, &[Curvature; 3])| Piece {
         corners: [v[(k + 1) % 3], v[(k + 2) % 3], centre],
         rates: part.map(|curvature| {
@@ -124,8 +124,4 @@ fn thirds(v: &[Point; 3], local: &[f64; 12]) -> Vec<Piece> {
         }),
     };
     curvatures(v, [false; 3]).iter().enumerate().map(piece).collect()
-}
-
-pub(crate) fn doubled_area(a: Point, b: Point, c: Point) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }

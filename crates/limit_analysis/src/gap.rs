@@ -9,20 +9,21 @@
 //! are linear between nodes. Cohesion and pore pressure are linear. For a factor on loads the integral is that over the
 //! loads' power.
 
-use soilctl_certificate::Condition;
+use soilctl_certificate::{Condition, Side};
 
-use crate::fields::{Point, StressField, VelocityField, doubled_area, near};
+use crate::fields::{StressField, VelocityField, near};
 use crate::mesh::Mesh;
-use crate::problem::{Problem, Soil, value};
-use crate::topology::{Side, Topology};
+use crate::problem::{Problem, Soil};
+use crate::topology::Topology;
 use crate::upper::{Edge, Ground, Limit};
+use crate::vector::{Point, between, centroid, twice_area};
 
 /// The part of a convex polygon on the left of the line from `a` to `b`.
 fn clip(polygon: &[Point], a: Point, b: Point, out: &mut Vec<Point>) {
     out.clear();
     for i in 0..polygon.len() {
         let (p, q) = (polygon[i], polygon[(i + 1) % polygon.len()]);
-        let (sp, sq) = (doubled_area(a, b, p), doubled_area(a, b, q));
+        let (sp, sq) = (twice_area([a, b, p]), twice_area([a, b, q]));
         if sp >= 0.0 {
             out.push(p);
         }
@@ -35,8 +36,8 @@ fn clip(polygon: &[Point], a: Point, b: Point, out: &mut Vec<Point>) {
 
 /// Linear interpolation in a triangle.
 fn linear<const N: usize>(v: &[Point; 3], values: &[[f64; N]; 3], p: Point) -> [f64; N] {
-    let total = doubled_area(v[0], v[1], v[2]);
-    let l: [f64; 3] = std::array::from_fn(|k| doubled_area(v[(k + 1) % 3], v[(k + 2) % 3], p) / total);
+    let total = twice_area([v[0], v[1], v[2]]);
+    let l: [f64; 3] = std::array::from_fn(|k| twice_area([v[(k + 1) % 3], v[(k + 2) % 3], p]) / total);
     std::array::from_fn(|i| l[0] * values[0][i] + l[1] * values[1][i] + l[2] * values[2][i])
 }
 
@@ -55,8 +56,8 @@ pub(crate) fn shares(
     let mut found = 0;
     let (mut cut, mut spare) = (Vec::new(), Vec::new());
     for (triangle, t) in mesh.triangles.iter().enumerate() {
-        let v = t.corners.map(|c| mesh.vertices[c].position);
-        let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
+        let v = mesh.corners(triangle);
+        let centre = centroid(&v);
         let soil = &soils[t.region];
         let limit = velocity.limits[triangle];
         let jumps = jumps(ground, &soils, stress.part, velocity, triangle);
@@ -115,9 +116,9 @@ pub(crate) fn shares(
 /// What soil dissipates for each unit of dilation, and of the shear rate in [`Piece`](crate::fields::Piece).
 fn strength(soil: &Soil, limit: Limit, p: Point) -> [f64; 2] {
     if !soil.keeps_volume {
-        [limit.tension(soil, p) - value(&soil.pore_pressure, p), limit.radius(soil, p)]
+        [limit.tension(soil, p) - soil.pore_pressure.at(p), limit.radius(soil, p)]
     } else {
-        [0.0, value(&soil.cohesion, p).max(0.0)]
+        [0.0, soil.cohesion.at(p).max(0.0)]
     }
 }
 
@@ -125,7 +126,7 @@ fn strength(soil: &Soil, limit: Limit, p: Point) -> [f64; 2] {
 fn add_unmatched(polygon: &[Point], at: impl Fn(Point) -> ([f64; 4], [f64; 4]), share: &mut f64) {
     for i in 1..polygon.len() - 1 {
         let corners = [polygon[0], polygon[i], polygon[i + 1]];
-        let area = 0.5 * doubled_area(corners[0], corners[1], corners[2]);
+        let area = 0.5 * twice_area([corners[0], corners[1], corners[2]]);
         let nodes = corners.map(&at);
         let mut power = 0.0;
         for c in 0..4 {
@@ -162,7 +163,7 @@ fn jumps(
         let (a, b) = ((k + 1) % 3, (k + 2) % 3);
         let here = [a, 3 + k, b].map(|n| velocity.control[triangle][n]);
         let ends = ground.ends(side);
-        let water = ends.map(|p| value(&ground.soil(triangle).pore_pressure, p));
+        let water = ends.map(|p| ground.soil(triangle).pore_pressure.at(p));
         let (there, tension, radius, factor) = match ground.edge(side) {
             Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
                 let adhesion = part * adhesion;
@@ -176,7 +177,7 @@ fn jumps(
                 let limit = Limit::around(soil, &ends);
                 let there = [on((o.corner + 2) % 3), on(3 + o.corner), on((o.corner + 1) % 3)];
                 // Both sides see the jump; each takes half.
-                let tension = |p| limit.tension(soil, p) - value(&soil.pore_pressure, p);
+                let tension = |p| limit.tension(soil, p) - soil.pore_pressure.at(p);
                 (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5)
             }
             _ => return None,
@@ -195,14 +196,14 @@ impl Jump {
     fn share(&self, v: &[Point; 3], part: &[Point; 3], values: &[[f64; 3]; 3]) -> f64 {
         let (a, b) = (v[(self.edge + 1) % 3], v[(self.edge + 2) % 3]);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
-        let size = doubled_area(part[0], part[1], part[2]);
+        let size = twice_area([part[0], part[1], part[2]]);
         for i in 0..3 {
             let (sa, sb) =
-                (doubled_area(part[i], part[(i + 1) % 3], a), doubled_area(part[i], part[(i + 1) % 3], b));
+                (twice_area([part[i], part[(i + 1) % 3], a]), twice_area([part[i], part[(i + 1) % 3], b]));
             // On the rim of a part the triangle's own side decides: its inside is on the left of the edge.
             let rim = 1e-9 * size;
             if sa.abs() < rim && sb.abs() < rim {
-                let inside = doubled_area(part[i], part[(i + 1) % 3], v[self.edge]);
+                let inside = twice_area([part[i], part[(i + 1) % 3], v[self.edge]]);
                 if inside < 0.0 {
                     return 0.0;
                 }
@@ -217,7 +218,7 @@ impl Jump {
         if to <= from {
             return 0.0;
         }
-        let along = [b[0] - a[0], b[1] - a[1]];
+        let along = between(a, b);
         let length = along[0].hypot(along[1]);
         let t = [along[0] / length, along[1] / length];
         let n = [t[1], -t[0]];

@@ -4,7 +4,7 @@ use soilctl_certificate::{
     Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement,
 };
 
-use crate::error::LimitError;
+use crate::error::{LimitError, in_range};
 use crate::problem::Problem;
 
 /// Greatest sum of tool angle and interface friction in degrees: beyond it a plate has no finite force.
@@ -46,20 +46,6 @@ impl Default for EmbeddedPlate {
     }
 }
 
-fn check(
-    quantity: &'static str,
-    value: f64,
-    low: f64,
-    high: f64,
-    unit: &'static str,
-) -> Result<(), LimitError> {
-    if value >= low && value < high {
-        Ok(())
-    } else {
-        Err(LimitError::Range { quantity, value, low, high, unit })
-    }
-}
-
 impl EmbeddedPlate {
     /// Index of the plate's tip among the points of the statement.
     pub const TIP: usize = 5;
@@ -70,18 +56,18 @@ impl EmbeddedPlate {
     ///
     /// [`LimitError::Range`] or [`LimitError::NotCovered`] for numbers out of the ranges named above.
     pub fn problem(&self) -> Result<Problem, LimitError> {
-        check("the tool angle alpha", self.alpha_deg, 10.0, 170.0, "deg")?;
-        check("the friction angle phi", self.phi_deg, f64::MIN_POSITIVE, 70.0, "deg")?;
-        check("the interface friction delta", self.delta_deg, 0.0, self.phi_deg.next_up(), "deg")?;
-        check("the surface slope beta", self.beta_deg, (-self.phi_deg).next_up(), self.phi_deg, "deg")?;
-        check("alpha + delta", self.alpha_deg + self.delta_deg, 0.0, MAX_ANGLE_SUM_DEG, "deg")?;
-        check("alpha + beta", self.alpha_deg + self.beta_deg, 10.0, 170.0, "deg")?;
+        in_range("the tool angle alpha", self.alpha_deg, 10.0, 170.0, "deg")?;
+        in_range("the friction angle phi", self.phi_deg, f64::MIN_POSITIVE, 70.0, "deg")?;
+        in_range("the interface friction delta", self.delta_deg, 0.0, self.phi_deg.next_up(), "deg")?;
+        in_range("the surface slope beta", self.beta_deg, (-self.phi_deg).next_up(), self.phi_deg, "deg")?;
+        in_range("alpha + delta", self.alpha_deg + self.delta_deg, 0.0, MAX_ANGLE_SUM_DEG, "deg")?;
+        in_range("alpha + beta", self.alpha_deg + self.beta_deg, 10.0, 170.0, "deg")?;
         for (name, value) in [
             ("the cohesion", self.cohesion),
             ("the adhesion", self.adhesion),
             ("the surcharge", self.surcharge),
         ] {
-            check(name, value, 0.0, f64::MAX, "(over unit weight times length)")?;
+            in_range(name, value, 0.0, f64::MAX, "(over unit weight times length)")?;
         }
         if self.delta_deg == 0.0 && self.adhesion > 0.0 {
             return Err(LimitError::NotCovered {

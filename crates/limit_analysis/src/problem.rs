@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Objective, Statement};
 
-use crate::error::LimitError;
-use crate::mesh::{self, Outline};
+use crate::error::{LimitError, in_range};
+use crate::mesh::check;
 
 /// One region's soil.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,11 +20,6 @@ pub(crate) struct Soil {
     /// Greatest effective tension.
     pub(crate) cut_off: Option<f64>,
     pub(crate) unit_weight: f64,
-}
-
-/// Value of a linear quantity at a point.
-pub(crate) fn value(linear: &Linear, p: [f64; 2]) -> f64 {
-    linear.at_origin + linear.gradient[0] * p[0] + linear.gradient[1] * p[1]
 }
 
 impl Soil {
@@ -48,7 +43,7 @@ impl Soil {
 
     /// Effective tension at the apex of the yield cone. Without friction there is none.
     pub(crate) fn tension(&self, p: [f64; 2]) -> f64 {
-        value(&self.cohesion, p) / self.tan
+        self.cohesion.at(p) / self.tan
     }
 
     /// The same soil with a part of the cohesion and the greatest tension.
@@ -66,7 +61,6 @@ impl Soil {
 #[derive(Debug, Clone)]
 pub struct Problem {
     statement: Statement,
-    pub(crate) outline: Outline,
     pub(crate) soils: Vec<Soil>,
     conditions: BTreeMap<LineUse, Condition>,
     /// Height of the highest point.
@@ -82,61 +76,36 @@ impl Problem {
     ///
     /// [`LimitError::Mesh`] for geometry that is not a set of regions; [`LimitError::Range`] for numbers out of range.
     pub fn new(statement: Statement) -> Result<Self, LimitError> {
-        let outline = Outline {
-            points: statement.points.clone(),
-            lines: statement.lines.iter().map(|l| mesh::Line { from: l.from, to: l.to }).collect(),
-            regions: statement
-                .regions
-                .iter()
-                .map(|r| mesh::RegionOutline {
-                    loops: r
-                        .loops
-                        .iter()
-                        .map(|l| {
-                            l.iter().map(|u| mesh::LineUse { line: u.line, forward: u.forward }).collect()
-                        })
-                        .collect(),
-                })
-                .collect(),
-        };
-        outline.check()?;
-        let lines = outline.lines.len() as f64;
+        check(&statement)?;
+        let lines = statement.lines.len() as f64;
         let named =
             statement.boundaries.iter().map(|b| ("the line of a boundary", b.line as f64, 0.0, lines));
         // Gravity points down, or is left out.
         let most = if statement.gravity == [0.0; 2] { f64::MIN_POSITIVE } else { 0.0 };
         let down = ("gravity along y", statement.gravity[1], f64::MIN, most);
         for (quantity, value, low, high) in named.chain([down]) {
-            if !(value >= low && value < high) {
-                return Err(LimitError::Range { quantity, value, low, high, unit: "" });
-            }
+            in_range(quantity, value, low, high, "")?;
         }
         let mut soils = Vec::new();
         for region in &statement.regions {
             let m = region.material;
-            let range = |quantity, value: f64, low, high, unit| {
-                if value >= low && value < high {
-                    Ok(())
-                } else {
-                    Err(LimitError::Range { quantity, value, low, high, unit })
-                }
-            };
-            range("the friction angle", m.phi_deg, 0.0, 90.0, "deg")?;
-            range("the unit weight", m.unit_weight, 0.0, f64::INFINITY, "")?;
+            in_range("the friction angle", m.phi_deg, 0.0, 90.0, "deg")?;
+            in_range("the unit weight", m.unit_weight, 0.0, f64::INFINITY, "")?;
             for used in region.loops.iter().flatten() {
                 let line = statement.lines[used.line];
                 let least = [line.from, line.to]
-                    .map(|p| value(&m.cohesion, statement.points[p]))
+                    .map(|p| m.cohesion.at(statement.points[p]))
                     .into_iter()
                     .fold(f64::INFINITY, f64::min);
                 // At a surface it may be zero but for rounding.
-                range("the cohesion", least, -1e-12, f64::INFINITY, "")?;
+                in_range("the cohesion", least, -1e-12, f64::INFINITY, "")?;
             }
             if let Some(tension) = m.tension {
-                range("the greatest tension", tension, 0.0, f64::INFINITY, "")?;
+                in_range("the greatest tension", tension, 0.0, f64::INFINITY, "")?;
             }
             let is_held = |b: &Boundary| {
-                matches!(b.condition, Condition::Face { delta_deg, adhesion } if delta_deg == 0.0 && adhesion > 0.0)
+                matches!(b.condition, Condition::Face { .. })
+                    && b.condition.is_wall()
                     && region.loops.iter().any(|l| l.contains(&b.side()))
             };
             soils.push(Soil::new(&m, statement.boundaries.iter().any(is_held)));
@@ -148,7 +117,7 @@ impl Problem {
             _ => [0.0; 4],
         });
         let load = loads.fold(0.0, |most: f64, l| most.max(l.abs())) + statement.surcharge;
-        Ok(Self { statement, outline, soils, conditions, top, load })
+        Ok(Self { statement, soils, conditions, top, load })
     }
 
     /// The statement.
@@ -158,23 +127,18 @@ impl Problem {
     }
 
     /// The condition on a side of a line.
-    pub(crate) fn condition_on(&self, side: LineUse) -> Option<Condition> {
+    pub(crate) fn condition(&self, side: LineUse) -> Option<Condition> {
         self.conditions.get(&side).copied()
     }
 
     /// The region with a side on its rim.
     pub(crate) fn owner(&self, side: LineUse) -> Option<usize> {
-        self.statement.regions.iter().position(|r| r.loops.iter().any(|l| l.contains(&side)))
-    }
-
-    pub(crate) fn condition(&self, side: mesh::LineUse) -> Option<Condition> {
-        self.conditions.get(&LineUse { line: side.line, forward: side.forward }).copied()
+        self.statement.owner(side)
     }
 
     /// First and last point of a line.
     pub(crate) fn ends(&self, line: usize) -> [[f64; 2]; 2] {
-        let l = self.outline.lines[line];
-        [self.outline.points[l.from], self.outline.points[l.to]]
+        self.statement.lines[line].walked(true).map(|p| self.statement.points[p])
     }
 
     /// Whether the programs can state the problem yet.
@@ -225,8 +189,6 @@ impl Problem {
     /// scaled by.
     pub(crate) fn stress_scale(&self, region: usize, p: [f64; 2], h: f64) -> f64 {
         let soil = &self.soils[region];
-        soil.unit_weight * ((self.top - p[1]).max(0.0) + 0.3 * h)
-            + self.load
-            + value(&soil.cohesion, p).max(0.0)
+        soil.unit_weight * ((self.top - p[1]).max(0.0) + 0.3 * h) + self.load + soil.cohesion.at(p).max(0.0)
     }
 }

@@ -3,6 +3,7 @@
 use soilctl_certificate::{Boundary, Condition, Objective};
 
 use crate::problem::Problem;
+use crate::vector::distance;
 
 /// Height of what is not held: from the lowest to the highest point with a free or loaded side; if it is level, the depth
 /// of the soil.
@@ -12,11 +13,10 @@ pub(crate) fn open_height(problem: &Problem) -> f64 {
         heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
     };
     let statement = problem.statement();
-    let is_open = |c: Condition| matches!(c, Condition::Free | Condition::Loaded { .. });
     let open: Vec<[f64; 2]> = statement
         .boundaries
         .iter()
-        .filter(|b| is_open(b.condition))
+        .filter(|b| b.condition.traction_is_given())
         .flat_map(|b| problem.ends(b.line))
         .collect();
     let height = of(&open);
@@ -33,7 +33,7 @@ pub(crate) fn typical_length(problem: &Problem) -> f64 {
             let is_live = |c: Condition| matches!(c, Condition::Loaded { live: true, .. });
             let live = statement.boundaries.iter().filter(|b| is_live(b.condition));
             let ends = live.map(|b| problem.ends(b.line));
-            let length: f64 = ends.map(|[p, q]| (p[0] - q[0]).hypot(p[1] - q[1])).sum();
+            let length: f64 = ends.map(|[p, q]| distance(p, q)).sum();
             if length > 0.0 { length } else { 1.0 }
         }
     }
@@ -51,18 +51,13 @@ fn is_sheared(problem: &Problem, point: usize) -> bool {
     if s.surcharge != 0.0 || (s.gravity[0] == 0.0 && live == 0.0) {
         return false;
     }
-    let there = |b: &&Boundary| {
-        let line = s.lines[b.line];
-        line.from == point || line.to == point
-    };
+    let there = |b: &&Boundary| s.lines[b.line].touches(point);
     let touching = || s.boundaries.iter().filter(there);
     let bare = |b: &Boundary| {
         let cohesionless = problem.owner(b.side()).is_some_and(|r| problem.soils[r].cohesion.is_zero());
         b.condition == Condition::Free && cohesionless
     };
-    let smooth = |b: &Boundary| {
-        matches!(b.condition, Condition::Smooth | Condition::Face { delta_deg: 0.0, adhesion: 0.0 })
-    };
+    let smooth = |b: &Boundary| b.condition.shear_is_given() && b.condition != Condition::Far;
     touching().any(bare) && touching().any(smooth)
 }
 
@@ -70,16 +65,14 @@ fn is_sheared(problem: &Problem, point: usize) -> bool {
 /// loads; and those that need elements of their own.
 pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
     let statement = problem.statement();
-    let is_open =
-        |c: Condition| matches!(c, Condition::Free | Condition::Loaded { .. } | Condition::Face { .. });
+    let is_open = |c: Condition| c.traction_is_given() || matches!(c, Condition::Face { .. });
     // As they are walked with the soil on the left: start, end, and condition there.
     let sides: Vec<(usize, usize, Condition, bool)> = statement
         .boundaries
         .iter()
         .filter(|b| is_open(b.condition))
         .map(|b| {
-            let line = problem.outline.lines[b.line];
-            let (from, to) = if b.forward { (line.from, line.to) } else { (line.to, line.from) };
+            let [from, to] = statement.lines[b.line].walked(b.forward);
             (from, to, b.condition, b.forward)
         })
         .collect();
@@ -100,7 +93,7 @@ pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
         let ((Some(a), None), (Some(b), None)) = (into, out) else { return false };
         let [p, q, r] = [a.0, *point, b.1].map(|i| statement.points[i]);
         let turn = (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
-        let straight = 1e-6 * (q[0] - p[0]).hypot(q[1] - p[1]) * (r[0] - q[0]).hypot(r[1] - q[1]);
+        let straight = 1e-6 * distance(q, p) * distance(r, q);
         let differ = at_end(a, true) != at_end(b, false) || is_live(a.2) != is_live(b.2);
         turn < -straight || (turn <= straight && differ)
     };

@@ -1,12 +1,15 @@
 //! Slip lines: where the velocity field of one level falls off sharply, the next mesh lets velocities jump.
 
+use soilctl_certificate::Side;
+
 use std::collections::BTreeMap;
 
 use crate::fields::VelocityField;
 use crate::mesh::{Guide, Mesh};
 use crate::problem::Problem;
 use crate::singular::typical_length;
-use crate::topology::{Side, Topology};
+use crate::topology::Topology;
+use crate::vector::distance;
 
 /// A slip line is where the speed is this fraction of the greatest nearby.
 const FRACTION: f64 = 0.3;
@@ -118,10 +121,6 @@ fn contours(
         chains.push(chain);
     }
     chains
-}
-
-fn distance(p: [f64; 2], q: [f64; 2]) -> f64 {
-    (p[0] - q[0]).hypot(p[1] - q[1])
 }
 
 fn length(line: &[[f64; 2]]) -> f64 {

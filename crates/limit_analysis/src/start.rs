@@ -6,6 +6,7 @@ use crate::bowl::Bowl;
 use crate::mesh::{Fan, Guide};
 use crate::problem::Problem;
 use crate::singular::{singular_points, typical_length};
+use crate::vector::distance;
 
 /// Radius of the first fans in units of length, and how much each level's are smaller.
 const FAN: f64 = 0.05;
@@ -100,10 +101,7 @@ impl Start {
     pub(crate) fn new(problem: &Problem) -> Self {
         let statement = problem.statement();
         let touching = |point: usize| {
-            statement.boundaries.iter().filter(move |b| {
-                let line = problem.outline.lines[b.line];
-                line.from == point || line.to == point
-            })
+            statement.boundaries.iter().filter(move |b| statement.lines[b.line].touches(point))
         };
         let is_face = |b: &Boundary| matches!(b.condition, Condition::Face { .. });
         let on_face: Vec<usize> = (0..statement.points.len()).filter(|p| touching(*p).any(is_face)).collect();
@@ -186,8 +184,7 @@ impl Start {
 
     /// Wanted edge length on the first mesh.
     pub(crate) fn size(&self, p: [f64; 2]) -> f64 {
-        let near =
-            self.corners.iter().map(|c| (p[0] - c[0]).hypot(p[1] - c[1])).fold(f64::INFINITY, f64::min);
+        let near = self.corners.iter().map(|c| distance(p, *c)).fold(f64::INFINITY, f64::min);
         (0.1 * self.unit + 0.3 * near).min(self.largest)
     }
 }

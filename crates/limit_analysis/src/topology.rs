@@ -2,15 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::mesh::{LineUse, Mesh};
+use soilctl_certificate::{LineUse, Side};
 
-/// An edge of a triangle as the triangle sees it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Side {
-    pub(crate) triangle: usize,
-    /// The corner opposite to the edge.
-    pub(crate) corner: usize,
-}
+use crate::mesh::Mesh;
 
 /// Neighbours and outline sides of each triangle edge. Edge `k` of a triangle lies opposite to its corner `k` and runs
 /// from corner `k + 1` to corner `k + 2`.

@@ -3,7 +3,8 @@
 mod mesh_common;
 
 use mesh_common::{check, holed, mesh, mesh_with_fans, plate, polygon, two_regions};
-use soilctl_limit_analysis::mesh::{Fan, Guide, Mesh, MeshError, Outline, Place};
+use soilctl_certificate::{Place, Statement};
+use soilctl_limit_analysis::mesh::{Fan, Guide, Mesh, MeshError};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -12,7 +13,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 fn corner(mesh: &Mesh, point: usize) -> usize {
-    let found = mesh.vertices.iter().position(|v| v.place == Place::Corner(point));
+    let found = mesh.vertices.iter().position(|v| v.place == Place::Corner { point });
     found.unwrap_or_else(|| panic!("no vertex at point {point}"))
 }
 
@@ -248,7 +249,7 @@ fn guides_that_pass_by_stop_and_those_through_the_corner_are_two() {
 
 #[test]
 fn the_radius_is_reduced_where_there_is_no_room() {
-    let at = |outline: &Outline, points: &[usize], radii: &[f64]| {
+    let at = |outline: &Statement, points: &[usize], radii: &[f64]| {
         let fans: Vec<Fan> = points.iter().map(|&point| Fan { point, radius: 9.0, angle: 0.3 }).collect();
         let made = mesh_with_fans(outline, &[], &fans, &|_| 5.0).unwrap();
         check(outline, &made);

@@ -4,7 +4,8 @@ mod mesh_common;
 
 use mesh_common::{check, mesh, mesh_with_fans, plate, polygon};
 use proptest::prelude::*;
-use soilctl_limit_analysis::mesh::{Fan, Guide, Line, LineUse, Place, SizeField};
+use soilctl_certificate::{Line, LineUse, Place};
+use soilctl_limit_analysis::mesh::{Fan, Guide, SizeField};
 
 fn guides() -> impl Strategy<Value = Vec<Guide>> {
     let point = (-2.5..2.5f64, -2.5..2.5f64).prop_map(|(x, y)| [x, y]);
@@ -45,7 +46,7 @@ proptest! {
         let made = mesh_with_fans(&outline, &guides, &fans, &|_| size).unwrap();
         check(&outline, &made);
         for fan in &fans {
-            let apex = made.vertices.iter().position(|v| v.place == Place::Corner(fan.point)).unwrap();
+            let apex = made.vertices.iter().position(|v| v.place == Place::Corner { point: fan.point }).unwrap();
             let far = |v: usize| {
                 let [a, b] = [v, apex].map(|v| made.vertices[v].position);
                 (a[0] - b[0]).hypot(a[1] - b[1])

@@ -3,7 +3,8 @@
 mod mesh_common;
 
 use mesh_common::{check, fraction_of_size, holed, mesh, plate, polygon, two_regions};
-use soilctl_limit_analysis::mesh::{Guide, Line, LineUse, MeshError, Outline, Request, generate};
+use soilctl_certificate::{Line, LineUse, Statement};
+use soilctl_limit_analysis::mesh::{Guide, MeshError, Request, generate};
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
@@ -166,7 +167,7 @@ fn guides_too_close_to_anything_give_way() {
 
 #[test]
 fn the_same_request_gives_the_same_bits() {
-    let outline: Outline = plate([0.5, -0.8]);
+    let outline: Statement = plate([0.5, -0.8]);
     let guides = [Guide { points: vec![[-1.0, 0.0], [0.5, -0.8], [2.0, 0.0]] }];
     let size = |p| 0.02 + 0.1 * distance(p, [0.5, -0.8]);
     assert_eq!(mesh(&outline, &guides, &size).unwrap(), mesh(&outline, &guides, &size).unwrap());
@@ -176,8 +177,13 @@ fn the_same_request_gives_the_same_bits() {
 fn too_many_triangles_and_bad_sizes_are_refused() {
     let outline = plate([0.5, -0.8]);
     for size in [0.02, 1e-4, 1e-300] {
-        let request =
-            Request { outline: &outline, guides: &[], fans: &[], size: &move |_| size, max_triangles: 1000 };
+        let request = Request {
+            statement: &outline,
+            guides: &[],
+            fans: &[],
+            size: &move |_| size,
+            max_triangles: 1000,
+        };
         let error = generate(&request).unwrap_err();
         assert!(matches!(error, MeshError::TooManyTriangles { limit: 1000, .. }), "{error}");
     }

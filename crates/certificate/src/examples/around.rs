@@ -1,7 +1,8 @@
 //! What holds around the copies of a mesh's vertices.
 
+use crate::mesh::Side;
 use crate::problem::Problem;
-use crate::tiling::{Beyond, Side, Tiling, after};
+use crate::tiling::{Beyond, Tiling, after};
 use crate::{Condition, Mesh};
 
 /// What is known about one vertex copy.
@@ -50,7 +51,7 @@ pub(super) fn look_around(
     corners: &[[usize; 3]],
 ) -> Vec<Around> {
     let statement = problem.statement;
-    let runs = problem.runs(|c| matches!(c, Condition::Free | Condition::Loaded { .. }));
+    let runs = problem.statement.runs(|b| b.condition.traction_is_given());
     let count = corners.iter().flatten().max().unwrap() + 1;
     let mut around = vec![Around::default(); count];
     let mut bare = vec![false; count];

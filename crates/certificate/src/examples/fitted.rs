@@ -3,7 +3,7 @@
 use super::around::{look_around, split};
 use crate::problem::Problem;
 use crate::tiling::Tiling;
-use crate::{Chain, Condition, Gradient, Jet, LowerField, Mesh, Statement, VertexCopy};
+use crate::{Chain, Gradient, Jet, LowerField, Mesh, Statement, VertexCopy};
 
 /// Value and slopes at a point.
 type Function<'a> = &'a dyn Fn([f64; 2]) -> [f64; 3];
@@ -18,7 +18,7 @@ pub(crate) fn fitted(statement: &Statement, mesh: &Mesh, multiplier: f64, f: Fun
     let tiling = Tiling::new(&problem, mesh).unwrap();
     let corners = split(&tiling, mesh);
     let around = look_around(&problem, &tiling, mesh, &corners);
-    let runs = problem.runs(|c| matches!(c, Condition::Free | Condition::Loaded { .. }));
+    let runs = problem.statement.runs(|b| b.condition.traction_is_given());
     let starts: Vec<[f64; 2]> = runs.iter().map(|run| problem.walked(run.sides[0])[0]).collect();
     // Less the affine function that touches where the first run starts.
     let first = starts.first().map_or(([0.0; 2], [0.0; 3]), |p| (*p, f(*p)));

@@ -3,6 +3,14 @@ use crate::fields::{Gradient, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::problem::{Problem, exists, finite};
 
+/// Value and slopes of the stress function at a vertex copy, beyond the affine function of the chain `base`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LocalJet {
+    pub(super) base: usize,
+    pub(super) f: Interval,
+    pub(super) slopes: Vector,
+}
+
 /// The affine functions of the chains.
 pub(super) struct Chains<'a> {
     problem: &'a Problem<'a>,

@@ -1,8 +1,9 @@
 use super::StressFunction;
 use crate::CertificateError;
 use crate::interval::{Interval, angle};
+use crate::mesh::Side;
 use crate::problem::Stress;
-use crate::tiling::{Side, after};
+use crate::tiling::after;
 
 impl StressFunction<'_> {
     /// Checks that the traction on a face edge is one that the face can bear; it is linear along the edge, and so is the pore

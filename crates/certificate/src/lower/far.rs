@@ -4,10 +4,10 @@ use super::StressFunction;
 use super::strength::Limit;
 use crate::CertificateError;
 use crate::interval::Interval;
-use crate::mesh::Place;
+use crate::mesh::{Place, Side};
 use crate::problem::{Strength, Stress};
 use crate::statement::Condition;
-use crate::tiling::{Beyond, OnLine, Side, after};
+use crate::tiling::{Beyond, OnLine, after};
 
 const QUANTITY: &str = "strength to spare of the soil beyond far lines";
 

@@ -9,17 +9,17 @@
 //! Joined lines are level or vertical. There column parts add nothing to `t . ref n`, so the slope across, divided by the
 //! length of `n` with its sign, is one polynomial for all of them.
 
-use super::chains::Chains;
+use super::chains::{Chains, LocalJet};
 use super::ends;
-use super::jets::LocalJet;
 use super::joined::{Joined, joined};
 use super::loads::Station;
 use super::references::References;
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
+use crate::mesh::Side;
 use crate::problem::Problem;
-use crate::tiling::{Beyond, Side, Tiling, fraction};
+use crate::tiling::{Beyond, Tiling, fraction};
 
 /// Where the slope across joined lines is known.
 #[derive(Debug, Clone, Copy)]

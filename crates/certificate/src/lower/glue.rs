@@ -1,7 +1,7 @@
 //! Triangles that adjoin share what makes the stress function and its slopes the same on both sides.
 
 use super::ends;
-use super::loads::{Loads, Station, is_bare, is_loaded};
+use super::loads::{Loads, Station, is_bare};
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::problem::Problem;
@@ -37,7 +37,7 @@ pub(super) fn check(
                     return Err(bad(side.to_string(), problem));
                 }
             }
-            Beyond::Boundary(on, condition) if is_loaded(condition) => {
+            Beyond::Boundary(on, condition) if condition.traction_is_given() => {
                 let chain = |copy: usize| match field.copies[copy].jet {
                     Jet::Chain { chain } => Some(chain),
                     _ => None,

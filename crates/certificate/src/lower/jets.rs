@@ -1,4 +1,4 @@
-use super::chains::Chains;
+use super::chains::{Chains, LocalJet};
 use super::given::GivenLines;
 use super::loads::{Loads, Station};
 use crate::CertificateError;
@@ -6,14 +6,6 @@ use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::problem::{Problem, exists, finite};
 use crate::tiling::{Tiling, fraction};
-
-/// Value and slopes of the stress function at a vertex copy, beyond the affine function of the chain `base`.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LocalJet {
-    pub(super) base: usize,
-    pub(super) f: Interval,
-    pub(super) slopes: Vector,
-}
 
 /// Checks that lists have the right lengths, indices point at something, and numbers are finite.
 pub(super) fn check_numbers(

@@ -30,7 +30,7 @@ pub(super) fn joined(problem: &Problem) -> Result<Vec<Option<Joined>>, Certifica
     let index = |line: usize| {
         statement.boundaries.iter().position(|b| b.line == line && b.condition.shear_is_given())
     };
-    for run in problem.runs(Condition::shear_is_given) {
+    for run in statement.runs(|b| b.condition.shear_is_given()) {
         let next = run.sides.iter().cycle().skip(1);
         // The last side leads to the first one if the run is closed; if not, `next` is cut short.
         let pairs = if run.closed { run.sides.len() } else { run.sides.len() - 1 };

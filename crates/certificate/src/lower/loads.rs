@@ -15,11 +15,6 @@ use crate::problem::Problem;
 use crate::statement::{Boundary, Condition, LineUse, Objective};
 use crate::tiling::{Beyond, OnLine, Tiling};
 
-/// Whether a condition says what the tractions are.
-pub(super) fn is_loaded(condition: Condition) -> bool {
-    matches!(condition, Condition::Free | Condition::Loaded { .. })
-}
-
 /// One side of a run.
 #[derive(Debug, Clone, Copy)]
 struct Stretch {
@@ -80,7 +75,7 @@ impl Loads {
         field: &LowerField,
     ) -> Result<Self, CertificateError> {
         let (mut runs, mut numbers) = (Vec::new(), BTreeMap::new());
-        for run in problem.runs(is_loaded) {
+        for run in problem.statement.runs(|b| b.condition.traction_is_given()) {
             let place = |side: Option<&LineUse>| format!("line {}", side.map_or(0, |s| s.line));
             if run.closed {
                 let what = "free or loaded sides all around";

@@ -1,8 +1,8 @@
 use super::StressFunction;
 use super::element::Local;
-use super::loads::is_loaded;
 use crate::interval::{Interval, Vector};
-use crate::tiling::{Beyond, Side, after};
+use crate::mesh::Side;
+use crate::tiling::{Beyond, after};
 
 impl StressFunction<'_> {
     /// The local values of a triangle's element, less some affine function, which carries no stress.
@@ -60,7 +60,7 @@ impl StressFunction<'_> {
                 // Between branches: each side has its own.
                 slope + self.chains.gradient(self.jets[start].base, frame).dot(turned)
             }
-            Beyond::Boundary(on, condition) if is_loaded(condition) => {
+            Beyond::Boundary(on, condition) if condition.traction_is_given() => {
                 let base = self.jets[self.ends(side)[0]].base;
                 (self.chains.gradient(base, frame) + self.loads.middle_slopes(on)).dot(turned)
             }

@@ -21,13 +21,14 @@ mod weight;
 
 use crate::CertificateError;
 use crate::fields::LowerField;
+use crate::mesh::Side;
 use crate::problem::Problem;
 use crate::statement::{Condition, Objective, Statement};
-use crate::tiling::{Beyond, Side, Tiling, after};
+use crate::tiling::{Beyond, Tiling, after};
 
-use chains::Chains;
+use chains::{Chains, LocalJet};
 use given::GivenLines;
-use jets::{LocalJet, Maker};
+use jets::Maker;
 use loads::Loads;
 use overburden::Overburden;
 use references::References;

@@ -9,7 +9,6 @@ use super::weight::Pull;
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
 use crate::problem::{Column, Problem, Reference};
-use crate::statement::LineUse;
 
 /// What a column part follows from. Parts with equal layers are equal, even if their intervals do not show it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,7 +110,7 @@ fn tops(problem: &Problem, region: usize) -> Vec<Top> {
         if ends[1][0] >= ends[0][0] {
             continue;
         }
-        let above = problem.owner(LineUse { line: side.line, forward: !side.forward });
+        let above = problem.owner(side.reversed());
         match above.filter(|_| problem.condition(*side).is_none()) {
             None => boundaries.push(Top { ends, above: None }),
             // A line through one region has the same reference on both sides.

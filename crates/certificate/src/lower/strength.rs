@@ -46,7 +46,7 @@ pub(super) struct Limit {
 impl Limit {
     pub(super) fn at(strength: &Strength, divisor: Divisor, p: Vector) -> Self {
         let Strength { friction, cohesion, pore_pressure, tension } = strength;
-        let (cohesion, pore_pressure) = (divisor.part(cohesion.at(p)), pore_pressure.at(p));
+        let (cohesion, pore_pressure) = (divisor.part(cohesion.enclosed(p)), pore_pressure.enclosed(p));
         Self { friction: *friction, cohesion, pore_pressure, tension: tension.map(|t| divisor.part(t)) }
     }
 

@@ -28,9 +28,7 @@ impl FarFrame {
     /// Finds the frame and checks that far lines make one.
     pub(super) fn new(statement: &Statement) -> Result<Self, CertificateError> {
         let walked = |b: &Boundary| {
-            let line = statement.lines[b.line];
-            let (from, to) = if b.forward { (line.from, line.to) } else { (line.to, line.from) };
-            let [from, to] = [from, to].map(|i| statement.points[i]);
+            let [from, to] = statement.lines[b.line].walked(b.forward).map(|i| statement.points[i]);
             Walked { from, to, condition: b.condition }
         };
         let sides: Vec<Walked> = statement.boundaries.iter().map(walked).collect();

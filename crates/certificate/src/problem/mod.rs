@@ -4,7 +4,6 @@ mod far;
 mod numbers;
 mod outline;
 mod reference;
-mod runs;
 mod sides;
 
 use crate::CertificateError;
@@ -14,7 +13,6 @@ use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 pub(crate) use far::FarFrame;
 pub(crate) use numbers::{exists, finite};
 pub(crate) use reference::{Column, Reference, Stress};
-pub(crate) use runs::Run;
 
 /// Strength of one region.
 #[derive(Debug, Clone, Copy)]
@@ -37,8 +35,8 @@ impl Strength {
 }
 
 impl Linear {
-    /// Its value at a point. Exactly zero if it is zero everywhere.
-    pub(crate) fn at(&self, p: Vector) -> Interval {
+    /// An enclosure of its value at a point. Exactly zero if it is zero everywhere.
+    pub(crate) fn enclosed(&self, p: Vector) -> Interval {
         Interval::point(self.at_origin) + Vector::point(self.gradient).dot(p)
     }
 }
@@ -106,9 +104,7 @@ impl<'a> Problem<'a> {
 
     /// First and last point of a side as it is walked.
     pub(crate) fn walked(&self, side: LineUse) -> [[f64; 2]; 2] {
-        let line = self.statement.lines[side.line];
-        let ends = if side.forward { [line.from, line.to] } else { [line.to, line.from] };
-        ends.map(|p| self.statement.points[p])
+        self.statement.lines[side.line].walked(side.forward).map(|p| self.statement.points[p])
     }
 
     /// From the first point of a line to its last.

@@ -37,7 +37,7 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
         for used in region.loops.iter().flatten() {
             let line = lines[used.line];
             for corner in [line.from, line.to] {
-                let least = m.cohesion.at(Vector::point(points[corner])).hi();
+                let least = m.cohesion.enclosed(Vector::point(points[corner])).hi();
                 at_least_zero("cohesion at a corner", place, least, "stress")?;
             }
         }

@@ -77,11 +77,8 @@ fn apart(statement: &Statement, a: usize, b: usize) -> bool {
 fn empty_beyond(statement: &Statement, outer: &[LineUse], side: LineUse) -> bool {
     /// Slopes of the rays that are tried; one that runs through a corner counts nothing.
     const RAYS: [f64; 9] = [0.0, 0.37, -0.41, 1.13, -1.27, 3.1, -2.9, 9.7, -10.3];
-    let walked = |s: LineUse| {
-        let line = statement.lines[s.line];
-        let (from, to) = if s.forward { (line.from, line.to) } else { (line.to, line.from) };
-        [from, to].map(|i| Vector::point(statement.points[i]))
-    };
+    let walked =
+        |s: LineUse| statement.lines[s.line].walked(s.forward).map(|i| Vector::point(statement.points[i]));
     let [from, to] = walked(side);
     let along = to - from;
     let middle = from + along * Interval::point(0.5);

@@ -12,14 +12,11 @@ fn bad(side: LineUse, problem: &'static str) -> CertificateError {
 /// For each line, the region on its left when walked forwards and when walked backwards. Checks that loops close.
 pub(super) fn owners(statement: &Statement) -> Result<Vec<[Option<usize>; 2]>, CertificateError> {
     let mut owners = vec![[None; 2]; statement.lines.len()];
-    let ends = |side: LineUse| {
-        let line = statement.lines[side.line];
-        if side.forward { (line.from, line.to) } else { (line.to, line.from) }
-    };
+    let ends = |side: LineUse| statement.lines[side.line].walked(side.forward);
     for (region, r) in statement.regions.iter().enumerate() {
         for (index, uses) in r.loops.iter().enumerate() {
             let next = uses.iter().cycle().skip(1);
-            if uses.is_empty() || uses.iter().zip(next).any(|(a, b)| ends(*a).1 != ends(*b).0) {
+            if uses.is_empty() || uses.iter().zip(next).any(|(a, b)| ends(*a)[1] != ends(*b)[0]) {
                 let place = format!("loop {index} of region {region}");
                 let problem =
                     "each line must end where the next one starts, the last one where the first starts";
@@ -54,9 +51,8 @@ pub(super) fn conditions(
     for (line, (owner, condition)) in owners.iter().zip(&conditions).enumerate() {
         for forward in [true, false] {
             let here = LineUse { line, forward };
-            let there = LineUse { line, forward: !forward };
             let open = |s: LineUse| owner[slot(s)].is_some() && condition[slot(s)].is_none();
-            if open(here) && !open(there) {
+            if open(here) && !open(here.reversed()) {
                 return Err(bad(here, "needs a boundary condition, or soil without one on the other side"));
             }
         }

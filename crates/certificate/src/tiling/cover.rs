@@ -4,9 +4,9 @@
 //! over a point, all of them counter-clockwise, is the winding number of the loops around it, which is one inside the
 //! region and zero outside.
 
-use super::{Beyond, OnLine, Side, after, fraction};
+use super::{Beyond, OnLine, after, fraction};
 use crate::CertificateError;
-use crate::mesh::{Mesh, Place};
+use crate::mesh::{Mesh, Place, Side};
 use crate::problem::Problem;
 use crate::statement::LineUse;
 

@@ -5,22 +5,9 @@ mod pairs;
 
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
-use crate::mesh::{Mesh, Place};
+use crate::mesh::{Mesh, Place, Side};
 use crate::problem::{Problem, exists, finite};
 use crate::statement::{Condition, LineUse};
-
-/// Edge `corner` of a triangle: the one opposite to that corner.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Side {
-    pub(crate) triangle: usize,
-    pub(crate) corner: usize,
-}
-
-impl std::fmt::Display for Side {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "triangle {}, edge {}", self.triangle, self.corner)
-    }
-}
 
 /// Corner `k + i` of a triangle.
 pub(crate) fn after(k: usize, i: usize) -> usize {

@@ -1,6 +1,6 @@
-use super::{Side, after};
+use super::after;
 use crate::CertificateError;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Side};
 
 /// For each triangle edge, the edge with the same vertices in the opposite sense. Each directed edge occurs once.
 pub(super) fn across(mesh: &Mesh) -> Result<Vec<[Option<Side>; 3]>, CertificateError> {

@@ -8,9 +8,10 @@ use super::slide::Slide;
 use crate::CertificateError;
 use crate::fields::{Flow, Velocity};
 use crate::interval::{Interval, Vector, angle};
+use crate::mesh::Side;
 use crate::problem::Strength;
 use crate::statement::{Condition, Linear, Objective};
-use crate::tiling::{Beyond, OnLine, Side, after};
+use crate::tiling::{Beyond, OnLine, after};
 
 impl Motion<'_> {
     /// What an edge adds to the power. Checks the flow rule.

@@ -48,8 +48,8 @@ impl<const N: usize> Resistance<N> {
         Self {
             friction: strength.friction,
             // More cohesion never dissipates less.
-            cohesion: points.map(|p| strength.cohesion.at(p).or_zero()),
-            pore_pressure: points.map(|p| strength.pore_pressure.at(p)),
+            cohesion: points.map(|p| strength.cohesion.enclosed(p).or_zero()),
+            pore_pressure: points.map(|p| strength.pore_pressure.enclosed(p)),
             tension: strength.tension,
         }
     }

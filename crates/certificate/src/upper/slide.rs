@@ -3,7 +3,8 @@
 use super::Motion;
 use crate::fields::Flow;
 use crate::interval::{Interval, Vector};
-use crate::tiling::{Beyond, Side, after};
+use crate::mesh::Side;
+use crate::tiling::{Beyond, after};
 
 /// A velocity, quadratic along an edge, in parts along the edge vector and along that turned left, both times the edge's
 /// length: Bernstein coefficients at the start, in the middle, at the end. As a relative velocity of the soil on the left

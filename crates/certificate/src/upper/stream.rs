@@ -5,7 +5,8 @@ use super::resistance::Resistance;
 use super::{Motion, Piece};
 use crate::element::Local;
 use crate::interval::{Interval, Vector};
-use crate::tiling::{Side, after};
+use crate::mesh::Side;
+use crate::tiling::after;
 
 impl Motion<'_> {
     /// What a triangle adds to the power. The flow does not change the volume, by construction.

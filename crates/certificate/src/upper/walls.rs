@@ -12,7 +12,8 @@ use crate::CertificateError;
 use crate::fields::{Flow, UpperField};
 use crate::interval::{Interval, Vector};
 use crate::mesh::Place;
-use crate::problem::{Problem, Run};
+use crate::problem::Problem;
+use crate::runs::Run;
 use crate::statement::{Boundary, Condition, LineUse};
 use crate::tiling::{Beyond, Tiling, after, fraction};
 
@@ -38,8 +39,7 @@ impl WallSide {
 
     /// Point at which it starts, point at which it ends.
     fn ends(&self, problem: &Problem) -> [usize; 2] {
-        let line = problem.statement.lines[self.side.line];
-        if self.side.forward { [line.from, line.to] } else { [line.to, line.from] }
+        problem.statement.lines[self.side.line].walked(self.side.forward)
     }
 
     /// The stream function at a fraction of the line, less that at the start of the wall.
@@ -58,12 +58,8 @@ pub(super) struct Walls {
 
 /// Whether the velocity across a boundary is given along the soil without friction there.
 fn is_wall(problem: &Problem, boundary: &Boundary) -> bool {
-    let given = match boundary.condition {
-        Condition::Fixed | Condition::Far | Condition::Smooth => true,
-        Condition::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion > 0.0,
-        Condition::Free | Condition::Loaded { .. } => false,
-    };
-    given && problem.owner(boundary.side()).is_some_and(|r| is_frictionless(problem.statement, r))
+    boundary.condition.is_wall()
+        && problem.owner(boundary.side()).is_some_and(|r| is_frictionless(problem.statement, r))
 }
 
 impl Walls {
@@ -72,7 +68,7 @@ impl Walls {
         tiling: &Tiling,
         field: &UpperField,
     ) -> Result<Self, CertificateError> {
-        let runs = problem.runs_of(|b| is_wall(problem, b));
+        let runs = problem.statement.runs(|b| is_wall(problem, b));
         // Statements may have walls that belong to soil at rest.
         let streams = field.flows.iter().any(|f| matches!(f, Flow::Stream { .. }));
         if streams && field.walls.len() != runs.len() {

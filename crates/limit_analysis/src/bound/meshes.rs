@@ -27,7 +27,7 @@ impl Run<'_> {
             None => &first,
         };
         let mesh = generate(&Request {
-            outline: &self.problem.outline,
+            statement: self.problem.statement(),
             guides,
             fans,
             size,

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::error::DescriptionError;
-use super::segments::{Owner, Point, Segment};
+use super::segments::{Owner, Segment};
+use crate::vector::{Point, between, cross, distance_to_segment, dot, length};
 
 /// Most points after cutting: bounds time and memory for lines that cross each other everywhere.
 const MAX_POINTS: usize = 5000;
@@ -21,30 +22,6 @@ pub(super) struct Edge {
 pub(super) struct Arrangement {
     pub(super) points: Vec<Point>,
     pub(super) edges: Vec<Edge>,
-}
-
-/// From a to b.
-pub(super) fn between(a: Point, b: Point) -> Point {
-    [b[0] - a[0], b[1] - a[1]]
-}
-
-pub(super) fn cross(a: Point, b: Point) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-pub(super) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-pub(super) fn length(a: Point) -> f64 {
-    a[0].hypot(a[1])
-}
-
-/// Distance of a point from a segment.
-pub(super) fn distance(p: Point, [a, b]: [Point; 2]) -> f64 {
-    let (along, to) = (between(a, b), between(a, p));
-    let s = (dot(to, along) / dot(along, along)).clamp(0.0, 1.0);
-    length([to[0] - s * along[0], to[1] - s * along[1]])
 }
 
 /// Where two segments cross inside both.
@@ -96,7 +73,7 @@ impl Arrangement {
                 for (own, others) in [(i, ends[1]), (j, ends[0])] {
                     for p in others {
                         let at = all.points[p];
-                        if !on[own].contains(&p) && distance(at, segments[own].ends) <= snap {
+                        if !on[own].contains(&p) && distance_to_segment(at, segments[own].ends) <= snap {
                             joined = true;
                             check_self(first, second, at, title)?;
                             on[own].push(p);

@@ -4,14 +4,16 @@
 //! the region's top, which must then be one straight line, or level. What follows repeats the checker's rule and asks for
 //! cuts where it fails; cutting a region may bend the top of the one below, so it is asked again until it holds.
 
+use soilctl_certificate::LineUse;
+
 use std::collections::BTreeMap;
 
-use super::arrangement::between;
-use super::faces::{Face, Walk};
+use super::faces::Face;
 use super::ground::{Map, inside};
 use super::holds::Holds;
 use super::input::Description;
-use super::segments::{Cut, Drawing, Owner, Point, Segment};
+use super::segments::{Cut, Drawing, Owner, Segment};
+use crate::vector::{Point, between};
 
 /// A region of other unit weight, and its top: one line, or one height.
 type Layer = (u64, [Point; 2]);
@@ -20,7 +22,7 @@ type Layer = (u64, [Point; 2]);
 type Top = ([Point; 2], Option<usize>);
 
 /// Index of the face that each walk has on its left.
-fn owners(faces: &[Face]) -> BTreeMap<Walk, usize> {
+fn owners(faces: &[Face]) -> BTreeMap<LineUse, usize> {
     let walks = faces.iter().enumerate().flat_map(|(i, f)| f.loops.iter().flatten().map(move |w| (*w, i)));
     walks.collect()
 }
@@ -30,7 +32,7 @@ pub(super) fn weight_cuts(
     description: &Description,
     map: &Map,
     faces: &[Face],
-    holds: &BTreeMap<Walk, Holds>,
+    holds: &BTreeMap<LineUse, Holds>,
     base: f64,
 ) -> Vec<Segment> {
     let owner = owners(faces);
@@ -43,7 +45,7 @@ pub(super) fn weight_cuts(
             if ends[1][0] >= ends[0][0] {
                 continue;
             }
-            match owner.get(&walk.turned()).filter(|_| !holds.contains_key(walk)) {
+            match owner.get(&walk.reversed()).filter(|_| !holds.contains_key(walk)) {
                 Some(above) if *above == index => {}
                 Some(above) => interfaces.push((ends, Some(*above))),
                 None => boundaries.push((ends, None)),
@@ -93,8 +95,8 @@ pub(super) fn weight_cuts(
 fn downwards(map: &Map, face: &Face, from: Point) -> Option<Segment> {
     let walks = || face.loops.iter().flatten();
     let polygon =
-        |ring: &Vec<Walk>| -> Vec<Point> { ring.iter().map(|w| map.walked_points(*w)[0]).collect() };
-    let hit = |walk: &Walk| {
+        |ring: &Vec<LineUse>| -> Vec<Point> { ring.iter().map(|w| map.walked_points(*w)[0]).collect() };
+    let hit = |walk: &LineUse| {
         let [a, b] = map.walked_points(*walk);
         let along = between(a, b);
         let covers = a[0].min(b[0]) <= from[0] && from[0] <= a[0].max(b[0]) && along[0] != 0.0;
@@ -102,7 +104,7 @@ fn downwards(map: &Map, face: &Face, from: Point) -> Option<Segment> {
         (covers && a != from && b != from && y < from[1]).then_some(y)
     };
     // A plate inside the face does not part it: the cut goes on below.
-    let slit = |walk: &&Walk| walks().any(|w| *w == walk.turned());
+    let slit = |walk: &&LineUse| walks().any(|w| *w == walk.reversed());
     let y = walks().filter(|w| !slit(w)).filter_map(hit).fold(f64::NEG_INFINITY, f64::max);
     let middle = [from[0], 0.5 * (from[1] + y)];
     let within = face.loops.iter().filter(|ring| inside(&polygon(ring), middle)).count() % 2 == 1;

@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 
 use soilctl_certificate::{Boundary, Condition, Line, LineUse, Objective, Region, Statement};
 
-use super::arrangement::{between, length};
 use super::columns::{ratio_cuts, weight_cuts};
 use super::described::{Described, Quantity};
 use super::error::DescriptionError;
-use super::faces::{Face, Walk};
+use super::faces::Face;
 use super::fill::{Units, material};
 use super::ground::{Ground, Map};
 use super::holds::{Holder, Holds};
 use super::input::{Aim, Description};
-use super::segments::{Drawing, Point};
+use super::segments::Drawing;
 use super::size::{datum, units};
 use crate::error::LimitError;
+use crate::vector::{Point, between, length};
 
 /// Most lines of a statement that the checker takes.
 const MAX_LINES: usize = 256;
@@ -28,7 +28,7 @@ pub(super) struct Plan {
     pub(super) drawing: Drawing,
     pub(super) map: Map,
     pub(super) faces: Vec<Face>,
-    pub(super) holds: BTreeMap<Walk, Holds>,
+    pub(super) holds: BTreeMap<LineUse, Holds>,
 }
 
 impl Description {
@@ -67,7 +67,7 @@ impl Description {
         for _ in 0..MAX_ROUNDS {
             let mut faces = map.faces();
             let holder = Holder { description: self, drawing: &drawing, segments: &segments, map: &map };
-            let holds: BTreeMap<Walk, Holds> = holder.all()?.into_iter().collect();
+            let holds: BTreeMap<LineUse, Holds> = holder.all()?.into_iter().collect();
             self.top_first(&map, &mut faces);
             let Some(first) = faces.first() else {
                 return Err(DescriptionError::entry("the problem", "its regions enclose no soil"));
@@ -157,13 +157,12 @@ impl Description {
         let lines =
             map.arrangement.edges.iter().map(|e| Line { from: number(e.ends[0]), to: number(e.ends[1]) });
         let lines = lines.collect();
-        let used = |walk: &Walk| LineUse { line: walk.edge, forward: walk.forward };
         let region = |face: &Face| {
-            let loops = face.loops.iter().map(|ring| ring.iter().map(used).collect()).collect();
-            Ok(Region { loops, material: material(self, &plan.drawing, map, face, units)? })
+            let material = material(self, &plan.drawing, map, face, units)?;
+            Ok(Region { loops: face.loops.clone(), material })
         };
-        let boundary = |(walk, holds): (&Walk, &Holds)| Boundary {
-            line: walk.edge,
+        let boundary = |(walk, holds): (&LineUse, &Holds)| Boundary {
+            line: walk.line,
             forward: walk.forward,
             condition: self.condition(plan, units, at_far, *walk, *holds),
         };
@@ -181,7 +180,7 @@ impl Description {
         })
     }
 
-    fn condition(&self, plan: &Plan, units: &Units, at_far: f64, walk: Walk, holds: Holds) -> Condition {
+    fn condition(&self, plan: &Plan, units: &Units, at_far: f64, walk: LineUse, holds: Holds) -> Condition {
         match holds {
             Holds::Fixed => Condition::Fixed,
             Holds::Smooth => Condition::Smooth,
@@ -194,7 +193,7 @@ impl Description {
                 Condition::Loaded { pressure, shear, live }
             }
             Holds::Free => {
-                let ends = plan.map.arrangement.ends(walk.edge);
+                let ends = plan.map.arrangement.ends(walk.line);
                 let pressure = ends.map(|p| self.surcharge_kpa + self.water_pressure(plan, p));
                 if pressure.iter().all(|p| (p - at_far).abs() <= 1e-12 * at_far.abs()) {
                     return Condition::Free;
@@ -229,13 +228,13 @@ impl Description {
 
 impl Plan {
     /// Both ends of all sides on which something holds.
-    pub(super) fn where_holds(&self, wanted: impl Fn(&Walk, &Holds) -> bool) -> Vec<[Point; 2]> {
+    pub(super) fn where_holds(&self, wanted: impl Fn(&LineUse, &Holds) -> bool) -> Vec<[Point; 2]> {
         let found = self.holds.iter().filter(|(w, h)| wanted(w, h));
         found.map(|(w, _)| self.map.walked_points(*w)).collect()
     }
 
     /// Heights of level lines on which something holds, with the length at each: the longest first, then the highest.
-    pub(super) fn levels(&self, wanted: impl Fn(&Walk, &Holds) -> bool) -> Vec<(f64, f64)> {
+    pub(super) fn levels(&self, wanted: impl Fn(&LineUse, &Holds) -> bool) -> Vec<(f64, f64)> {
         let mut levels: Vec<(f64, f64)> = Vec::new();
         for [a, b] in self.where_holds(wanted) {
             if a[1] != b[1] {
@@ -252,7 +251,7 @@ impl Plan {
     }
 
     /// Whether the soil of a side has neither cohesion nor a gradient of it.
-    pub(super) fn is_bare(&self, description: &Description, walk: &Walk) -> bool {
+    pub(super) fn is_bare(&self, description: &Description, walk: &LineUse) -> bool {
         let Ground::Soil { region, .. } = self.map.left_of(*walk) else { return false };
         let soil = &description.soils[description.soil_of(region)];
         soil.cohesion_kpa == 0.0 && soil.cohesion_gradient_kpa_per_m == 0.0

@@ -1,23 +1,11 @@
 //! Regions of the statement: what edges enclose.
 
+use soilctl_certificate::LineUse;
+
 use std::collections::BTreeMap;
 
-use super::arrangement::{between, cross};
 use super::ground::{Ground, Map, inside};
-use super::segments::Point;
-
-/// An edge as it is walked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Walk {
-    pub(super) edge: usize,
-    pub(super) forward: bool,
-}
-
-impl Walk {
-    pub(super) fn turned(self) -> Self {
-        Self { forward: !self.forward, ..self }
-    }
-}
+use crate::vector::{Point, between, cross, distance};
 
 /// A piece of soil.
 #[derive(Debug, Clone)]
@@ -25,29 +13,29 @@ pub(super) struct Face {
     pub(super) region: usize,
     pub(super) submerged: bool,
     /// The outer loop, then holes and slits, all with the face on the left.
-    pub(super) loops: Vec<Vec<Walk>>,
+    pub(super) loops: Vec<Vec<LineUse>>,
 }
 
 impl Map {
     /// First and last point of a walked edge.
-    pub(super) fn walked(&self, walk: Walk) -> [usize; 2] {
-        let [a, b] = self.arrangement.edges[walk.edge].ends;
+    pub(super) fn walked(&self, walk: LineUse) -> [usize; 2] {
+        let [a, b] = self.arrangement.edges[walk.line].ends;
         if walk.forward { [a, b] } else { [b, a] }
     }
 
-    pub(super) fn walked_points(&self, walk: Walk) -> [Point; 2] {
+    pub(super) fn walked_points(&self, walk: LineUse) -> [Point; 2] {
         self.walked(walk).map(|p| self.arrangement.points[p])
     }
 
-    pub(super) fn left_of(&self, walk: Walk) -> Ground {
-        self.sides[walk.edge][usize::from(!walk.forward)]
+    pub(super) fn left_of(&self, walk: LineUse) -> Ground {
+        self.sides[walk.line][usize::from(!walk.forward)]
     }
 
     /// All pieces of soil.
     pub(super) fn faces(&self) -> Vec<Face> {
         let loops = self.loops();
         let polygon =
-            |ring: &[Walk]| -> Vec<Point> { ring.iter().map(|w| self.walked_points(*w)[0]).collect() };
+            |ring: &[LineUse]| -> Vec<Point> { ring.iter().map(|w| self.walked_points(*w)[0]).collect() };
         let mut faces = Vec::new();
         let mut outer: Vec<(Vec<Point>, f64, usize)> = Vec::new();
         let mut holes = Vec::new();
@@ -55,9 +43,9 @@ impl Map {
             let points = polygon(&ring);
             let area = area(&points);
             // The longest edge tells best what it bounds.
-            let length = |w: &Walk| {
+            let length = |w: &LineUse| {
                 let [a, b] = self.walked_points(*w);
-                (b[0] - a[0]).hypot(b[1] - a[1])
+                distance(b, a)
             };
             let longest = ring.iter().copied().max_by(|a, b| length(a).total_cmp(&length(b)));
             let Some(Ground::Soil { region, submerged }) = longest.map(|w| self.left_of(w)) else { continue };
@@ -81,24 +69,24 @@ impl Map {
     }
 
     /// All loops, each with what it bounds on the left.
-    fn loops(&self) -> Vec<Vec<Walk>> {
+    fn loops(&self) -> Vec<Vec<LineUse>> {
         // Walks out of each point, counter-clockwise.
-        let mut out: BTreeMap<usize, Vec<(f64, Walk)>> = BTreeMap::new();
+        let mut out: BTreeMap<usize, Vec<(f64, LineUse)>> = BTreeMap::new();
         for edge in 0..self.arrangement.edges.len() {
             for forward in [true, false] {
-                let walk = Walk { edge, forward };
+                let walk = LineUse { line: edge, forward };
                 let [a, b] = self.walked_points(walk);
                 let along = between(a, b);
                 out.entry(self.walked(walk)[0]).or_default().push((along[1].atan2(along[0]), walk));
             }
         }
-        let mut next: BTreeMap<Walk, Walk> = BTreeMap::new();
+        let mut next: BTreeMap<LineUse, LineUse> = BTreeMap::new();
         for walks in out.values_mut() {
             walks.sort_by(|a, b| a.0.total_cmp(&b.0));
             for (i, (_, walk)) in walks.iter().enumerate() {
                 // Whoever comes back along this edge turns as far right as can be: the next one clockwise.
                 let before = walks[(i + walks.len() - 1) % walks.len()].1;
-                next.insert(walk.turned(), before);
+                next.insert(walk.reversed(), before);
             }
         }
         let mut loops = Vec::new();
@@ -106,7 +94,7 @@ impl Map {
         for start in next.keys() {
             let mut ring = Vec::new();
             let mut at = *start;
-            while !std::mem::replace(&mut done[at.edge][usize::from(at.forward)], true) {
+            while !std::mem::replace(&mut done[at.line][usize::from(at.forward)], true) {
                 ring.push(at);
                 match next.get(&at) {
                     Some(walk) => at = *walk,
@@ -122,8 +110,8 @@ impl Map {
 }
 
 /// Whether each edge of a loop is walked both ways: it encloses nothing, whatever rounding makes of its area.
-fn is_slit(ring: &[Walk]) -> bool {
-    ring.iter().all(|w| ring.contains(&w.turned()))
+fn is_slit(ring: &[LineUse]) -> bool {
+    ring.iter().all(|w| ring.contains(&w.reversed()))
 }
 
 pub(super) fn area(points: &[Point]) -> f64 {

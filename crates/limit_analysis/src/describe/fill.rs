@@ -7,7 +7,8 @@ use super::error::DescriptionError;
 use super::faces::Face;
 use super::ground::Map;
 use super::input::Description;
-use super::segments::{Drawing, Point};
+use super::segments::Drawing;
+use crate::vector::Point;
 
 /// Where the statement's origin is and what one unit of length and stress stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,8 +50,7 @@ pub(super) fn material(
     let corners: Vec<Point> = face.loops.iter().flatten().map(|w| map.walked_points(*w)[0]).collect();
     let level = [0.0, soil.cohesion_level_m.unwrap_or(0.0)];
     let mut cohesion = units.linear(level, soil.cohesion_kpa, [0.0, -soil.cohesion_gradient_kpa_per_m]);
-    let at = |l: &Linear, p: Point| l.at_origin + l.gradient[0] * p[0] + l.gradient[1] * p[1];
-    let least = corners.iter().map(|p| at(&cohesion, units.place(*p))).fold(f64::INFINITY, f64::min);
+    let least = corners.iter().map(|p| cohesion.at(units.place(*p))).fold(f64::INFINITY, f64::min);
     if least < -ROUNDING {
         let kpa = least * units.stress_kpa;
         let problem =

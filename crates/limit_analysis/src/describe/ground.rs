@@ -1,9 +1,10 @@
 //! What is where: soil, structure or nothing.
 
-use super::arrangement::{Arrangement, between, cross, distance, length};
+use super::arrangement::Arrangement;
 use super::error::DescriptionError;
 use super::input::Description;
-use super::segments::{Cut, Drawing, Owner, Point, Segment};
+use super::segments::{Cut, Drawing, Owner, Segment};
+use crate::vector::{Point, between, cross, distance_to_segment, length};
 
 /// What is at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,7 +43,7 @@ fn beside([a, b]: [Point; 2], by: f64) -> [Point; 2] {
     let scale = by / length(along);
     let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
     let off = [-along[1] * scale, along[0] * scale];
-    [[middle[0] + off[0], middle[1] + off[1]], [middle[0] - off[0], middle[1] - off[1]]]
+    [[middle[0] + off[0], middle[1] + off[1]], between(off, middle)]
 }
 
 /// The edges that matter, with what is on the left and on the right of each.
@@ -109,7 +110,7 @@ impl Map {
         for (p, own) in corners {
             let at = self.arrangement.points[p];
             for other in (0..edges.len()).filter(|e| !edges[*e].ends.contains(&p)) {
-                if distance(at, self.arrangement.ends(other)) < drawing.near {
+                if distance_to_segment(at, self.arrangement.ends(other)) < drawing.near {
                     let [first, second] = [own, other].map(|e| title(owner(e)));
                     return Err(DescriptionError::NearlyTouch { first, second, at, least: drawing.near });
                 }

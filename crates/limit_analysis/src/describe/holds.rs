@@ -1,12 +1,13 @@
 //! What holds on each side of each edge, in the units of the description.
 
-use super::arrangement::{between, length};
+use soilctl_certificate::LineUse;
+
 use super::error::DescriptionError;
-use super::faces::Walk;
 use super::ground::{Ground, Map};
 use super::input::Description;
 use super::parts::{Hold, Interface, Kind, Profile, Side, SoilInterface};
-use super::segments::{Drawing, Owner, Point, Segment};
+use super::segments::{Drawing, Owner, Segment};
+use crate::vector::{Point, between, length};
 
 /// What holds on one side of an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,13 +36,13 @@ pub(super) struct Holder<'a> {
 
 impl Holder<'_> {
     /// What holds on all sides with soil that are no interface between soils.
-    pub(super) fn all(&self) -> Result<Vec<(Walk, Holds)>, DescriptionError> {
+    pub(super) fn all(&self) -> Result<Vec<(LineUse, Holds)>, DescriptionError> {
         let mut all = Vec::new();
         let mut missing = Vec::new();
         let mut found = Found::new(self.description);
         for edge in 0..self.map.arrangement.edges.len() {
             for forward in [true, false] {
-                let walk = Walk { edge, forward };
+                let walk = LineUse { line: edge, forward };
                 let Ground::Soil { region, .. } = self.map.left_of(walk) else { continue };
                 match self.side(walk, region, &mut found)? {
                     Some(Some(holds)) => all.push((walk, holds)),
@@ -58,8 +59,8 @@ impl Holder<'_> {
     }
 
     /// Segments of the given kind on an edge, and whether they run as it is walked.
-    fn uses<T>(&self, walk: Walk, wanted: impl Fn(Owner) -> Option<T>) -> Vec<(T, usize, bool)> {
-        let uses = &self.map.arrangement.edges[walk.edge].uses;
+    fn uses<T>(&self, walk: LineUse, wanted: impl Fn(Owner) -> Option<T>) -> Vec<(T, usize, bool)> {
+        let uses = &self.map.arrangement.edges[walk.line].uses;
         let with =
             |(s, same): &(usize, bool)| Some((wanted(self.segments[*s].owner)?, *s, *same == walk.forward));
         uses.iter().filter_map(with).collect()
@@ -68,12 +69,12 @@ impl Holder<'_> {
     /// What holds on one side: nothing where other soil is, and nothing known where no entry says so.
     fn side(
         &self,
-        walk: Walk,
+        walk: LineUse,
         region: usize,
         found: &mut Found,
     ) -> Result<Option<Option<Holds>>, DescriptionError> {
         let soil = self.description.soil_of(region);
-        let beyond = self.map.left_of(walk.turned());
+        let beyond = self.map.left_of(walk.reversed());
         let boundaries = self.uses(walk, |o| if let Owner::Boundary(i) = o { Some(i) } else { None });
         let plates = self.uses(walk, |o| if let Owner::Plate(i) = o { Some(i) } else { None });
         let edges = self.uses(walk, |o| if let Owner::Edge(i) = o { Some(i) } else { None });
@@ -148,7 +149,7 @@ impl Holder<'_> {
         Ok(Some(holds))
     }
 
-    fn is_on(&self, walk: Walk, side: Side) -> bool {
+    fn is_on(&self, walk: LineUse, side: Side) -> bool {
         let [a, b] = self.map.walked_points(walk);
         let all = |axis: usize, at: f64| a[axis] == at && b[axis] == at;
         match side {
@@ -188,14 +189,14 @@ impl Holder<'_> {
         Err(DescriptionError::entry(entry, format!("{problem}; {advice}")))
     }
 
-    fn boundary(&self, walk: Walk, entry: usize, line: Option<(usize, bool)>) -> Holds {
+    fn boundary(&self, walk: LineUse, entry: usize, line: Option<(usize, bool)>) -> Holds {
         let b = &self.description.boundaries[entry];
         if b.kind != Kind::Load {
             return of_kind(b.kind);
         }
         let profile = |p: Option<Profile>| p.map_or([0.0; 2], Profile::ends);
         let (pressure, shear) = (profile(b.pressure_kpa), profile(b.shear_kpa));
-        let ends = self.map.arrangement.ends(walk.edge);
+        let ends = self.map.arrangement.ends(walk.line);
         let at = |[first, last]: [f64; 2], p: Point| match line {
             Some((segment, _)) if first != last => first + (last - first) * self.along(entry, segment, p),
             _ => first,

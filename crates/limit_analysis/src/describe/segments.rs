@@ -2,8 +2,7 @@
 
 use super::error::DescriptionError;
 use super::input::Description;
-
-pub(super) type Point = [f64; 2];
+use crate::vector::Point;
 
 /// Coordinates this close, as a fraction of the extent, are one.
 const SNAP: f64 = 1e-9;

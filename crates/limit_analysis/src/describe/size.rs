@@ -5,7 +5,7 @@ use super::error::DescriptionError;
 use super::fill::Units;
 use super::holds::Holds;
 use super::input::{Aim, Description};
-use super::segments::Point;
+use crate::vector::Point;
 
 /// The height of the level free ground: of soil that must not be loaded there first, then the longest.
 pub(super) fn datum(description: &Description, plan: &Plan) -> f64 {

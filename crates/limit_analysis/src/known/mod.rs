@@ -46,7 +46,7 @@ fn bounds(statement: Statement) -> [Option<f64>; 2] {
     let mut guides = begin.guides.clone();
     guides.extend(bowl.guide());
     let mesh = generate(&Request {
-        outline: &problem.outline,
+        statement: problem.statement(),
         guides: &guides,
         fans: &begin.fans(0),
         size: &|p| (COARSER * begin.size(p)).min(begin.largest),

@@ -6,13 +6,11 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-use soilctl_certificate::{Condition, LineUse};
+use soilctl_certificate::{Condition, LineUse, Side};
 
-use super::given::shear_is_given;
-use super::loads::is_loaded;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
-use crate::topology::{Side, Topology};
+use crate::topology::Topology;
 
 /// Mesh edges along which the stress function may differ by a branch: one way for each body, from the rim to the body.
 #[derive(Debug, Clone, Default)]
@@ -59,8 +57,9 @@ impl Rim {
     /// Whether the function is free at a vertex, or known from one run of loads on both sides: a way may end there.
     fn may_end(&self, vertex: usize) -> bool {
         let conditions = || self.touching[&vertex].iter().map(|(c, _)| *c);
-        !conditions().any(shear_is_given)
-            && (!conditions().any(is_loaded) || (conditions().count() == 2 && conditions().all(is_loaded)))
+        !conditions().any(Condition::shear_is_given)
+            && (!conditions().any(Condition::traction_is_given)
+                || (conditions().count() == 2 && conditions().all(Condition::traction_is_given)))
     }
 }
 

@@ -1,20 +1,18 @@
 //! Vertices, split where boundaries cut the soil, and what the boundaries say there.
 
-use soilctl_certificate::{Condition, LineUse};
+use soilctl_certificate::{Condition, LineUse, Place, Side};
 
 use super::branches::{Branches, Ways, walked};
-use super::given::{Across, shear_is_given};
-use super::loads::{Loads, is_loaded};
-use super::macro_element::turned;
+use super::given::Across;
+use super::loads::Loads;
 use super::reference::Reference;
 use super::shape::{Shape, Turn, Unknown};
 use crate::form::Form;
-use crate::mesh::{Mesh, Place};
+use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::program::Program;
-use crate::topology::{Side, Topology};
-
-type Point = [f64; 2];
+use crate::topology::Topology;
+use crate::vector::{Point, between, distance, turned};
 
 /// Where a chain meets a line of given shear.
 #[derive(Debug, Clone, Copy)]
@@ -117,16 +115,15 @@ impl<'a> Copies<'a> {
 
     /// The boundary side that an edge lies on, with its condition.
     pub(super) fn boundary(&self, s: Side) -> Option<(LineUse, Condition)> {
-        let line = self.topology.line[s.triangle][s.corner]?;
-        let side = LineUse { line: line.line, forward: line.forward };
-        Some((side, self.problem.condition_on(side)?))
+        let side = self.topology.line[s.triangle][s.corner]?;
+        Some((side, self.problem.condition(side)?))
     }
 
     /// Where on a line a copy is.
     pub(super) fn fraction(&self, copy: usize, line: usize) -> f64 {
         match self.mesh.vertices[self.vertex_of[copy]].place {
             Place::OnLine { s, .. } => s,
-            Place::Corner(point) if point == self.problem.outline.lines[line].to => 1.0,
+            Place::Corner { point } if point == self.problem.statement().lines[line].to => 1.0,
             _ => 0.0,
         }
     }
@@ -184,7 +181,9 @@ impl<'a> Copies<'a> {
 
     fn find_chains(&mut self) {
         for s in self.sides() {
-            let Some((side, condition)) = self.boundary(s).filter(|b| is_loaded(b.1)) else { continue };
+            let Some((side, condition)) = self.boundary(s).filter(|b| b.1.traction_is_given()) else {
+                continue;
+            };
             let strengthless = condition == Condition::Free
                 && self.problem.statement().surcharge == 0.0
                 && self.problem.soils[self.mesh.triangles[s.triangle].region].cohesion.is_zero();
@@ -208,7 +207,7 @@ impl<'a> Copies<'a> {
             let (a, b) = self.ends(s);
             let (p, q) = (self.position(a), self.position(b));
             for (i, j) in [(a, b), (b, a)] {
-                self.length[i] += (p[0] - q[0]).hypot(p[1] - q[1]);
+                self.length[i] += distance(p, q);
                 count[i] += 1.0;
                 if self.apex[j] && !self.apexes[i].contains(&j) {
                     self.apexes[i].push(j);
@@ -230,7 +229,7 @@ impl<'a> Copies<'a> {
 
     fn find_given(&mut self) {
         for s in self.sides() {
-            let Some((side, _)) = self.boundary(s).filter(|b| shear_is_given(b.1)) else { continue };
+            let Some((side, _)) = self.boundary(s).filter(|b| b.1.shear_is_given()) else { continue };
             for copy in <[usize; 2]>::from(self.ends(s)) {
                 let at = self.fraction(copy, side.line);
                 if !self.given[copy].iter().any(|(l, _)| *l == side.line) {
@@ -310,7 +309,7 @@ impl<'a> Copies<'a> {
                 };
             }
             let q = self.position(apex);
-            let r = [p[0] - q[0], p[1] - q[1]];
+            let r = between(q, p);
             let f = unknown(h * h);
             let turn = match lines.first() {
                 None => Turn::Unknown(unknown(h / r[0].hypot(r[1]))),

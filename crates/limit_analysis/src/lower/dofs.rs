@@ -3,9 +3,8 @@
 use soilctl_certificate::{Chain, Condition, Gradient, LowerField, VertexCopy};
 
 use super::copies::{Copies, Meeting};
-use super::given::{Across, Touching, shear_is_given, slopes_across};
-use super::loads::{self, is_loaded};
-use super::macro_element::turned;
+use super::given::{Across, Touching, slopes_across};
+use super::loads;
 use super::reference::Reference;
 use super::shape::Shape;
 use crate::form::Form;
@@ -13,8 +12,7 @@ use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::program::Program;
 use crate::topology::Topology;
-
-type Point = [f64; 2];
+use crate::vector::{Point, between, distance, turned};
 
 /// The unknown stress function.
 #[derive(Debug)]
@@ -64,7 +62,7 @@ fn chains(problem: &Problem, copies: &Copies, program: &mut Program) -> (Vec<[Fo
         if let Some(line) = joined {
             let [p, q] = problem.ends(line);
             let u = program.unknown();
-            let unit = 1.0 / (p[0] - q[0]).hypot(p[1] - q[1]);
+            let unit = 1.0 / distance(p, q);
             chains.push([
                 constant,
                 Form::unknown(u, unit * (q[0] - p[0])),
@@ -97,18 +95,18 @@ fn slopes(
     for s in copies.sides() {
         let (a, b) = copies.ends(s);
         let (p, q) = (copies.position(a), copies.position(b));
-        let l = (p[0] - q[0]).hypot(p[1] - q[1]);
+        let l = distance(p, q);
         let middle = [(p[0] + q[0]) / 2.0, (p[1] + q[1]) / 2.0];
         let scale = problem.stress_scale(mesh.triangles[s.triangle].region, middle, l);
         let mut own = || Form::unknown(program.unknown(), l * l * scale);
         slopes[s.triangle][s.corner] = match copies.boundary(s) {
             _ if copies.apex[a] || copies.apex[b] => continue,
-            Some((side, c)) if is_loaded(c) => {
+            Some((side, c)) if c.traction_is_given() => {
                 let at = (copies.fraction(a, side.line) + copies.fraction(b, side.line)) / 2.0;
                 let chain = copies.chain_of[a].as_ref().map_or(0, |c| c.0);
-                (chain, loads::across([q[0] - p[0], q[1] - p[1]], &copies.loads.at(side, at)))
+                (chain, loads::across(between(p, q), &copies.loads.at(side, at)))
             }
-            Some((side, c)) if shear_is_given(c) => {
+            Some((side, c)) if c.shear_is_given() => {
                 let Some(line) = &across[side.line] else { continue };
                 let (sa, sb) = (copies.fraction(a, side.line), copies.fraction(b, side.line));
                 (0, Form::default().plus(sb - sa, &line.at((sa + sb) / 2.0)))
@@ -240,13 +238,13 @@ impl StressFunction {
                     let condition = topology.line[triangle][k].and_then(|l| problem.condition(l));
                     let (a, b) = ((k + 1) % 3, (k + 2) % 3);
                     let apex = self.apex[self.corners[triangle][a]] || self.apex[self.corners[triangle][b]];
-                    let known = condition.is_some_and(|c| is_loaded(c) || shear_is_given(c));
+                    let known = condition.is_some_and(|c| c.traction_is_given() || c.shear_is_given());
                     if apex || known { 0.0 } else { self.slopes[triangle][k].1.value(x) }
                 })
             })
             .collect();
         LowerField {
-            mesh: crate::saved_mesh(mesh),
+            mesh: mesh.saved(),
             corners: self.corners.clone(),
             copies: self
                 .vertex_of

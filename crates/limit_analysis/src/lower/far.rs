@@ -1,13 +1,12 @@
 //! Soil beyond far lines: only the stress across the line is the mesh's.
 
-use soilctl_certificate::{Condition, LineUse};
+use soilctl_certificate::{Condition, LineUse, Place};
 
 use super::{Lower, Stress, mohr_coulomb};
 use crate::form::Form;
-use crate::mesh::{Mesh, Place};
+use crate::mesh::Mesh;
 use crate::problem::Problem;
-
-type Point = [f64; 2];
+use crate::vector::Point;
 
 /// Weight of the soil above a point beside a vertical far side, from its own surface on, as the vertical stress.
 fn overburden(lower: &Lower, problem: &Problem, side: LineUse, at: Point) -> Form {
@@ -97,11 +96,10 @@ fn starts_below(problem: &Problem, side: LineUse) -> bool {
 
 /// The vertical far side that meets a level one at a vertex.
 fn far_corner(problem: &Problem, mesh: &Mesh, vertex: usize) -> Option<LineUse> {
-    let Place::Corner(point) = mesh.vertices[vertex].place else { return None };
+    let Place::Corner { point } = mesh.vertices[vertex].place else { return None };
     problem.statement().boundaries.iter().find_map(|b| {
-        let line = problem.outline.lines[b.line];
         let [p, q] = problem.ends(b.line);
-        let here = b.condition == Condition::Far && (line.from == point || line.to == point);
+        let here = b.condition == Condition::Far && problem.statement().lines[b.line].touches(point);
         (here && p[0] == q[0]).then(|| b.side())
     })
 }

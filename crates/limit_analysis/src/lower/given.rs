@@ -3,22 +3,12 @@
 
 use soilctl_certificate::{Condition, LineUse};
 
-use super::macro_element::turned;
 use super::reference::Reference;
 use super::shape::Unknown;
 use crate::form::Form;
 use crate::problem::Problem;
 use crate::program::Program;
-use crate::runs::runs;
-
-/// Whether the condition fixes the shear stress.
-pub(crate) fn shear_is_given(condition: Condition) -> bool {
-    match condition {
-        Condition::Smooth | Condition::Far => true,
-        Condition::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion == 0.0,
-        Condition::Free | Condition::Loaded { .. } | Condition::Fixed => false,
-    }
-}
+use crate::vector::{between, turned};
 
 /// The slope across a line of given shear as a function of the position along it.
 #[derive(Debug, Clone)]
@@ -52,12 +42,12 @@ fn groups(problem: &Problem) -> Vec<Vec<LineUse>> {
         } else {
             None
         };
-        let far = problem.condition_on(side) == Some(Condition::Far);
+        let far = problem.condition(side) == Some(Condition::Far);
         axis.map(|a| (a, far))
     };
     let mut groups: Vec<Vec<LineUse>> = Vec::new();
-    let mut seen = vec![false; problem.outline.lines.len()];
-    for run in runs(problem, shear_is_given) {
+    let mut seen = vec![false; problem.statement().lines.len()];
+    for run in problem.statement().runs(|b| b.condition.shear_is_given()) {
         let mut parts: Vec<Vec<LineUse>> = Vec::new();
         for side in run.sides {
             // Both sides of a thin plate have one slope across.
@@ -93,7 +83,7 @@ pub(crate) fn slopes_across(
     touching: &Touching,
     program: &mut Program,
 ) -> Vec<Option<Across>> {
-    let mut all: Vec<Option<Across>> = vec![None; problem.outline.lines.len()];
+    let mut all: Vec<Option<Across>> = vec![None; problem.statement().lines.len()];
     let boundaries = &problem.statement().boundaries;
     let index = |side: &LineUse| boundaries.iter().position(|b| b.side() == *side);
     let mut groups = groups(problem);
@@ -143,7 +133,7 @@ pub(crate) fn slopes_across(
 impl Across {
     fn without_constant(problem: &Problem, reference: &Reference, side: LineUse, group: usize) -> Self {
         let [p, q] = problem.ends(side.line);
-        let t = [q[0] - p[0], q[1] - p[1]];
+        let t = between(p, q);
         let n = turned(t);
         let region = problem.owner(side).unwrap_or(0);
         let shear = |at: [f64; 2]| {
@@ -151,7 +141,7 @@ impl Across {
             Form::default().plus(t[0] * n[0], &xx).plus(t[1] * n[1], &yy).plus(t[0] * n[1] + t[1] * n[0], &xy)
         };
         // Far lines carry the shear of the reference, all others none.
-        let far = problem.condition_on(side) == Some(Condition::Far);
+        let far = problem.condition(side) == Some(Condition::Far);
         let shear = if far { [Form::default(), Form::default()] } else { [shear(p), shear(q)] };
         Self { n, shear, origin: 0.0, constant: Form::default(), free: None, group }
     }

@@ -2,15 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Condition, LineUse, Objective};
+use soilctl_certificate::{Condition, LineUse, Objective, Run};
 
-use super::macro_element::turned;
 use super::reference::Reference;
 use crate::form::Form;
 use crate::problem::Problem;
-use crate::runs::{Run, runs};
-
-type Point = [f64; 2];
+use crate::vector::{Point, turned};
 
 fn dot(a: Point, b: &[Form; 2]) -> Form {
     Form::default().plus(a[0], &b[0]).plus(a[1], &b[1])
@@ -40,14 +37,9 @@ pub(crate) struct Loads {
     sides: BTreeMap<LineUse, Side>,
 }
 
-/// Whether tractions are given.
-pub(crate) fn is_loaded(condition: Condition) -> bool {
-    matches!(condition, Condition::Free | Condition::Loaded { .. })
-}
-
 impl Loads {
     pub(crate) fn new(problem: &Problem, reference: &Reference) -> Self {
-        let runs = runs(problem, is_loaded);
+        let runs = problem.statement().runs(|b| b.condition.traction_is_given());
         let mut sides = BTreeMap::new();
         for (number, run) in runs.iter().enumerate() {
             let mut start = (Form::default(), [Form::default(), Form::default()]);
@@ -85,7 +77,7 @@ impl Side {
     ) -> Self {
         let mut ends = problem.ends(side.line);
         let region = problem.owner(side).unwrap_or(0);
-        let condition = problem.condition_on(side).unwrap_or(Condition::Free);
+        let condition = problem.condition(side).unwrap_or(Condition::Free);
         let (mut pressure, mut shear, live) = match condition {
             Condition::Loaded { pressure, shear, live } => (pressure, shear, live),
             _ => ([reference.surcharge(); 2], [0.0; 2], false),

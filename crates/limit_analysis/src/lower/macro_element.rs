@@ -4,6 +4,8 @@
 //!
 //! Clough & Tocher (1965); the Bernstein form follows Lai & Schumaker, Spline Functions on Triangulations (2007), 6.
 
+use crate::vector::{between, centroid, dot, midpoint, turned};
+
 /// Number of local values: stress function and its two slopes at each corner, and the slope across each edge at its
 /// middle.
 pub(crate) const LOCAL: usize = 12;
@@ -34,19 +36,6 @@ fn sum(terms: &[(f64, &Row)]) -> Row {
     row
 }
 
-fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-/// A quarter turn to the left.
-pub(crate) fn turned(a: [f64; 2]) -> [f64; 2] {
-    [-a[1], a[0]]
-}
-
 /// Slope along `direction` at corner `k`.
 fn slope(k: usize, direction: [f64; 2]) -> Row {
     let mut row = [0.0; LOCAL];
@@ -61,7 +50,7 @@ fn slope(k: usize, direction: [f64; 2]) -> Row {
 /// middle along the edge vector from corner `k + 1` to corner `k + 2`, turned to the left. Corners marked in `apex`
 /// have no stress: the function vanishes to second order there, whatever the other values.
 pub(crate) fn curvatures(v: &[[f64; 2]; 3], apex: [bool; 3]) -> Curvatures {
-    let g = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
+    let g = centroid(v);
     let next = |k: usize| (k + 1) % 3;
     let last = |k: usize| (k + 2) % 3;
     // Bernstein coefficients. Names: a corner's own; along an edge near a corner; towards the centroid.
@@ -70,7 +59,7 @@ pub(crate) fn curvatures(v: &[[f64; 2]; 3], apex: [bool; 3]) -> Curvatures {
         if apex[k] || other.is_some_and(|o| apex[o]) {
             return [0.0; LOCAL];
         }
-        sum(&[(1.0, &own[k]), (1.0 / 3.0, &slope(k, minus(to, v[k])))])
+        sum(&[(1.0, &own[k]), (1.0 / 3.0, &slope(k, between(v[k], to)))])
     };
     // The coefficient next to corner k on the edge to corner o vanishes if either end is an apex.
     let along = |k: usize, o: usize| near(k, v[o], Some(o));
@@ -80,10 +69,10 @@ pub(crate) fn curvatures(v: &[[f64; 2]; 3], apex: [bool; 3]) -> Curvatures {
         if apex[a] || apex[b] {
             return [0.0; LOCAL];
         }
-        let t = minus(v[b], v[a]);
+        let t = between(v[a], v[b]);
         let n = turned(t);
-        let m = [(v[a][0] + v[b][0]) / 2.0, (v[a][1] + v[b][1]) / 2.0];
-        let to = minus(g, m);
+        let m = midpoint(v[a], v[b]);
+        let to = between(m, g);
         let (alpha, beta) = (dot(to, t) / dot(t, t), dot(to, n) / dot(t, t));
         let (ab, ba) = (along(a, b), along(b, a));
         let tangent = sum(&[(0.75, &own[b]), (0.75, &ba), (-0.75, &ab), (-0.75, &own[a])]);
@@ -122,7 +111,7 @@ pub(crate) fn curvatures(v: &[[f64; 2]; 3], apex: [bool; 3]) -> Curvatures {
 /// Second derivatives at `p` of the cubic on triangle `p q r`, from the coefficients `[ppp, ppq, pqq, ppr, pqr, prr]`.
 fn hessian(p: [f64; 2], q: [f64; 2], r: [f64; 2], b: [&Row; 6]) -> Curvature {
     let [ppp, ppq, pqq, ppr, pqr, prr] = b;
-    let (d1, d2) = (minus(q, p), minus(r, p));
+    let (d1, d2) = (between(p, q), between(p, r));
     let det = d1[0] * d2[1] - d1[1] * d2[0];
     let u = [d2[1] / det, -d2[0] / det];
     let w = [-d1[1] / det, d1[0] / det];
@@ -163,18 +152,14 @@ mod tests {
             let (f, g, _) = cubic(c, v[k]);
             local[3 * k..3 * k + 3].copy_from_slice(&[f, g[0], g[1]]);
             let (a, b) = (v[(k + 1) % 3], v[(k + 2) % 3]);
-            let (_, g, _) = cubic(c, [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0]);
-            let n = turned(minus(b, a));
+            let (_, g, _) = cubic(c, midpoint(a, b));
+            let n = turned(between(a, b));
             local[9 + k] = dot(g, n);
         }
         let curvature = curvatures(&v, apex);
         for (k, part) in curvature.iter().enumerate() {
             for (node, rows) in part.iter().enumerate() {
-                let p = if node < 2 {
-                    v[(k + 1 + node) % 3]
-                } else {
-                    [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0]
-                };
+                let p = if node < 2 { v[(k + 1 + node) % 3] } else { centroid(&v) };
                 let (_, _, h) = cubic(c, p);
                 for (row, expected) in rows.iter().zip(h) {
                     let got: f64 = row.iter().zip(&local).map(|(r, l)| r * l).sum();

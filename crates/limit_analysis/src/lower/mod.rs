@@ -15,20 +15,18 @@ mod shape;
 #[cfg(test)]
 pub(crate) mod tests;
 
-use soilctl_certificate::{Condition, LineUse, LowerField, Objective};
+use soilctl_certificate::{Condition, LowerField, Objective};
 
 use dofs::StressFunction;
-use given::shear_is_given;
 use macro_element::{Curvature, curvatures};
 use reference::Reference;
 
 use crate::form::Form;
 use crate::mesh::Mesh;
-use crate::problem::{Problem, Soil, value};
+use crate::problem::{Problem, Soil};
 use crate::program::{Cone, Program};
 use crate::topology::Topology;
-
-type Point = [f64; 2];
+use crate::vector::{Point, between, centroid, distance, length};
 
 /// The least part of the strength that is looked for: soil that needs no more bears anything.
 const LEAST_PART: f64 = 1e-3;
@@ -64,8 +62,8 @@ fn stress(c: &Curvature, local: &[Form; 12], reference: &Stress) -> Stress {
 /// Of cohesion and tension there is the given part.
 fn mohr_coulomb(soil: &Soil, part: &Form, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
     let mean = -0.5 * soil.sin * scale;
-    let cohesion = value(&soil.cohesion, at).max(0.0);
-    let water = value(&soil.pore_pressure, at);
+    let cohesion = soil.cohesion.at(at).max(0.0);
+    let water = soil.pore_pressure.at(at);
     [
         Form::constant(-scale * soil.sin * water)
             .plus(scale * (cohesion * soil.cos), part)
@@ -78,16 +76,12 @@ fn mohr_coulomb(soil: &Soil, part: &Form, [xx, yy, xy]: &Stress, at: Point, scal
 
 /// The cone of the greatest effective tension at a point, scaled.
 fn cut_off(soil: &Soil, tension: &Form, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
-    let water = value(&soil.pore_pressure, at);
+    let water = soil.pore_pressure.at(at);
     [
         Form::constant(-scale * water).plus(scale, tension).plus(-0.5 * scale, xx).plus(-0.5 * scale, yy),
         Form::default().plus(0.5 * scale, xx).plus(-0.5 * scale, yy),
         Form::default().plus(scale, xy),
     ]
-}
-
-fn centre(v: &[Point; 3]) -> Point {
-    [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0]
 }
 
 /// Stress at the nodes of all three parts of a triangle, `None` where it vanishes.
@@ -98,7 +92,7 @@ pub(crate) fn node_stresses(
     triangle: usize,
 ) -> [[Option<Stress>; 3]; 3] {
     let region = mesh.triangles[triangle].region;
-    let v = mesh.triangles[triangle].corners.map(|c| mesh.vertices[c].position);
+    let v = mesh.corners(triangle);
     let apex = function.corners[triangle].map(|c| function.apex[c]);
     let curvature = curvatures(&v, apex);
     let local = function.local(triangle, &v);
@@ -108,7 +102,7 @@ pub(crate) fn node_stresses(
             if node < 2 && apex[corner] {
                 return None;
             }
-            let at = if node < 2 { v[corner] } else { centre(&v) };
+            let at = if node < 2 { v[corner] } else { centroid(&v) };
             Some(stress(&curvature[k][node], &local, &reference.at(region, at)))
         })
     })
@@ -150,11 +144,10 @@ impl Lower {
 
     fn add_triangle(&mut self, problem: &Problem, mesh: &Mesh, topology: &Topology, triangle: usize) {
         let t = &mesh.triangles[triangle];
-        let v = t.corners.map(|c| mesh.vertices[c].position);
+        let v = mesh.corners(triangle);
         let soil = &problem.soils[t.region];
         let stresses = node_stresses(&self.reference, mesh, &self.function, triangle);
-        let h = (0..3).map(|k| (v[k][0] - v[(k + 1) % 3][0]).hypot(v[k][1] - v[(k + 1) % 3][1])).sum::<f64>()
-            / 3.0;
+        let h = (0..3).map(|k| distance(v[k], v[(k + 1) % 3])).sum::<f64>() / 3.0;
         // Multipliers are then about as large as strains times lengths, like the unknowns of the upper bound.
         let scale = |p: Point| h / problem.stress_scale(t.region, p, h);
         for part in 0..3 {
@@ -166,16 +159,14 @@ impl Lower {
         }
         // All three parts have the same stress at the centroid.
         if let Some(s) = &stresses[0][2] {
-            self.add_strength(soil, s, centre(&v), &scale);
+            self.add_strength(soil, s, centroid(&v), &scale);
         }
         for (k, part) in stresses.iter().enumerate() {
-            let Some(line) = topology.line[triangle][k] else { continue };
-            let side = LineUse { line: line.line, forward: line.forward };
-            let Some(condition) = problem.condition_on(side) else { continue };
+            let Some(side) = topology.line[triangle][k] else { continue };
+            let Some(condition) = problem.condition(side) else { continue };
             let ends = [(k + 1) % 3, (k + 2) % 3];
-            let along = [v[ends[1]][0] - v[ends[0]][0], v[ends[1]][1] - v[ends[0]][1]];
-            let length = along[0].hypot(along[1]);
-            let unit = [along[0] / length, along[1] / length];
+            let along = between(v[ends[0]], v[ends[1]]);
+            let unit = along.map(|x| x / length(along));
             if !problem.has_factor() && matches!(condition, Condition::Face { .. }) {
                 self.add_force(problem, mesh, triangle, ends, &v);
             }
@@ -184,7 +175,7 @@ impl Lower {
                 let at = v[corner];
                 match condition {
                     Condition::Face { delta_deg, adhesion } => {
-                        let water = value(&soil.pore_pressure, at);
+                        let water = soil.pore_pressure.at(at);
                         self.add_face(s, unit, scale(at), delta_deg, adhesion, water);
                     }
                     Condition::Far => {
@@ -209,7 +200,7 @@ impl Lower {
     fn add_face(&mut self, s: &Stress, t: Point, scale: f64, delta_deg: f64, adhesion: f64, water: f64) {
         let (normal, shear) = traction(s, t);
         let condition = Condition::Face { delta_deg, adhesion };
-        if shear_is_given(condition) {
+        if condition.shear_is_given() {
             return self.program.non_negative(Form::constant(-scale * water).plus(-scale, &normal));
         }
         let tan = delta_deg.to_radians().tan();

@@ -1,11 +1,10 @@
 //! The reference stress: in equilibrium with the weight of the soil, whatever the stress function adds.
 
-use soilctl_certificate::{LineUse, Objective};
+use soilctl_certificate::Objective;
 
 use crate::form::Form;
 use crate::problem::Problem;
-
-type Point = [f64; 2];
+use crate::vector::Point;
 
 /// A linear function `a + b x + c y`.
 type Plane = [f64; 3];
@@ -93,15 +92,12 @@ impl Reference {
 /// Sides with the region below them, as `(line, what is above)`.
 fn tops(problem: &Problem, region: usize) -> Vec<(usize, Option<usize>)> {
     let s = problem.statement();
-    let owner = |side: LineUse| s.regions.iter().position(|r| r.loops.iter().any(|l| l.contains(&side)));
     let mut tops = Vec::new();
     for side in s.regions[region].loops.iter().flatten() {
         let [p, q] = problem.ends(side.line);
         let run = if side.forward { q[0] - p[0] } else { p[0] - q[0] };
         if run < 0.0 {
-            let boundary = s.boundaries.iter().any(|b| b.side() == *side);
-            let above =
-                if boundary { None } else { owner(LineUse { line: side.line, forward: !side.forward }) };
+            let above = problem.owner(side.reversed()).filter(|_| problem.condition(*side).is_none());
             tops.push((side.line, above));
         }
     }

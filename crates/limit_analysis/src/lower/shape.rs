@@ -2,8 +2,8 @@
 
 use soilctl_certificate::Jet;
 
-use super::macro_element::turned;
 use crate::form::Form;
+use crate::vector::turned;
 
 /// An unknown of the program and the size of its unit.
 #[derive(Debug, Clone, Copy)]

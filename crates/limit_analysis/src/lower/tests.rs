@@ -17,8 +17,13 @@ use crate::solver::{Accuracy, solve};
 fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f64) -> f64 {
     let problem = Problem::new(statement).unwrap();
     let fans: Vec<Fan> = fan.into_iter().map(|point| Fan { point, radius: 0.1, angle: 0.26 }).collect();
-    let request =
-        Request { outline: &problem.outline, guides: &[], fans: &fans, size: &size, max_triangles: 20_000 };
+    let request = Request {
+        statement: problem.statement(),
+        guides: &[],
+        fans: &fans,
+        size: &size,
+        max_triangles: 20_000,
+    };
     let mesh = generate(&request).unwrap();
     let topology = Topology::new(&mesh);
     let accuracy = Accuracy { gap: 1e-7, ..Accuracy::STRESS };

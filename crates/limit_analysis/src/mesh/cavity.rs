@@ -3,8 +3,8 @@
 use spade::Triangulation;
 
 use super::triangulation::{EdgeId, FaceId};
-use super::vector::{Point, between, cross, in_circle};
 use super::work::Work;
+use crate::vector::{Point, between, cross, in_circle};
 
 /// The surroundings of a point: what its vertex would be joined to.
 pub(super) struct Around {

@@ -2,8 +2,8 @@
 
 use super::MeshError;
 use super::domain::Domain;
-use super::vector::Point;
 use super::wanted::Wanted;
+use crate::vector::Point;
 
 /// How much the wanted size may grow per unit of distance: 30 % from element to element.
 pub(super) const GROWTH: f64 = 0.3;
@@ -86,9 +86,9 @@ impl Profile {
 
 /// The size profile of each line. Sizes agree at corners, and no corner's size is larger than its shortest line.
 pub(super) fn line_profiles(domain: &Domain, wanted: &Wanted) -> Result<Vec<Profile>, MeshError> {
-    let lines = &domain.outline.lines;
+    let lines = &domain.statement.lines;
     let mut profiles = Vec::with_capacity(lines.len());
-    let mut corner = vec![f64::INFINITY; domain.outline.points.len()];
+    let mut corner = vec![f64::INFINITY; domain.statement.points.len()];
     let mut samples = 0;
     for (i, line) in lines.iter().enumerate() {
         let length = domain.length(i);

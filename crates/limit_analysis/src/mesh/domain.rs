@@ -7,17 +7,18 @@ use spade::Triangulation;
 use spade::handles::FixedDirectedEdgeHandle;
 
 use super::MeshError;
+use super::check::check_plain;
 use super::flood::{Conflict, flood};
-use super::outline::Outline;
 use super::triangulation::{Cdt, FRAME, VertexId, frame, triangulate};
-use super::vector::{Point, along, angle, between, distance, distance_to_segment};
+use crate::vector::{Point, along, angle, between, distance, distance_to_segment};
+use soilctl_certificate::Statement;
 
 /// Lines that meet at less than this angle (60 degrees) would refine one another for ever.
 const SHARP: f64 = std::f64::consts::FRAC_PI_3;
 
 /// A checked outline.
 pub(super) struct Domain<'a> {
-    pub(super) outline: &'a Outline,
+    pub(super) statement: &'a Statement,
     /// Corners of the frame.
     pub(super) frame: [Point; FRAME],
     /// Least distance of things that are not joined.
@@ -33,18 +34,18 @@ pub(super) struct Domain<'a> {
 }
 
 impl<'a> Domain<'a> {
-    pub(super) fn new(outline: &'a Outline) -> Result<Self, MeshError> {
-        let least = outline.check_plain()?;
-        let sides = sides(outline)?;
-        let mut corners: Vec<usize> = outline.lines.iter().flat_map(|l| [l.from, l.to]).collect();
+    pub(super) fn new(statement: &'a Statement) -> Result<Self, MeshError> {
+        let least = check_plain(statement)?;
+        let sides = sides(statement)?;
+        let mut corners: Vec<usize> = statement.lines.iter().flat_map(|l| [l.from, l.to]).collect();
         corners.sort_unstable();
         corners.dedup();
-        let at: Vec<Point> = corners.iter().map(|&c| outline.points[c]).collect();
+        let at: Vec<Point> = corners.iter().map(|&c| statement.points[c]).collect();
         let frame = frame(&at);
         let mut points = frame.to_vec();
         points.extend(at);
         let base = triangulate(&points, &[])?;
-        let mut domain = Self { outline, frame, least, base, sides, corners, between: BTreeMap::new() };
+        let mut domain = Self { statement, frame, least, base, sides, corners, between: BTreeMap::new() };
         domain.add_lines()?;
         domain.check_touching()?;
         domain.check_overlap()?;
@@ -61,11 +62,11 @@ impl<'a> Domain<'a> {
 
     /// Makes every line a constraint; a line that cannot be one crosses another or runs through a point.
     fn add_lines(&mut self) -> Result<(), MeshError> {
-        let mut vertex = vec![0; self.outline.points.len()];
+        let mut vertex = vec![0; self.statement.points.len()];
         for (i, &c) in self.corners.iter().enumerate() {
             vertex[c] = FRAME + i;
         }
-        for (line, ends) in self.outline.lines.iter().enumerate() {
+        for (line, ends) in self.statement.lines.iter().enumerate() {
             if let Some(first) = self.between.insert(pair(ends.from, ends.to), line) {
                 return Err(MeshError::DoubleLine { first, second: line });
             }
@@ -86,7 +87,7 @@ impl<'a> Domain<'a> {
     }
 
     fn touching(&self, line: usize, point: usize) -> MeshError {
-        let [x, y] = self.outline.points[point];
+        let [x, y] = self.statement.points[point];
         MeshError::Touching { line, point, x, y, least: self.least }
     }
 
@@ -98,7 +99,7 @@ impl<'a> Domain<'a> {
             };
             let [a, b] = self.ends(line);
             let p = apex.position();
-            if apex.index() >= FRAME && distance_to_segment([p.x, p.y], a, b) <= self.least {
+            if apex.index() >= FRAME && distance_to_segment([p.x, p.y], [a, b]) <= self.least {
                 return Err(self.touching(line, self.corners[apex.index() - FRAME]));
             }
         }
@@ -128,7 +129,7 @@ impl<'a> Domain<'a> {
 
     /// The line between two outline points, and whether it runs from the first to the second.
     pub(super) fn line_between(&self, a: usize, b: usize) -> Option<(usize, bool)> {
-        self.between.get(&pair(a, b)).map(|&line| (line, self.outline.lines[line].from == a))
+        self.between.get(&pair(a, b)).map(|&line| (line, self.statement.lines[line].from == a))
     }
 
     /// What is on the left of a line followed forwards or backwards.
@@ -138,8 +139,7 @@ impl<'a> Domain<'a> {
 
     /// First and last point of a line.
     pub(super) fn ends(&self, line: usize) -> [Point; 2] {
-        let ends = self.outline.lines[line];
-        [self.outline.points[ends.from], self.outline.points[ends.to]]
+        self.statement.lines[line].walked(true).map(|p| self.statement.points[p])
     }
 
     /// Length of a line.
@@ -156,8 +156,8 @@ impl<'a> Domain<'a> {
 
     /// Whether two lines meet at a sharp angle.
     pub(super) fn meet_sharply(&self, first: usize, second: usize) -> bool {
-        let (a, b) = (self.outline.lines[first], self.outline.lines[second]);
-        let points = &self.outline.points;
+        let (a, b) = (self.statement.lines[first], self.statement.lines[second]);
+        let points = &self.statement.points;
         let spread = |common: usize, p: usize, q: usize| {
             angle(between(points[common], points[p]), between(points[common], points[q])) < SHARP
         };
@@ -173,9 +173,9 @@ fn pair(a: usize, b: usize) -> [usize; 2] {
 }
 
 /// The region on the left and on the right of each line.
-fn sides(outline: &Outline) -> Result<Vec<[Option<usize>; 2]>, MeshError> {
-    let mut sides = vec![[None; 2]; outline.lines.len()];
-    for (region, r) in outline.regions.iter().enumerate() {
+fn sides(statement: &Statement) -> Result<Vec<[Option<usize>; 2]>, MeshError> {
+    let mut sides = vec![[None; 2]; statement.lines.len()];
+    for (region, r) in statement.regions.iter().enumerate() {
         for used in r.loops.iter().flatten() {
             let side: &mut Option<usize> = &mut sides[used.line][usize::from(!used.forward)];
             if let Some(first) = side.replace(region) {

@@ -228,18 +228,6 @@ pub enum MeshError {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Cells in rows and columns that cannot be made.
-    #[error("{what}, number {index} (from 0): {value} is not allowed, it must be {allowed}")]
-    BadGrid {
-        /// Which input.
-        what: &'static str,
-        /// Which of them, from 0.
-        index: usize,
-        /// What was given.
-        value: f64,
-        /// What is allowed.
-        allowed: &'static str,
-    },
     /// The wanted size asks for more triangles than are allowed.
     #[error(
         "the mesh needs more than {limit} triangles (there were {count} when it stopped); ask for larger elements or \

@@ -1,55 +1,59 @@
+use soilctl_certificate::{Place, Statement, Triangle, Vertex};
 use spade::Triangulation;
 
 use super::MeshError;
 use super::triangulation::FRAME;
 use super::work::{Kind, Work};
+use crate::vector::Point;
 
-/// A triangulation of all regions of an outline. It is conforming; slits and interfaces are edges like others, with
-/// the same vertices on both sides.
+/// A triangulation of all regions of a statement, with where its lines and guides run. It is conforming; slits and
+/// interfaces are edges like others, with the same vertices on both sides.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// Vertices, each used by a triangle.
+    /// Vertices, each used by a triangle. Positions on a line are computed by just `from + s (to - from)`.
     pub vertices: Vec<Vertex>,
     /// Triangles.
     pub triangles: Vec<Triangle>,
-    /// For each line of the outline, its vertices from the first point to the last.
+    /// For each line of the statement, its vertices from the first point to the last.
     pub lines: Vec<Vec<usize>>,
     /// Edges that follow guides, lower vertex first, in ascending order. Edges on lines are not among them.
     pub guide_edges: Vec<[usize; 2]>,
 }
 
-/// A vertex of a mesh.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Vertex {
-    /// Where it is, x and y.
-    pub position: [f64; 2],
-    /// What part of the outline it is on.
-    pub place: Place,
-}
+impl Mesh {
+    /// A mesh whose vertices know by their places which lines they are on.
+    pub(crate) fn new(
+        statement: &Statement,
+        vertices: Vec<Vertex>,
+        triangles: Vec<Triangle>,
+        guide_edges: Vec<[usize; 2]>,
+    ) -> Self {
+        let mut corner = vec![None; statement.points.len()];
+        let mut inner: Vec<Vec<(f64, usize)>> = vec![Vec::new(); statement.lines.len()];
+        for (i, v) in vertices.iter().enumerate() {
+            match v.place {
+                Place::Corner { point } => corner[point] = Some(i),
+                Place::OnLine { line, s } => inner[line].push((s, i)),
+                Place::Inside => {}
+            }
+        }
+        let lines = statement.lines.iter().zip(inner).map(|(line, mut inner)| {
+            inner.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let inner = inner.into_iter().map(|(_, v)| v);
+            corner[line.from].into_iter().chain(inner).chain(corner[line.to]).collect()
+        });
+        Self { lines: lines.collect(), vertices, triangles, guide_edges }
+    }
 
-/// Where a vertex is in the outline.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
-    /// At a point of the outline, by index.
-    Corner(usize),
-    /// On a line, at `from + s (to - from)`, computed by just this formula.
-    OnLine {
-        /// Index of the line.
-        line: usize,
-        /// Fraction of the way from the line's first point to its last, between 0 and 1.
-        s: f64,
-    },
-    /// Inside a region, perhaps on a guide.
-    Inside,
-}
+    /// Positions of a triangle's corners.
+    pub(crate) fn corners(&self, triangle: usize) -> [Point; 3] {
+        self.triangles[triangle].corners.map(|v| self.vertices[v].position)
+    }
 
-/// A triangle of a mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Triangle {
-    /// Its corners, counter-clockwise, as indices of vertices.
-    pub corners: [usize; 3],
-    /// Index of the region it is in.
-    pub region: usize,
+    /// The mesh as certificates store it.
+    pub(crate) fn saved(&self) -> soilctl_certificate::Mesh {
+        soilctl_certificate::Mesh { vertices: self.vertices.clone(), triangles: self.triangles.clone() }
+    }
 }
 
 impl Work<'_> {
@@ -67,30 +71,16 @@ impl Work<'_> {
         }
         let mut number = vec![usize::MAX; self.nodes.len()];
         let mut vertices = Vec::new();
-        let mut lines: Vec<Vec<(f64, usize)>> = vec![Vec::new(); self.domain.outline.lines.len()];
-        let mut corner = vec![usize::MAX; self.domain.outline.points.len()];
         for (i, node) in self.nodes.iter().enumerate().skip(FRAME).filter(|&(i, _)| used[i]) {
             number[i] = vertices.len();
             let place = match node.kind {
-                Kind::Corner(c) => {
-                    corner[c] = number[i];
-                    Place::Corner(c)
-                }
-                Kind::Line { line, s } => {
-                    lines[line].push((s, number[i]));
-                    Place::OnLine { line, s }
-                }
+                Kind::Corner(point) => Place::Corner { point },
+                Kind::Line { line, s } => Place::OnLine { line, s },
                 Kind::Frame | Kind::Guide(_) | Kind::Free(_) => Place::Inside,
             };
             vertices.push(Vertex { position: node.at, place });
         }
         triangles.iter_mut().for_each(|t| t.corners = t.corners.map(|v| number[v]));
-        let lines = self.domain.outline.lines.iter().zip(lines).map(|(line, mut inner)| {
-            inner.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let inner = inner.into_iter().map(|(_, v)| v);
-            [corner[line.from]].into_iter().chain(inner).chain([corner[line.to]]).collect()
-        });
-        let lines = lines.collect();
         let mut guide_edges: Vec<[usize; 2]> = Vec::new();
         for edge in self.cdt.undirected_edges().filter(|e| e.is_constraint_edge()) {
             let [a, b] = self.edge_ends(edge.fix());
@@ -100,6 +90,6 @@ impl Work<'_> {
             }
         }
         guide_edges.sort_unstable();
-        Ok(Mesh { vertices, triangles, lines, guide_edges })
+        Ok(Mesh::new(self.domain.statement, vertices, triangles, guide_edges))
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::MeshError;
 use super::domain::Domain;
-use super::vector::{Point, between, distance, distance_to_segment};
+use crate::vector::{Point, between, distance, distance_to_segment};
 
 /// Most fans.
 const MOST: usize = 1000;
@@ -139,7 +139,7 @@ pub(super) fn discs(domain: &Domain, fans: &[Fan]) -> Result<Vec<Disc>, MeshErro
             return Err(bad("the angle", fan.angle, "from 0.01 to half of pi, in radians"));
         }
         let radius = fan.radius.min(room(domain, fans, fan.point));
-        let centre = domain.outline.points[fan.point];
+        let centre = domain.statement.points[fan.point];
         let sectors = sectors(domain, fan.point);
         discs.push(Disc { corner: fan.point, centre, radius, angle: fan.angle, sectors });
     }
@@ -148,20 +148,20 @@ pub(super) fn discs(domain: &Domain, fans: &[Fan]) -> Result<Vec<Disc>, MeshErro
 
 /// Largest radius of a fan at a corner.
 fn room(domain: &Domain, fans: &[Fan], corner: usize) -> f64 {
-    let outline = domain.outline;
-    let centre = outline.points[corner];
+    let statement = domain.statement;
+    let centre = statement.points[corner];
     let mut room = f64::INFINITY;
-    for (index, line) in outline.lines.iter().enumerate() {
+    for (index, line) in statement.lines.iter().enumerate() {
         let [a, b] = domain.ends(index);
         let away = match corner {
-            c if c == line.from || c == line.to => distance(a, b),
-            _ => distance_to_segment(centre, a, b),
+            c if line.touches(c) => distance(a, b),
+            _ => distance_to_segment(centre, [a, b]),
         };
         room = room.min(0.5 * away);
     }
     for other in fans.iter().filter(|f| f.point != corner) {
         // A wrong index is refused elsewhere.
-        let away = outline.points.get(other.point).map_or(f64::INFINITY, |&p| distance(centre, p));
+        let away = statement.points.get(other.point).map_or(f64::INFINITY, |&p| distance(centre, p));
         room = room.min(away / 3.0);
     }
     room
@@ -170,8 +170,8 @@ fn room(domain: &Domain, fans: &[Fan], corner: usize) -> f64 {
 /// The sectors around a corner that are in regions, counter-clockwise.
 fn sectors(domain: &Domain, corner: usize) -> Vec<Sector> {
     let mut lines = Vec::new();
-    for (line, ends) in domain.outline.lines.iter().enumerate() {
-        if ends.from == corner || ends.to == corner {
+    for (line, ends) in domain.statement.lines.iter().enumerate() {
+        if ends.touches(corner) {
             let [a, b] = domain.ends(line);
             let starts = ends.from == corner;
             let way = if starts { between(a, b) } else { between(b, a) };

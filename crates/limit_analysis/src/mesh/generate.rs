@@ -4,15 +4,15 @@ use super::domain::Domain;
 use super::extract::Mesh;
 use super::fan::{Fan, discs};
 use super::guide::{Guide, Trail, forced};
-use super::outline::Outline;
 use super::trim::trim;
 use super::wanted::Wanted;
 use super::work::Work;
+use soilctl_certificate::Statement;
 
 /// What to mesh, and how finely.
 pub struct Request<'a> {
     /// The geometry.
-    pub outline: &'a Outline,
+    pub statement: &'a Statement,
     /// Lines that edges shall follow, in order of importance: the first ones give way last.
     pub guides: &'a [Guide],
     /// Corners with fans of triangles, at most 1000.
@@ -31,11 +31,11 @@ pub struct Request<'a> {
 ///
 /// # Errors
 ///
-/// What [`Outline::check`] finds; [`MeshError::BadSize`] for a wanted size that is not positive,
+/// What [`check`] finds; [`MeshError::BadSize`] for a wanted size that is not positive,
 /// [`MeshError::BadGuide`] for coordinates that are not finite, [`MeshError::BadFan`] for a fan that is not at a corner or
 /// of no possible shape, and [`MeshError::TooManyTriangles`] if more than `max_triangles` are needed.
 pub fn generate(request: &Request) -> Result<Mesh, MeshError> {
-    let domain = Domain::new(request.outline)?;
+    let domain = Domain::new(request.statement)?;
     let mut discs = discs(&domain, request.fans)?;
     let mut trails = Vec::new();
     for (i, guide) in request.guides.iter().enumerate() {

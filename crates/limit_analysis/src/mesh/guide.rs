@@ -5,8 +5,8 @@ use super::cut::Profile;
 use super::domain::Domain;
 use super::fan::Disc;
 use super::triangulation::to_spade;
-use super::vector::{Point, along, angle, between, cross, distance, dot};
 use super::wanted::Wanted;
+use crate::vector::{Point, along, angle, between, cross, distance, dot};
 
 /// Two things nearer than this fraction of the wanted size become one.
 pub(super) const NEAR: f64 = 0.6;

@@ -1,9 +1,8 @@
 //! From an outline of straight lines to a graded triangulation.
 //!
-//! [`generate`] checks the outline ([`Outline::check`]), cuts its lines into pieces as long as the wanted size says,
+//! [`generate`] checks the outline ([`check`]), cuts its lines into pieces as long as the wanted size says,
 //! puts fans around the corners that ask for one, weaves the guides in, refines by Delaunay insertion and smooths. The
-//! triangulating itself is done by `spade`. [`structured`] makes the classic meshes of cells instead, and [`files`]
-//! writes meshes for other programs and reads those of gmsh.
+//! triangulating itself is done by `spade`.
 
 mod cavity;
 mod check;
@@ -12,11 +11,9 @@ mod domain;
 mod error;
 mod extract;
 mod fan;
-pub mod files;
 mod flood;
 mod generate;
 mod guide;
-mod outline;
 mod place;
 mod quality;
 mod refine;
@@ -24,19 +21,17 @@ mod size;
 mod smooth;
 mod split;
 mod start;
-pub mod structured;
 mod triangulation;
 mod trim;
-mod vector;
 mod wanted;
 mod weave;
 mod work;
 
+pub use check::check;
 pub use error::MeshError;
-pub use extract::{Mesh, Place, Triangle, Vertex};
+pub use extract::Mesh;
 pub use fan::Fan;
 pub use generate::{Request, generate};
 pub use guide::Guide;
-pub use outline::{Line, LineUse, Outline, RegionOutline};
 pub use quality::Quality;
 pub use size::SizeField;

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use super::MeshError;
 use super::fan::Disc;
-use super::vector::{Point, distance};
 use super::wanted::Wanted;
 use super::work::{Kind, Node};
+use crate::vector::{Point, distance};
 
 /// Edges of fans, lower node first, which stay as they are; and whether a guide runs along them.
 pub(super) type Held = BTreeMap<[usize; 2], bool>;

@@ -1,5 +1,5 @@
 use super::extract::Mesh;
-use super::vector::{angles, distance};
+use crate::vector::{angles, distance};
 
 /// How good a mesh is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,8 +8,8 @@ use spade::Triangulation;
 use super::MeshError;
 use super::cavity::Walk;
 use super::triangulation::{EdgeId, FRAME, FaceId, VertexId};
-use super::vector::{Point, angle, between, circumcentre, distance, dot};
 use super::work::{Kind, Node, Work};
+use crate::vector::{Point, angle, between, circumcentre, distance, dot};
 
 /// Largest circumradius, in wanted sizes. An equilateral triangle of the wanted size has 0.577.
 const LARGE: f64 = 0.80;

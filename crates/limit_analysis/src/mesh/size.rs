@@ -1,7 +1,7 @@
 //! A size field from samples.
 
 use super::MeshError;
-use super::vector::{Point, distance};
+use crate::vector::{Point, distance};
 
 /// Most samples in a leaf of the tree.
 const LEAF: usize = 8;

@@ -3,8 +3,8 @@
 use spade::Triangulation;
 
 use super::triangulation::FRAME;
-use super::vector::{Point, between, circumcentre, distance, shape, twice_area};
 use super::work::{Kind, Work};
+use crate::vector::{Point, between, circumcentre, distance, shape, twice_area};
 
 /// A move may lower the worst shape around a vertex as long as it stays above this.
 const GOOD: f64 = 0.8;

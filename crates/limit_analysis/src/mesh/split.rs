@@ -4,8 +4,8 @@ use spade::Triangulation;
 
 use super::MeshError;
 use super::triangulation::{EdgeId, VertexId};
-use super::vector::{along, distance};
 use super::work::{Kind, Node, Work};
+use crate::vector::{along, distance};
 
 impl Work<'_> {
     /// Splits a constraint edge at its middle; `None` if it is too short to be split.
@@ -16,7 +16,7 @@ impl Work<'_> {
         let [a, b] = self.edge_ends(edge);
         let (from, to) = (self.nodes[a], self.nodes[b]);
         let (at, kind) = if let Some((line, _)) = self.line_between(a, b) {
-            let ends = self.domain.outline.lines[line];
+            let ends = self.domain.statement.lines[line];
             let place = |n: Node| match n.kind {
                 Kind::Line { s, .. } => s,
                 Kind::Corner(c) if c == ends.from => 0.0,

@@ -9,9 +9,9 @@ use super::fan::Disc;
 use super::guide::Forced;
 use super::place::{Held, place};
 use super::triangulation::triangulate;
-use super::vector::Point;
 use super::wanted::Wanted;
 use super::work::{Kind, Node, Work};
+use crate::vector::Point;
 
 impl<'a> Work<'a> {
     /// Cuts the lines, at the places where guides meet them and in between, adds the fans, and triangulates.
@@ -25,16 +25,16 @@ impl<'a> Work<'a> {
         let node = |at, kind, size| Node { at, kind, size };
         let mut nodes: Vec<Node> =
             domain.frame.iter().map(|&p| node(p, Kind::Frame, f64::INFINITY)).collect();
-        let mut corner = vec![0; domain.outline.points.len()];
+        let mut corner = vec![0; domain.statement.points.len()];
         for &c in &domain.corners {
             corner[c] = nodes.len();
-            nodes.push(node(domain.outline.points[c], Kind::Corner(c), f64::INFINITY));
+            nodes.push(node(domain.statement.points[c], Kind::Corner(c), f64::INFINITY));
         }
         let mut constraints = Vec::new();
         // The vertices next to each line's ends.
         let mut next = Vec::with_capacity(profiles.len());
         for (line, profile) in profiles.iter().enumerate() {
-            let (ends, length) = (domain.outline.lines[line], domain.length(line));
+            let (ends, length) = (domain.statement.lines[line], domain.length(line));
             for (point, size) in [ends.from, ends.to].into_iter().zip(profile.ends()) {
                 nodes[corner[point]].size = nodes[corner[point]].size.min(size);
             }

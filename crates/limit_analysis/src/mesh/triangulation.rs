@@ -3,7 +3,7 @@
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use super::MeshError;
-use super::vector::Point;
+use crate::vector::Point;
 
 /// A constrained Delaunay triangulation. Its vertex numbers are the order in which points came.
 pub(super) type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;

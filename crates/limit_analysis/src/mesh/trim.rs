@@ -1,7 +1,7 @@
 //! Guides at fans: one that comes to the corner becomes a spoke, others end before the fan.
 
 use super::fan::Disc;
-use super::vector::{Point, along, between, distance, dot};
+use crate::vector::{Point, along, between, distance, dot};
 
 /// Guides that pass the corner at less than this many radii lead to it.
 const CORE: f64 = 0.1;

@@ -4,7 +4,7 @@ use super::MeshError;
 use super::cut::GROWTH;
 use super::domain::Domain;
 use super::fan::Disc;
-use super::vector::{Point, distance};
+use crate::vector::{Point, distance};
 
 /// Smallest size that is worked with, in least distances. It keeps vertices apart by much more than rounding.
 const FINEST: f64 = 30.0;

@@ -6,8 +6,8 @@ use spade::handles::FixedDirectedEdgeHandle;
 use super::MeshError;
 use super::guide::{NEAR, Trail};
 use super::triangulation::{EdgeId, FRAME, FaceId, VertexId};
-use super::vector::{Point, angle, between, distance, distance_to_segment, twice_area};
 use super::work::{Kind, Node, Work};
+use crate::vector::{Point, angle, between, distance, distance_to_segment, twice_area};
 
 /// A guide's edge must be at least this angle (25 degrees) from lines and other guides at its ends.
 const APART: f64 = 25.0 * std::f64::consts::PI / 180.0;
@@ -75,7 +75,7 @@ impl Work<'_> {
         let Some(region) = self.region(face) else { return Ok(Station::Outside) };
         let is_close = |&edge: &EdgeId| {
             let [a, b] = self.edge_ends(edge).map(|n| self.nodes[n].at);
-            distance_to_segment(p, a, b) < BESIDE * size
+            distance_to_segment(p, [a, b]) < BESIDE * size
         };
         if around.borders.iter().any(is_close) {
             return Ok(Station::Close);

@@ -9,8 +9,8 @@ use super::domain::Domain;
 use super::flood::flood;
 use super::place::Held;
 use super::triangulation::{Cdt, EdgeId, FRAME, FaceId, VertexId, to_spade, triangulate};
-use super::vector::{Point, distance};
 use super::wanted::Wanted;
+use crate::vector::{Point, distance};
 
 /// What a vertex is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,18 +74,17 @@ impl Work<'_> {
 
     /// The line on which the edge between two nodes lies, if it does, and whether the edge runs along it forwards.
     pub(super) fn line_between(&self, a: usize, b: usize) -> Option<(usize, bool)> {
-        let from = |line: usize| self.domain.outline.lines[line].from;
-        let to = |line: usize| self.domain.outline.lines[line].to;
+        let ends = |line: usize| self.domain.statement.lines[line];
         match (self.nodes[a].kind, self.nodes[b].kind) {
             (Kind::Corner(a), Kind::Corner(b)) => self.domain.line_between(a, b),
             (Kind::Line { line, s }, Kind::Line { line: other, s: t }) => {
                 (line == other).then_some((line, s < t))
             }
             (Kind::Corner(c), Kind::Line { line, .. }) => {
-                (c == from(line) || c == to(line)).then(|| (line, c == from(line)))
+                ends(line).touches(c).then(|| (line, c == ends(line).from))
             }
             (Kind::Line { line, .. }, Kind::Corner(c)) => {
-                (c == from(line) || c == to(line)).then(|| (line, c == to(line)))
+                ends(line).touches(c).then(|| (line, c == ends(line).to))
             }
             _ => None,
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Adjoins, Condition, LineUse, Statement};
+use soilctl_certificate::{Adjoins, Condition, LineUse, Run, Statement};
 
 /// An edge of a triangle: the triangle, and the corner opposite to the edge.
 type Edge = (usize, usize);
@@ -27,41 +27,30 @@ pub(super) fn edges_by_side(adjoins: &[[Adjoins; 3]]) -> BTreeMap<LineUse, Vec<E
     found.into_iter().map(sorted).collect()
 }
 
-/// First and last point of a side as it is walked.
-pub(super) fn walked(statement: &Statement, side: LineUse) -> [usize; 2] {
-    let line = statement.lines[side.line];
-    if side.forward { [line.from, line.to] } else { [line.to, line.from] }
-}
-
 /// All sides that are faces of structures.
 pub(super) fn face_sides(statement: &Statement) -> Vec<LineUse> {
     let faces = statement.boundaries.iter().filter(|b| matches!(b.condition, Condition::Face { .. }));
     faces.map(soilctl_certificate::Boundary::side).collect()
 }
 
-/// Sides that follow each other.
-pub(super) struct FaceRun {
-    pub(super) sides: Vec<LineUse>,
-    pub(super) closed: bool,
-}
-
 /// Faces joined where one goes on as another, and just one: not around the edge of a plate.
-pub(super) fn face_runs(statement: &Statement) -> Vec<FaceRun> {
+pub(super) fn face_runs(statement: &Statement) -> Vec<Run> {
     let sides = face_sides(statement);
+    let walked = |side: &LineUse| statement.lines[side.line].walked(side.forward);
     let next = |side: &LineUse| {
-        let [_, end] = walked(statement, *side);
-        let mut on = sides.iter().filter(|s| s.line != side.line && walked(statement, **s)[0] == end);
+        let [_, end] = walked(side);
+        let mut on = sides.iter().filter(|s| s.line != side.line && walked(s)[0] == end);
         on.next().copied().filter(|_| on.next().is_none())
     };
     let led_to: Vec<LineUse> = sides.iter().filter_map(next).collect();
-    let height = |side: &LineUse| statement.points[walked(statement, *side)[0]][1];
+    let height = |side: &LineUse| statement.points[walked(side)[0]][1];
     // First those with an end, then closed ones from their highest point on.
     let (open, mut others): (Vec<_>, Vec<_>) = sides.iter().partition(|s| !led_to.contains(s));
     others.sort_by(|a, b| height(b).total_cmp(&height(a)));
     let mut done: Vec<LineUse> = Vec::new();
     let mut runs = Vec::new();
     for start in open.into_iter().chain(others) {
-        let mut run = FaceRun { sides: Vec::new(), closed: false };
+        let mut run = Run { sides: Vec::new(), closed: false };
         let mut here = Some(start);
         while let Some(side) = here.filter(|s| !done.contains(s)) {
             done.push(side);

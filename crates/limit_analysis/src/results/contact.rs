@@ -3,6 +3,7 @@ use soilctl_certificate::LineUse;
 use super::Point;
 use super::boundary::{edges_by_side, face_runs};
 use super::stress::StressResults;
+use crate::vector::distance;
 
 /// Stresses between the structure and the soil along a face, which may bend, from one end to the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,7 +127,7 @@ impl StressResults {
     fn on_edge(&self, triangle: usize, corner: usize, arc: f64) -> [ContactPoint; 2] {
         let v = &self.shown.corners[triangle];
         let [a, b] = [1, 2].map(|i| v[(corner + i) % 3]);
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let length = distance(b, a);
         let t = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
         let inward = [-t[1], t[0]];
         let nodes = &self.shown.parts[triangle][corner];

@@ -1,8 +1,8 @@
-use soilctl_certificate::Adjoins;
+use soilctl_certificate::{Adjoins, Side};
 
 use super::Point;
-use crate::fields::{doubled_area, near};
-use crate::topology::Side;
+use crate::fields::near;
+use crate::vector::twice_area;
 
 /// How far outside of a triangle, as a fraction of its height, a point may be that is still taken for one inside.
 const SLACK: f64 = 1e-9;
@@ -17,7 +17,7 @@ pub(super) struct Finder {
 impl Finder {
     pub(super) fn new(corners: &[[Point; 3]], adjoins: &[[Adjoins; 3]]) -> Self {
         let side = |adjoins: Adjoins| match adjoins {
-            Adjoins::Soil { triangle, corner } => Some(Side { triangle, corner }),
+            Adjoins::Soil(other) => Some(other),
             Adjoins::Boundary { .. } => None,
         };
         Self { corners: corners.to_vec(), across: adjoins.iter().map(|a| a.map(side)).collect() }
@@ -34,8 +34,8 @@ impl Finder {
 
 /// Barycentric coordinates of a point.
 pub(super) fn barycentric(v: &[Point; 3], p: Point) -> [f64; 3] {
-    let whole = doubled_area(v[0], v[1], v[2]);
-    [0, 1, 2].map(|k| doubled_area(v[(k + 1) % 3], v[(k + 2) % 3], p) / whole)
+    let whole = twice_area([v[0], v[1], v[2]]);
+    [0, 1, 2].map(|k| twice_area([v[(k + 1) % 3], v[(k + 2) % 3], p]) / whole)
 }
 
 /// The point with some barycentric coordinates.

@@ -3,7 +3,7 @@ use soilctl_certificate::{FlowPiece, Material, Mesh, ShownFlow, Statement, Upper
 use super::Point;
 use super::finder::{Finder, barycentric};
 use crate::error::LimitError;
-use crate::fields::doubled_area;
+use crate::vector::twice_area;
 
 /// The flow behind an upper bound.
 #[derive(Debug, Clone)]
@@ -96,7 +96,7 @@ pub(super) fn value(control: &[Point; 6], l: [f64; 3]) -> Point {
 #[must_use]
 pub(super) fn strain_rates(piece: &FlowPiece) -> [[f64; 3]; 3] {
     let v = &piece.corners;
-    let whole = doubled_area(v[0], v[1], v[2]);
+    let whole = twice_area([v[0], v[1], v[2]]);
     // Of the barycentric coordinates.
     let gradients = [0, 1, 2].map(|k| {
         let (a, b) = (v[(k + 1) % 3], v[(k + 2) % 3]);
@@ -123,5 +123,5 @@ pub(super) fn invariants([exx, eyy, shear]: [f64; 3]) -> [f64; 2] {
 }
 
 pub(super) fn area(piece: &FlowPiece) -> f64 {
-    0.5 * doubled_area(piece.corners[0], piece.corners[1], piece.corners[2])
+    0.5 * twice_area([piece.corners[0], piece.corners[1], piece.corners[2]])
 }

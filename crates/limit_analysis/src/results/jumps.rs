@@ -1,9 +1,9 @@
-use soilctl_certificate::{Adjoins, Condition};
+use soilctl_certificate::{Adjoins, Condition, Side};
 
 use super::Point;
 use super::flow::FlowResults;
 use super::strength::{Strength, over_edge};
-use crate::problem::value;
+use crate::vector::distance;
 
 /// Differences below this fraction of the greatest velocity are rounding.
 const ROUNDING: f64 = 1e-12;
@@ -36,7 +36,7 @@ impl Jump {
     #[must_use]
     pub fn length(&self) -> f64 {
         let [a, b] = self.ends;
-        (b[0] - a[0]).hypot(b[1] - a[1])
+        distance(b, a)
     }
 
     /// The greatest relative speed of its three control points.
@@ -55,7 +55,7 @@ impl FlowResults {
         for (triangle, adjoins) in self.shown.adjoins.iter().enumerate() {
             for (corner, adjoins) in adjoins.iter().enumerate() {
                 let jump = match *adjoins {
-                    Adjoins::Soil { triangle: other, corner: there }
+                    Adjoins::Soil(Side { triangle: other, corner: there })
                         if (triangle, corner) < (other, there) =>
                     {
                         self.between(triangle, corner, other, there)
@@ -77,7 +77,7 @@ impl FlowResults {
         let here = self.on_edge(triangle, corner);
         let ends = self.ends(triangle, corner);
         let [a, b] = ends;
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let length = distance(b, a);
         let t = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
         let difference = [0, 1, 2].map(|i| [here[i][0] - beyond[i][0], here[i][1] - beyond[i][1]]);
         let slip = difference.map(|[x, y]| x * t[0] + y * t[1]);
@@ -101,7 +101,7 @@ impl FlowResults {
                 }
             }
             let power = strength.in_layer(jump.ends, jump.opening, jump.slip);
-            let pore = jump.ends.map(|p| value(&material.pore_pressure, p));
+            let pore = jump.ends.map(|p| material.pore_pressure.at(p));
             (missed, power, over_edge(pore, jump.opening))
         });
         let best = soils
@@ -115,7 +115,7 @@ impl FlowResults {
 
     fn at_face(&self, triangle: usize, corner: usize, strength: Strength) -> Jump {
         let mut jump = self.jump(triangle, corner, [self.statement.objective.velocity(); 3]);
-        let pore = jump.ends.map(|p| value(&self.material(triangle).pore_pressure, p));
+        let pore = jump.ends.map(|p| self.material(triangle).pore_pressure.at(p));
         jump.dissipation = strength.in_layer(jump.ends, jump.opening, jump.slip);
         jump.by_water = over_edge(pore, jump.opening);
         jump.at_structure = true;

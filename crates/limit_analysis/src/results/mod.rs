@@ -30,6 +30,7 @@ mod contact;
 mod finder;
 mod flow;
 mod jumps;
+mod msh;
 mod power;
 mod restored;
 mod strength;
@@ -39,6 +40,7 @@ mod surface;
 mod tests;
 mod units;
 mod vtu;
+mod vtu_file;
 mod work;
 
 pub use contact::{Contact, ContactPoint};

@@ -3,7 +3,7 @@ use soilctl_certificate::{Adjoins, Condition, FlowPiece, Objective};
 use super::Point;
 use super::flow::{FlowResults, area, invariants, strain_rates};
 use super::strength::{Strength, over_edge, over_triangle};
-use crate::problem::value;
+use crate::vector::between;
 
 /// The power balance of a flow, per unit width (force times velocity).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -82,7 +82,7 @@ impl FlowResults {
         let material = self.material(triangle);
         let (area, [e, g]) = (area(piece), dilation_and_shear(piece));
         power.in_soil += area * Strength::of_soil(material).in_triangle(piece.corners, e, g);
-        let pore = piece.corners.map(|p| value(&material.pore_pressure, p));
+        let pore = piece.corners.map(|p| material.pore_pressure.at(p));
         power.by_water += area * over_triangle(pore, e);
         let mean = [0, 1].map(|axis| piece.control.iter().map(|b| b[axis]).sum::<f64>() / 6.0);
         let work = |[x, y]: Point| material.unit_weight * area * (x * mean[0] + y * mean[1]);
@@ -102,7 +102,7 @@ impl FlowResults {
             _ => return,
         };
         let [a, b] = self.ends(triangle, corner);
-        let d = [b[0] - a[0], b[1] - a[1]];
+        let d = between(a, b);
         let v = self.on_edge(triangle, corner);
         let at = |[from, to]: [f64; 2]| s.map(|s| from + s * (to - from));
         let work = over_edge(at(pressure), v.map(|v| v[1] * d[0] - v[0] * d[1]))

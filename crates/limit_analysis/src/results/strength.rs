@@ -7,7 +7,6 @@
 use soilctl_certificate::{Linear, Material};
 
 use super::Point;
-use crate::problem::value;
 
 /// Strength of a soil or a face.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +33,7 @@ impl Strength {
     }
 
     fn cohesion(&self, p: Point) -> f64 {
-        value(&self.cohesion, p).max(0.0)
+        self.cohesion.at(p).max(0.0)
     }
 
     /// The greatest shear stress that is borne at a mean effective stress, tension positive.

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Adjoins, Condition};
+use soilctl_certificate::{Adjoins, LineUse, Side};
 
 use super::Point;
-use super::boundary::{edges_by_side, face_sides, walked};
+use super::boundary::{edges_by_side, face_sides};
 use super::flow::FlowResults;
+use crate::vector::along;
 
 /// The fraction of the structure's speed from which on soil is said to move, if nothing else is asked for. Flows of
 /// upper bounds have corners and fringes of a few per cent that carry next to no power.
@@ -38,7 +39,7 @@ impl FlowResults {
                 }
                 let (a, b) = ((i + 1) % 3, (i + 2) % 3);
                 let c = &piece.control;
-                (between(v[a], v[b], 0.5), speed(middle([c[a], c[i], c[b]])))
+                (along(v[a], v[b], 0.5), speed(middle([c[a], c[i], c[b]])))
             };
             for part in [[0, 5, 4], [1, 3, 5], [2, 4, 3], [3, 4, 5]] {
                 segments.extend(contour(part.map(node), level));
@@ -46,7 +47,7 @@ impl FlowResults {
         }
         for (triangle, adjoins) in self.shown.adjoins.iter().enumerate() {
             for (corner, adjoins) in adjoins.iter().enumerate() {
-                let Adjoins::Soil { triangle: other, corner: there } = *adjoins else { continue };
+                let Adjoins::Soil(Side { triangle: other, corner: there }) = *adjoins else { continue };
                 if (triangle, corner) < (other, there) {
                     let ends = self.ends(triangle, corner);
                     let [c, b, a] = self.on_edge(other, there);
@@ -63,10 +64,10 @@ impl FlowResults {
     #[must_use]
     pub fn moving_ground(&self, level: f64) -> Vec<Stretch> {
         let level = level * self.speed();
-        let faces = face_sides(&self.statement);
-        let at_structure: Vec<Point> = faces
-            .iter()
-            .flat_map(|s| walked(&self.statement, *s))
+        let ends = |s: LineUse| self.statement.lines[s.line].walked(s.forward);
+        let at_structure: Vec<Point> = face_sides(&self.statement)
+            .into_iter()
+            .flat_map(ends)
             .map(|p| self.statement.points[p])
             .collect();
         let mut walks: Vec<Segment> = Vec::new();
@@ -75,7 +76,7 @@ impl FlowResults {
                 let Adjoins::Boundary { condition, .. } = self.shown.adjoins[triangle][corner] else {
                     continue;
                 };
-                if !matches!(condition, Condition::Free | Condition::Loaded { .. }) {
+                if !condition.traction_is_given() {
                     continue;
                 }
                 let at_rest = [[0.0; 2]; 3];
@@ -114,10 +115,6 @@ fn speed(v: Point) -> f64 {
     v[0].hypot(v[1])
 }
 
-fn between(a: Point, b: Point, s: f64) -> Point {
-    [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]
-}
-
 fn near(a: Point, b: Point) -> bool {
     (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) < 1e-9
 }
@@ -135,7 +132,7 @@ fn contour(nodes: [(Point, f64); 3], level: f64) -> Option<Segment> {
         if (f < level) != (g < level) {
             // From the lower end, so that both sides of an edge find the same point.
             let ((p, f), (q, g)) = if f < g { ((p, f), (q, g)) } else { ((q, g), (p, f)) };
-            ends.push(between(p, q, (level - f) / (g - f)));
+            ends.push(along(p, q, (level - f) / (g - f)));
         }
     }
     <[Point; 2]>::try_from(ends).ok()
@@ -158,7 +155,7 @@ fn one_moves([a, b]: Segment, sides: [[Point; 3]; 2], level: f64) -> Vec<Segment
             let at = 0.5 * (cut[0] + cut[1]);
             let [first, second] = ends.map(|[f, g]| f + at * (g - f) >= level);
             if first != second {
-                let [from, to] = [cut[0], cut[1]].map(|s| between(a, b, 0.5 * (half as f64 + s)));
+                let [from, to] = [cut[0], cut[1]].map(|s| along(a, b, 0.5 * (half as f64 + s)));
                 match parts.last_mut() {
                     Some(last) if last[1] == from => last[1] = to,
                     _ => parts.push([from, to]),

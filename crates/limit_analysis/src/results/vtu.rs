@@ -1,17 +1,17 @@
 //! Solutions for ParaView.
 
-use soilctl_certificate::{Material, Statement};
+use soilctl_certificate::{FlowPiece, Material, Statement};
 
 use super::Point;
 use super::finder::{at, centroid};
 use super::flow::{FlowResults, area, value};
 use super::stress::{Principal, StressResults};
 use super::units::Units;
+use super::vtu_file::{Field, write};
 use super::work::shear_work;
 use crate::error::LimitError;
-use crate::mesh::files::{Encoding, Field, Layout, Vtu};
-use crate::mesh::{Mesh, Triangle};
-use crate::problem::value as linear;
+use crate::mesh::Mesh;
+use crate::vector::along;
 
 /// Where fields are looked up: this part of the way from a node to the middle of its cell, so that next to a jump the
 /// cell's own side counts.
@@ -29,7 +29,7 @@ const INWARD: f64 = 1e-6;
 ///
 /// # Errors
 ///
-/// [`LimitError::File`] if a number is too large to be written; [`LimitError::NotCovered`] without flow and stress.
+/// [`LimitError::NotFinite`] if a number is too large to be written; [`LimitError::NotCovered`] without flow and stress.
 pub fn write_vtu(
     flow: Option<&FlowResults>,
     stress: Option<&StressResults>,
@@ -43,29 +43,21 @@ pub fn write_vtu(
             return Err(LimitError::NotCovered { what, advice: "give one of them" });
         }
     };
-    let points: Vec<[Point; 6]> = mesh.triangles.iter().map(|t| six(&mesh, t)).collect();
-    let mut columns: Vec<Column> = Vec::new();
+    let points: Vec<[Point; 6]> = (0..mesh.triangles.len()).map(|t| six(&mesh.corners(t))).collect();
+    let mut columns: Vec<Field> = Vec::new();
     let mut cells = soil(statement, &mesh);
     if let Some(flow) = flow {
         let velocities = flow.pieces().iter().flat_map(|pieces| six_velocities(pieces)).flatten();
-        columns.push(Column { name: "velocity", components: 2, values: velocities.collect() });
+        columns.push(Field { name: "velocity", components: 2, values: velocities.collect() });
         let mean = |of: Vec<Vec<f64>>, factor: f64| {
             let pieces = flow.pieces().iter().zip(of);
             pieces.map(|(p, values)| factor * mean(p.iter().map(area).zip(values))).collect()
         };
         let power = units.stress / units.length;
-        cells.push(Column { name: "dissipation", components: 1, values: mean(flow.dissipation(), power) });
-        cells.push(Column {
-            name: "shear_rate",
-            components: 1,
-            values: mean(flow.shear_rate(), 1.0 / units.length),
-        });
+        cells.push(Field::scalar("dissipation", mean(flow.dissipation(), power)));
+        cells.push(Field::scalar("shear_rate", mean(flow.shear_rate(), 1.0 / units.length)));
         if let Some(stress) = stress {
-            cells.push(Column {
-                name: "shear_work",
-                components: 1,
-                values: mean(shear_work(flow, stress), power),
-            });
+            cells.push(Field::scalar("shear_work", mean(shear_work(flow, stress), power)));
         }
     }
     if let Some(stress) = stress {
@@ -82,42 +74,22 @@ pub fn write_vtu(
     for v in &mut mesh.vertices {
         v.position = units.point(v.position);
     }
-    let (points, cells): (Vec<Field>, Vec<Field>) =
-        (columns.iter().map(Column::field).collect(), cells.iter().map(Column::field).collect());
-    let file = Vtu {
-        mesh: &mesh,
-        layout: Layout::Quadratic,
-        point_data: &points,
-        cell_data: &cells,
-        encoding: Encoding::Base64,
-    };
-    Ok(file.write()?)
+    write(&mesh, &columns, &cells)
 }
 
-struct Column {
-    name: &'static str,
-    components: usize,
-    values: Vec<f64>,
-}
-
-impl Column {
-    fn field(&self) -> Field<'_> {
-        Field { name: self.name, components: self.components, values: &self.values }
-    }
-}
-
-fn soil(statement: &Statement, mesh: &Mesh) -> Vec<Column> {
+fn soil(statement: &Statement, mesh: &Mesh) -> Vec<Field> {
     let of = |name, value: fn(&Material, Point) -> f64| {
-        let values = mesh.triangles.iter().map(|t| {
-            let middle = centroid(&t.corners.map(|v| mesh.vertices[v].position));
-            value(&statement.regions[t.region].material, middle)
-        });
-        Column { name, components: 1, values: values.collect() }
+        let values = mesh
+            .triangles
+            .iter()
+            .enumerate()
+            .map(|(i, t)| value(&statement.regions[t.region].material, centroid(&mesh.corners(i))));
+        Field::scalar(name, values.collect())
     };
     vec![
         of("phi_deg", |m, _| m.phi_deg),
         of("unit_weight", |m, _| m.unit_weight),
-        of("cohesion", |m, p| linear(&m.cohesion, p).max(0.0)),
+        of("cohesion", |m, p| m.cohesion.at(p).max(0.0)),
     ]
 }
 
@@ -125,17 +97,12 @@ fn soil(statement: &Statement, mesh: &Mesh) -> Vec<Column> {
 const SIX: [[f64; 3]; 6] =
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]];
 
-fn six(mesh: &Mesh, t: &Triangle) -> [Point; 6] {
-    let v = t.corners.map(|c| mesh.vertices[c].position);
-    let middle = centroid(&v);
-    SIX.map(|l| {
-        let p = at(&v, l);
-        [0, 1].map(|axis| p[axis] + INWARD * (middle[axis] - p[axis]))
-    })
+fn six(v: &[Point; 3]) -> [Point; 6] {
+    SIX.map(|l| along(at(v, l), centroid(v), INWARD))
 }
 
 /// Velocities at the same six points.
-fn six_velocities(pieces: &[soilctl_certificate::FlowPiece]) -> [Point; 6] {
+fn six_velocities(pieces: &[FlowPiece]) -> [Point; 6] {
     match pieces {
         [whole] => SIX.map(|l| value(&whole.control, l)),
         // Part k lies at edge k, from corner k + 1 to corner k + 2; edge 2 comes first.
@@ -152,7 +119,7 @@ fn mean(values: impl Iterator<Item = (f64, f64)>) -> f64 {
     sum / weight
 }
 
-fn stresses(stress: &StressResults, points: &[[Point; 6]], unit: f64) -> Vec<Column> {
+fn stresses(stress: &StressResults, points: &[[Point; 6]], unit: f64) -> Vec<Field> {
     let (mut tensors, mut major, mut minor) = (Vec::new(), Vec::new(), Vec::new());
     let mut found = 0;
     for p in points.iter().flatten() {
@@ -166,8 +133,8 @@ fn stresses(stress: &StressResults, points: &[[Point; 6]], unit: f64) -> Vec<Col
         minor.push(principal.minor);
     }
     vec![
-        Column { name: "stress", components: 9, values: tensors },
-        Column { name: "principal_major", components: 1, values: major },
-        Column { name: "principal_minor", components: 1, values: minor },
+        Field { name: "stress", components: 9, values: tensors },
+        Field::scalar("principal_major", major),
+        Field::scalar("principal_minor", minor),
     ]
 }

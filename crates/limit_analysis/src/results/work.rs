@@ -4,7 +4,6 @@ use super::finder::centroid;
 use super::flow::{FlowResults, invariants, strain_rates};
 use super::strength::Strength;
 use super::stress::StressResults;
-use crate::problem::value;
 
 /// Power of shearing per area in the middle of each piece of each triangle of a flow (stress over time): the greatest shear
 /// stress that the soil bears at the mean effective stress of the lower bound's stress field, `c cos(phi) - p sin(phi)`,
@@ -22,7 +21,7 @@ pub fn shear_work(flow: &FlowResults, stress: &StressResults) -> Vec<Vec<f64>> {
         let Some((near, [xx, yy, _])) = stress.stress_from(p, found) else { return 0.0 };
         found = near;
         let material = flow.material(triangle);
-        let mean = 0.5 * (xx + yy) + value(&material.pore_pressure, p);
+        let mean = 0.5 * (xx + yy) + material.pore_pressure.at(p);
         Strength::of_soil(material).shear(mean, p) * invariants(rate)[1]
     };
     let all = flow.pieces().iter().enumerate();

@@ -4,7 +4,7 @@ use super::Builder;
 use super::strength::over_triangle;
 use crate::form::Form;
 use crate::lower::macro_element::{Curvature, curvatures};
-use crate::problem::value;
+use crate::vector::{centroid, twice_area};
 
 /// `exx - eyy` and `2 exy` from the second derivatives of the stream function.
 pub(crate) fn shear_rates(c: &Curvature) -> [[f64; 12]; 2] {
@@ -19,13 +19,12 @@ impl Builder<'_> {
     pub(super) fn add_stream(&mut self, triangle: usize, copies: [usize; 3]) {
         let v = self.ground.corners(triangle);
         let soil = self.ground.soil(triangle);
-        let centre = [(v[0][0] + v[1][0] + v[2][0]) / 3.0, (v[0][1] + v[1][1] + v[2][1]) / 3.0];
-        let area =
-            0.5 * ((v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[1][1] - v[0][1]) * (v[2][0] - v[0][0]));
+        let centre = centroid(&v);
+        let area = 0.5 * twice_area(v);
         let h = (2.0 * area).sqrt();
         let local = self.stream.local(triangle, copies);
         let curvature = curvatures(&v, [false; 3]);
-        let cohesion = |p: [f64; 2]| value(&soil.cohesion, p).max(0.0);
+        let cohesion = |p: [f64; 2]| soil.cohesion.at(p).max(0.0);
         let mut at_centre = 0.0;
         for (k, part) in curvature.iter().enumerate() {
             let [a, b, c] = over_triangle([v[(k + 1) % 3], v[(k + 2) % 3], centre].map(cohesion));

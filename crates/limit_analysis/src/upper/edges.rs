@@ -1,6 +1,6 @@
 //! What happens at the edges of triangles: jumps, faces and loads.
 
-use soilctl_certificate::{Condition, Objective};
+use soilctl_certificate::{Condition, Objective, Place, Side};
 
 use super::Builder;
 use super::ground::Edge;
@@ -8,9 +8,6 @@ use super::nodes::Element;
 use super::slide::Slide;
 use super::strength::{Limit, over_edge};
 use crate::form::Form;
-use crate::mesh::Place;
-use crate::problem::value;
-use crate::topology::Side;
 
 type Ends = [f64; 2];
 
@@ -86,7 +83,7 @@ impl Builder<'_> {
         let ends = self.ground.ends(side);
         let limit = Limit::around(soil, &ends);
         let radius = matches!(limit, Limit::Tension(_)).then(|| ends.map(|p| limit.radius(soil, p)));
-        let water = ends.map(|p| value(&soil.pore_pressure, p));
+        let water = ends.map(|p| soil.pore_pressure.at(p));
         let layer = Layer { tan: soil.tan, tension: ends.map(|p| limit.tension(soil, p)), water, radius };
         self.add_layer(&layer, &jump, length);
     }
@@ -111,7 +108,7 @@ impl Builder<'_> {
         if self.ground.is_clay(side.triangle) && tan == 0.0 && adhesion > 0.0 {
             return self.add_adhesion(&relative, adhesion * length / 3.0);
         }
-        let water = self.ground.ends(side).map(|p| value(&self.ground.soil(side.triangle).pore_pressure, p));
+        let water = self.ground.ends(side).map(|p| self.ground.soil(side.triangle).pore_pressure.at(p));
         let layer = Layer { tan, tension: [tension; 2], water, radius: None };
         self.add_layer(&layer, &relative, length);
     }
@@ -164,8 +161,8 @@ impl Builder<'_> {
         let corners = self.ground.mesh.triangles[side.triangle].corners;
         [1, 2].map(|i| match self.ground.mesh.vertices[corners[(side.corner + i) % 3]].place {
             Place::OnLine { s, .. } => from + s * (to - from),
-            Place::Corner(point) if self.ground.problem.outline.lines[used.line].from == point => from,
-            Place::Corner(_) | Place::Inside => to,
+            Place::Corner { point } if self.ground.problem.statement().lines[used.line].from == point => from,
+            Place::Corner { .. } | Place::Inside => to,
         })
     }
 

@@ -1,12 +1,11 @@
 //! What there is on both sides of an edge.
 
-use soilctl_certificate::Condition;
+use soilctl_certificate::{Condition, Side};
 
 use crate::mesh::Mesh;
-use crate::problem::{Problem, Soil, value};
-use crate::topology::{Side, Topology};
-
-type Point = [f64; 2];
+use crate::problem::{Problem, Soil};
+use crate::topology::Topology;
+use crate::vector::{Point, midpoint};
 
 /// A problem on a mesh.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +39,7 @@ impl<'a> Ground<'a> {
     }
 
     pub(crate) fn corners(&self, triangle: usize) -> [Point; 3] {
-        self.mesh.triangles[triangle].corners.map(|c| self.mesh.vertices[c].position)
+        self.mesh.corners(triangle)
     }
 
     /// Ends of an edge, as the triangle's sense of rotation goes.
@@ -74,10 +73,10 @@ impl<'a> Ground<'a> {
     /// The region of less friction, or else of less cohesion.
     fn weaker(&self, side: Side, here: usize, there: usize) -> usize {
         let [a, b] = self.ends(side);
-        let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        let middle = midpoint(a, b);
         let of = |region: usize| {
             let soil = &self.problem.soils[region];
-            (soil.tan, value(&soil.cohesion, middle))
+            (soil.tan, soil.cohesion.at(middle))
         };
         let ((tan, cohesion), (other_tan, other_cohesion)) = (of(here), of(there));
         if tan < other_tan || (tan == other_tan && cohesion <= other_cohesion) { here } else { there }

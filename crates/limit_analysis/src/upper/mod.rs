@@ -18,7 +18,7 @@ mod strength;
 mod tests;
 mod walls;
 
-use soilctl_certificate::{Flow, Objective, UpperField, Velocity as Saved};
+use soilctl_certificate::{Flow, Objective, Side, UpperField, Velocity as Saved};
 
 pub(crate) use clay::shear_rates;
 pub(crate) use ground::{Edge, Ground};
@@ -31,12 +31,12 @@ use nodes::Elements;
 use power::{Power, live_size, objective_unit};
 use stream::StreamFunction;
 
-use crate::fields::Point;
 use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::program::{Cone, Program};
-use crate::topology::{Side, Topology};
+use crate::topology::Topology;
+use crate::vector::{Point, distance};
 
 /// Velocity of a node.
 pub(crate) type Velocity = [Form; 2];
@@ -158,7 +158,7 @@ impl Upper {
         };
         let (stream, walls) = self.stream.saved(x);
         let flows = self.elements.iter().enumerate().map(flow).collect();
-        UpperField { mesh: crate::saved_mesh(mesh), flows, velocities, stream, walls }
+        UpperField { mesh: mesh.saved(), flows, velocities, stream, walls }
     }
 }
 
@@ -173,7 +173,7 @@ impl Builder<'_> {
             }
             let side = Side { triangle, corner: i - 3 };
             let [p, q] = self.ground.ends(side);
-            let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+            let length = distance(q, p);
             let [tx, ty] = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
             let slide = self.stream_slide(side, copies);
             let (slip, opening) = (&slide.slip[1], &slide.opening[1]);

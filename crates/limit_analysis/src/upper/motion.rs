@@ -9,6 +9,7 @@ use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::program::Program;
+use crate::vector::{between, distance};
 
 /// A triangle and its control points.
 type Quadratic = (usize, [usize; 6]);
@@ -93,11 +94,7 @@ pub(super) fn motions(
             [] => Motion::Free { x: program.unknown(), y: program.unknown() },
             [line, more @ ..] if more.iter().all(|other| in_line(problem, *line, *other)) => {
                 let [p, q] = problem.ends(*line);
-                Motion::Slide {
-                    line: *line,
-                    index: program.unknown(),
-                    unit: 1.0 / (p[0] - q[0]).hypot(p[1] - q[1]),
-                }
+                Motion::Slide { line: *line, index: program.unknown(), unit: 1.0 / distance(p, q) }
             }
             _ => Motion::Still,
         })
@@ -186,8 +183,8 @@ fn hold_notches(ground: &Ground, nodes: &[Quadratic], fixed: &mut [bool]) {
 }
 
 pub(super) fn corner_angle(mesh: &Mesh, (triangle, k): (usize, usize)) -> f64 {
-    let v = mesh.triangles[triangle].corners.map(|c| mesh.vertices[c].position);
+    let v = mesh.corners(triangle);
     let (p, q, r) = (v[k], v[(k + 1) % 3], v[(k + 2) % 3]);
-    let (a, b) = ([q[0] - p[0], q[1] - p[1]], [r[0] - p[0], r[1] - p[1]]);
+    let (a, b) = (between(p, q), between(p, r));
     (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
 }

@@ -1,10 +1,9 @@
 //! Control points of quadratic flows and vertex copies of stream functions: which triangles share them.
 
-use soilctl_certificate::Condition;
+use soilctl_certificate::{Condition, Side};
 
 use super::ground::{Edge, Ground};
 use super::motion::corner_angle;
-use crate::topology::Side;
 
 /// What the flow on a triangle is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,8 +3,9 @@
 use soilctl_certificate::{Condition, Objective};
 
 use crate::form::Form;
-use crate::problem::{Problem, Soil, value};
+use crate::problem::{Problem, Soil};
 use crate::singular::{open_height, typical_length};
+use crate::vector::distance;
 
 /// A linear function of many unknowns, quick to add to.
 #[derive(Debug, Clone, Default)]
@@ -67,7 +68,7 @@ pub(super) fn live_size(problem: &Problem) -> f64 {
                 Condition::Loaded { pressure, shear, live: true } => {
                     let [p, q] = problem.ends(b.line);
                     let sum: f64 = pressure.iter().chain(&shear).map(|x| x.abs()).sum();
-                    0.5 * sum * (p[0] - q[0]).hypot(p[1] - q[1])
+                    0.5 * sum * distance(p, q)
                 }
                 _ => 0.0,
             };
@@ -97,7 +98,7 @@ pub(super) fn objective_unit(problem: &Problem, live: f64) -> f64 {
     let statement = problem.statement();
     let length = typical_length(problem);
     let at_corners = |material: &soilctl_certificate::Material| {
-        statement.points.iter().map(|p| value(&material.cohesion, *p)).fold(0.0, f64::max)
+        statement.points.iter().map(|p| material.cohesion.at(*p)).fold(0.0, f64::max)
     };
     let on_side = |c: Condition| match c {
         Condition::Loaded { pressure, live, .. } if !(live && statement.objective == Objective::Loads) => {

@@ -4,11 +4,11 @@ use super::nodes::Element;
 use super::strength::{Limit, over_triangle};
 use super::{Builder, Velocity};
 use crate::form::Form;
-use crate::problem::value;
+use crate::vector::twice_area;
 
 /// Gradients at corner `k` of the Bernstein polynomials that belong to the control points.
 pub(crate) fn gradients(v: &[[f64; 2]; 3], k: usize) -> [[f64; 2]; 6] {
-    let double = (v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[1][1] - v[0][1]) * (v[2][0] - v[0][0]);
+    let double = twice_area(*v);
     let g: [[f64; 2]; 3] = std::array::from_fn(|i| {
         let (a, b) = (v[(i + 1) % 3], v[(i + 2) % 3]);
         [(a[1] - b[1]) / double, (b[0] - a[0]) / double]
@@ -28,13 +28,12 @@ impl Builder<'_> {
     pub(super) fn add_quadratic(&mut self, triangle: usize, nodes: [usize; 6]) {
         let v = self.ground.corners(triangle);
         let soil = self.ground.soil(triangle);
-        let area =
-            0.5 * ((v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[1][1] - v[0][1]) * (v[2][0] - v[0][0]));
+        let area = 0.5 * twice_area(v);
         let h = (2.0 * area).sqrt();
         let limit = Limit::around(soil, &v);
         let tension = over_triangle(v.map(|p| limit.tension(soil, p)));
         let radius = over_triangle(v.map(|p| limit.radius(soil, p)));
-        let water = over_triangle(v.map(|p| value(&soil.pore_pressure, p)));
+        let water = over_triangle(v.map(|p| soil.pore_pressure.at(p)));
         for k in 0..3 {
             let g = gradients(&v, k);
             let [mut volume, mut difference, mut shear] = [Form::default(), Form::default(), Form::default()];

@@ -1,15 +1,14 @@
 //! The stream function of soil without friction: `v = (s_y, -s_x)`, on the same element as the stress function of the
 //! lower bound. No volume changes and nothing jumps, whatever the unknowns are.
 
-use soilctl_certificate::{LineUse, StreamCopy, StreamJet};
+use soilctl_certificate::{LineUse, Place, Side, StreamCopy, StreamJet};
 
 use super::ground::{Edge, Ground};
 use super::nodes::Element;
 use super::walls::{WallSide, wall_sides};
 use crate::form::Form;
-use crate::mesh::Place;
 use crate::program::Program;
-use crate::topology::Side;
+use crate::vector::distance;
 
 /// What is known about a vertex copy; the same kinds as [`StreamJet`].
 #[derive(Debug, Clone)]
@@ -82,7 +81,7 @@ impl StreamFunction {
                 let side = Side { triangle, corner };
                 let other = ground.topology.across[triangle][corner];
                 let [p, q] = ground.ends(side);
-                let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+                let length = distance(q, p);
                 stream.slopes[triangle][corner] = match (ground.edge(side), other) {
                     (Edge::Boundary(c), _) if is_holding(c) => continue,
                     (Edge::Glued, Some(o)) if o.triangle < triangle => {
@@ -134,8 +133,8 @@ fn is_holding(condition: soilctl_certificate::Condition) -> bool {
 fn way(ground: &Ground, place: Place, line: usize) -> f64 {
     match place {
         Place::OnLine { s, .. } => s,
-        Place::Corner(point) if ground.problem.outline.lines[line].from == point => 0.0,
-        Place::Corner(_) | Place::Inside => 1.0,
+        Place::Corner { point } if ground.problem.statement().lines[line].from == point => 0.0,
+        Place::Corner { .. } | Place::Inside => 1.0,
     }
 }
 
@@ -191,8 +190,7 @@ fn sides_at(
     for (triangle, element) in elements.iter().enumerate() {
         let Element::Stream(corners) = element else { continue };
         for k in 0..3 {
-            let Some(line) = ground.topology.line[triangle][k] else { continue };
-            let side = LineUse { line: line.line, forward: line.forward };
+            let Some(side) = ground.topology.line[triangle][k] else { continue };
             let Some(wall) = sides.get(&side) else { continue };
             for copy in [corners[(k + 1) % 3], corners[(k + 2) % 3]] {
                 if !used[copy].contains(&side) {
@@ -213,7 +211,7 @@ fn sizes(ground: &Ground, elements: &[Element], copies: usize) -> Vec<f64> {
         for corner in 0..3 {
             let [p, q] = ground.ends(Side { triangle, corner });
             for copy in [corners[(corner + 1) % 3], corners[(corner + 2) % 3]] {
-                sums[copy].0 += (p[0] - q[0]).hypot(p[1] - q[1]);
+                sums[copy].0 += distance(p, q);
                 sums[copy].1 += 1.0;
             }
         }

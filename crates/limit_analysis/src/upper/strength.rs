@@ -4,9 +4,8 @@
 //! of the cone's apex makes it at most `t e + Q max(g - e, 0)`, with `Q` the radius of Mohr's circle where both limits meet.
 //! The water in the pores adds `-u e`.
 
-use crate::problem::{Soil, value};
-
-type Point = [f64; 2];
+use crate::problem::Soil;
+use crate::vector::Point;
 
 /// Which of the two limits counts. Not both: the bound is the lesser one for a whole triangle or edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +17,7 @@ pub(crate) enum Limit {
 impl Limit {
     /// The lower limit around some points.
     pub(crate) fn around(soil: &Soil, points: &[Point]) -> Self {
-        let cohesion: f64 = points.iter().map(|p| value(&soil.cohesion, *p)).sum();
+        let cohesion: f64 = points.iter().map(|p| soil.cohesion.at(*p)).sum();
         match soil.cut_off {
             Some(t) if t * points.len() as f64 <= cohesion / soil.tan => Self::Tension(t),
             _ => Self::Apex,
@@ -37,9 +36,7 @@ impl Limit {
     pub(crate) fn radius(self, soil: &Soil, p: Point) -> f64 {
         match self {
             Self::Apex => 0.0,
-            Self::Tension(t) => {
-                ((value(&soil.cohesion, p) * soil.cos - t * soil.sin) / (1.0 - soil.sin)).max(0.0)
-            }
+            Self::Tension(t) => ((soil.cohesion.at(p) * soil.cos - t * soil.sin) / (1.0 - soil.sin)).max(0.0),
         }
     }
 }

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use soilctl_certificate::{Boundary, Condition, LineUse};
 
 use crate::problem::Problem;
+use crate::vector::between;
 
 /// A side of a wall.
 #[derive(Debug, Clone, Copy)]
@@ -37,19 +38,21 @@ impl WallSide {
 /// The sides of all walls, and how many walls there are.
 pub(super) fn wall_sides(problem: &Problem) -> (BTreeMap<LineUse, WallSide>, usize) {
     let mut sides = BTreeMap::new();
-    let runs = runs(problem);
+    let in_clay = |b: &Boundary| {
+        b.condition.is_wall() && problem.owner(b.side()).is_some_and(|r| !problem.soils[r].has_friction())
+    };
+    let runs = problem.statement().runs(in_clay);
     for (wall, run) in runs.iter().enumerate() {
         let mut start = 0.0;
-        for side in run {
+        for side in &run.sides {
             let [p, q] = problem.ends(side.line);
-            let condition =
-                problem.condition(crate::mesh::LineUse { line: side.line, forward: side.forward });
+            let condition = problem.condition(*side);
             let moves = matches!(condition, Some(Condition::Face { .. }));
             let here = WallSide {
                 wall,
                 line: side.line,
                 forward: side.forward,
-                direction: [q[0] - p[0], q[1] - p[1]],
+                direction: between(p, q),
                 velocity: if moves { problem.velocity() } else { [0.0; 2] },
                 holds: matches!(condition, Some(Condition::Fixed | Condition::Far)),
                 start,
@@ -59,73 +62,4 @@ pub(super) fn wall_sides(problem: &Problem) -> (BTreeMap<LineUse, WallSide>, usi
         }
     }
     (sides, runs.len())
-}
-
-/// For each side of a line that a region has, the region and the side that follows in its loop.
-fn following(problem: &Problem) -> BTreeMap<LineUse, (usize, LineUse)> {
-    let mut following = BTreeMap::new();
-    for (region, r) in problem.statement().regions.iter().enumerate() {
-        for uses in &r.loops {
-            for (i, side) in uses.iter().enumerate() {
-                following.insert(*side, (region, uses[(i + 1) % uses.len()]));
-            }
-        }
-    }
-    following
-}
-
-fn is_wall(condition: Condition) -> bool {
-    match condition {
-        Condition::Fixed | Condition::Far | Condition::Smooth => true,
-        Condition::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion > 0.0,
-        Condition::Free | Condition::Loaded { .. } => false,
-    }
-}
-
-/// Runs of wall sides in the order of the least index of their sides among the boundaries; a closed one starts there.
-fn runs(problem: &Problem) -> Vec<Vec<LineUse>> {
-    let boundaries = &problem.statement().boundaries;
-    let following = following(problem);
-    let in_clay = |b: &&Boundary| {
-        is_wall(b.condition)
-            && following.get(&b.side()).is_some_and(|(r, _)| !problem.soils[*r].has_friction())
-    };
-    let index: BTreeMap<LineUse, usize> =
-        boundaries.iter().filter(in_clay).enumerate().map(|(i, b)| (b.side(), i)).collect();
-    let on_boundary: BTreeMap<LineUse, ()> = boundaries.iter().map(|b| (b.side(), ())).collect();
-    // The wall side that is reached along the soil, across the interfaces that end between the two.
-    let next = |side: LineUse| {
-        let mut here = following.get(&side)?.1;
-        for _ in 0..2 * problem.outline.lines.len() {
-            if on_boundary.contains_key(&here) {
-                return Some(here).filter(|h| index.contains_key(h));
-            }
-            here = following.get(&LineUse { line: here.line, forward: !here.forward })?.1;
-        }
-        None
-    };
-    let mut sides: Vec<(usize, LineUse)> = index.iter().map(|(side, i)| (*i, *side)).collect();
-    sides.sort_unstable();
-    let mut is_led_to = vec![false; sides.len()];
-    for to in sides.iter().filter_map(|(_, side)| next(*side)) {
-        is_led_to[index[&to]] = true;
-    }
-    let mut done = vec![false; sides.len()];
-    let mut runs = Vec::new();
-    // Runs with a start first; what is left is closed.
-    for start in sides.iter().filter(|s| !is_led_to[s.0]).chain(&sides) {
-        let (mut run, mut least) = (Vec::new(), usize::MAX);
-        let mut here = Some(start.1);
-        while let Some(side) = here.filter(|s| !done[index[s]]) {
-            done[index[&side]] = true;
-            least = least.min(index[&side]);
-            run.push(side);
-            here = next(side);
-        }
-        if !run.is_empty() {
-            runs.push((least, run));
-        }
-    }
-    runs.sort();
-    runs.into_iter().map(|(_, run)| run).collect()
 }

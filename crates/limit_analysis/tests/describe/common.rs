@@ -1,6 +1,5 @@
 use soilctl_certificate::{
-    CertificateError, Condition, Linear, LowerField, Mesh, Objective, Statement, UpperField, prove_lower,
-    prove_upper,
+    CertificateError, Condition, LowerField, Mesh, Objective, Statement, UpperField, prove_lower, prove_upper,
 };
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::{Described, RegionEntry, SoilEntry};
@@ -53,10 +52,6 @@ pub(crate) fn described(description: &Description) -> Described {
     }
     meshed.problem().unwrap();
     described
-}
-
-pub(crate) fn value(linear: &Linear, p: [f64; 2]) -> f64 {
-    linear.at_origin + linear.gradient[0] * p[0] + linear.gradient[1] * p[1]
 }
 
 /// Total length of the sides with a condition, in the units of the statement.

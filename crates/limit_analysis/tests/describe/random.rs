@@ -7,7 +7,7 @@ use soilctl_limit_analysis::describe::{
 };
 use soilctl_limit_analysis::{Description, DescriptionError, LimitError};
 
-use crate::common::{area, refusals, value};
+use crate::common::{area, refusals};
 
 const LOW: f64 = -10.0;
 const WIDTH: f64 = 20.0;
@@ -190,7 +190,7 @@ proptest! {
                 prop_assert_eq!(around(s, found[0], at), 1);
                 let m = s.regions[found[0]].material;
                 prop_assert_eq!(m.phi_deg, 20.0 + layer as f64);
-                let pore = value(&m.pore_pressure, at) * described.stress_kpa;
+                let pore = m.pore_pressure.at(at) * described.stress_kpa;
                 let wanted = table.map_or(0.0, |y| 10.0 * (y - p[1]).max(0.0));
                 prop_assert!((pore - wanted).abs() < 1e-7, "{pore} for {wanted} at {p:?}");
             }

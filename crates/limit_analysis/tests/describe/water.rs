@@ -2,7 +2,7 @@ use soilctl_certificate::Condition;
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::{RegionEntry, Water};
 
-use crate::common::{corners, described, region, soil, value};
+use crate::common::{corners, described, region, soil};
 
 fn water(table: &[[f64; 2]]) -> Option<Water> {
     Some(Water { table: table.to_vec(), unit_weight_kn_m3: 10.0 })
@@ -36,7 +36,7 @@ fn pressure_below_a_bent_table_is_hydrostatic_and_none_above() {
                 wet += 1;
                 10.0 * (table(x) - y)
             };
-            let found = value(&r.material.pore_pressure, p) * found.stress_kpa;
+            let found = r.material.pore_pressure.at(p) * found.stress_kpa;
             assert!((found - expected).abs() < 1e-9, "at ({x}, {y}): {found} for {expected}");
         }
     }
@@ -80,7 +80,7 @@ fn level_ground_under_a_lake_is_free_under_its_pressure() {
     assert!((found.statement.surcharge * found.stress_kpa - 30.0).abs() < 1e-12);
     assert!(!found.statement.boundaries.iter().any(|b| matches!(b.condition, Condition::Loaded { .. })));
     let pore = found.statement.regions[0].material.pore_pressure;
-    assert!((value(&pore, [0.0, -1.0]) * found.stress_kpa - 50.0).abs() < 1e-9);
+    assert!((pore.at([0.0, -1.0]) * found.stress_kpa - 50.0).abs() < 1e-9);
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn a_pore_pressure_ratio_counts_the_weight_of_all_soil_above() {
     let s = &found.statement;
     for (i, r) in s.regions.iter().enumerate() {
         for p in corners(s, i) {
-            let kpa = value(&r.material.pore_pressure, p) * found.stress_kpa;
+            let kpa = r.material.pore_pressure.at(p) * found.stress_kpa;
             let depth = -p[1] * found.length_m;
             let expected = if r.material.pore_pressure.is_zero() { 0.0 } else { 0.4 * 18.0 * depth };
             assert!((kpa - expected).abs() < 1e-9, "{kpa} for {expected}");

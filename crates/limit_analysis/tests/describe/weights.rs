@@ -1,7 +1,7 @@
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::SoilEntry;
 
-use crate::common::{area, described, region, soil, value};
+use crate::common::{area, described, region, soil};
 
 fn heavy(name: &str, unit_weight_kn_m3: f64) -> SoilEntry {
     SoilEntry { unit_weight_kn_m3, ..soil(name, 30.0, 5.0) }
@@ -96,7 +96,7 @@ fn strength_that_grows_with_depth_is_linear() {
     let found = described(&Description::strip_footing(clay, 2.0, 0.0, 3.0));
     let cohesion = found.statement.regions[0].material.cohesion;
     for depth in [0.0, 1.0, 10.0] {
-        let kpa = value(&cohesion, [0.0, -depth / found.length_m]) * found.stress_kpa;
+        let kpa = cohesion.at([0.0, -depth / found.length_m]) * found.stress_kpa;
         assert!((kpa - (8.0 + 2.0 * depth)).abs() < 1e-12);
     }
 }

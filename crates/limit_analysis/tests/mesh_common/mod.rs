@@ -1,11 +1,36 @@
-//! Outlines to mesh, and what must be true of every mesh.
+//! Statements to mesh, and what must be true of every mesh.
 #![allow(dead_code)] // each test file uses part of it
 
 use std::collections::BTreeMap;
 
-use soilctl_limit_analysis::mesh::{
-    Fan, Guide, Line, LineUse, Mesh, MeshError, Outline, Place, RegionOutline, Request, generate,
-};
+use soilctl_certificate::{Line, LineUse, Linear, Material, Objective, Place, Region, Statement};
+use soilctl_limit_analysis::mesh::{Fan, Guide, Mesh, MeshError, Request, generate};
+
+/// A region of any soil: meshes depend on loops only.
+pub(crate) fn region(loops: Vec<Vec<LineUse>>) -> Region {
+    let material = Material {
+        phi_deg: 30.0,
+        cohesion: Linear::default(),
+        unit_weight: 1.0,
+        pore_pressure: Linear::default(),
+        tension: None,
+    };
+    Region { loops, material }
+}
+
+/// A statement of which only the geometry matters.
+pub(crate) fn statement(points: Vec<[f64; 2]>, lines: Vec<Line>, regions: Vec<Region>) -> Statement {
+    Statement {
+        points,
+        lines,
+        regions,
+        gravity: [0.0, -1.0],
+        datum: 0.0,
+        surcharge: 0.0,
+        objective: Objective::Loads,
+        boundaries: Vec::new(),
+    }
+}
 
 /// Lines through the given points, which close.
 fn ring(points: &[usize], lines: &mut Vec<Line>) -> Vec<LineUse> {
@@ -18,14 +43,14 @@ fn ring(points: &[usize], lines: &mut Vec<Line>) -> Vec<LineUse> {
 }
 
 /// One region, a polygon, counter-clockwise.
-pub(crate) fn polygon(points: &[[f64; 2]]) -> Outline {
+pub(crate) fn polygon(points: &[[f64; 2]]) -> Statement {
     let mut lines = Vec::new();
     let uses = ring(&(0..points.len()).collect::<Vec<_>>(), &mut lines);
-    Outline { points: points.to_vec(), lines, regions: vec![RegionOutline { loops: vec![uses] }] }
+    statement(points.to_vec(), lines, vec![region(vec![uses])])
 }
 
 /// The box [-3, 12] x [-3, 0] with a plate from the origin to its tip, a slit.
-pub(crate) fn plate(tip: [f64; 2]) -> Outline {
+pub(crate) fn plate(tip: [f64; 2]) -> Statement {
     let mut outline = polygon(&[[-3.0, -3.0], [12.0, -3.0], [12.0, 0.0], [0.0, 0.0], [-3.0, 0.0]]);
     outline.points.push(tip);
     outline.lines.push(Line { from: 3, to: 5 });
@@ -35,7 +60,7 @@ pub(crate) fn plate(tip: [f64; 2]) -> Outline {
 }
 
 /// A square with a square hole.
-pub(crate) fn holed() -> Outline {
+pub(crate) fn holed() -> Statement {
     let mut outline = polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
     outline.points.extend([[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0]]);
     let hole = ring(&[4, 5, 6, 7], &mut outline.lines);
@@ -44,7 +69,7 @@ pub(crate) fn holed() -> Outline {
 }
 
 /// Two regions side by side; the interface is line 3.
-pub(crate) fn two_regions() -> Outline {
+pub(crate) fn two_regions() -> Statement {
     let mut outline = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.3, 1.0], [0.0, 1.0]]);
     outline.lines.swap(1, 3); // the interface becomes line 3, from point 1 to point 2
     let forward = |line| LineUse { line, forward: true };
@@ -52,12 +77,12 @@ pub(crate) fn two_regions() -> Outline {
     outline.points.extend([[3.0, 0.0], [3.0, 1.0]]);
     outline.lines.extend([Line { from: 1, to: 4 }, Line { from: 4, to: 5 }, Line { from: 5, to: 2 }]);
     let right = vec![forward(4), forward(5), forward(6), LineUse { line: 3, forward: false }];
-    outline.regions.push(RegionOutline { loops: vec![right] });
+    outline.regions.push(region(vec![right]));
     outline
 }
 
 pub(crate) fn mesh(
-    outline: &Outline,
+    outline: &Statement,
     guides: &[Guide],
     size: &dyn Fn([f64; 2]) -> f64,
 ) -> Result<Mesh, MeshError> {
@@ -65,12 +90,12 @@ pub(crate) fn mesh(
 }
 
 pub(crate) fn mesh_with_fans(
-    outline: &Outline,
+    outline: &Statement,
     guides: &[Guide],
     fans: &[Fan],
     size: &dyn Fn([f64; 2]) -> f64,
 ) -> Result<Mesh, MeshError> {
-    generate(&Request { outline, guides, fans, size, max_triangles: 200_000 })
+    generate(&Request { statement: outline, guides, fans, size, max_triangles: 200_000 })
 }
 
 fn twice_area(p: [[f64; 2]; 3]) -> f64 {
@@ -78,13 +103,13 @@ fn twice_area(p: [[f64; 2]; 3]) -> f64 {
 }
 
 /// Checks everything that is promised of a mesh but its sizes and angles.
-pub(crate) fn check(outline: &Outline, mesh: &Mesh) {
+pub(crate) fn check(outline: &Statement, mesh: &Mesh) {
     check_areas(outline, mesh);
     check_places(outline, mesh);
     check_edges(outline, mesh);
 }
 
-fn check_areas(outline: &Outline, mesh: &Mesh) {
+fn check_areas(outline: &Statement, mesh: &Mesh) {
     let mut areas = vec![0.0; outline.regions.len()];
     for t in &mesh.triangles {
         let area = twice_area(t.corners.map(|v| mesh.vertices[v].position));
@@ -109,14 +134,14 @@ fn check_areas(outline: &Outline, mesh: &Mesh) {
     }
 }
 
-fn check_places(outline: &Outline, mesh: &Mesh) {
+fn check_places(outline: &Statement, mesh: &Mesh) {
     let mut used = vec![false; mesh.vertices.len()];
     mesh.triangles.iter().flat_map(|t| t.corners).for_each(|v| used[v] = true);
     assert!(used.iter().all(|u| *u), "a vertex is in no triangle");
     let mut on_lines = vec![0; outline.lines.len()];
     for v in &mesh.vertices {
         match v.place {
-            Place::Corner(point) => assert_eq!(v.position, outline.points[point]),
+            Place::Corner { point } => assert_eq!(v.position, outline.points[point]),
             Place::OnLine { line, s } => {
                 let ends = outline.lines[line];
                 let (a, b) = (outline.points[ends.from], outline.points[ends.to]);
@@ -130,8 +155,8 @@ fn check_places(outline: &Outline, mesh: &Mesh) {
     for (line, chain) in mesh.lines.iter().enumerate() {
         let place = |i: usize| mesh.vertices[chain[i]].place;
         let last = chain.len() - 1;
-        assert_eq!(place(0), Place::Corner(outline.lines[line].from));
-        assert_eq!(place(last), Place::Corner(outline.lines[line].to));
+        assert_eq!(place(0), Place::Corner { point: outline.lines[line].from });
+        assert_eq!(place(last), Place::Corner { point: outline.lines[line].to });
         assert_eq!(on_lines[line], last - 1, "vertices of line {line}");
         let mut before = 0.0;
         for i in 1..last {
@@ -144,7 +169,7 @@ fn check_places(outline: &Outline, mesh: &Mesh) {
 
 /// Every directed edge has one triangle, and its opposite another one of the same region, or it is on a line: then what
 /// is on either side is what the loops say.
-fn check_edges(outline: &Outline, mesh: &Mesh) {
+fn check_edges(outline: &Statement, mesh: &Mesh) {
     let mut left = BTreeMap::new();
     for t in &mesh.triangles {
         for i in 0..3 {
@@ -153,7 +178,7 @@ fn check_edges(outline: &Outline, mesh: &Mesh) {
         }
     }
     let region_of = |line, forward| {
-        let has = |r: &RegionOutline| r.loops.iter().flatten().any(|u| *u == LineUse { line, forward });
+        let has = |r: &Region| r.loops.iter().flatten().any(|u| *u == LineUse { line, forward });
         outline.regions.iter().position(has)
     };
     for edge in &mesh.guide_edges {

@@ -66,7 +66,7 @@ pub(super) fn check(statement: &Statement, field: &LowerField) {
                     if condition.shear_is_given() {
                         near(middle(s.between(t, n)), middle(outside), "shear", side);
                     }
-                    if matches!(condition, Condition::Free | Condition::Loaded { .. }) {
+                    if condition.traction_is_given() {
                         let ([pressure, shear], traction) = (loads[i], s.on(-n));
                         let [tx, ty] = [middle(t.x), middle(t.y)];
                         near(middle(traction.x), shear * tx - pressure * ty, "load x", side);

@@ -19,7 +19,7 @@ const PRESSURE: f64 = 1.5;
 fn mesh(problem: &Problem, size: f64, guides: &[Guide]) -> (Mesh, Topology) {
     let size = |_: [f64; 2]| size;
     let request =
-        Request { outline: &problem.outline, guides, fans: &[], size: &size, max_triangles: 10_000 };
+        Request { statement: problem.statement(), guides, fans: &[], size: &size, max_triangles: 10_000 };
     let mesh = generate(&request).unwrap();
     let topology = Topology::new(&mesh);
     (mesh, topology)

@@ -13,12 +13,13 @@ use soilctl_certificate::{Statement, prove_upper};
 
 use super::Upper;
 use crate::adapt::wanted_sizes;
-use crate::fields::{Piece, VelocityField, doubled_area};
+use crate::fields::{Piece, VelocityField};
 use crate::mesh::{Guide, Request, SizeField, generate};
 use crate::problem::Problem;
 use crate::solver::{self, Accuracy};
 use crate::start::Start;
 use crate::topology::Topology;
+use crate::vector::twice_area;
 
 /// A bound as it was proven, with what the program made of it.
 struct Found {
@@ -33,7 +34,7 @@ fn roughness(velocity: &VelocityField) -> Vec<f64> {
         let [a, b, c] = piece.rates;
         let far = |p: [f64; 4], q: [f64; 4]| (0..3).map(|i| (p[i] - q[i]).abs()).sum::<f64>();
         let [p, q, r] = piece.corners;
-        doubled_area(p, q, r) * (far(a, b) + far(b, c) + far(c, a))
+        twice_area([p, q, r]) * (far(a, b) + far(b, c) + far(c, a))
     };
     velocity.pieces.iter().map(|pieces| pieces.iter().map(of).sum()).collect()
 }
@@ -50,7 +51,7 @@ fn bounds(statement: &Statement, targets: &[usize]) -> Vec<Found> {
         let mut all = guides.clone();
         all.extend(bowl.guide());
         let request = Request {
-            outline: &problem.outline,
+            statement: problem.statement(),
             guides: &all,
             fans: &start.fans(level),
             size: &|p| sizes.as_ref().map_or_else(|| start.size(p), |f: &SizeField| f.size(p)),

@@ -140,7 +140,7 @@ impl Show {
                     "--mesh writes the mesh of the upper bound, and there is none".into(),
                 ));
             };
-            save(path, flow.msh()?.as_bytes())?;
+            save(path, flow.msh().as_bytes())?;
             files.push(path);
         }
         Ok(files.into_iter().map(|path| path.display().to_string()).collect())
