@@ -128,14 +128,15 @@ pub struct LowerField {
     /// One affine function for each run of free or loaded boundary, in the order of the least index of its sides in
     /// [`Statement::boundaries`](crate::Statement::boundaries). Along the run the stress function equals it plus what the
     /// loads demand. The first is zero. Any number of *branches* may follow: what the function has beyond itself on the way
-    /// around a body that carries a force.
-    pub chains: Vec<Chain>,
+    /// around a body that carries a force. Files call them chains.
+    #[serde(rename = "chains")]
+    pub gauges: Vec<Gauge>,
     /// For each line of the statement, the slope `grad f . n` at its start, `n` being `to - from` turned left. Only
-    /// used for lines of given shear on which no vertex copy belongs to a chain, and of a run of such lines that follow
+    /// used for lines of given shear on which no vertex copy belongs to a gauge, and of a run of such lines that follow
     /// each other in one direction only for the first, by its index in the statement's boundaries.
     pub lines: Vec<f64>,
     /// For each triangle edge, the slope across its middle, along the edge vector turned left (into the triangle); that
-    /// beyond the chain of its ends where these are relative to other chains in the triangle beyond.
+    /// beyond the gauge of its ends where these are relative to other gauges in the triangle beyond.
     pub slopes: Vec<[f64; 3]>,
     /// Horizontal normal stress, beyond the reference, in the soil below the level far lines.
     pub far_stress: f64,
@@ -154,10 +155,10 @@ pub struct VertexCopy {
     pub jet: Jet,
 }
 
-/// An affine function `constant + gradient . (x, y)`.
+/// An affine function `constant + gradient . (x, y)`, which carries no stress: a stress function is known up to one.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Chain {
+pub struct Gauge {
     /// Value at the origin.
     pub constant: f64,
     /// Slopes.
@@ -185,18 +186,20 @@ pub enum Gradient {
 }
 
 /// Value and slopes `(f, fx, fy)` of the stress function at a vertex copy, relative to the affine function of the
-/// chain `base`, or to nothing where there is no `base`.
+/// gauge `base`, or to nothing where there is no `base`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Jet {
-    /// Those of a chain at this place, loads included, exactly: the chain of the run, or a branch.
-    Chain {
-        /// Index of the chain.
-        chain: usize,
+    /// Those of a gauge at this place, loads included, exactly: the gauge of the run, or a branch.
+    #[serde(rename = "chain")]
+    Gauge {
+        /// Index of the gauge.
+        #[serde(rename = "chain")]
+        gauge: usize,
     },
     /// Any.
     Free {
-        /// Index of the chain.
+        /// Index of the gauge.
         base: usize,
         /// Value.
         f: f64,
@@ -208,7 +211,7 @@ pub enum Jet {
     /// Next to one apex `T`: with `r` from `T` to here, slopes are `3 f r/|r|^2 + turn (-r_y, r_x)`. On a line of
     /// given shear, `turn` is not used; the slope across the line replaces it.
     OneApex {
-        /// Index of the chain of the apex.
+        /// Index of the gauge of the apex.
         base: usize,
         /// Index of the vertex copy at the apex.
         apex: usize,
@@ -219,14 +222,14 @@ pub enum Jet {
     },
     /// Next to any number of apexes: slopes are `(0, 3 f/(y - datum))`.
     ManyApexes {
-        /// Index of the chain of the apexes.
+        /// Index of the gauge of the apexes.
         base: usize,
         /// Value.
         f: f64,
     },
     /// All zero.
     Zero {
-        /// Index of the chain.
+        /// Index of the gauge.
         base: usize,
     },
     /// On a line of given shear with slope `g` across: slopes are `g n/|n|^2 + along (n_y, -n_x)`.
@@ -246,10 +249,10 @@ pub enum Jet {
 }
 
 impl Jet {
-    /// The chain that the values are relative to; none where the slope across a line of given shear is part of them.
+    /// The gauge that the values are relative to; none where the slope across a line of given shear is part of them.
     pub(crate) fn base(self) -> Option<usize> {
         match self {
-            Self::Chain { chain: base }
+            Self::Gauge { gauge: base }
             | Self::Free { base, .. }
             | Self::OneApex { base, .. }
             | Self::ManyApexes { base, .. }
@@ -258,10 +261,10 @@ impl Jet {
         }
     }
 
-    /// The same relative to another chain, and next to another apex if next to one.
+    /// The same relative to another gauge, and next to another apex if next to one.
     pub(crate) fn on(self, base: usize, apex: usize) -> Self {
         match self {
-            Self::Chain { .. } => Self::Chain { chain: base },
+            Self::Gauge { .. } => Self::Gauge { gauge: base },
             Self::Free { f, fx, fy, .. } => Self::Free { base, f, fx, fy },
             Self::OneApex { f, turn, .. } => Self::OneApex { base, apex, f, turn },
             Self::ManyApexes { f, .. } => Self::ManyApexes { base, f },

@@ -245,7 +245,7 @@ mod upper;
 
 pub use error::CertificateError;
 pub use fields::{
-    Chain, Flow, Gradient, Jet, LowerField, StreamCopy, StreamJet, UpperField, Velocity, VertexCopy,
+    Flow, Gauge, Gradient, Jet, LowerField, StreamCopy, StreamJet, UpperField, Velocity, VertexCopy,
 };
 pub use lower::prove_lower;
 pub use mesh::{Mesh, Place, Side, Triangle, Vertex};

@@ -15,7 +15,7 @@ use crate::fields::{StressField, VelocityField, near};
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
 use crate::topology::Topology;
-use crate::upper::{Edge, Ground, Limit};
+use crate::upper::{Edge, Limit, MeshedProblem};
 use crate::vector::{Point, between, centroid, twice_area};
 
 /// The part of a convex polygon on the left of the line from `a` to `b`.
@@ -49,7 +49,7 @@ pub(crate) fn shares(
     velocity: &VelocityField,
     stress: &StressField,
 ) -> Vec<f64> {
-    let ground = &Ground { problem, mesh, topology };
+    let meshed = &MeshedProblem { problem, mesh, topology };
     let soils: Vec<Soil> = problem.soils.iter().map(|soil| soil.part(stress.part)).collect();
     let mut shares = vec![0.0; mesh.triangles.len()];
     let mut seen = vec![usize::MAX; stress.corners.len()];
@@ -60,7 +60,7 @@ pub(crate) fn shares(
         let centre = centroid(&v);
         let soil = &soils[t.region];
         let limit = velocity.limits[triangle];
-        let jumps = jumps(ground, &soils, stress.part, velocity, triangle);
+        let jumps = jumps(meshed, &soils, stress.part, velocity, triangle);
         found = near(&stress.corners, &stress.across, centre, found);
         let mut open = vec![found];
         seen[found] = triangle;
@@ -115,7 +115,7 @@ pub(crate) fn shares(
 
 /// What soil dissipates for each unit of dilation, and of the shear rate in [`Piece`](crate::fields::Piece).
 fn strength(soil: &Soil, limit: Limit, p: Point) -> [f64; 2] {
-    if !soil.keeps_volume {
+    if !soil.is_isochoric {
         [limit.tension(soil, p) - soil.pore_pressure.at(p), limit.radius(soil, p)]
     } else {
         [0.0, soil.cohesion.at(p).max(0.0)]
@@ -152,7 +152,7 @@ struct Jump {
 }
 
 fn jumps(
-    ground: &Ground,
+    meshed: &MeshedProblem,
     soils: &[Soil],
     part: f64,
     velocity: &VelocityField,
@@ -162,14 +162,14 @@ fn jumps(
         let side = Side { triangle, corner: k };
         let (a, b) = ((k + 1) % 3, (k + 2) % 3);
         let here = [a, 3 + k, b].map(|n| velocity.control[triangle][n]);
-        let ends = ground.ends(side);
-        let water = ends.map(|p| ground.soil(triangle).pore_pressure.at(p));
-        let (there, tension, radius, factor) = match ground.edge(side) {
+        let ends = meshed.ends(side);
+        let water = ends.map(|p| meshed.soil(triangle).pore_pressure.at(p));
+        let (there, tension, radius, factor) = match meshed.edge(side) {
             Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
                 let adhesion = part * adhesion;
                 let tension = if delta_deg > 0.0 { adhesion / delta_deg.to_radians().tan() } else { 0.0 };
                 let radius = if delta_deg > 0.0 { 0.0 } else { adhesion };
-                ([ground.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0)
+                ([meshed.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0)
             }
             Edge::Jump { other: o, region } => {
                 let on = |n: usize| velocity.control[o.triangle][n];

@@ -81,7 +81,6 @@
 
 mod adapt;
 mod bound;
-mod bowl;
 pub mod describe;
 mod error;
 mod fields;
@@ -91,6 +90,7 @@ mod gap;
 mod known;
 mod lower;
 pub mod mesh;
+mod mobile;
 mod plate;
 mod problem;
 mod program;

@@ -14,7 +14,7 @@ pub(crate) struct Soil {
     pub(crate) cos: f64,
     pub(crate) tan: f64,
     /// Without friction, and nowhere torn: a limit to tension lets soil tear unless a face holds it by adhesion alone.
-    pub(crate) keeps_volume: bool,
+    pub(crate) is_isochoric: bool,
     pub(crate) cohesion: Linear,
     pub(crate) pore_pressure: Linear,
     /// Greatest effective tension.
@@ -29,7 +29,7 @@ impl Soil {
             sin,
             cos,
             tan: sin / cos,
-            keeps_volume: sin == 0.0 && (m.tension.is_none() || is_held),
+            is_isochoric: sin == 0.0 && (m.tension.is_none() || is_held),
             cohesion: m.cohesion,
             pore_pressure: m.pore_pressure,
             cut_off: m.tension,

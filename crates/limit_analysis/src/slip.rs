@@ -82,7 +82,7 @@ fn contours(
     let speed: Vec<f64> = speed.iter().zip(&fastest).map(|(s, f)| s / f.max(FLOOR) - FRACTION).collect();
     let mut links: BTreeMap<Crossing, Vec<Crossing>> = BTreeMap::new();
     // Soil that keeps its volume does not slip along lines: its velocity is continuous.
-    let slips = |triangle: &usize| !problem.soils[mesh.triangles[*triangle].region].keeps_volume;
+    let slips = |triangle: &usize| !problem.soils[mesh.triangles[*triangle].region].is_isochoric;
     for all in (0..nodes.len()).filter(slips).map(|t| &nodes[t]) {
         for part in [[0, 5, 4], [1, 3, 5], [2, 4, 3], [3, 4, 5]] {
             let crossings: Vec<Crossing> = (0..3)

@@ -2,8 +2,8 @@
 
 use soilctl_certificate::{Boundary, Condition};
 
-use crate::bowl::Bowl;
 use crate::mesh::{Fan, Guide};
+use crate::mobile::MobileZone;
 use crate::problem::Problem;
 use crate::singular::{singular_points, typical_length};
 use crate::vector::distance;
@@ -21,7 +21,7 @@ const LOWER_FAN: f64 = 0.4;
 const LOWER_SECTOR_DEG: f64 = 7.5;
 const LOWER_SECTOR_SHRINK: f64 = 0.9;
 
-/// Clearance of the moving soil's bowl below the slip lines in units of the depth; how it shrinks; and its least value.
+/// Clearance of the mobile zone below the slip lines in units of the depth; how it shrinks; and its least value.
 const MARGIN: f64 = 0.8;
 const MARGIN_SHRINK: f64 = 0.8;
 const LEAST_MARGIN: f64 = 0.1;
@@ -83,8 +83,8 @@ pub(crate) struct Start {
     pub(crate) tips: Vec<[f64; 2]>,
     pub(crate) guides: Vec<Guide>,
     corners: Vec<[f64; 2]>,
-    /// The bowl where there are no slip lines around tips.
-    sides: Bowl,
+    /// The mobile zone where there are no slip lines around tips.
+    sides: MobileZone,
     has_tips: bool,
     /// A typical length.
     unit: f64,
@@ -123,7 +123,7 @@ impl Start {
             guides.push(Guide { points: vec![tip, [tip[0] - ahead * depth * flat.tan(), statement.datum]] });
         }
         let phi = problem.soils.iter().map(|s| s.tan.atan()).fold(0.0, f64::max);
-        let sides = Bowl::between_sides(problem, phi);
+        let sides = MobileZone::between_sides(problem, phi);
         let has_tips = !tips.is_empty() && phi > 0.0;
         if !has_tips {
             guides.clear();
@@ -174,12 +174,12 @@ impl Start {
     }
 
     /// The soil that may move on a level's mesh, around its slip lines.
-    pub(crate) fn bowl(&self, level: usize, guides: &[Guide]) -> Bowl {
+    pub(crate) fn mobile(&self, level: usize, guides: &[Guide]) -> MobileZone {
         if !self.has_tips || guides.is_empty() {
             return self.sides.clone();
         }
         let margin = self.depth * (MARGIN * MARGIN_SHRINK.powi(level as i32)).max(LEAST_MARGIN);
-        Bowl::around(guides, margin, self.phi, self.datum)
+        MobileZone::around(guides, margin, self.phi, self.datum)
     }
 
     /// Wanted edge length on the first mesh.

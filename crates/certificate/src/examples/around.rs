@@ -9,7 +9,7 @@ use crate::{Condition, Mesh};
 #[derive(Default, Clone)]
 pub(super) struct Around {
     pub(super) vertex: usize,
-    pub(super) chain: Option<usize>,
+    pub(super) gauge: Option<usize>,
     /// Lines of given shear, one of each kind and direction.
     pub(super) given: Vec<usize>,
     /// Copies next to it at which the stress must vanish.
@@ -71,7 +71,7 @@ pub(super) fn look_around(
         };
         for copy in ends {
             if let Some(run) = runs.iter().position(|run| run.sides.contains(&on.side)) {
-                around[copy].chain = Some(run);
+                around[copy].gauge = Some(run);
             }
             if condition == Condition::Free && statement.surcharge == 0.0 && cohesion.is_zero() {
                 bare[copy] = true;

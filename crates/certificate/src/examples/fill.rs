@@ -4,7 +4,7 @@ use super::Random;
 use super::around::{look_around, split};
 use crate::problem::Problem;
 use crate::tiling::Tiling;
-use crate::{Chain, Gradient, Jet, LowerField, Mesh, Statement, VertexCopy};
+use crate::{Gauge, Gradient, Jet, LowerField, Mesh, Statement, VertexCopy};
 
 /// Fills a mesh with values up to `size`.
 pub(crate) fn fill(statement: &Statement, mesh: &Mesh, size: f64, seed: u64) -> LowerField {
@@ -15,9 +15,9 @@ pub(crate) fn fill(statement: &Statement, mesh: &Mesh, size: f64, seed: u64) -> 
     let mut random = Random::new(seed);
     let mut next = || size * random.next();
     let copies = around.iter().map(|a| {
-        let base = a.apexes.first().map_or(0, |t| around[*t].chain.unwrap());
-        let jet = match (a.chain, a.apexes.as_slice(), a.given.as_slice()) {
-            (Some(chain), ..) => Jet::Chain { chain },
+        let base = a.apexes.first().map_or(0, |t| around[*t].gauge.unwrap());
+        let jet = match (a.gauge, a.apexes.as_slice(), a.given.as_slice()) {
+            (Some(gauge), ..) => Jet::Gauge { gauge },
             (_, [apex], _) => Jet::OneApex { base, apex: *apex, f: next(), turn: next() },
             (_, [_, ..], _) => Jet::ManyApexes { base, f: next() },
             (_, _, []) => Jet::Free { base: 0, f: next(), fx: next(), fy: next() },
@@ -27,24 +27,24 @@ pub(crate) fn fill(statement: &Statement, mesh: &Mesh, size: f64, seed: u64) -> 
         VertexCopy { vertex: a.vertex, jet }
     });
     let copies = copies.collect();
-    // A line of given shear that the first chain touches too has a known slope across.
+    // A line of given shear that the first gauge touches too has a known slope across.
     let on_line =
-        |line: usize, chain: usize| around.iter().any(|a| a.chain == Some(chain) && a.given.contains(&line));
-    let count = around.iter().filter_map(|a| a.chain).max().unwrap_or(0) + 1;
-    let chains = (0..count).map(|chain| {
-        let shared = (0..statement.lines.len()).find(|line| on_line(*line, chain) && on_line(*line, 0));
+        |line: usize, gauge: usize| around.iter().any(|a| a.gauge == Some(gauge) && a.given.contains(&line));
+    let count = around.iter().filter_map(|a| a.gauge).max().unwrap_or(0) + 1;
+    let gauges = (0..count).map(|gauge| {
+        let shared = (0..statement.lines.len()).find(|line| on_line(*line, gauge) && on_line(*line, 0));
         let gradient = match shared {
-            _ if chain == 0 => Gradient::Free { x: 0.0, y: 0.0 },
+            _ if gauge == 0 => Gradient::Free { x: 0.0, y: 0.0 },
             Some(line) => Gradient::Along { line, value: next() },
             None => Gradient::Free { x: next(), y: next() },
         };
-        Chain { constant: if chain == 0 { 0.0 } else { next() }, gradient }
+        Gauge { constant: if gauge == 0 { 0.0 } else { next() }, gradient }
     });
     LowerField {
         mesh: mesh.clone(),
         corners,
         copies,
-        chains: chains.collect(),
+        gauges: gauges.collect(),
         lines: statement.lines.iter().map(|_| next()).collect(),
         slopes: mesh.triangles.iter().map(|_| [next(), next(), next()]).collect(),
         far_stress: next(),

@@ -3,7 +3,7 @@
 use super::around::{look_around, split};
 use crate::problem::Problem;
 use crate::tiling::Tiling;
-use crate::{Chain, Gradient, Jet, LowerField, Mesh, Statement, VertexCopy};
+use crate::{Gauge, Gradient, Jet, LowerField, Mesh, Statement, VertexCopy};
 
 /// Value and slopes at a point.
 type Function<'a> = &'a dyn Fn([f64; 2]) -> [f64; 3];
@@ -30,8 +30,8 @@ pub(crate) fn fitted(statement: &Statement, mesh: &Mesh, multiplier: f64, f: Fun
     let at = |v: usize| mesh.vertices[v].position;
     let copies = around.iter().map(|a| {
         let [value, fx, fy] = f(at(a.vertex));
-        let jet = match (a.chain, a.given.as_slice()) {
-            (Some(chain), _) => Jet::Chain { chain },
+        let jet = match (a.gauge, a.given.as_slice()) {
+            (Some(gauge), _) => Jet::Gauge { gauge },
             (_, []) => Jet::Free { base: 0, f: value, fx, fy },
             (_, [line]) => {
                 let t = direction(statement, *line);
@@ -41,10 +41,10 @@ pub(crate) fn fitted(statement: &Statement, mesh: &Mesh, multiplier: f64, f: Fun
         };
         VertexCopy { vertex: a.vertex, jet }
     });
-    let zero = Chain { constant: 0.0, gradient: Gradient::Free { x: 0.0, y: 0.0 } };
+    let zero = Gauge { constant: 0.0, gradient: Gradient::Free { x: 0.0, y: 0.0 } };
     let later = starts.iter().skip(1).map(|p| {
         let [value, x, y] = f(*p);
-        Chain { constant: value - dot([x, y], *p), gradient: Gradient::Free { x, y } }
+        Gauge { constant: value - dot([x, y], *p), gradient: Gradient::Free { x, y } }
     });
     let across = |t: [f64; 2], p: [f64; 2]| {
         let [_, fx, fy] = f(p);
@@ -59,7 +59,7 @@ pub(crate) fn fitted(statement: &Statement, mesh: &Mesh, multiplier: f64, f: Fun
     LowerField {
         mesh: mesh.clone(),
         copies: copies.collect(),
-        chains: std::iter::once(zero).chain(later).collect(),
+        gauges: std::iter::once(zero).chain(later).collect(),
         lines: (0..statement.lines.len())
             .map(|line| across(direction(statement, line), statement.points[statement.lines[line].from]))
             .collect(),

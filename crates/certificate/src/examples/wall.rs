@@ -1,7 +1,7 @@
 use super::grid::grid;
 use super::{forward, lines, on, soil};
 use crate::{
-    Chain, Condition, Flow, Gradient, Jet, LowerField, Mesh, Objective, Place, Region, Statement, Triangle,
+    Condition, Flow, Gauge, Gradient, Jet, LowerField, Mesh, Objective, Place, Region, Statement, Triangle,
     UpperField, Velocity, Vertex, VertexCopy,
 };
 
@@ -60,7 +60,7 @@ pub(crate) fn pushed_field(n: usize, push: f64, more: f64) -> LowerField {
         let [x, y] = v.position;
         let (f, fy) = along_y(y);
         let jet = match (x, y) {
-            (_, 0.0) => Jet::Chain { chain: 0 },
+            (_, 0.0) => Jet::Gauge { gauge: 0 },
             (_, y) if y == -size && more == 0.0 => Jet::ManyApexes { base: 0, f },
             // n = (2, 0)
             (0.0, _) => Jet::OneLine { line: 0, f, along: -fy / 2.0 },
@@ -78,7 +78,7 @@ pub(crate) fn pushed_field(n: usize, push: f64, more: f64) -> LowerField {
         corners: mesh.triangles.iter().map(|t| t.corners).collect(),
         slopes: mesh.triangles.iter().map(|t| [0, 1, 2].map(|k| slope(t, k))).collect(),
         copies,
-        chains: vec![Chain { constant: 0.0, gradient: Gradient::Free { x: 0.0, y: 0.0 } }],
+        gauges: vec![Gauge { constant: 0.0, gradient: Gradient::Free { x: 0.0, y: 0.0 } }],
         lines: vec![0.0; 4],
         far_stress: 0.0,
         multiplier: 0.0,

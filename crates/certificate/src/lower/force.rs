@@ -24,7 +24,7 @@ impl StressFunction<'_> {
                 at_copies[end] += 1;
             }
         }
-        let mut of_chains = vec![0_i32; self.field.chains.len()];
+        let mut of_gauges = vec![0_i32; self.field.gauges.len()];
         let mut power = Interval::ZERO;
         let add = |power: Interval, count: i32, slopes: Vector| {
             // `(f_y, -f_x) . velocity`.
@@ -32,10 +32,10 @@ impl StressFunction<'_> {
         };
         for (jet, count) in self.jets.iter().zip(at_copies).filter(|(_, count)| *count != 0) {
             power = add(power, count, jet.slopes);
-            of_chains[jet.base] += count;
+            of_gauges[jet.base] += count;
         }
-        for (chain, count) in of_chains.into_iter().enumerate() {
-            power = add(power, count, self.chains.gradient(chain, 0));
+        for (gauge, count) in of_gauges.into_iter().enumerate() {
+            power = add(power, count, self.gauges.gradient(gauge, 0));
         }
         power
     }

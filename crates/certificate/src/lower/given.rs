@@ -9,11 +9,11 @@
 //! Joined lines are level or vertical. There column parts add nothing to `t . ref n`, so the slope across, divided by the
 //! length of `n` with its sign, is one polynomial for all of them.
 
-use super::chains::{Chains, LocalJet};
 use super::ends;
+use super::gauges::{Gauges, LocalJet};
 use super::joined::{Joined, joined};
 use super::loads::Station;
-use super::references::References;
+use super::references::ReferenceStresses;
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
@@ -32,8 +32,8 @@ struct Origin {
 
 #[derive(Debug, Clone, Copy)]
 enum Known {
-    /// The slopes are those of this vertex copy, which belongs to a chain: those of the chain and, beyond it, of its loads.
-    Copy { station: Option<Station>, chain: usize, beyond: Vector },
+    /// The slopes are those of this vertex copy, which belongs to a gauge: those of the gauge and, beyond it, of its loads.
+    Copy { station: Option<Station>, gauge: usize, beyond: Vector },
     /// The slope across the line.
     Slope(f64),
 }
@@ -49,7 +49,7 @@ struct GivenLine {
 /// All lines of given shear.
 pub(super) struct GivenLines<'a> {
     problem: &'a Problem<'a>,
-    references: &'a References,
+    references: &'a ReferenceStresses,
     lines: Vec<Option<GivenLine>>,
     /// For each line that is the first of joined ones, where their slope is known.
     origins: Vec<Origin>,
@@ -60,7 +60,7 @@ pub(super) struct GivenLines<'a> {
 impl<'a> GivenLines<'a> {
     pub(super) fn new(
         problem: &'a Problem<'a>,
-        references: &'a References,
+        references: &'a ReferenceStresses,
         tiling: &Tiling,
         field: &LowerField,
         stations: &[Option<Station>],
@@ -82,10 +82,10 @@ impl<'a> GivenLines<'a> {
             given.note_line(line, joined, tiling.region(side.triangle))?;
             for (copy, at) in ends(field, side).into_iter().zip([on.start, on.end]) {
                 let origin = &mut given.origins[joined.first];
-                if let (Known::Slope(_), Jet::Chain { chain }) = (origin.known, field.copies[copy].jet) {
+                if let (Known::Slope(_), Jet::Gauge { gauge }) = (origin.known, field.copies[copy].jet) {
                     let station = stations[copy];
                     let beyond = station.map_or(Vector::ZERO, &slopes_of_loads);
-                    *origin = Origin { line, at, known: Known::Copy { station, chain, beyond } };
+                    *origin = Origin { line, at, known: Known::Copy { station, gauge, beyond } };
                 }
                 given.note_copy(copy, line, side)?;
             }
@@ -148,9 +148,9 @@ impl<'a> GivenLines<'a> {
         self.references.of(given.region).shear(self.problem.start(line) + t * s, t)
     }
 
-    /// The slope across a line at the fraction `s`, beyond that of the chain `base`. Any number if the line is not one of
+    /// The slope across a line at the fraction `s`, beyond that of the gauge `base`. Any number if the line is not one of
     /// given shear.
-    pub(super) fn across(&self, chains: &Chains, line: usize, s: Interval, base: usize) -> Interval {
+    pub(super) fn across(&self, gauges: &Gauges, line: usize, s: Interval, base: usize) -> Interval {
         let Some(given) = self.lines.get(line).copied().flatten() else { return Interval::point(f64::NAN) };
         let origin = self.origins[given.joined.first];
         let t = self.problem.direction(line);
@@ -163,8 +163,8 @@ impl<'a> GivenLines<'a> {
             ((place - self.problem.start(line)).dot(t) / t.square(), t.dot(u) / u.square())
         };
         let known = match origin.known {
-            Known::Copy { chain, beyond, .. } => chains.across(chain, base, line) + beyond.dot(t.turned()),
-            Known::Slope(slope) => Interval::point(slope) * length + chains.across(0, base, line),
+            Known::Copy { gauge, beyond, .. } => gauges.across(gauge, base, line) + beyond.dot(t.turned()),
+            Known::Slope(slope) => Interval::point(slope) * length + gauges.across(0, base, line),
         };
         // The mean of a linear function over an interval is that of its ends.
         known + (s - at) * (self.rate(given, line, at) + self.rate(given, line, s)).half()
@@ -174,7 +174,7 @@ impl<'a> GivenLines<'a> {
     pub(super) fn check(
         &self,
         field: &LowerField,
-        chains: &Chains,
+        gauges: &Gauges,
         stations: &[Option<Station>],
         apexes: &[bool],
         jets: &[LocalJet],
@@ -184,17 +184,17 @@ impl<'a> GivenLines<'a> {
                 let Some(given) = self.lines[*line] else { continue };
                 let vertex = field.mesh.vertices[field.copies[copy].vertex].place;
                 let s = Interval::point(fraction(self.problem, vertex, *line).map_or(f64::NAN, |s| s));
-                let zero = |base| self.across(chains, *line, s, base).is_zero();
+                let zero = |base| self.across(gauges, *line, s, base).is_zero();
                 let n = self.problem.direction(*line).turned();
                 let holds = match field.copies[copy].jet {
-                    Jet::Chain { chain } => {
+                    Jet::Gauge { gauge } => {
                         let is_origin = match self.origins[given.joined.first].known {
-                            Known::Copy { station, chain: known, .. } => {
-                                known == chain && station.is_some() && station == stations[copy]
+                            Known::Copy { station, gauge: known, .. } => {
+                                known == gauge && station.is_some() && station == stations[copy]
                             }
                             Known::Slope(_) => false,
                         };
-                        is_origin || (zero(chain) && jets[copy].slopes.dot(n).is_zero())
+                        is_origin || (zero(gauge) && jets[copy].slopes.dot(n).is_zero())
                     }
                     Jet::Zero { base } => zero(base),
                     // Their slopes are vertical.

@@ -38,13 +38,13 @@ pub(super) fn check(
                 }
             }
             Beyond::Boundary(on, condition) if condition.traction_is_given() => {
-                let chain = |copy: usize| match field.copies[copy].jet {
-                    Jet::Chain { chain } => Some(chain),
+                let gauge = |copy: usize| match field.copies[copy].jet {
+                    Jet::Gauge { gauge } => Some(gauge),
                     _ => None,
                 };
                 // That of the run, or a branch.
-                let suits = |chain: usize| loads.run(on.side) == Some(chain) || chain >= loads.count();
-                if chain(here[0]) != chain(here[1]) || !chain(here[0]).is_some_and(suits) {
+                let suits = |gauge: usize| loads.run(on.side) == Some(gauge) || gauge >= loads.count();
+                if gauge(here[0]) != gauge(here[1]) || !gauge(here[0]).is_some_and(suits) {
                     let problem = "both ends of a free or loaded edge must belong to the chain of its run";
                     return Err(bad(side.to_string(), problem));
                 }
@@ -57,8 +57,8 @@ pub(super) fn check(
         }
     }
     for (i, (copy, station)) in field.copies.iter().zip(&stations).enumerate() {
-        if let Jet::Chain { chain } = copy.jet
-            && station.is_none_or(|s| s.run != chain && chain < loads.count())
+        if let Jet::Gauge { gauge } = copy.jet
+            && station.is_none_or(|s| s.run != gauge && gauge < loads.count())
         {
             return Err(bad(format!("vertex copy {i}"), "it belongs to a chain, but is not on its run"));
         }
@@ -70,8 +70,8 @@ pub(super) fn check(
     Ok((stations, apexes))
 }
 
-/// Whether the function beyond an edge differs by no more than an affine function, that of one chain beyond that of
-/// another: at both ends the copies are alike but for these chains.
+/// Whether the function beyond an edge differs by no more than an affine function, that of one gauge beyond that of
+/// another: at both ends the copies are alike but for these gauges.
 fn are_branches(
     field: &LowerField,
     stations: &[Option<Station>],
@@ -86,7 +86,7 @@ fn are_branches(
         let [p, q] = [a, b].map(|copy| field.copies[copy]);
         p.vertex == q.vertex
             && match (p.jet, q.jet) {
-                (Jet::Chain { .. }, Jet::Chain { .. }) => stations[a].is_some() && stations[a] == stations[b],
+                (Jet::Gauge { .. }, Jet::Gauge { .. }) => stations[a].is_some() && stations[a] == stations[b],
                 (Jet::OneApex { apex, .. }, Jet::OneApex { apex: other, .. }) => {
                     let same = field.copies[apex].vertex == field.copies[other].vertex;
                     same && p.jet.on(0, apex) == q.jet.on(0, apex)
@@ -117,7 +117,7 @@ pub(super) fn check_branches(
     Ok(())
 }
 
-/// Whether the function of the chain is affine to first order at a place.
+/// Whether the function of the gauge is affine to first order at a place.
 fn is_at_rest(loads: &Loads, station: Option<Station>) -> bool {
     station.is_some_and(|station| {
         let (f, slopes) = loads.jet(station);
@@ -135,18 +135,18 @@ fn check_apexes(
     place: impl Fn() -> String,
 ) -> Result<(), CertificateError> {
     for apex in copies.into_iter().filter(|c| apexes[*c]) {
-        let Jet::Chain { chain } = field.copies[apex].jet else { continue };
+        let Jet::Gauge { gauge } = field.copies[apex].jet else { continue };
         for copy in copies {
             let suits = match field.copies[copy].jet {
-                Jet::Chain { chain: base } => {
+                Jet::Gauge { gauge: base } => {
                     if !at_rest(copy) {
                         let what = "a load on or next to a free side of soil without cohesion";
                         return Err(CertificateError::NotCovered { place: place(), what });
                     }
-                    base == chain
+                    base == gauge
                 }
-                Jet::Zero { base } | Jet::ManyApexes { base, .. } => base == chain,
-                Jet::OneApex { base, apex: only, .. } => base == chain && only == apex,
+                Jet::Zero { base } | Jet::ManyApexes { base, .. } => base == gauge,
+                Jet::OneApex { base, apex: only, .. } => base == gauge && only == apex,
                 Jet::Free { .. } | Jet::OneLine { .. } | Jet::TwoLines { .. } => false,
             };
             if !suits {

@@ -1,4 +1,4 @@
-use super::chains::{Chains, LocalJet};
+use super::gauges::{Gauges, LocalJet};
 use super::given::GivenLines;
 use super::loads::{Loads, Station};
 use crate::CertificateError;
@@ -14,11 +14,11 @@ pub(super) fn check_numbers(
     runs: usize,
 ) -> Result<(), CertificateError> {
     let (triangles, line_count) = (field.mesh.triangles.len(), problem.statement.lines.len());
-    // There is a first chain even if nothing is free; further ones are branches.
-    let chains = runs.max(1);
-    let enough = if field.chains.len() < chains { chains } else { field.chains.len() };
+    // There is a first gauge even if nothing is free; further ones are branches.
+    let gauges = runs.max(1);
+    let enough = if field.gauges.len() < gauges { gauges } else { field.gauges.len() };
     let lengths = [
-        ("chains", field.chains.len(), enough, "run of free or loaded boundary, at least one"),
+        ("chains", field.gauges.len(), enough, "run of free or loaded boundary, at least one"),
         ("corners", field.corners.len(), triangles, "triangle"),
         ("slopes", field.slopes.len(), triangles, "triangle"),
         ("lines", field.lines.len(), line_count, "line of the statement"),
@@ -45,7 +45,7 @@ pub(super) fn check_numbers(
         let place = || format!("vertex copy {i}");
         exists(place, "vertex", copy.vertex, field.mesh.vertices.len())?;
         let numbers = match copy.jet {
-            Jet::Chain { .. } | Jet::Zero { .. } => [0.0; 3],
+            Jet::Gauge { .. } | Jet::Zero { .. } => [0.0; 3],
             Jet::Free { f, fx, fy, .. } => [f, fx, fy],
             Jet::OneApex { f, turn, .. } => [f, turn, 0.0],
             Jet::ManyApexes { f, .. } | Jet::TwoLines { f } => [f, 0.0, 0.0],
@@ -54,12 +54,12 @@ pub(super) fn check_numbers(
         for x in numbers {
             finite("value or slope", place, x, "")?;
         }
-        let chain = |chain| exists(place, "chain", chain, field.chains.len());
+        let gauge = |gauge| exists(place, "chain", gauge, field.gauges.len());
         match copy.jet {
-            Jet::Chain { chain: base } | Jet::Free { base, .. } => chain(base)?,
-            Jet::ManyApexes { base, .. } | Jet::Zero { base } => chain(base)?,
+            Jet::Gauge { gauge: base } | Jet::Free { base, .. } => gauge(base)?,
+            Jet::ManyApexes { base, .. } | Jet::Zero { base } => gauge(base)?,
             Jet::OneApex { base, apex, .. } => {
-                chain(base)?;
+                gauge(base)?;
                 exists(place, "vertex copy", apex, field.copies.len())?;
             }
             Jet::OneLine { line, .. } => exists(place, "line", line, line_count)?,
@@ -76,7 +76,7 @@ pub(super) struct Maker<'a> {
     pub(super) field: &'a LowerField,
     pub(super) loads: &'a Loads,
     pub(super) stations: &'a [Option<Station>],
-    pub(super) chains: &'a Chains<'a>,
+    pub(super) gauges: &'a Gauges<'a>,
     pub(super) given: &'a GivenLines<'a>,
 }
 
@@ -92,7 +92,7 @@ impl Maker<'_> {
 
     fn jet(&self, copy: usize) -> Result<LocalJet, CertificateError> {
         let (base, f, slopes) = match self.field.copies[copy].jet {
-            Jet::Chain { chain: base } => {
+            Jet::Gauge { gauge: base } => {
                 let (f, slopes) =
                     self.stations[copy].map_or((Interval::ZERO, Vector::ZERO), |at| self.loads.jet(at));
                 return Ok(LocalJet { base, f, slopes });
@@ -135,7 +135,7 @@ impl Maker<'_> {
             return Err(bad(copy, "depends on a line along which the shear stress is not given"));
         }
         let s = Interval::point(self.fraction(copy, line)?);
-        Ok(self.given.across(self.chains, line, s, base))
+        Ok(self.given.across(self.gauges, line, s, base))
     }
 
     /// Slopes such that the value and a third of the slope towards the apex add up to zero.

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::ends;
-use super::references::References;
+use super::references::ReferenceStresses;
 use crate::CertificateError;
 use crate::fields::LowerField;
 use crate::interval::{Interval, Vector};
@@ -71,7 +71,7 @@ pub(super) struct Loads {
 impl Loads {
     pub(super) fn new(
         problem: &Problem,
-        references: &References,
+        references: &ReferenceStresses,
         field: &LowerField,
     ) -> Result<Self, CertificateError> {
         let (mut runs, mut numbers) = (Vec::new(), BTreeMap::new());
@@ -167,7 +167,7 @@ fn walked(problem: &Problem, side: LineUse) -> Vector {
 /// The given tractions beyond those of the reference at the start and the end of a side, times its length.
 fn tractions(
     problem: &Problem,
-    references: &References,
+    references: &ReferenceStresses,
     field: &LowerField,
     side: LineUse,
 ) -> Result<[Vector; 2], CertificateError> {

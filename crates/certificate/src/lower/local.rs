@@ -7,7 +7,7 @@ use crate::tiling::{Beyond, after};
 impl StressFunction<'_> {
     /// The local values of a triangle's element, less some affine function, which carries no stress.
     ///
-    /// Values that are stored relative to a chain stay as they are if that chain is what is taken away. In a triangle
+    /// Values that are stored relative to a gauge stay as they are if that gauge is what is taken away. In a triangle
     /// without an apex also the affine function that touches at corner 0 is taken away: what is left is small, and so
     /// is its rounding.
     pub(super) fn local(&self, triangle: usize) -> Local {
@@ -18,11 +18,11 @@ impl StressFunction<'_> {
         let frame = copies.map(|copy| self.jets[copy].base).into_iter().max().unwrap_or(0);
         let mut f = [0, 1, 2].map(|k| {
             let jet = self.jets[copies[k]];
-            jet.f + self.chains.value(jet.base, frame, corners[k])
+            jet.f + self.gauges.value(jet.base, frame, corners[k])
         });
         let mut slopes = copies.map(|copy| {
             let jet = self.jets[copy];
-            jet.slopes + self.chains.gradient(jet.base, frame)
+            jet.slopes + self.gauges.gradient(jet.base, frame)
         });
         let mut across = [0, 1, 2].map(|k| {
             if apex[after(k, 1)] || apex[after(k, 2)] {
@@ -46,10 +46,10 @@ impl StressFunction<'_> {
         Local { corners, apex, f, slopes, across }
     }
 
-    /// The slope across the middle of an edge, along its vector turned left, beyond that of the chain `frame`.
+    /// The slope across the middle of an edge, along its vector turned left, beyond that of the gauge `frame`.
     fn slope(&self, side: Side, frame: usize, turned: Vector) -> Interval {
         let stored = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
-        let absolute = |slope: Interval| slope + self.chains.gradient(0, frame).dot(turned);
+        let absolute = |slope: Interval| slope + self.gauges.gradient(0, frame).dot(turned);
         match self.tiling.beyond(side) {
             Beyond::Soil(other) => {
                 let slope = if other < side { -stored(other) } else { stored(side) };
@@ -58,17 +58,17 @@ impl StressFunction<'_> {
                     return absolute(slope);
                 }
                 // Between branches: each side has its own.
-                slope + self.chains.gradient(self.jets[start].base, frame).dot(turned)
+                slope + self.gauges.gradient(self.jets[start].base, frame).dot(turned)
             }
             Beyond::Boundary(on, condition) if condition.traction_is_given() => {
                 let base = self.jets[self.ends(side)[0]].base;
-                (self.chains.gradient(base, frame) + self.loads.middle_slopes(on)).dot(turned)
+                (self.gauges.gradient(base, frame) + self.loads.middle_slopes(on)).dot(turned)
             }
             Beyond::Boundary(on, condition) if condition.shear_is_given() => {
                 // The edge is this part of its line.
                 let part = Interval::point(on.end) - Interval::point(on.start);
                 let middle = (Interval::point(on.start) + Interval::point(on.end)).half();
-                part * self.given.across(&self.chains, on.side.line, middle, frame)
+                part * self.given.across(&self.gauges, on.side.line, middle, frame)
             }
             Beyond::Boundary(..) => absolute(stored(side)),
         }

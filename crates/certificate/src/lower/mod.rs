@@ -1,11 +1,12 @@
 //! The lower bound: the force that goes with stresses in equilibrium that the soil can bear everywhere.
 
-mod chains;
+mod body_force;
 mod covered;
 pub(crate) mod element;
 mod faces;
 mod far;
 mod force;
+mod gauges;
 mod given;
 mod glue;
 mod jets;
@@ -17,7 +18,6 @@ mod references;
 mod strength;
 #[cfg(test)]
 mod tests;
-mod weight;
 
 use crate::CertificateError;
 use crate::fields::LowerField;
@@ -26,14 +26,14 @@ use crate::problem::Problem;
 use crate::statement::{Condition, Objective, Statement};
 use crate::tiling::{Beyond, Tiling, after};
 
-use chains::{Chains, LocalJet};
+use body_force::BodyForce;
+use gauges::{Gauges, LocalJet};
 use given::GivenLines;
 use jets::Maker;
 use loads::Loads;
 use overburden::Overburden;
-use references::References;
+use references::ReferenceStresses;
 use strength::Divisor;
-use weight::Pull;
 
 /// Proves a lower bound: on the force that the soil can resist times the structure's velocity, or on the factor of the
 /// [objective](Objective).
@@ -94,7 +94,7 @@ pub(crate) fn node_stresses<T>(
 
 /// What follows from the statement and the factor that is to be proven, whatever the mesh.
 struct Setting {
-    references: References,
+    references: ReferenceStresses,
     loads: Loads,
     overburden: Overburden,
     divisor: Divisor,
@@ -102,11 +102,11 @@ struct Setting {
 
 impl Setting {
     fn new(problem: &Problem, field: &LowerField) -> Result<Self, CertificateError> {
-        let pull = Pull::new(problem.statement, field);
-        let references = References::new(problem, &pull)?;
+        let body_force = BodyForce::new(problem.statement, field);
+        let references = ReferenceStresses::new(problem, &body_force)?;
         let loads = Loads::new(problem, &references, field)?;
         covered::check(problem, &loads)?;
-        let overburden = Overburden::new(problem, &references, &pull)?;
+        let overburden = Overburden::new(problem, &references, &body_force)?;
         let divisor = Divisor::new(problem.statement, field)?;
         Ok(Self { references, loads, overburden, divisor })
     }
@@ -115,13 +115,13 @@ impl Setting {
 /// A stress function on a checked mesh.
 struct StressFunction<'a> {
     problem: &'a Problem<'a>,
-    references: &'a References,
+    references: &'a ReferenceStresses,
     loads: &'a Loads,
     overburden: &'a Overburden,
     divisor: Divisor,
     tiling: &'a Tiling<'a>,
     field: &'a LowerField,
-    chains: Chains<'a>,
+    gauges: Gauges<'a>,
     given: GivenLines<'a>,
     /// Values and slopes of the vertex copies.
     jets: Vec<LocalJet>,
@@ -138,15 +138,15 @@ impl<'a> StressFunction<'a> {
     ) -> Result<Self, CertificateError> {
         let Setting { references, loads, overburden, divisor } = setting;
         jets::check_numbers(problem, field, loads.count())?;
-        let chains = Chains::new(problem, field)?;
+        let gauges = Gauges::new(problem, field)?;
         let (stations, apexes) = glue::check(problem, tiling, field, loads)?;
         let given =
             GivenLines::new(problem, references, tiling, field, &stations, |station| loads.jet(station).1)?;
         let maker =
-            Maker { problem, tiling, field, loads, stations: &stations, chains: &chains, given: &given };
+            Maker { problem, tiling, field, loads, stations: &stations, gauges: &gauges, given: &given };
         let jets = maker.jets()?;
         glue::check_branches(tiling, field, |copy| !given.at(copy).is_empty())?;
-        given.check(field, &chains, &stations, &apexes, &jets)?;
+        given.check(field, &gauges, &stations, &apexes, &jets)?;
         let divisor = *divisor;
         Ok(Self {
             problem,
@@ -156,7 +156,7 @@ impl<'a> StressFunction<'a> {
             divisor,
             tiling,
             field,
-            chains,
+            gauges,
             given,
             jets,
             apexes,

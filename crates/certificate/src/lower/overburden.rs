@@ -1,8 +1,8 @@
 //! The weight of the soil beyond far lines. Beside a vertical far side the layers go on level, under a level surface at the
 //! height of its upper end.
 
-use super::references::References;
-use super::weight::Pull;
+use super::body_force::BodyForce;
+use super::references::ReferenceStresses;
 use crate::CertificateError;
 use crate::interval::Interval;
 use crate::problem::{Problem, Stress};
@@ -43,8 +43,8 @@ fn not_covered(line: usize, what: &'static str) -> CertificateError {
 impl Overburden {
     pub(super) fn new(
         problem: &Problem,
-        references: &References,
-        pull: &Pull,
+        references: &ReferenceStresses,
+        body_force: &BodyForce,
     ) -> Result<Self, CertificateError> {
         let statement = problem.statement;
         let base = references.base();
@@ -64,7 +64,7 @@ impl Overburden {
                         "pore pressure that varies along x beside a vertical far line",
                     ));
                 }
-                if soil.is_none() && y != statement.datum && !pull.is_vertical() {
+                if soil.is_none() && y != statement.datum && !body_force.is_vertical() {
                     return Err(not_covered(
                         line,
                         "a far side not up to the datum where gravity is not vertical",
@@ -72,7 +72,7 @@ impl Overburden {
                 }
                 let weight = material.unit_weight;
                 if soil.is_none_or(|(above, _)| above != weight) {
-                    let (top, rate) = (Interval::point(y), pull.down(weight));
+                    let (top, rate) = (Interval::point(y), body_force.down(weight));
                     let above = soil.map_or(Interval::ZERO, |(_, layer)| layer.at(top));
                     soil = Some((weight, Layer { top, above, rate }));
                 }
@@ -94,7 +94,7 @@ impl Overburden {
                 return Err(not_covered(*line, "different unit weights beyond the far side below"));
             }
             if statement.regions.first().is_some_and(|r| r.material.unit_weight != weight) {
-                let rate = pull.down(weight);
+                let rate = body_force.down(weight);
                 below = (Stress { xx: rate, yy: rate, xy: Interval::ZERO }, Interval::ZERO);
             }
         }

@@ -5,10 +5,10 @@
 //! from that of the soil above, so that tractions are the same on both sides of all interfaces. On vertical ones it has
 //! none.
 
-use super::weight::Pull;
+use super::body_force::BodyForce;
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
-use crate::problem::{Column, Problem, Reference};
+use crate::problem::{Column, Problem, ReferenceStress};
 
 /// What a column part follows from. Parts with equal layers are equal, even if their intervals do not show it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,37 +40,37 @@ impl Top {
 }
 
 /// The reference stresses of all regions.
-pub(super) struct References {
-    base: Reference,
-    of: Vec<Reference>,
+pub(super) struct ReferenceStresses {
+    base: ReferenceStress,
+    of: Vec<ReferenceStress>,
     parts: Vec<Part>,
 }
 
-impl References {
-    pub(super) fn new(problem: &Problem, pull: &Pull) -> Result<Self, CertificateError> {
+impl ReferenceStresses {
+    pub(super) fn new(problem: &Problem, body_force: &BodyForce) -> Result<Self, CertificateError> {
         let regions = &problem.statement.regions;
         let weight = regions.first().map_or(0.0, |r| r.material.unit_weight);
-        let dead = Reference::new(problem.statement, weight);
-        let base = pull.live(weight).map_or(dead, |force| dead.with_force(force));
+        let dead = ReferenceStress::new(problem.statement, weight);
+        let base = body_force.live(weight).map_or(dead, |force| dead.with_force(force));
         let mut parts = vec![Part::default(); regions.len()];
         if let Some(other) = regions.iter().position(|r| r.material.unit_weight != weight) {
-            if !pull.is_vertical() {
+            if !body_force.is_vertical() {
                 let what = "soils of different unit weight where gravity is not vertical";
                 return Err(CertificateError::NotCovered { place: format!("region {other}"), what });
             }
-            parts = columns(problem, pull, weight)?;
+            parts = columns(problem, body_force, weight)?;
         }
         let of = parts.iter().map(|part| base.with_column(part.column)).collect();
         Ok(Self { base, of, parts })
     }
 
     /// The part that all regions have in common.
-    pub(super) fn base(&self) -> &Reference {
+    pub(super) fn base(&self) -> &ReferenceStress {
         &self.base
     }
 
     /// The whole of a region.
-    pub(super) fn of(&self, region: usize) -> &Reference {
+    pub(super) fn of(&self, region: usize) -> &ReferenceStress {
         &self.of[region]
     }
 
@@ -81,7 +81,11 @@ impl References {
 }
 
 /// The column parts of all regions, from the top downwards.
-fn columns(problem: &Problem, pull: &Pull, base_weight: f64) -> Result<Vec<Part>, CertificateError> {
+fn columns(
+    problem: &Problem,
+    body_force: &BodyForce,
+    base_weight: f64,
+) -> Result<Vec<Part>, CertificateError> {
     let count = problem.statement.regions.len();
     let tops: Vec<Vec<Top>> = (0..count).map(|region| tops(problem, region)).collect();
     let mut parts: Vec<Option<Part>> = vec![None; count];
@@ -91,7 +95,8 @@ fn columns(problem: &Problem, pull: &Pull, base_weight: f64) -> Result<Vec<Part>
             if parts[region].is_none()
                 && tops[region].iter().all(|top| top.above.is_none_or(|above| parts[above].is_some()))
             {
-                parts[region] = Some(column(problem, pull, base_weight, region, &tops[region], &parts)?);
+                parts[region] =
+                    Some(column(problem, body_force, base_weight, region, &tops[region], &parts)?);
             }
         }
     }
@@ -123,7 +128,7 @@ fn tops(problem: &Problem, region: usize) -> Vec<Top> {
 
 fn column(
     problem: &Problem,
-    pull: &Pull,
+    body_force: &BodyForce,
     base_weight: f64,
     region: usize,
     tops: &[Top],
@@ -159,7 +164,7 @@ fn column(
     let along = end - anchor;
     let (value, slope) = above.column.map_or((Interval::ZERO, Vector::ZERO), |c| (c.at(anchor), c.gradient));
     let difference = Interval::point(unit_weight) - Interval::point(base_weight);
-    let y = -(difference * pull.along_y());
+    let y = -(difference * body_force.along_y());
     // On the line it is the one above.
     let x = slope.x + (slope.y - y) * along.y / along.x;
     let level = along.y.is_zero();

@@ -99,10 +99,10 @@ fn rules_of_construction_are_checked() {
     assert!(matches!(free_beside_apex, CertificateError::BadField { .. }), "{free_beside_apex}");
     let free_on_smooth = refused(|_, f| f.copies[10].jet = Jet::Free { base: 0, f: 0.0, fx: 0.0, fy: 0.0 });
     assert!(matches!(free_on_smooth, CertificateError::BadField { .. }), "{free_on_smooth}");
-    let chain = refused(|_, f| f.chains[0].gradient = Gradient::Free { x: 1e-300, y: 0.0 });
-    assert!(matches!(chain, CertificateError::BadField { .. }), "{chain}");
-    let chain_below = refused(|_, f| f.copies[10].jet = Jet::Chain { chain: 0 });
-    assert!(matches!(chain_below, CertificateError::BadField { .. }), "{chain_below}");
+    let gauge = refused(|_, f| f.gauges[0].gradient = Gradient::Free { x: 1e-300, y: 0.0 });
+    assert!(matches!(gauge, CertificateError::BadField { .. }), "{gauge}");
+    let gauge_below = refused(|_, f| f.copies[10].jet = Jet::Gauge { gauge: 0 });
+    assert!(matches!(gauge_below, CertificateError::BadField { .. }), "{gauge_below}");
     let moved = refused(|_, f| f.mesh.vertices[6].place = Place::Corner { point: 2 });
     assert!(matches!(moved, CertificateError::BadMesh { .. }), "{moved}");
     let length = refused(|_, f| f.lines.clear());
@@ -116,19 +116,19 @@ fn rules_of_construction_are_checked() {
 }
 
 #[test]
-fn chains_belong_to_their_runs() {
+fn gauges_belong_to_their_runs() {
     let plate = Plate { lean: 0.3, delta_deg: 20.0, surcharge: 0.7, gravity: [0.0, -1.0] };
     let statement = plate.statement();
     let mut field = fill(&statement, &plate.mesh(0.1, 1), 0.0, 1);
     assert!(prove_lower(&statement, &field).is_ok());
     for copy in &mut field.copies {
-        if let Jet::Chain { chain } = &mut copy.jet {
-            *chain = 1 - *chain;
+        if let Jet::Gauge { gauge } = &mut copy.jet {
+            *gauge = 1 - *gauge;
         }
     }
     let error = prove_lower(&statement, &field).unwrap_err();
     assert!(matches!(error, CertificateError::BadField { .. }), "{error}");
-    field.chains.pop();
+    field.gauges.pop();
     let error = prove_lower(&statement, &field).unwrap_err();
     assert!(matches!(error, CertificateError::Length { .. }), "{error}");
 }

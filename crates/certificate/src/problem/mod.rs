@@ -12,7 +12,7 @@ use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 
 pub(crate) use far::FarFrame;
 pub(crate) use numbers::{exists, finite};
-pub(crate) use reference::{Column, Reference, Stress};
+pub(crate) use reference::{Column, ReferenceStress, Stress};
 
 /// Strength of one region.
 #[derive(Debug, Clone, Copy)]

@@ -46,7 +46,7 @@ impl Column {
 /// The reference stress of a region. Its base is that of level layers at rest, in equilibrium with the weight, at the datum
 /// a pressure equal to the surcharge: linear in the depth below the datum, whatever x.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Reference {
+pub(crate) struct ReferenceStress {
     datum: Interval,
     surcharge: Interval,
     /// Change of the base with depth.
@@ -56,7 +56,7 @@ pub(crate) struct Reference {
     column: Option<Column>,
 }
 
-impl Reference {
+impl ReferenceStress {
     /// The base for soil with this unit weight.
     pub(crate) fn new(statement: &Statement, unit_weight: f64) -> Self {
         let [x, y] = statement.gravity.map(Interval::point);

@@ -1,10 +1,10 @@
 //! What happens at the edges of triangles: jumps, and boundaries.
 
-use super::Motion;
+use super::VelocityField;
+use super::edge_velocity::EdgeVelocity;
 use super::means;
 use super::power::Power;
 use super::resistance::Resistance;
-use super::slide::Slide;
 use crate::CertificateError;
 use crate::fields::{Flow, Velocity};
 use crate::interval::{Interval, Vector, angle};
@@ -13,7 +13,7 @@ use crate::problem::Strength;
 use crate::statement::{Condition, Linear, Objective};
 use crate::tiling::{Beyond, OnLine, after};
 
-impl Motion<'_> {
+impl VelocityField<'_> {
     /// What an edge adds to the power. Checks the flow rule.
     pub(super) fn edge(&self, side: Side) -> Result<Power, CertificateError> {
         match self.tiling.beyond(side) {
@@ -115,9 +115,9 @@ impl Motion<'_> {
         let mut relative = match self.field.flows[side.triangle] {
             Flow::Quadratic(nodes) => {
                 let relative = |node: usize| self.velocities[node] - structure;
-                Slide::new(along, Self::on_edge(nodes, side).map(relative))
+                EdgeVelocity::new(along, Self::on_edge(nodes, side).map(relative))
             }
-            Flow::Stream { .. } => self.slide(side).less(Slide::new(along, [structure; 3])),
+            Flow::Stream { .. } => self.slide(side).less(EdgeVelocity::new(along, [structure; 3])),
         };
         let bears_pressure_only = delta_deg == 0.0 && adhesion == 0.0;
         if matches!(self.field.flows[side.triangle], Flow::Stream { .. }) && !bears_pressure_only {
@@ -137,7 +137,7 @@ impl Motion<'_> {
     /// What sliding along an edge dissipates. Checks that it opens as much as the friction demands: since Bernstein
     /// polynomials are not negative and add up to one, it does so between the control points too. Without friction it may
     /// open only if the tension is limited.
-    fn layer(&self, side: Side, strength: &Strength, slide: Slide) -> Result<Power, CertificateError> {
+    fn layer(&self, side: Side, strength: &Strength, slide: EdgeVelocity) -> Result<Power, CertificateError> {
         let tan = strength.friction.tan();
         let may_open = !strength.friction.sin.is_zero() || strength.tension.is_some();
         for (i, (open, slip)) in slide.opening.into_iter().zip(slide.slip).enumerate() {

@@ -1,13 +1,13 @@
 //! The upper bound: the power of a flow in which every bit of soil dilates at least as much as its friction demands.
 
 mod check;
+mod edge_velocity;
 mod edges;
 mod jets;
 mod means;
 mod power;
 mod quadratic;
 mod resistance;
-mod slide;
 mod stream;
 #[cfg(test)]
 mod tests;
@@ -35,13 +35,13 @@ pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, Cer
     let problem = Problem::new(statement)?;
     check::faces(&problem)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
-    let motion = Motion::new(&problem, &tiling, field)?;
+    let velocity = VelocityField::new(&problem, &tiling, field)?;
     let mut power = Power::ZERO;
     for triangle in 0..field.mesh.triangles.len() {
-        power = power + motion.triangle(triangle)?;
+        power = power + velocity.triangle(triangle)?;
     }
     for side in tiling.sides() {
-        power = power + motion.edge(side)?;
+        power = power + velocity.edge(side)?;
     }
     power.bound(&statement.objective)
 }
@@ -57,13 +57,13 @@ pub(crate) fn piece_velocities<T>(
 ) -> Result<T, CertificateError> {
     let problem = Problem::new(statement)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
-    let motion = Motion::new(&problem, &tiling, field)?;
-    let pieces = (0..field.mesh.triangles.len()).map(|t| motion.pieces(t)).collect();
+    let velocity = VelocityField::new(&problem, &tiling, field)?;
+    let pieces = (0..field.mesh.triangles.len()).map(|t| velocity.pieces(t)).collect();
     Ok(with(&tiling, pieces))
 }
 
 /// A velocity field on a checked mesh.
-struct Motion<'a> {
+struct VelocityField<'a> {
     problem: &'a Problem<'a>,
     tiling: &'a Tiling<'a>,
     field: &'a UpperField,
@@ -73,7 +73,7 @@ struct Motion<'a> {
     stream: Vec<StreamValue>,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> VelocityField<'a> {
     fn new(
         problem: &'a Problem<'a>,
         tiling: &'a Tiling<'a>,

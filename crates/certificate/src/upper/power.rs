@@ -1,6 +1,6 @@
 use std::ops::Add;
 
-use super::Motion;
+use super::VelocityField;
 use super::resistance::Resisted;
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
@@ -78,7 +78,7 @@ impl Add for Power {
     }
 }
 
-impl Motion<'_> {
+impl VelocityField<'_> {
     /// Power of body forces on a triangle, from the integral of the velocity.
     pub(super) fn body(&self, triangle: usize, flow: Vector) -> Power {
         let statement = self.problem.statement;

@@ -1,6 +1,6 @@
 //! Quadratic flows of soil with friction.
 
-use super::Motion;
+use super::VelocityField;
 use super::power::Power;
 use super::resistance::Resistance;
 use crate::CertificateError;
@@ -18,7 +18,7 @@ pub(super) fn velocity(problem: &Problem, velocity: Velocity) -> Vector {
     }
 }
 
-impl Motion<'_> {
+impl VelocityField<'_> {
     /// Difference of two velocities, exactly zero if they are one.
     pub(super) fn difference(&self, a: usize, b: usize) -> Vector {
         if a == b { Vector::ZERO } else { self.velocities[a] - self.velocities[b] }

@@ -2,13 +2,13 @@
 
 use super::power::Power;
 use super::resistance::Resistance;
-use super::{Motion, Piece};
+use super::{Piece, VelocityField};
 use crate::element::Local;
 use crate::interval::{Interval, Vector};
 use crate::mesh::Side;
 use crate::tiling::after;
 
-impl Motion<'_> {
+impl VelocityField<'_> {
     /// What a triangle adds to the power. The flow does not change the volume, by construction.
     ///
     /// The rates are `exx = -eyy = s_xy` and `exy = (s_yy - s_xx)/2`, linear in each part of the element. In terms of the

@@ -9,11 +9,11 @@ use soilctl_certificate::{LowerField, UpperField};
 use super::memory::capacity;
 use super::{Bound, Ended, Level, Options, Solve, relative_gap};
 
-use crate::bowl::Bowl;
 use crate::error::LimitError;
 use crate::fields::StressField;
 use crate::gap::shares;
 use crate::mesh::{Guide, Mesh};
+use crate::mobile::MobileZone;
 use crate::problem::Problem;
 use crate::solver::Status;
 use crate::start::Start;
@@ -49,7 +49,7 @@ pub(super) struct Run<'a> {
     pub(super) upper: Option<Bound<UpperField>>,
     /// The stress field behind the best lower bound, and its objective.
     stress: Option<(StressField, f64)>,
-    pub(super) bowl: Bowl,
+    pub(super) mobile: MobileZone,
     /// Which tightening the last upper bound needed; finer meshes need no less.
     pub(super) tightening: usize,
     /// Elements asked for on the last mesh.
@@ -64,13 +64,13 @@ impl<'a> Run<'a> {
     pub(super) fn new(problem: &'a Problem, options: &'a Options) -> Self {
         let begin = Start::new(problem);
         let guides = begin.guides.clone();
-        let bowl = begin.bowl(0, &guides);
+        let mobile = begin.mobile(0, &guides);
         Self {
             problem,
             options,
             start: Instant::now(),
             begin,
-            bowl,
+            mobile,
             meshes: Vec::new(),
             levels: Vec::new(),
             lower: None,
@@ -132,14 +132,14 @@ impl<'a> Run<'a> {
             Err(ended) => return Ok(Some(ended)),
         };
         self.target = target;
-        // What does not move in a bowl around wrong slip lines may move in the first one.
+        // What is held by a mobile zone around wrong slip lines may move in the first one.
         let is_lost = self.levels.last().is_some_and(|l| l.upper.proven.is_none());
         if is_lost {
             self.guides = self.begin.guides.clone();
         }
-        self.bowl = self.begin.bowl(if is_lost { 0 } else { number }, &self.guides);
+        self.mobile = self.begin.mobile(if is_lost { 0 } else { number }, &self.guides);
         let mut guides = self.guides.clone();
-        guides.extend(self.bowl.guide());
+        guides.extend(self.mobile.guide());
         let made = self.mesh(target, &self.begin.fans(number), &guides)?;
         if made.0.triangles.len() as f64 > self.capacity() {
             return Ok(Some(Ended::Memory));

@@ -63,7 +63,7 @@ impl Run<'_> {
         needless: &Arc<AtomicBool>,
     ) -> Result<SolvedUpper, LimitError> {
         let (mesh, topology) = &self.meshes[number];
-        let still = self.bowl.still(mesh);
+        let still = self.mobile.still(mesh);
         let mut spent = 0.0;
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);

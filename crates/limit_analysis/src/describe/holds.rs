@@ -39,12 +39,12 @@ impl Holder<'_> {
     pub(super) fn all(&self) -> Result<Vec<(LineUse, Holds)>, DescriptionError> {
         let mut all = Vec::new();
         let mut missing = Vec::new();
-        let mut found = Found::new(self.description);
+        let mut covered = Coverage::new(self.description);
         for edge in 0..self.map.arrangement.edges.len() {
             for forward in [true, false] {
                 let walk = LineUse { line: edge, forward };
                 let Ground::Soil { region, .. } = self.map.left_of(walk) else { continue };
-                match self.side(walk, region, &mut found)? {
+                match self.side(walk, region, &mut covered)? {
                     Some(Some(holds)) => all.push((walk, holds)),
                     Some(None) => missing.push(self.map.walked_points(walk)),
                     None => {}
@@ -54,7 +54,7 @@ impl Holder<'_> {
         if !missing.is_empty() {
             return Err(DescriptionError::NoCondition { parts: parts(&missing) });
         }
-        self.check_found(&found)?;
+        self.check_found(&covered)?;
         Ok(all)
     }
 
@@ -71,7 +71,7 @@ impl Holder<'_> {
         &self,
         walk: LineUse,
         region: usize,
-        found: &mut Found,
+        covered: &mut Coverage,
     ) -> Result<Option<Option<Holds>>, DescriptionError> {
         let soil = self.description.soil_of(region);
         let beyond = self.map.left_of(walk.reversed());
@@ -85,10 +85,10 @@ impl Holder<'_> {
         };
         let [a, b] = self.map.walked_points(walk);
         let long = length(between(a, b));
-        edges.iter().for_each(|e| found.edges[e.0] += if beyond.is_soil() { 0.0 } else { long });
-        boundaries.iter().for_each(|b| found.lines[b.0] += if beyond.is_soil() { 0.0 } else { long });
+        edges.iter().for_each(|e| covered.edges[e.0] += if beyond.is_soil() { 0.0 } else { long });
+        boundaries.iter().for_each(|b| covered.lines[b.0] += if beyond.is_soil() { 0.0 } else { long });
         let holds = if let Some((plate, _, same)) = plates.first() {
-            found.plates[*plate] = true;
+            covered.plates[*plate] = true;
             let p = &self.description.plates[*plate];
             let both = Interface { delta_deg: p.delta_deg, adhesion_kpa: p.adhesion_kpa };
             let own = if *same { p.left } else { p.right };
@@ -97,7 +97,7 @@ impl Holder<'_> {
                 self.face(own.unwrap_or(both), &p.in_soil, p.held, soil),
             ))
         } else if let Some(structure) = structure {
-            found.structures[structure] = true;
+            covered.structures[structure] = true;
             let s = &self.description.structures[structure];
             let face = Interface { delta_deg: s.delta_deg, adhesion_kpa: s.adhesion_kpa };
             Some((self.description.structure_title(structure), self.face(face, &s.in_soil, s.held, soil)))
@@ -128,7 +128,7 @@ impl Holder<'_> {
             return Err(DescriptionError::Conflict { first, second, line: [a, b] });
         }
         if let Some(entry) = of_side {
-            found.sides[entry] = true;
+            covered.sides[entry] = true;
         }
         let holds = match (boundaries.first(), of_side, self.description.default_boundary) {
             (Some((entry, segment, same)), _, _) => {
@@ -220,18 +220,18 @@ impl Holder<'_> {
     }
 
     /// Entries must lie where they can hold.
-    fn check_found(&self, found: &Found) -> Result<(), DescriptionError> {
+    fn check_found(&self, covered: &Coverage) -> Result<(), DescriptionError> {
         let whole = |points: &[Point]| points.windows(2).map(|w| length(between(w[0], w[1]))).sum::<f64>();
         for (i, entry) in self.description.boundaries.iter().enumerate() {
             let title = Description::boundary_title(i);
             if !entry.line.is_empty()
-                && found.lines[i] < whole(&self.drawing.lines[i]) - 2.0 * self.drawing.near
+                && covered.lines[i] < whole(&self.drawing.lines[i]) - 2.0 * self.drawing.near
             {
                 let problem =
                     "its line is not on the outline of the soil all along; give points of the outline";
                 return Err(DescriptionError::entry(title, problem));
             }
-            if entry.line.is_empty() && !found.sides[i] {
+            if entry.line.is_empty() && !covered.sides[i] {
                 let problem =
                     "there is no outline on its sides; left and right must be vertical, bottom level";
                 return Err(DescriptionError::entry(title, problem));
@@ -239,16 +239,16 @@ impl Holder<'_> {
         }
         for (i, s) in self.description.structures.iter().enumerate() {
             let title = self.description.structure_title(i);
-            if !s.edge.is_empty() && found.edges[i] < whole(&s.edge) - 2.0 * self.drawing.near {
+            if !s.edge.is_empty() && covered.edges[i] < whole(&s.edge) - 2.0 * self.drawing.near {
                 let problem =
                     "its edge is not on the outline of the soil all along; give points of the outline";
                 return Err(DescriptionError::entry(title, problem));
             }
-            if !found.structures[i] {
+            if !covered.structures[i] {
                 return Err(DescriptionError::entry(title, "it does not touch the soil"));
             }
         }
-        match found.plates.iter().position(|found| !found) {
+        match covered.plates.iter().position(|covered| !covered) {
             Some(i) => Err(DescriptionError::entry(self.description.plate_title(i), "it is not in the soil")),
             None => Ok(()),
         }
@@ -256,7 +256,7 @@ impl Holder<'_> {
 }
 
 /// How much of each entry was met.
-struct Found {
+struct Coverage {
     lines: Vec<f64>,
     sides: Vec<bool>,
     edges: Vec<f64>,
@@ -264,7 +264,7 @@ struct Found {
     plates: Vec<bool>,
 }
 
-impl Found {
+impl Coverage {
     fn new(description: &Description) -> Self {
         Self {
             lines: vec![0.0; description.boundaries.len()],

@@ -42,9 +42,9 @@ fn bounds(statement: Statement) -> [Option<f64>; 2] {
     let problem = Problem::new(statement).unwrap();
     problem.covered().unwrap();
     let begin = Start::new(&problem);
-    let bowl = begin.bowl(0, &begin.guides);
+    let mobile = begin.mobile(0, &begin.guides);
     let mut guides = begin.guides.clone();
-    guides.extend(bowl.guide());
+    guides.extend(mobile.guide());
     let mesh = generate(&Request {
         statement: problem.statement(),
         guides: &guides,
@@ -63,7 +63,7 @@ fn bounds(statement: Statement) -> [Option<f64>; 2] {
         let field = lower.function.saved(&mesh, &topology, &problem, &x);
         prove_lower(problem.statement(), &field).ok()
     });
-    let still = bowl.still(&mesh);
+    let still = mobile.still(&mesh);
     let upper = TIGHTENING.into_iter().find_map(|tightening| {
         let upper = Upper::new(&problem, &mesh, &topology, &still, tightening);
         let field = upper.saved(&mesh, &solved(&upper.program, Accuracy::FLOW).x);

@@ -14,7 +14,7 @@ use crate::topology::Topology;
 
 /// Mesh edges along which the stress function may differ by a branch: one way for each body, from the rim to the body.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Ways {
+pub(super) struct BranchCuts {
     pub(super) all: Vec<Vec<usize>>,
     edges: BTreeSet<[usize; 2]>,
 }
@@ -63,7 +63,7 @@ impl Rim {
     }
 }
 
-impl Ways {
+impl BranchCuts {
     pub(super) fn new(problem: &Problem, mesh: &Mesh, topology: &Topology) -> Self {
         let rim = Rim::new(problem, mesh, topology);
         let leftmost = |v: &&usize| mesh.vertices[**v].position;
@@ -73,9 +73,9 @@ impl Ways {
         });
         let Some(outer) = outermost.map(|v| rim.part[v]) else { return Self::default() };
         let bodies: BTreeSet<usize> = rim.part.values().copied().filter(|p| *p != outer).collect();
-        let mut ways = Self::default();
+        let mut cuts = Self::default();
         if bodies.is_empty() {
-            return ways;
+            return cuts;
         }
         let mut neighbours: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); mesh.vertices.len()];
         for (triangle, t) in mesh.triangles.iter().enumerate() {
@@ -94,14 +94,14 @@ impl Ways {
             let starts = rim.part.iter().filter(|(v, p)| **p == body && rim.may_end(**v)).map(|(v, _)| *v);
             let ends = |v: usize| rim.part.get(&v) == Some(&outer) && rim.may_end(v);
             let passes = |v: usize| !rim.part.contains_key(&v);
-            let Some(way) = shortest(&neighbours, starts, |v| taken.contains(&v), ends, passes) else {
+            let Some(cut) = shortest(&neighbours, starts, |v| taken.contains(&v), ends, passes) else {
                 continue;
             };
-            taken.extend(&way);
-            ways.edges.extend(way.windows(2).map(|w| [w[0].min(w[1]), w[0].max(w[1])]));
-            ways.all.push(way);
+            taken.extend(&cut);
+            cuts.edges.extend(cut.windows(2).map(|w| [w[0].min(w[1]), w[0].max(w[1])]));
+            cuts.all.push(cut);
         }
-        ways
+        cuts
     }
 
     /// Whether an edge is on a way.
@@ -132,13 +132,13 @@ fn shortest(
                 continue;
             }
             if ends(*next) {
-                let mut way = vec![*next, here];
+                let mut cut = vec![*next, here];
                 let mut at = here;
                 while let Some(before) = from.get(&at).copied().flatten() {
-                    way.push(before);
+                    cut.push(before);
                     at = before;
                 }
-                return Some(way);
+                return Some(cut);
             }
             if passes(*next) {
                 from.insert(*next, Some(here));
@@ -152,7 +152,7 @@ fn shortest(
 /// Where a branch starts on a run of loads: the number of the side in the run and how far along it, as it is walked.
 pub(super) type Place = (usize, f64);
 
-/// The chains of all parts of runs: a run has its own up to the first way that ends on it, then a branch for each.
+/// The gauges of all parts of runs: a run has its own up to the first way that ends on it, then a branch for each.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Branches {
     /// Run, place, and way of each branch on a run, in the order of the runs and along them.
@@ -160,29 +160,29 @@ pub(super) struct Branches {
     /// Number of runs, at least one.
     runs: usize,
     /// Number of ways.
-    ways: usize,
+    cuts: usize,
 }
 
 impl Branches {
-    pub(super) fn new(runs: usize, ways: usize, mut on_runs: Vec<(usize, Place, usize)>) -> Self {
+    pub(super) fn new(runs: usize, cuts: usize, mut on_runs: Vec<(usize, Place, usize)>) -> Self {
         on_runs.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.0.cmp(&b.1.0)).then(a.1.1.total_cmp(&b.1.1)));
-        Self { on_runs, runs: runs.max(1), ways }
+        Self { on_runs, runs: runs.max(1), cuts }
     }
 
-    /// Number of chains, branches included.
-    pub(super) fn chains(&self) -> usize {
-        self.runs + self.ways
+    /// Number of gauges, branches included.
+    pub(super) fn gauges(&self) -> usize {
+        self.runs + self.cuts
     }
 
-    /// The chain of a part of a run.
-    pub(super) fn chain(&self, run: usize, place: Place) -> usize {
+    /// The gauge of a part of a run.
+    pub(super) fn gauge(&self, run: usize, place: Place) -> usize {
         let passed = |(r, p, _): &&(usize, Place, usize)| *r == run && *p < place;
-        self.on_runs.iter().rev().find(passed).map_or(run, |(.., way)| self.runs + way)
+        self.on_runs.iter().rev().find(passed).map_or(run, |(.., cut)| self.runs + cut)
     }
 
-    /// The chains on both sides of a way that ends away from loads.
-    pub(super) fn around(&self, way: usize) -> [usize; 2] {
-        [0, self.runs + way]
+    /// The gauges on both sides of a way that ends away from loads.
+    pub(super) fn around(&self, cut: usize) -> [usize; 2] {
+        [0, self.runs + cut]
     }
 }
 

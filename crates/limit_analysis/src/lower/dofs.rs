@@ -1,12 +1,12 @@
 //! The stress function of a problem on a mesh: its unknowns, with the boundary conditions built in.
 
-use soilctl_certificate::{Chain, Condition, Gradient, LowerField, VertexCopy};
+use soilctl_certificate::{Condition, Gauge, Gradient, LowerField, VertexCopy};
 
-use super::copies::{Copies, Meeting};
 use super::given::{Across, Touching, slopes_across};
 use super::loads;
-use super::reference::Reference;
+use super::reference::ReferenceStress;
 use super::shape::Shape;
+use super::split_vertices::{Meeting, SplitVertices};
 use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
@@ -22,13 +22,13 @@ pub(crate) struct StressFunction {
     vertex_of: Vec<usize>,
     shapes: Vec<Shape>,
     jets: Vec<[Form; 3]>,
-    /// Copies at which all stress vanishes.
+    /// SplitVertices at which all stress vanishes.
     pub(crate) apex: Vec<bool>,
     /// The slope across the middle of each triangle edge along the turned edge vector, apart from the affine function
-    /// of the chain named.
+    /// of the gauge named.
     slopes: Vec<[(usize, Form); 3]>,
-    /// Affine function of each chain of free boundary as constant and gradient; the first is zero.
-    chains: Vec<[Form; 3]>,
+    /// Affine function of each gauge of free boundary as constant and gradient; the first is zero.
+    gauges: Vec<[Form; 3]>,
     gradients: Vec<Slopes>,
     across: Vec<Option<Across>>,
     /// Stress along level far lines, beyond the reference.
@@ -37,7 +37,7 @@ pub(crate) struct StressFunction {
     multiplier: Option<usize>,
 }
 
-/// How a chain's gradient is stored.
+/// How a gauge's gradient is stored.
 #[derive(Debug, Clone, Copy)]
 enum Slopes {
     Zero,
@@ -45,32 +45,32 @@ enum Slopes {
     Along { line: usize, unit: f64 },
 }
 
-/// Affine functions of the chains, and how their gradients are stored.
-fn chains(problem: &Problem, copies: &Copies, program: &mut Program) -> (Vec<[Form; 3]>, Vec<Slopes>) {
-    // A smooth line that joins two chains carries no force along itself: the second chain's gradient is along it.
-    let mut chains: Vec<[Form; 3]> = Vec::new();
+/// Affine functions of the gauges, and how their gradients are stored.
+fn gauges(problem: &Problem, copies: &SplitVertices, program: &mut Program) -> (Vec<[Form; 3]>, Vec<Slopes>) {
+    // A smooth line that joins two gauges carries no force along itself: the second gauge's gradient is along it.
+    let mut gauges: Vec<[Form; 3]> = Vec::new();
     let mut gradients = Vec::new();
-    for chain in 0..copies.branches.chains() {
-        if chain == 0 {
-            chains.push([Form::default(), Form::default(), Form::default()]);
+    for gauge in 0..copies.branches.gauges() {
+        if gauge == 0 {
+            gauges.push([Form::default(), Form::default(), Form::default()]);
             gradients.push(Slopes::Zero);
             continue;
         }
         let constant = Form::unknown(program.unknown(), 1.0);
         let joined =
-            copies.meetings.iter().position(|m| m.len() > 1 && m[1..].iter().any(|m| m.chain == chain));
+            copies.meetings.iter().position(|m| m.len() > 1 && m[1..].iter().any(|m| m.gauge == gauge));
         if let Some(line) = joined {
             let [p, q] = problem.ends(line);
             let u = program.unknown();
             let unit = 1.0 / distance(p, q);
-            chains.push([
+            gauges.push([
                 constant,
                 Form::unknown(u, unit * (q[0] - p[0])),
                 Form::unknown(u, unit * (q[1] - p[1])),
             ]);
             gradients.push(Slopes::Along { line, unit });
         } else {
-            chains.push([
+            gauges.push([
                 constant,
                 Form::unknown(program.unknown(), 1.0),
                 Form::unknown(program.unknown(), 1.0),
@@ -78,7 +78,7 @@ fn chains(problem: &Problem, copies: &Copies, program: &mut Program) -> (Vec<[Fo
             gradients.push(Slopes::Free);
         }
     }
-    (chains, gradients)
+    (gauges, gradients)
 }
 
 /// The slope across the middle of each edge.
@@ -86,7 +86,7 @@ fn slopes(
     problem: &Problem,
     mesh: &Mesh,
     topology: &Topology,
-    copies: &Copies,
+    copies: &SplitVertices,
     across: &[Option<Across>],
     program: &mut Program,
 ) -> Vec<[(usize, Form); 3]> {
@@ -103,8 +103,8 @@ fn slopes(
             _ if copies.apex[a] || copies.apex[b] => continue,
             Some((side, c)) if c.traction_is_given() => {
                 let at = (copies.fraction(a, side.line) + copies.fraction(b, side.line)) / 2.0;
-                let chain = copies.chain_of[a].as_ref().map_or(0, |c| c.0);
-                (chain, loads::across(between(p, q), &copies.loads.at(side, at)))
+                let gauge = copies.gauge_of[a].as_ref().map_or(0, |c| c.0);
+                (gauge, loads::across(between(p, q), &copies.loads.at(side, at)))
             }
             Some((side, c)) if c.shear_is_given() => {
                 let Some(line) = &across[side.line] else { continue };
@@ -114,7 +114,7 @@ fn slopes(
             Some(_) => (0, own()),
             None => {
                 let Some(other) = topology.across[s.triangle][s.corner] else { continue };
-                let base = copies.way(s).unwrap_or(0);
+                let base = copies.cut(s).unwrap_or(0);
                 if (other.triangle, other.corner) < (s.triangle, s.corner) {
                     let (_, form) = &slopes[other.triangle][other.corner];
                     (base, Form::default().plus(-1.0, form))
@@ -132,30 +132,30 @@ impl StressFunction {
         problem: &Problem,
         mesh: &Mesh,
         topology: &Topology,
-        reference: &Reference,
+        reference: &ReferenceStress,
         program: &mut Program,
     ) -> Self {
-        let copies = Copies::new(problem, mesh, topology, reference);
-        let (chains, gradients) = chains(problem, &copies, program);
+        let copies = SplitVertices::new(problem, mesh, topology, reference);
+        let (gauges, gradients) = gauges(problem, &copies, program);
         let slopes_at = |m: &Meeting| -> [Form; 2] {
-            let demanded = copies.chain_of[m.copy].as_ref().map(|c| &c.1);
+            let demanded = copies.gauge_of[m.copy].as_ref().map(|c| &c.1);
             std::array::from_fn(|i| {
-                let affine = chains[m.chain][1 + i].clone();
+                let affine = gauges[m.gauge][1 + i].clone();
                 demanded.map_or(affine.clone(), |d| affine.plus(1.0, &d[1 + i]))
             })
         };
         let touching: Touching = copies
             .meetings
             .iter()
-            .map(|line| line.iter().map(|m| (m.chain, slopes_at(m), m.at)).collect())
+            .map(|line| line.iter().map(|m| (m.gauge, slopes_at(m), m.at)).collect())
             .collect();
         let across = slopes_across(problem, reference, &touching, program);
-        let shapes = copies.shapes(&across, &chains, program);
+        let shapes = copies.shapes(&across, &gauges, program);
         let slopes = slopes(problem, mesh, topology, &copies, &across, program);
         let far = problem.statement().boundaries.iter().any(|b| b.condition == Condition::Far);
         let far_stress = far.then(|| program.unknown());
         let jets = shapes.iter().map(Shape::jet).collect();
-        let Copies { corners, vertex_of, apex, .. } = copies;
+        let SplitVertices { corners, vertex_of, apex, .. } = copies;
         Self {
             corners,
             vertex_of,
@@ -163,7 +163,7 @@ impl StressFunction {
             jets,
             apex,
             slopes,
-            chains,
+            gauges,
             gradients,
             across,
             far_stress,
@@ -171,16 +171,16 @@ impl StressFunction {
         }
     }
 
-    /// The affine function of a chain at a point: value and slopes.
-    fn affine(&self, chain: usize, p: Point) -> [Form; 3] {
-        let [c, gx, gy] = &self.chains[chain];
+    /// The affine function of a gauge at a point: value and slopes.
+    fn affine(&self, gauge: usize, p: Point) -> [Form; 3] {
+        let [c, gx, gy] = &self.gauges[gauge];
         [c.clone().plus(p[0], gx).plus(p[1], gy), gx.clone(), gy.clone()]
     }
 
     /// Slopes at a triangle corner, in full.
     pub(crate) fn gradient(&self, triangle: usize, corner: usize) -> [Form; 2] {
         let copy = self.corners[triangle][corner];
-        let [_, gx, gy] = &self.chains[self.shapes[copy].base()];
+        let [_, gx, gy] = &self.gauges[self.shapes[copy].base()];
         let [_, fx, fy] = &self.jets[copy];
         [fx.clone().plus(1.0, gx), fy.clone().plus(1.0, gy)]
     }
@@ -221,14 +221,14 @@ impl StressFunction {
 
     /// The stress function of a solution, as a certificate stores it.
     pub(crate) fn saved(&self, mesh: &Mesh, topology: &Topology, problem: &Problem, x: &[f64]) -> LowerField {
-        let gradient = |chain: usize| match self.gradients[chain] {
+        let gradient = |gauge: usize| match self.gradients[gauge] {
             Slopes::Zero => Gradient::Free { x: 0.0, y: 0.0 },
             Slopes::Free => {
-                Gradient::Free { x: self.chains[chain][1].value(x), y: self.chains[chain][2].value(x) }
+                Gradient::Free { x: self.gauges[gauge][1].value(x), y: self.gauges[gauge][2].value(x) }
             }
             Slopes::Along { line, unit } => {
                 // The unknown behind the gradient, along the line's own vector.
-                let u = self.chains[chain].iter().skip(1).find_map(|f| f.terms.first().map(|t| t.0));
+                let u = self.gauges[gauge].iter().skip(1).find_map(|f| f.terms.first().map(|t| t.0));
                 Gradient::Along { line, value: u.map_or(0.0, |u| unit * x[u]) }
             }
         };
@@ -252,8 +252,8 @@ impl StressFunction {
                 .zip(&self.shapes)
                 .map(|(vertex, shape)| VertexCopy { vertex: *vertex, jet: shape.saved(x) })
                 .collect(),
-            chains: (0..self.chains.len())
-                .map(|c| Chain { constant: self.chains[c][0].value(x), gradient: gradient(c) })
+            gauges: (0..self.gauges.len())
+                .map(|c| Gauge { constant: self.gauges[c][0].value(x), gradient: gradient(c) })
                 .collect(),
             lines: self
                 .across

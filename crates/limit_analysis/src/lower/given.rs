@@ -3,7 +3,7 @@
 
 use soilctl_certificate::{Condition, LineUse};
 
-use super::reference::Reference;
+use super::reference::ReferenceStress;
 use super::shape::Unknown;
 use crate::form::Form;
 use crate::problem::Problem;
@@ -20,13 +20,13 @@ pub(crate) struct Across {
     /// Where the constant below holds.
     origin: f64,
     constant: Form,
-    /// The unknown behind the constant, if the lines touch no chain.
+    /// The unknown behind the constant, if the lines touch no gauge.
     pub(crate) free: Option<Unknown>,
     /// Lines that share a constant have the same number.
     pub(crate) group: usize,
 }
 
-/// Where lines of given shear meet free boundaries: for each line, chains with their slopes there and the position on
+/// Where lines of given shear meet free boundaries: for each line, gauges with their slopes there and the position on
 /// the line, 0 or 1.
 pub(crate) type Touching = Vec<Vec<(usize, [Form; 2], f64)>>;
 
@@ -79,7 +79,7 @@ fn groups(problem: &Problem) -> Vec<Vec<LineUse>> {
 /// The slopes across all lines of given shear, one entry a line of the statement.
 pub(crate) fn slopes_across(
     problem: &Problem,
-    reference: &Reference,
+    reference: &ReferenceStress,
     touching: &Touching,
     program: &mut Program,
 ) -> Vec<Option<Across>> {
@@ -131,7 +131,7 @@ pub(crate) fn slopes_across(
 }
 
 impl Across {
-    fn without_constant(problem: &Problem, reference: &Reference, side: LineUse, group: usize) -> Self {
+    fn without_constant(problem: &Problem, reference: &ReferenceStress, side: LineUse, group: usize) -> Self {
         let [p, q] = problem.ends(side.line);
         let t = between(p, q);
         let n = turned(t);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use soilctl_certificate::{Condition, LineUse, Objective, Run};
 
-use super::reference::Reference;
+use super::reference::ReferenceStress;
 use crate::form::Form;
 use crate::problem::Problem;
 use crate::vector::{Point, turned};
@@ -38,7 +38,7 @@ pub(crate) struct Loads {
 }
 
 impl Loads {
-    pub(crate) fn new(problem: &Problem, reference: &Reference) -> Self {
+    pub(crate) fn new(problem: &Problem, reference: &ReferenceStress) -> Self {
         let runs = problem.statement().runs(|b| b.condition.traction_is_given());
         let mut sides = BTreeMap::new();
         for (number, run) in runs.iter().enumerate() {
@@ -70,7 +70,7 @@ impl Loads {
 impl Side {
     fn new(
         problem: &Problem,
-        reference: &Reference,
+        reference: &ReferenceStress,
         run: usize,
         side: LineUse,
         start: (Form, [Form; 2]),

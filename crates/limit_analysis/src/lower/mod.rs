@@ -4,7 +4,6 @@
 //! unknowns are, and only yield is left to the cones of the program.
 
 mod branches;
-mod copies;
 pub(crate) mod dofs;
 mod far;
 mod given;
@@ -12,6 +11,7 @@ mod loads;
 pub(crate) mod macro_element;
 mod reference;
 mod shape;
+mod split_vertices;
 #[cfg(test)]
 pub(crate) mod tests;
 
@@ -19,7 +19,7 @@ use soilctl_certificate::{Condition, LowerField, Objective};
 
 use dofs::StressFunction;
 use macro_element::{Curvature, curvatures};
-use reference::Reference;
+use reference::ReferenceStress;
 
 use crate::form::Form;
 use crate::mesh::Mesh;
@@ -39,7 +39,7 @@ pub(crate) type Stress = [Form; 3];
 pub(crate) struct Lower {
     pub(crate) program: Program,
     pub(crate) function: StressFunction,
-    pub(crate) reference: Reference,
+    pub(crate) reference: ReferenceStress,
     /// The force or factor to be made large.
     pub(crate) force: Form,
     /// The unknown part of cohesion, adhesion and tension that is enough for everything that acts, if that is bounded.
@@ -86,7 +86,7 @@ fn cut_off(soil: &Soil, tension: &Form, [xx, yy, xy]: &Stress, at: Point, scale:
 
 /// Stress at the nodes of all three parts of a triangle, `None` where it vanishes.
 pub(crate) fn node_stresses(
-    reference: &Reference,
+    reference: &ReferenceStress,
     mesh: &Mesh,
     function: &StressFunction,
     triangle: usize,
@@ -123,7 +123,7 @@ impl Lower {
         let factor = problem.has_factor().then(|| program.unknown());
         let all = problem.statement().objective == Objective::Everything;
         let (part, multiplier) = if all { (factor, None) } else { (None, factor) };
-        let reference = Reference::new(problem, multiplier);
+        let reference = ReferenceStress::new(problem, multiplier);
         let function = StressFunction::new(problem, mesh, topology, &reference, &mut program);
         // The factor on everything is one over the part of the strength, which is made small.
         let sign = if all { -1.0 } else { 1.0 };

@@ -15,7 +15,7 @@ fn at(plane: &Plane, p: Point) -> f64 {
 
 /// Reference stresses of all regions.
 #[derive(Debug, Clone)]
-pub(crate) struct Reference {
+pub(crate) struct ReferenceStress {
     gravity: Point,
     live: Point,
     datum: f64,
@@ -28,7 +28,7 @@ pub(crate) struct Reference {
     pub(crate) multiplier: Option<usize>,
 }
 
-impl Reference {
+impl ReferenceStress {
     pub(crate) fn new(problem: &Problem, multiplier: Option<usize>) -> Self {
         let s = problem.statement();
         let live = match s.objective {

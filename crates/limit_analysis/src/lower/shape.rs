@@ -25,9 +25,9 @@ impl Unknown {
 /// What is known about a vertex copy; the same kinds as [`Jet`], with unknowns in place of numbers.
 #[derive(Debug, Clone)]
 pub(crate) enum Shape {
-    /// On a free or loaded boundary: the chain's affine function and what the loads demand.
-    Chain { chain: usize, demanded: [Form; 3] },
-    /// The affine function of the chain `base`.
+    /// On a free or loaded boundary: the gauge's affine function and what the loads demand.
+    Gauge { gauge: usize, demanded: [Form; 3] },
+    /// The affine function of the gauge `base`.
     Zero { base: usize },
     /// No condition.
     Free { base: usize, f: Unknown, fx: Unknown, fy: Unknown },
@@ -49,10 +49,10 @@ pub(crate) enum Turn {
 }
 
 impl Shape {
-    /// The chain whose affine function the values are relative to.
+    /// The gauge whose affine function the values are relative to.
     pub(crate) fn base(&self) -> usize {
         match self {
-            Self::Chain { chain, .. } => *chain,
+            Self::Gauge { gauge, .. } => *gauge,
             Self::Zero { base }
             | Self::OneApex { base, .. }
             | Self::ManyApexes { base, .. }
@@ -61,11 +61,11 @@ impl Shape {
         }
     }
 
-    /// The same unknowns relative to another chain; `same` finds the apex with the same vertex.
+    /// The same unknowns relative to another gauge; `same` finds the apex with the same vertex.
     pub(crate) fn on(&self, base: usize, same: impl Fn(usize) -> Option<usize>) -> Self {
         let mut shape = self.clone();
         match &mut shape {
-            Self::Chain { chain: b, .. }
+            Self::Gauge { gauge: b, .. }
             | Self::Zero { base: b }
             | Self::ManyApexes { base: b, .. }
             | Self::Free { base: b, .. } => *b = base,
@@ -79,7 +79,7 @@ impl Shape {
     pub(crate) fn jet(&self) -> [Form; 3] {
         let zero = Form::default;
         match self {
-            Self::Chain { demanded, .. } => demanded.clone(),
+            Self::Gauge { demanded, .. } => demanded.clone(),
             Self::Zero { .. } => [zero(), zero(), zero()],
             Self::Free { f, fx, fy, .. } => [f.form(), fx.form(), fy.form()],
             Self::OneApex { r, f, turn, .. } => {
@@ -117,7 +117,7 @@ impl Shape {
     /// The jet of a solution, as a certificate stores it.
     pub(crate) fn saved(&self, x: &[f64]) -> Jet {
         match self {
-            Self::Chain { chain, .. } => Jet::Chain { chain: *chain },
+            Self::Gauge { gauge, .. } => Jet::Gauge { gauge: *gauge },
             Self::Zero { base } => Jet::Zero { base: *base },
             Self::Free { base, f, fx, fy } => {
                 Jet::Free { base: *base, f: f.value(x), fx: fx.value(x), fy: fy.value(x) }

@@ -3,9 +3,9 @@
 use soilctl_certificate::{Condition, Objective, Place, Side};
 
 use super::Builder;
-use super::ground::Edge;
+use super::edge_velocity::EdgeVelocity;
+use super::meshed::Edge;
 use super::nodes::Element;
-use super::slide::Slide;
 use super::strength::{Limit, over_edge};
 use crate::form::Form;
 
@@ -25,7 +25,7 @@ struct Layer {
 
 impl Builder<'_> {
     pub(super) fn add_edge(&mut self, side: Side) {
-        match self.ground.edge(side) {
+        match self.meshed.edge(side) {
             Edge::Glued => {}
             Edge::Jump { other, .. } if other.triangle < side.triangle => {}
             Edge::Jump { other, region } => self.add_jump(side, other, region),
@@ -33,11 +33,11 @@ impl Builder<'_> {
                 self.add_face(side, delta_deg, adhesion)
             }
             Edge::Boundary(Condition::Free) => {
-                self.add_load(side, [self.ground.problem.statement().surcharge; 2], [0.0; 2], self.all)
+                self.add_load(side, [self.meshed.problem.statement().surcharge; 2], [0.0; 2], self.all)
             }
             Edge::Boundary(Condition::Loaded { pressure, shear, live }) => {
                 let live =
-                    self.all || (live && self.ground.problem.statement().objective == Objective::Loads);
+                    self.all || (live && self.meshed.problem.statement().objective == Objective::Loads);
                 let [pressure, shear] = [pressure, shear].map(|at_ends| self.between(side, at_ends));
                 self.add_load(side, pressure, shear, live);
             }
@@ -46,24 +46,26 @@ impl Builder<'_> {
     }
 
     fn vector(&self, side: Side) -> ([f64; 2], f64) {
-        let [p, q] = self.ground.ends(side);
+        let [p, q] = self.meshed.ends(side);
         let d = [q[0] - p[0], q[1] - p[1]];
         (d, d[0].hypot(d[1]))
     }
 
     /// Velocity of a triangle along its edge.
-    fn slide(&self, side: Side) -> Slide {
+    fn slide(&self, side: Side) -> EdgeVelocity {
         let (d, length) = self.vector(side);
         match self.elements[side.triangle] {
-            Element::Quadratic(nodes) => Slide::new(d.map(|x| x / length), &self.on_edge(nodes, side.corner)),
+            Element::Quadratic(nodes) => {
+                EdgeVelocity::new(d.map(|x| x / length), &self.on_edge(nodes, side.corner))
+            }
             Element::Stream(copies) => self.stream_slide(side, copies),
-            Element::Rest => Slide::default(),
+            Element::Rest => EdgeVelocity::default(),
         }
     }
 
-    pub(super) fn stream_slide(&self, side: Side, copies: [usize; 3]) -> Slide {
+    pub(super) fn stream_slide(&self, side: Side, copies: [usize; 3]) -> EdgeVelocity {
         let ends = [1, 2].map(|i| &self.stream.jets[copies[(side.corner + i) % 3]]);
-        Slide::of_stream(self.vector(side).0, ends, &self.stream.slopes[side.triangle][side.corner])
+        EdgeVelocity::of_stream(self.vector(side).0, ends, &self.stream.slopes[side.triangle][side.corner])
     }
 
     fn add_jump(&mut self, side: Side, other: Side, region: usize) {
@@ -75,12 +77,12 @@ impl Builder<'_> {
                 for (v, minus) in jump.iter_mut().zip([start, middle, end]) {
                     v.iter_mut().zip(&minus).for_each(|(v, m)| v.add(-1.0, m));
                 }
-                Slide::new(d.map(|x| x / length), &jump)
+                EdgeVelocity::new(d.map(|x| x / length), &jump)
             }
             _ => self.slide(side).less(&self.slide(other).reversed()),
         };
-        let soil = &self.ground.problem.soils[region];
-        let ends = self.ground.ends(side);
+        let soil = &self.meshed.problem.soils[region];
+        let ends = self.meshed.ends(side);
         let limit = Limit::around(soil, &ends);
         let radius = matches!(limit, Limit::Tension(_)).then(|| ends.map(|p| limit.radius(soil, p)));
         let water = ends.map(|p| soil.pore_pressure.at(p));
@@ -91,7 +93,7 @@ impl Builder<'_> {
     fn add_face(&mut self, side: Side, delta_deg: f64, adhesion: f64) {
         let (d, length) = self.vector(side);
         let t = d.map(|x| x / length);
-        let rigid = || self.ground.problem.velocity().map(Form::constant);
+        let rigid = || self.meshed.problem.velocity().map(Form::constant);
         let rigid = [rigid(), rigid(), rigid()];
         let tan = delta_deg.to_radians().tan();
         let tension = if tan > 0.0 { adhesion / tan } else { 0.0 };
@@ -101,20 +103,20 @@ impl Builder<'_> {
                 for (v, minus) in relative.iter_mut().zip(&rigid) {
                     v.iter_mut().zip(minus).for_each(|(v, m)| v.add(-1.0, m));
                 }
-                Slide::new(t, &relative)
+                EdgeVelocity::new(t, &relative)
             }
-            Element::Stream(_) | Element::Rest => self.slide(side).less(&Slide::new(t, &rigid)),
+            Element::Stream(_) | Element::Rest => self.slide(side).less(&EdgeVelocity::new(t, &rigid)),
         };
-        if self.ground.is_clay(side.triangle) && tan == 0.0 && adhesion > 0.0 {
+        if self.meshed.is_isochoric(side.triangle) && tan == 0.0 && adhesion > 0.0 {
             return self.add_adhesion(&relative, adhesion * length / 3.0);
         }
-        let water = self.ground.ends(side).map(|p| self.ground.soil(side.triangle).pore_pressure.at(p));
+        let water = self.meshed.ends(side).map(|p| self.meshed.soil(side.triangle).pore_pressure.at(p));
         let layer = Layer { tan, tension: [tension; 2], water, radius: None };
         self.add_layer(&layer, &relative, length);
     }
 
     /// Slip along a wall.
-    fn add_adhesion(&mut self, relative: &Slide, cost: f64) {
+    fn add_adhesion(&mut self, relative: &EdgeVelocity, cost: f64) {
         for slip in &relative.slip {
             if slip.terms.is_empty() {
                 self.power.dissipate(cost, &Form::constant(slip.constant.abs()));
@@ -128,7 +130,7 @@ impl Builder<'_> {
     }
 
     /// Where the coefficients of a quadratic keep a sign, it does.
-    fn add_layer(&mut self, layer: &Layer, slide: &Slide, length: f64) {
+    fn add_layer(&mut self, layer: &Layer, slide: &EdgeVelocity, length: f64) {
         let (tension, water) = (over_edge(layer.tension), over_edge(layer.water));
         for (i, n) in slide.opening.iter().enumerate() {
             self.power.dissipate(tension[i] * length / 3.0, n);
@@ -157,11 +159,11 @@ impl Builder<'_> {
 
     /// Values at the ends of an edge of what is linear along its line, from the values at the line's ends.
     fn between(&self, side: Side, [from, to]: Ends) -> Ends {
-        let Some(used) = self.ground.topology.line[side.triangle][side.corner] else { return [from, to] };
-        let corners = self.ground.mesh.triangles[side.triangle].corners;
-        [1, 2].map(|i| match self.ground.mesh.vertices[corners[(side.corner + i) % 3]].place {
+        let Some(used) = self.meshed.topology.line[side.triangle][side.corner] else { return [from, to] };
+        let corners = self.meshed.mesh.triangles[side.triangle].corners;
+        [1, 2].map(|i| match self.meshed.mesh.vertices[corners[(side.corner + i) % 3]].place {
             Place::OnLine { s, .. } => from + s * (to - from),
-            Place::Corner { point } if self.ground.problem.statement().lines[used.line].from == point => from,
+            Place::Corner { point } if self.meshed.problem.statement().lines[used.line].from == point => from,
             Place::Corner { .. } | Place::Inside => to,
         })
     }

@@ -4,14 +4,14 @@
 //! guides, interfaces and structure faces (Makrodimopoulos & Martin 2007, 2008). Soil without friction keeps its volume:
 //! its velocity is that of a stream function.
 
-mod clay;
+mod edge_velocity;
 mod edges;
-mod ground;
-mod motion;
+mod freedom;
+mod isochoric;
+mod meshed;
 mod nodes;
 mod power;
 mod quadratic;
-mod slide;
 mod stream;
 mod strength;
 #[cfg(test)]
@@ -20,13 +20,13 @@ mod walls;
 
 use soilctl_certificate::{Flow, Objective, Side, UpperField, Velocity as Saved};
 
-pub(crate) use clay::shear_rates;
-pub(crate) use ground::{Edge, Ground};
+pub(crate) use isochoric::shear_rates;
+pub(crate) use meshed::{Edge, MeshedProblem};
 pub(crate) use nodes::Element;
 pub(crate) use quadratic::gradients;
 pub(crate) use strength::Limit;
 
-use motion::{Motion, motions};
+use freedom::{Freedom, freedoms};
 use nodes::Elements;
 use power::{Power, live_size, objective_unit};
 use stream::StreamFunction;
@@ -48,7 +48,7 @@ pub(crate) struct Upper {
     #[cfg(test)]
     pub(crate) force: Form,
     pub(crate) elements: Vec<Element>,
-    motions: Vec<Motion>,
+    freedoms: Vec<Freedom>,
     pub(crate) velocities: Vec<Velocity>,
     stream: StreamFunction,
     /// Velocities of the control points of the triangles that have a stream function, which are exact along the edges.
@@ -62,7 +62,7 @@ pub(crate) struct Upper {
 
 /// A program in the making.
 struct Builder<'a> {
-    ground: Ground<'a>,
+    meshed: MeshedProblem<'a>,
     elements: Vec<Element>,
     velocities: Vec<Velocity>,
     stream: StreamFunction,
@@ -81,15 +81,15 @@ impl Upper {
         still: &[bool],
         tighten: f64,
     ) -> Self {
-        let ground = Ground { problem, mesh, topology };
+        let meshed = MeshedProblem { problem, mesh, topology };
         let mut program = Program::default();
-        let Elements { of: elements, control_points, copies } = Elements::new(&ground, still);
-        let motions = motions(&ground, &elements, control_points, still, &mut program);
-        let velocities: Vec<Velocity> = motions.iter().map(|m| m.velocity(problem)).collect();
-        let stream = StreamFunction::new(&ground, &elements, copies, &mut program);
+        let Elements { of: elements, control_points, copies } = Elements::new(&meshed, still);
+        let freedoms = freedoms(&meshed, &elements, control_points, still, &mut program);
+        let velocities: Vec<Velocity> = freedoms.iter().map(|m| m.velocity(problem)).collect();
+        let stream = StreamFunction::new(&meshed, &elements, copies, &mut program);
         let power = Power::default();
         let all = problem.statement().objective == Objective::Everything;
-        let mut builder = Builder { ground, elements, velocities, stream, program, power, tighten, all };
+        let mut builder = Builder { meshed, elements, velocities, stream, program, power, tighten, all };
         for triangle in 0..mesh.triangles.len() {
             builder.add_triangle(triangle);
             for corner in 0..3 {
@@ -107,12 +107,12 @@ impl Upper {
             unit = objective_unit(problem, live);
         }
         program.objective.extend(force.terms.iter().map(|(index, c)| (*index, c * unit)));
-        let corners: Vec<[Point; 3]> = (0..mesh.triangles.len()).map(|t| ground.corners(t)).collect();
-        let limits = (0..corners.len()).map(|t| Limit::around(ground.soil(t), &corners[t])).collect();
+        let corners: Vec<[Point; 3]> = (0..mesh.triangles.len()).map(|t| meshed.corners(t)).collect();
+        let limits = (0..corners.len()).map(|t| Limit::around(meshed.soil(t), &corners[t])).collect();
         Self {
             program,
             elements,
-            motions,
+            freedoms,
             velocities,
             stream,
             control,
@@ -137,12 +137,12 @@ impl Upper {
     /// The flow of a solution, as a certificate stores it.
     pub(crate) fn saved(&self, mesh: &Mesh, x: &[f64]) -> UpperField {
         let mut velocities: Vec<Saved> = self
-            .motions
+            .freedoms
             .iter()
-            .map(|motion| match *motion {
-                Motion::Still => Saved::Zero,
-                Motion::Slide { line, index, unit } => Saved::Slide { line, value: unit * x[index] },
-                Motion::Free { x: i, y: j } => Saved::Free { x: x[i], y: x[j] },
+            .map(|freedom| match *freedom {
+                Freedom::Still => Saved::Zero,
+                Freedom::Slide { line, index, unit } => Saved::Slide { line, value: unit * x[index] },
+                Freedom::Free { x: i, y: j } => Saved::Free { x: x[i], y: x[j] },
             })
             .collect();
         let at_rest = velocities.len();
@@ -172,7 +172,7 @@ impl Builder<'_> {
                 return [jet[2].clone(), Form::default().plus(-1.0, &jet[1])];
             }
             let side = Side { triangle, corner: i - 3 };
-            let [p, q] = self.ground.ends(side);
+            let [p, q] = self.meshed.ends(side);
             let length = distance(q, p);
             let [tx, ty] = [(q[0] - p[0]) / length, (q[1] - p[1]) / length];
             let slide = self.stream_slide(side, copies);

@@ -2,8 +2,8 @@
 
 use soilctl_certificate::{Condition, Side};
 
-use super::ground::{Edge, Ground};
-use super::motion::corner_angle;
+use super::freedom::corner_angle;
+use super::meshed::{Edge, MeshedProblem};
 
 /// What the flow on a triangle is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,16 +24,16 @@ pub(super) struct Elements {
 }
 
 impl Elements {
-    pub(super) fn new(ground: &Ground, still: &[bool]) -> Self {
-        let rest = enclosed(ground, still);
-        let is_cut = |s: Side| !matches!(ground.edge(s), Edge::Glued);
-        let (mut corners, vertex_of) = ground.topology.split(ground.mesh, is_cut);
+    pub(super) fn new(meshed: &MeshedProblem, still: &[bool]) -> Self {
+        let rest = enclosed(meshed, still);
+        let is_cut = |s: Side| !matches!(meshed.edge(s), Edge::Glued);
+        let (mut corners, vertex_of) = meshed.topology.split(meshed.mesh, is_cut);
         // Soil with friction and soil without do not share any.
-        let mut is_clay = vec![false; vertex_of.len()];
+        let mut is_isochoric = vec![false; vertex_of.len()];
         let mut rests = vec![false; vertex_of.len()];
         for (triangle, copies) in corners.iter().enumerate() {
             for copy in copies {
-                is_clay[*copy] = ground.is_clay(triangle);
+                is_isochoric[*copy] = meshed.is_isochoric(triangle);
                 rests[*copy] = rest[triangle];
             }
         }
@@ -42,7 +42,7 @@ impl Elements {
         for (copy, vertex) in vertex_of.into_iter().enumerate() {
             if rests[copy] {
                 index.push(usize::MAX);
-            } else if is_clay[copy] {
+            } else if is_isochoric[copy] {
                 index.push(copies.len());
                 copies.push(vertex);
             } else {
@@ -53,14 +53,14 @@ impl Elements {
         for all in &mut corners {
             *all = all.map(|c| index[c]);
         }
-        weld_sharp_bends(ground, &mut corners, control_points);
+        weld_sharp_bends(meshed, &mut corners, control_points);
         let mut elements: Vec<Element> = corners
             .iter()
             .enumerate()
             .map(|(triangle, &c)| {
                 if rest[triangle] {
                     Element::Rest
-                } else if ground.is_clay(triangle) {
+                } else if meshed.is_isochoric(triangle) {
                     Element::Stream(c)
                 } else {
                     Element::Quadratic([c[0], c[1], c[2], usize::MAX, usize::MAX, usize::MAX])
@@ -75,7 +75,7 @@ impl Elements {
                     continue;
                 }
                 nodes[3 + corner] = control_points;
-                if let Some(other) = ground.topology.across[triangle][corner].filter(|_| !is_cut(side))
+                if let Some(other) = meshed.topology.across[triangle][corner].filter(|_| !is_cut(side))
                     && let Element::Quadratic(nodes) = &mut elements[other.triangle]
                 {
                     nodes[3 + other.corner] = control_points;
@@ -88,29 +88,29 @@ impl Elements {
 }
 
 /// Triangles of soil without friction around which all is held: it could not make way for what must open there.
-fn enclosed(ground: &Ground, still: &[bool]) -> Vec<bool> {
-    let count = ground.mesh.triangles.len();
+fn enclosed(meshed: &MeshedProblem, still: &[bool]) -> Vec<bool> {
+    let count = meshed.mesh.triangles.len();
     let is_still = |triangle: usize| still.get(triangle).copied().unwrap_or(false);
     let (mut done, mut rest) = (vec![false; count], vec![false; count]);
-    for first in (0..count).filter(|t| ground.is_clay(*t)) {
+    for first in (0..count).filter(|t| meshed.is_isochoric(*t)) {
         if done[first] {
             continue;
         }
         done[first] = true;
-        let (mut part, mut open, mut is_held, mut touches_sand) = (Vec::new(), vec![first], true, false);
+        let (mut part, mut open, mut is_held, mut touches_dilatant) = (Vec::new(), vec![first], true, false);
         while let Some(triangle) = open.pop() {
             part.push(triangle);
             for corner in 0..3 {
-                match ground.edge(Side { triangle, corner }) {
+                match meshed.edge(Side { triangle, corner }) {
                     Edge::Boundary(c) => {
                         is_held &= matches!(c, Condition::Fixed | Condition::Far | Condition::Smooth);
                     }
                     Edge::Jump { other, .. } => {
-                        touches_sand = true;
+                        touches_dilatant = true;
                         is_held &= is_still(other.triangle);
                     }
                     Edge::Glued => {
-                        for next in ground.topology.across[triangle][corner].iter().map(|o| o.triangle) {
+                        for next in meshed.topology.across[triangle][corner].iter().map(|o| o.triangle) {
                             if !done[next] {
                                 done[next] = true;
                                 open.push(next);
@@ -120,7 +120,7 @@ fn enclosed(ground: &Ground, still: &[bool]) -> Vec<bool> {
                 }
             }
         }
-        if is_held && touches_sand {
+        if is_held && touches_dilatant {
             part.into_iter().for_each(|t| rest[t] = true);
         }
     }
@@ -129,18 +129,18 @@ fn enclosed(ground: &Ground, still: &[bool]) -> Vec<bool> {
 
 /// Joins both sides of a guide at its sharp bends: a wedge of soil between two jumps can leave its notch only if the
 /// notch is wider than twice the friction angle.
-fn weld_sharp_bends(ground: &Ground, corners: &mut [[usize; 3]], count: usize) {
+fn weld_sharp_bends(meshed: &MeshedProblem, corners: &mut [[usize; 3]], count: usize) {
     let mut angle = vec![0.0; count];
     let mut notch = vec![0.0; count];
     let mut jumps = vec![Vec::new(); count];
     let mut other_rim = vec![false; count];
-    for (triangle, copies) in corners.iter().enumerate().filter(|c| !ground.is_clay(c.0)) {
+    for (triangle, copies) in corners.iter().enumerate().filter(|c| !meshed.is_isochoric(c.0)) {
         for (k, &copy) in copies.iter().enumerate() {
-            angle[copy] += corner_angle(ground.mesh, (triangle, k));
-            notch[copy] = 2.0 * ground.soil(triangle).tan.atan() + 0.1;
+            angle[copy] += corner_angle(meshed.mesh, (triangle, k));
+            notch[copy] = 2.0 * meshed.soil(triangle).tan.atan() + 0.1;
             for edge in [(k + 1) % 3, (k + 2) % 3] {
-                match ground.edge(Side { triangle, corner: edge }) {
-                    Edge::Jump { other, .. } if !ground.is_clay(other.triangle) => {
+                match meshed.edge(Side { triangle, corner: edge }) {
+                    Edge::Jump { other, .. } if !meshed.is_isochoric(other.triangle) => {
                         // Corner k lies at the other end of the neighbour's sense of the edge.
                         let at = if edge == (k + 2) % 3 { other.corner + 2 } else { other.corner + 1 } % 3;
                         jumps[copy].push(corners[other.triangle][at]);
@@ -164,7 +164,7 @@ fn weld_sharp_bends(ground: &Ground, corners: &mut [[usize; 3]], count: usize) {
         }
     }
     for (triangle, copies) in corners.iter_mut().enumerate() {
-        if !ground.is_clay(triangle) {
+        if !meshed.is_isochoric(triangle) {
             *copies = copies.map(|c| join[c]);
         }
     }

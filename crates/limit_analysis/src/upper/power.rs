@@ -90,8 +90,8 @@ pub(super) fn live_size(problem: &Problem) -> f64 {
 /// Factors on the objective of a program in which the live loads' power is normalised. The multiplier of that one long
 /// row is the objective; the solver stalls before flow rules are met if it is much more than one. Flows of soil without
 /// friction meet theirs anyway, and their power needs more figures.
-const IN_SAND: f64 = 1e-3;
-const IN_CLAY: f64 = 1e-2;
+const WITH_FRICTION: f64 = 1e-3;
+const WITHOUT_FRICTION: f64 = 1e-2;
 
 /// One of these over what the factor on the loads is likely to be.
 pub(super) fn objective_unit(problem: &Problem, live: f64) -> f64 {
@@ -115,6 +115,6 @@ pub(super) fn objective_unit(problem: &Problem, live: f64) -> f64 {
     };
     let stress = cohesion + dead;
     let factor = stress * length / live;
-    let unit = if problem.soils.iter().all(Soil::has_friction) { IN_SAND } else { IN_CLAY };
+    let unit = if problem.soils.iter().all(Soil::has_friction) { WITH_FRICTION } else { WITHOUT_FRICTION };
     if factor > 0.0 { unit / factor } else { unit }
 }

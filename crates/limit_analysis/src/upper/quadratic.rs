@@ -26,8 +26,8 @@ pub(crate) fn gradients(v: &[[f64; 2]; 3], k: usize) -> [[f64; 2]; 6] {
 
 impl Builder<'_> {
     pub(super) fn add_quadratic(&mut self, triangle: usize, nodes: [usize; 6]) {
-        let v = self.ground.corners(triangle);
-        let soil = self.ground.soil(triangle);
+        let v = self.meshed.corners(triangle);
+        let soil = self.meshed.soil(triangle);
         let area = 0.5 * twice_area(v);
         let h = (2.0 * area).sqrt();
         let limit = Limit::around(soil, &v);
@@ -82,8 +82,8 @@ impl Builder<'_> {
 
     /// Power of body forces on a triangle. The integral of the velocity is `times` the flow over `by`.
     pub(super) fn add_body(&mut self, triangle: usize, [times, by]: [f64; 2], flow: &Velocity) {
-        let weight = self.ground.soil(triangle).unit_weight;
-        let statement = self.ground.problem.statement();
+        let weight = self.meshed.soil(triangle).unit_weight;
+        let statement = self.meshed.problem.statement();
         let live = match statement.objective {
             soilctl_certificate::Objective::Body { gravity } => Some(gravity),
             _ => None,

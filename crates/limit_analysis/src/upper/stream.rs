@@ -3,7 +3,7 @@
 
 use soilctl_certificate::{LineUse, Place, Side, StreamCopy, StreamJet};
 
-use super::ground::{Edge, Ground};
+use super::meshed::{Edge, MeshedProblem};
 use super::nodes::Element;
 use super::walls::{WallSide, wall_sides};
 use crate::form::Form;
@@ -33,7 +33,7 @@ pub(crate) struct StreamFunction {
 
 impl StreamFunction {
     pub(super) fn new(
-        ground: &Ground,
+        meshed: &MeshedProblem,
         elements: &[Element],
         vertices: Vec<usize>,
         program: &mut Program,
@@ -41,10 +41,10 @@ impl StreamFunction {
         if vertices.is_empty() {
             return Self::default();
         }
-        let (sides, walls) = wall_sides(ground.problem);
-        let on = sides_at(ground, elements, &sides, vertices.len());
+        let (sides, walls) = wall_sides(meshed.problem);
+        let on = sides_at(meshed, elements, &sides, vertices.len());
         let (gauge_walls, gauge_copies) = gauges(elements, &on, walls);
-        let size = sizes(ground, elements, vertices.len());
+        let size = sizes(meshed, elements, vertices.len());
         let mut wall_size = vec![0.0_f64; walls];
         for (copy, sides) in on.iter().enumerate() {
             sides.iter().for_each(|s| wall_size[s.wall] = wall_size[s.wall].max(size[copy]));
@@ -64,10 +64,10 @@ impl StreamFunction {
                     (Shape::Free, [s, unknown(1.0), unknown(1.0)])
                 }
                 [side, rest @ ..] => {
-                    let place = ground.mesh.vertices[stream.vertices[copy]].place;
+                    let place = meshed.mesh.vertices[stream.vertices[copy]].place;
                     let value = stream.walls[side.wall]
                         .clone()
-                        .plus(1.0, &Form::constant(side.value(way(ground, place, side.line))));
+                        .plus(1.0, &Form::constant(side.value(way(meshed, place, side.line))));
                     let (shape, [sx, sy]) = on_wall(side, rest.first(), &mut unknown);
                     (shape, [value, sx, sy])
                 }
@@ -79,10 +79,10 @@ impl StreamFunction {
         for (triangle, element) in elements.iter().enumerate() {
             for corner in (0..3).filter(|_| matches!(element, Element::Stream(_))) {
                 let side = Side { triangle, corner };
-                let other = ground.topology.across[triangle][corner];
-                let [p, q] = ground.ends(side);
+                let other = meshed.topology.across[triangle][corner];
+                let [p, q] = meshed.ends(side);
                 let length = distance(q, p);
-                stream.slopes[triangle][corner] = match (ground.edge(side), other) {
+                stream.slopes[triangle][corner] = match (meshed.edge(side), other) {
                     (Edge::Boundary(c), _) if is_holding(c) => continue,
                     (Edge::Glued, Some(o)) if o.triangle < triangle => {
                         Form::default().plus(-1.0, &stream.slopes[o.triangle][o.corner])
@@ -130,10 +130,10 @@ fn is_holding(condition: soilctl_certificate::Condition) -> bool {
 }
 
 /// Fraction of a line at which a vertex on it is.
-fn way(ground: &Ground, place: Place, line: usize) -> f64 {
+fn way(meshed: &MeshedProblem, place: Place, line: usize) -> f64 {
     match place {
         Place::OnLine { s, .. } => s,
-        Place::Corner { point } if ground.problem.statement().lines[line].from == point => 0.0,
+        Place::Corner { point } if meshed.problem.statement().lines[line].from == point => 0.0,
         Place::Corner { .. } | Place::Inside => 1.0,
     }
 }
@@ -180,7 +180,7 @@ fn corner(a: &WallSide, b: &WallSide) -> [f64; 2] {
 
 /// For each copy, the sides of walls on which it is the end of an edge.
 fn sides_at(
-    ground: &Ground,
+    meshed: &MeshedProblem,
     elements: &[Element],
     sides: &std::collections::BTreeMap<LineUse, WallSide>,
     copies: usize,
@@ -190,7 +190,7 @@ fn sides_at(
     for (triangle, element) in elements.iter().enumerate() {
         let Element::Stream(corners) = element else { continue };
         for k in 0..3 {
-            let Some(side) = ground.topology.line[triangle][k] else { continue };
+            let Some(side) = meshed.topology.line[triangle][k] else { continue };
             let Some(wall) = sides.get(&side) else { continue };
             for copy in [corners[(k + 1) % 3], corners[(k + 2) % 3]] {
                 if !used[copy].contains(&side) {
@@ -204,12 +204,12 @@ fn sides_at(
 }
 
 /// A typical edge length at each copy.
-fn sizes(ground: &Ground, elements: &[Element], copies: usize) -> Vec<f64> {
+fn sizes(meshed: &MeshedProblem, elements: &[Element], copies: usize) -> Vec<f64> {
     let mut sums = vec![(0.0, 0.0); copies];
     for (triangle, element) in elements.iter().enumerate() {
         let Element::Stream(corners) = element else { continue };
         for corner in 0..3 {
-            let [p, q] = ground.ends(Side { triangle, corner });
+            let [p, q] = meshed.ends(Side { triangle, corner });
             for copy in [corners[(corner + 1) % 3], corners[(corner + 2) % 3]] {
                 sums[copy].0 += distance(p, q);
                 sums[copy].1 += 1.0;

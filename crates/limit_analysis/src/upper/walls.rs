@@ -38,10 +38,10 @@ impl WallSide {
 /// The sides of all walls, and how many walls there are.
 pub(super) fn wall_sides(problem: &Problem) -> (BTreeMap<LineUse, WallSide>, usize) {
     let mut sides = BTreeMap::new();
-    let in_clay = |b: &Boundary| {
+    let is_stream_wall = |b: &Boundary| {
         b.condition.is_wall() && problem.owner(b.side()).is_some_and(|r| !problem.soils[r].has_friction())
     };
-    let runs = problem.statement().runs(in_clay);
+    let runs = problem.statement().runs(is_stream_wall);
     for (wall, run) in runs.iter().enumerate() {
         let mut start = 0.0;
         for side in &run.sides {

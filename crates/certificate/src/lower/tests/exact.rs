@@ -50,19 +50,19 @@ fn altered_is_refused(statement: &Statement, field: &LowerField) {
         }
     });
     assert!(matches!(shifted, CertificateError::NotProven { .. }), "{shifted}");
-    let onto_chain = refused(&|field| field.copies[inside].jet = Jet::Chain { chain: 0 });
-    assert!(matches!(onto_chain, CertificateError::BadField { .. }), "{onto_chain}");
-    let on_run = field.copies.iter().position(|c| matches!(c.jet, Jet::Chain { .. })).unwrap();
-    let off_chain = refused(&|field| {
+    let onto_gauge = refused(&|field| field.copies[inside].jet = Jet::Gauge { gauge: 0 });
+    assert!(matches!(onto_gauge, CertificateError::BadField { .. }), "{onto_gauge}");
+    let on_run = field.copies.iter().position(|c| matches!(c.jet, Jet::Gauge { .. })).unwrap();
+    let off_gauge = refused(&|field| {
         field.copies[on_run].jet = Jet::Free { base: 0, f: 0.0, fx: 0.0, fy: 0.0 };
     });
-    assert!(matches!(off_chain, CertificateError::BadField { .. }), "{off_chain}");
-    let more_chains = refused(&|field| {
-        field.chains.push(field.chains[0]);
-        field.copies[on_run].jet = Jet::Chain { chain: field.chains.len() - 1 };
+    assert!(matches!(off_gauge, CertificateError::BadField { .. }), "{off_gauge}");
+    let more_gauges = refused(&|field| {
+        field.gauges.push(field.gauges[0]);
+        field.copies[on_run].jet = Jet::Gauge { gauge: field.gauges.len() - 1 };
     });
-    assert!(matches!(more_chains, CertificateError::BadField { .. }), "{more_chains}");
-    let moved = refused(&|field| field.chains[0].gradient = Gradient::Free { x: 1e-300, y: 0.0 });
+    assert!(matches!(more_gauges, CertificateError::BadField { .. }), "{more_gauges}");
+    let moved = refused(&|field| field.gauges[0].gradient = Gradient::Free { x: 1e-300, y: 0.0 });
     assert!(matches!(moved, CertificateError::BadField { .. }), "{moved}");
     let endless = refused(&|field| field.multiplier = f64::INFINITY);
     assert!(matches!(endless, CertificateError::OutOfRange { .. }), "{endless}");

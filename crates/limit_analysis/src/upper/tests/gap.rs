@@ -78,21 +78,21 @@ fn shares_add_up_at_faces() {
     let down = Objective::Structure { velocity: [0.2, -1.0] };
     let mut sand = soil(25.0, 0.5, 0.7);
     sand.pore_pressure = Linear { at_origin: 0.1, gradient: [0.05, -0.3] };
-    for (ground, delta_deg, adhesion) in [
+    for (meshed, delta_deg, adhesion) in [
         (soil(0.0, 1.0, 0.7), 0.0, 0.0),
         (soil(0.0, 1.0, 0.7), 0.0, 0.5),
         (sand, 0.0, 0.0),
         (sand, 15.0, 0.1),
     ] {
         let face = Condition::Face { delta_deg, adhesion };
-        check(&footing(1.0, [4.0, 2.0], face, pressed(PRESSURE, false), ground, down), below);
+        check(&footing(1.0, [4.0, 2.0], face, pressed(PRESSURE, false), meshed, down), below);
     }
 }
 
 #[test]
 fn loads_that_are_linear_and_shear_count() {
-    for ground in [soil(0.0, 1.0, 0.0), soil(25.0, 0.5, 0.0)] {
-        let mut s = loaded(ground);
+    for meshed in [soil(0.0, 1.0, 0.0), soil(25.0, 0.5, 0.0)] {
+        let mut s = loaded(meshed);
         s.boundaries[0].condition = Condition::Fixed;
         // Walked from the right to the left; the stress field is the same along all verticals.
         let load = |factor: f64, at: [f64; 2], live| Condition::Loaded {

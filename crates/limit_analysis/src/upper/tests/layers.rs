@@ -44,10 +44,10 @@ fn two_sands_slip_along_the_weaker_one() {
 #[test]
 fn a_limit_to_tension_and_cohesion_that_grows_count() {
     let with = |tension, gradient| {
-        let mut ground = soil(20.0, 1.0, 0.0);
-        ground.tension = tension;
-        ground.cohesion = Linear { at_origin: 1.0, gradient: [0.0, gradient] };
-        bounds(&layered([6.0, 3.0], 0.5, [ground; 2], Condition::Free), &[600]).pop().unwrap().proven
+        let mut meshed = soil(20.0, 1.0, 0.0);
+        meshed.tension = tension;
+        meshed.cohesion = Linear { at_origin: 1.0, gradient: [0.0, gradient] };
+        bounds(&layered([6.0, 3.0], 0.5, [meshed; 2], Condition::Free), &[600]).pop().unwrap().proven
     };
     let (plain, cut, far) = (with(None, 0.0), with(Some(0.0), 0.0), with(Some(5.0), 0.0));
     // A limit beyond the cone's apex is none.
@@ -55,11 +55,11 @@ fn a_limit_to_tension_and_cohesion_that_grows_count() {
     assert!(with(None, -0.5) > plain);
 }
 
-/// Clay on the base, below the bowl: it has no way out.
+/// Clay on the base, below the mobile zone: it has no way out.
 #[test]
 fn clay_that_is_enclosed_stays_at_rest() {
     let mut s = layered([5.0, 6.0], 5.5, [soil(30.0, 1.0, 1.0), soil(0.0, 1.0, 1.0)], Condition::Free);
-    // Narrow, so that the walls of the bowl meet above the clay.
+    // Narrow, so that the walls of the zone meet above the clay.
     s.boundaries[0].condition = Condition::Fixed;
     s.boundaries[4].condition = Condition::Fixed;
     let found = bounds(&s, &[]);

@@ -47,9 +47,9 @@ fn bounds(statement: &Statement, targets: &[usize]) -> Vec<Found> {
     let mut found = Vec::new();
     let mut sizes = None;
     for level in 0..=targets.len() {
-        let bowl = start.bowl(level, &guides);
+        let mobile = start.mobile(level, &guides);
         let mut all = guides.clone();
-        all.extend(bowl.guide());
+        all.extend(mobile.guide());
         let request = Request {
             statement: problem.statement(),
             guides: &all,
@@ -60,7 +60,7 @@ fn bounds(statement: &Statement, targets: &[usize]) -> Vec<Found> {
         let mesh = generate(&request).unwrap();
         let topology = Topology::new(&mesh);
         for tightening in [1e-6, 1e-5, 1e-4] {
-            let upper = Upper::new(&problem, &mesh, &topology, &bowl.still(&mesh), tightening);
+            let upper = Upper::new(&problem, &mesh, &topology, &mobile.still(&mesh), tightening);
             let accuracy = Accuracy::FLOW;
             let stop = Arc::new(AtomicBool::new(false));
             let answer = solver::solve(&upper.program, accuracy, 1e9, [&stop; 2], None).unwrap();

@@ -43,9 +43,9 @@ fn rigid_footings_are_prandtls_too() {
 #[test]
 fn soil_under_water_weighs_what_is_left() {
     let wet = |unit_weight: f64, gradient: f64| {
-        let mut ground = soil(20.0, 1.0, unit_weight);
-        ground.pore_pressure = Linear { at_origin: 0.0, gradient: [0.0, -gradient] };
-        let s = footing(0.5, [6.0, 3.0], pressed(1.0, true), Condition::Free, ground, Objective::Loads);
+        let mut meshed = soil(20.0, 1.0, unit_weight);
+        meshed.pore_pressure = Linear { at_origin: 0.0, gradient: [0.0, -gradient] };
+        let s = footing(0.5, [6.0, 3.0], pressed(1.0, true), Condition::Free, meshed, Objective::Loads);
         bounds(&s, &[]).pop().unwrap().proven
     };
     let (dry, submerged) = (wet(1.0, 0.0), wet(2.0, 1.0));

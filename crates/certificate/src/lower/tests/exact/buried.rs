@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use super::super::balance;
 use super::*;
 use crate::examples::Random;
-use crate::{Chain, VertexCopy};
+use crate::{Gauge, VertexCopy};
 
 /// Where the way from the buried block to the rim is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +52,7 @@ pub(super) fn buried(way: Way, objective: Objective, pressure: f64, factor: f64)
     let mesh = blocks.mesh(&statement);
     let mut field = fitted(&statement, &mesh, factor, &f);
     let slope = if way == Way::Up { -2.0 * q } else { 2.0 * q };
-    field.chains.push(Chain { constant: 0.0, gradient: Gradient::Free { x: slope, y: 0.0 } });
+    field.gauges.push(Gauge { constant: 0.0, gradient: Gradient::Free { x: slope, y: 0.0 } });
     part(&mut field, way);
     (statement, field)
 }
@@ -84,11 +84,11 @@ fn part(field: &mut LowerField, way: Way) {
         }
     }
     for copy in &mut field.copies {
-        if matches!(copy.jet, Jet::Chain { .. })
+        if matches!(copy.jet, Jet::Gauge { .. })
             && way == Way::Up
             && field.mesh.vertices[copy.vertex].position[0] < 1.0
         {
-            copy.jet = Jet::Chain { chain: 1 };
+            copy.jet = Jet::Gauge { gauge: 1 };
         }
     }
 }
@@ -124,7 +124,7 @@ fn any_function_with_branches_balances() {
             }
             field.slopes.iter_mut().flatten().for_each(|s| *s = random.next());
             let [constant, x, y] = [0; 3].map(|_| random.next());
-            field.chains[1] = Chain { constant, gradient: Gradient::Free { x, y } };
+            field.gauges[1] = Gauge { constant, gradient: Gradient::Free { x, y } };
             balance::check(&statement, &field);
         }
     }
@@ -149,9 +149,9 @@ fn branches_must_fit() {
         assert!(matches!(unlike, CertificateError::BadField { .. }), "{unlike}");
         let elsewhere = refused(&|field| field.copies[last].vertex = 0);
         assert!(matches!(elsewhere, CertificateError::BadField { .. }), "{elsewhere}");
-        let none = refused(&|field| field.chains.truncate(1));
+        let none = refused(&|field| field.gauges.truncate(1));
         assert!(matches!(none, CertificateError::NoSuch { .. }), "{none}");
-        let endless = refused(&|field| field.chains[1].constant = f64::NAN);
+        let endless = refused(&|field| field.gauges[1].constant = f64::NAN);
         assert!(matches!(endless, CertificateError::OutOfRange { .. }), "{endless}");
     }
 }

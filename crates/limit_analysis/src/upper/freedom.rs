@@ -3,7 +3,7 @@
 use soilctl_certificate::Condition;
 
 use super::Velocity;
-use super::ground::Ground;
+use super::meshed::MeshedProblem;
 use super::nodes::Element;
 use crate::form::Form;
 use crate::mesh::Mesh;
@@ -19,7 +19,7 @@ const NOTCH_MARGIN: f64 = 0.1;
 
 /// How a control point may move.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Motion {
+pub(super) enum Freedom {
     Still,
     /// Along a line.
     Slide {
@@ -33,7 +33,7 @@ pub(super) enum Motion {
     },
 }
 
-impl Motion {
+impl Freedom {
     pub(super) fn velocity(&self, problem: &Problem) -> Velocity {
         match *self {
             Self::Still => [Form::default(), Form::default()],
@@ -47,14 +47,14 @@ impl Motion {
 }
 
 /// Which control points may move, and how.
-pub(super) fn motions(
-    ground: &Ground,
+pub(super) fn freedoms(
+    meshed: &MeshedProblem,
     elements: &[Element],
     count: usize,
     still: &[bool],
     program: &mut Program,
-) -> Vec<Motion> {
-    let Ground { problem, topology, .. } = *ground;
+) -> Vec<Freedom> {
+    let MeshedProblem { problem, topology, .. } = *meshed;
     let quadratic = |(triangle, element): (usize, &Element)| match element {
         Element::Quadratic(nodes) => Some((triangle, *nodes)),
         Element::Stream(_) | Element::Rest => None,
@@ -87,16 +87,16 @@ pub(super) fn motions(
             all.iter().for_each(|n| fixed[*n] = true);
         }
     }
-    hold_notches(ground, &nodes, &mut fixed);
+    hold_notches(meshed, &nodes, &mut fixed);
     (0..count)
         .map(|node| match smooth[node].as_slice() {
-            _ if fixed[node] => Motion::Still,
-            [] => Motion::Free { x: program.unknown(), y: program.unknown() },
+            _ if fixed[node] => Freedom::Still,
+            [] => Freedom::Free { x: program.unknown(), y: program.unknown() },
             [line, more @ ..] if more.iter().all(|other| in_line(problem, *line, *other)) => {
                 let [p, q] = problem.ends(*line);
-                Motion::Slide { line: *line, index: program.unknown(), unit: 1.0 / distance(p, q) }
+                Freedom::Slide { line: *line, index: program.unknown(), unit: 1.0 / distance(p, q) }
             }
-            _ => Motion::Still,
+            _ => Freedom::Still,
         })
         .collect()
 }
@@ -142,7 +142,7 @@ fn hold_pockets(nodes: &[Quadratic], fixed: &mut [bool]) {
 
 /// Holds the control points around a held corner that lie in a notch between held edges too narrow for friction: no
 /// flow that dilates leaves a notch of less than twice the friction angle.
-fn hold_notches(ground: &Ground, nodes: &[Quadratic], fixed: &mut [bool]) {
+fn hold_notches(meshed: &MeshedProblem, nodes: &[Quadratic], fixed: &mut [bool]) {
     let mut around: Vec<Vec<(usize, usize)>> = vec![Vec::new(); fixed.len()];
     for (i, (_, all)) in nodes.iter().enumerate() {
         for k in (0..3).filter(|k| fixed[all[*k]]) {
@@ -173,8 +173,8 @@ fn hold_notches(ground: &Ground, nodes: &[Quadratic], fixed: &mut [bool]) {
             // A spoke seen once lies on a free surface or a jump: the notch is open there.
             let closed = free.iter().all(|s| free.iter().filter(|o| *o == s).count() == 2);
             let triangle = |(i, k): (usize, usize)| (nodes[i].0, k);
-            let angle: f64 = part.iter().map(|i| corner_angle(ground.mesh, triangle(fan[*i]))).sum();
-            let soil = ground.soil(nodes[fan[first].0].0);
+            let angle: f64 = part.iter().map(|i| corner_angle(meshed.mesh, triangle(fan[*i]))).sum();
+            let soil = meshed.soil(nodes[fan[first].0].0);
             if closed && angle < 2.0 * soil.tan.atan() + NOTCH_MARGIN {
                 free.into_iter().for_each(|s| fixed[s] = true);
             }

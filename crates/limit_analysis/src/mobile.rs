@@ -1,13 +1,13 @@
-//! The part of the soil that may move in an upper bound.
+//! The zone of the soil that may move in an upper bound; the rest is held.
 //!
-//! A proof needs flows that dilate a little more than friction demands, everywhere. Soil can only do that where it has a
-//! way out, so what is free to move must be a bowl: with walls no steeper than `90 deg - phi`, all of it could be lifted
-//! out along any path between the walls. Below the bowl nothing moves; along it velocities may jump. Around a structure in
-//! the soil the bowl follows the slip lines; otherwise its walls start where steep sides that hold the soil end above.
-//! On a smooth base soil can move away from a wall only along the base, so only if the wall is no flatter than `phi`: where
-//! it cannot be both, above 42 degrees, there is no wall, and the soil slides away from the side itself.
+//! A proof needs velocities that dilate a little more than friction demands, everywhere. Soil can only do that where it has
+//! a way out. So the mobile zone has walls no steeper than `90 deg - phi`: all of it could be lifted out along any path
+//! between the walls. Below, nothing moves; along the walls velocities may jump. Around a structure in the soil the zone
+//! follows the slip lines; otherwise its walls start where steep sides that hold the soil end above. On a smooth base soil
+//! can move away from a wall only along the base, so only if the wall is no flatter than `phi`: where it cannot be both,
+//! above 42 degrees, there is no wall, and the soil slides away from the side itself.
 //!
-//! Soil without friction keeps its volume with any flow, so nothing of it is held.
+//! Soil without friction keeps its volume in any motion, so nothing of it is held.
 
 use soilctl_certificate::Condition;
 
@@ -18,7 +18,7 @@ use crate::vector::centroid;
 /// Walls are flatter than the limit by this angle in radians.
 const SPARE: f64 = 0.1;
 
-/// Distance of the points that describe the bowl.
+/// Distance of the points that describe a wall.
 const STEP: f64 = 0.1;
 
 fn slope(phi: f64) -> f64 {
@@ -35,7 +35,7 @@ fn is_on_smooth_base(problem: &Problem, foot: [f64; 2]) -> bool {
 
 /// The least set of points above V-shaped walls under each slip line point.
 #[derive(Debug, Clone)]
-pub(crate) struct Bowl {
+pub(crate) struct MobileZone {
     /// Lowest points of the Vs.
     bottoms: Vec<[f64; 2]>,
     /// Upper ends of sides that hold the soil, and the sense along x that leads away from them.
@@ -46,14 +46,14 @@ pub(crate) struct Bowl {
     bottom: f64,
 }
 
-impl Bowl {
-    /// A bowl that clears the given lines by `margin`, for soil with friction angle `phi` in radians.
+impl MobileZone {
+    /// A zone that clears the given lines by `margin`, for soil with friction angle `phi` in radians.
     pub(crate) fn around(guides: &[Guide], margin: f64, phi: f64, datum: f64) -> Self {
         let bottoms = guides.iter().flat_map(|g| &g.points).map(|p| [p[0], p[1] - margin]).collect();
         Self { bottoms, rims: Vec::new(), slope: slope(phi), datum, bottom: datum }
     }
 
-    /// A bowl between steep sides that hold the soil; with friction angle `phi` in radians.
+    /// A zone between steep sides that hold the soil; with friction angle `phi` in radians.
     pub(crate) fn between_sides(problem: &Problem, phi: f64) -> Self {
         let mut rims: Vec<([f64; 2], f64)> = Vec::new();
         let mut feet = Vec::new();
@@ -77,7 +77,7 @@ impl Bowl {
         Self { bottoms: Vec::new(), rims, slope: slope(phi), datum: problem.statement().datum, bottom }
     }
 
-    /// Height of the wall at `x`; above the datum where the bowl has ended.
+    /// Height of the wall at `x`; above the datum where the zone has ended.
     fn wall(&self, x: f64) -> f64 {
         self.bottoms.iter().map(|b| b[1] + self.slope * (x - b[0]).abs()).fold(f64::INFINITY, f64::min)
     }

@@ -1,6 +1,6 @@
 //! Velocities along an edge.
 
-use super::Motion;
+use super::VelocityField;
 use crate::fields::Flow;
 use crate::interval::{Interval, Vector};
 use crate::mesh::Side;
@@ -10,12 +10,12 @@ use crate::tiling::{Beyond, after};
 /// length: Bernstein coefficients at the start, in the middle, at the end. As a relative velocity of the soil on the left
 /// these are slip and opening.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Slide {
+pub(super) struct EdgeVelocity {
     pub(super) slip: [Interval; 3],
     pub(super) opening: [Interval; 3],
 }
 
-impl Slide {
+impl EdgeVelocity {
     /// From the velocities at the control points.
     pub(super) fn new(along: Vector, velocities: [Vector; 3]) -> Self {
         Self { slip: velocities.map(|v| v.dot(along)), opening: velocities.map(|v| v.dot(along.turned())) }
@@ -34,7 +34,7 @@ impl Slide {
     }
 }
 
-impl Motion<'_> {
+impl VelocityField<'_> {
     /// The edge of a triangle as a vector.
     pub(super) fn along(&self, side: Side) -> Vector {
         self.edges(side.triangle)[side.corner]
@@ -52,37 +52,38 @@ impl Motion<'_> {
     }
 
     /// Velocity of a triangle along an edge.
-    pub(super) fn slide(&self, side: Side) -> Slide {
+    pub(super) fn slide(&self, side: Side) -> EdgeVelocity {
         match self.field.flows[side.triangle] {
-            Flow::Quadratic(nodes) => {
-                Slide::new(self.along(side), Self::on_edge(nodes, side).map(|node| self.velocities[node]))
-            }
+            Flow::Quadratic(nodes) => EdgeVelocity::new(
+                self.along(side),
+                Self::on_edge(nodes, side).map(|node| self.velocities[node]),
+            ),
             Flow::Stream { corners, .. } => self.slide_of_stream(side, corners),
         }
     }
 
     /// Velocity on the left of an edge relative to that on the right.
-    pub(super) fn jump(&self, side: Side, other: Side) -> Slide {
+    pub(super) fn jump(&self, side: Side, other: Side) -> EdgeVelocity {
         let [here, there] = [side, other].map(|s| self.field.flows[s.triangle]);
         let (Flow::Quadratic(here), Flow::Quadratic(there)) = (here, there) else {
             return self.slide(side).less(self.slide(other).reversed());
         };
         let (here, [end, middle, start]) = (Self::on_edge(here, side), Self::on_edge(there, other));
         let there = [start, middle, end];
-        Slide::new(self.along(side), [0, 1, 2].map(|i| self.difference(here[i], there[i])))
+        EdgeVelocity::new(self.along(side), [0, 1, 2].map(|i| self.difference(here[i], there[i])))
     }
 
     /// With `d` the edge vector and `n` that turned left, `v . d = grad s . n` and `v . n = -grad s . d`. The second is the
     /// derivative of a cubic along the edge with its sign changed, so its coefficients follow from values and slopes at
     /// the ends.
-    fn slide_of_stream(&self, side: Side, corners: [usize; 3]) -> Slide {
+    fn slide_of_stream(&self, side: Side, corners: [usize; 3]) -> EdgeVelocity {
         let [a, b] = [1, 2].map(|i| self.stream[corners[after(side.corner, i)]]);
         let (d, two, three) = (self.along(side), Interval::point(2.0), Interval::point(3.0));
         let [over_a, over_b] = [a, b].map(|jet| jet.slopes.dot(d.turned()));
         let middle = two * self.slope(side) - (over_a + over_b).half();
         let [to_b, from_a] = [b, a].map(|jet| jet.slopes.dot(d));
         let flow = (to_b + from_a) - three * (b.value - a.value);
-        Slide { slip: [over_a, middle, over_b], opening: [-from_a, flow, -to_b] }
+        EdgeVelocity { slip: [over_a, middle, over_b], opening: [-from_a, flow, -to_b] }
     }
 
     /// The slope of a stream function across the middle of an edge, along the edge vector turned left.

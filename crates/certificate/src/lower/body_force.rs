@@ -4,13 +4,13 @@ use crate::statement::{Objective, Statement};
 
 /// Everything that pulls at the soil: gravity, and the body force that is bounded.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pull {
+pub(super) struct BodyForce {
     gravity: [f64; 2],
     /// The second force and its factor.
     live: Option<([f64; 2], Interval)>,
 }
 
-impl Pull {
+impl BodyForce {
     pub(super) fn new(statement: &Statement, field: &LowerField) -> Self {
         let live = match statement.objective {
             Objective::Body { gravity } => Some((gravity, Interval::point(field.multiplier))),

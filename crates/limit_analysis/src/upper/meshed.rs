@@ -9,7 +9,7 @@ use crate::vector::{Point, midpoint};
 
 /// A problem on a mesh.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ground<'a> {
+pub(crate) struct MeshedProblem<'a> {
     pub(crate) problem: &'a Problem,
     pub(crate) mesh: &'a Mesh,
     pub(crate) topology: &'a Topology,
@@ -28,14 +28,14 @@ pub(crate) enum Edge {
     },
 }
 
-impl<'a> Ground<'a> {
+impl<'a> MeshedProblem<'a> {
     pub(crate) fn soil(&self, triangle: usize) -> &'a Soil {
         &self.problem.soils[self.mesh.triangles[triangle].region]
     }
 
     /// Whether the flow is that of a stream function.
-    pub(crate) fn is_clay(&self, triangle: usize) -> bool {
-        self.soil(triangle).keeps_volume
+    pub(crate) fn is_isochoric(&self, triangle: usize) -> bool {
+        self.soil(triangle).is_isochoric
     }
 
     pub(crate) fn corners(&self, triangle: usize) -> [Point; 3] {
@@ -57,7 +57,7 @@ impl<'a> Ground<'a> {
         let Some(other) = self.topology.across[triangle][corner] else { return Edge::Glued };
         let [here, there] = [triangle, other.triangle].map(|t| self.mesh.triangles[t].region);
         let jump = |region| Edge::Jump { other, region };
-        match [triangle, other.triangle].map(|t| self.is_clay(t)) {
+        match [triangle, other.triangle].map(|t| self.is_isochoric(t)) {
             [true, true] => Edge::Glued,
             // Clay cannot open, sand must.
             [true, false] => jump(there),

@@ -2,10 +2,10 @@
 
 use soilctl_certificate::{Condition, LineUse, Place, Side};
 
-use super::branches::{Branches, Ways, walked};
+use super::branches::{BranchCuts, Branches, walked};
 use super::given::Across;
 use super::loads::Loads;
-use super::reference::Reference;
+use super::reference::ReferenceStress;
 use super::shape::{Shape, Turn, Unknown};
 use crate::form::Form;
 use crate::mesh::Mesh;
@@ -14,17 +14,17 @@ use crate::program::Program;
 use crate::topology::Topology;
 use crate::vector::{Point, between, distance, turned};
 
-/// Where a chain meets a line of given shear.
+/// Where a gauge meets a line of given shear.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting {
-    pub(super) chain: usize,
+    pub(super) gauge: usize,
     pub(super) copy: usize,
     /// Position on the line, 0 or 1.
     pub(super) at: f64,
 }
 
 /// What is gathered about the copies before unknowns are handed out.
-pub(super) struct Copies<'a> {
+pub(super) struct SplitVertices<'a> {
     problem: &'a Problem,
     mesh: &'a Mesh,
     topology: &'a Topology,
@@ -34,9 +34,9 @@ pub(super) struct Copies<'a> {
     pub(super) vertex_of: Vec<usize>,
     /// Region of a triangle at each copy.
     region: Vec<usize>,
-    /// For copies on free and loaded boundaries, the chain and what the loads demand.
-    pub(super) chain_of: Vec<Option<(usize, [Form; 3])>>,
-    /// Copies at which all stress must vanish.
+    /// For copies on free and loaded boundaries, the gauge and what the loads demand.
+    pub(super) gauge_of: Vec<Option<(usize, [Form; 3])>>,
+    /// SplitVertices at which all stress must vanish.
     pub(super) apex: Vec<bool>,
     /// Lines of given shear through each copy, with the position on them.
     given: Vec<Vec<(usize, f64)>>,
@@ -44,26 +44,26 @@ pub(super) struct Copies<'a> {
     apexes: Vec<Vec<usize>>,
     /// Mean length of the edges at each copy.
     length: Vec<f64>,
-    /// For each line of given shear, the chains that meet it.
+    /// For each line of given shear, the gauges that meet it.
     pub(super) meetings: Vec<Vec<Meeting>>,
     pub(super) branches: Branches,
-    /// For copies on ways from bodies to the rim, the chain that values there are relative to.
+    /// For copies on ways from bodies to the rim, the gauge that values there are relative to.
     pub(super) branch_of: Vec<Option<usize>>,
     /// For one of the two copies at each vertex of a way, the other one, which has the same unknowns.
     pub(super) twin_of: Vec<Option<usize>>,
 }
 
-impl<'a> Copies<'a> {
+impl<'a> SplitVertices<'a> {
     pub(super) fn new(
         problem: &'a Problem,
         mesh: &'a Mesh,
         topology: &'a Topology,
-        reference: &Reference,
+        reference: &ReferenceStress,
     ) -> Self {
-        let ways = Ways::new(problem, mesh, topology);
+        let cuts = BranchCuts::new(problem, mesh, topology);
         let cut = |s: Side| {
             let line = topology.line[s.triangle][s.corner];
-            line.is_some_and(|l| problem.condition(l).is_some()) || ways.holds(mesh, s)
+            line.is_some_and(|l| problem.condition(l).is_some()) || cuts.holds(mesh, s)
         };
         let (corners, vertex_of) = topology.split(mesh, cut);
         let count = vertex_of.len();
@@ -81,7 +81,7 @@ impl<'a> Copies<'a> {
             corners,
             vertex_of,
             region,
-            chain_of: vec![None; count],
+            gauge_of: vec![None; count],
             apex: vec![false; count],
             given: vec![Vec::new(); count],
             apexes: vec![Vec::new(); count],
@@ -91,9 +91,9 @@ impl<'a> Copies<'a> {
             branch_of: vec![None; count],
             twin_of: vec![None; count],
         };
-        copies.find_branches(&ways);
-        copies.find_chains();
-        copies.follow(&ways);
+        copies.find_branches(&cuts);
+        copies.find_gauges();
+        copies.follow(&cuts);
         copies.find_neighbours();
         copies.find_given();
         copies
@@ -103,7 +103,7 @@ impl<'a> Copies<'a> {
         (0..self.corners.len()).flat_map(|triangle| (0..3).map(move |corner| Side { triangle, corner }))
     }
 
-    /// Copies at the start and the end of an edge.
+    /// SplitVertices at the start and the end of an edge.
     pub(super) fn ends(&self, s: Side) -> (usize, usize) {
         let c = &self.corners[s.triangle];
         (c[(s.corner + 1) % 3], c[(s.corner + 2) % 3])
@@ -129,27 +129,27 @@ impl<'a> Copies<'a> {
     }
 
     /// Finds on which runs ways end, and where.
-    fn find_branches(&mut self, ways: &Ways) {
+    fn find_branches(&mut self, cuts: &BranchCuts) {
         let mut on_runs = Vec::new();
-        for (number, way) in ways.all.iter().enumerate() {
+        for (number, cut) in cuts.all.iter().enumerate() {
             let at = self.sides().find_map(|s| {
                 let (side, _) = self.boundary(s)?;
                 let run = self.loads.run(side)?;
                 let end = self.ends(s).1;
                 let sides = &self.loads.runs[run].sides;
                 let place = sides.iter().position(|other| *other == side)?;
-                let here = self.vertex_of[end] == way[0];
+                let here = self.vertex_of[end] == cut[0];
                 here.then(|| (run, (place, walked(side, self.fraction(end, side.line))), number))
             });
             on_runs.extend(at);
         }
-        self.branches = Branches::new(self.loads.runs.len(), ways.all.len(), on_runs);
+        self.branches = Branches::new(self.loads.runs.len(), cuts.all.len(), on_runs);
     }
 
     /// Goes along the ways and finds which copies are on which side of them.
-    fn follow(&mut self, ways: &Ways) {
-        for (number, way) in ways.all.iter().enumerate() {
-            for (i, step) in way.windows(2).enumerate() {
+    fn follow(&mut self, cuts: &BranchCuts) {
+        for (number, cut) in cuts.all.iter().enumerate() {
+            for (i, step) in cut.windows(2).enumerate() {
                 let on_step = |s: &Side| {
                     let (a, b) = self.ends(*s);
                     let ends = [self.vertex_of[a], self.vertex_of[b]];
@@ -164,10 +164,10 @@ impl<'a> Copies<'a> {
                     })
                     .collect();
                 if i == 0 {
-                    let chain = |copy: usize| self.chain_of[copy].as_ref().map(|c| c.0);
+                    let gauge = |copy: usize| self.gauge_of[copy].as_ref().map(|c| c.0);
                     let [low, high] = self.branches.around(number);
-                    for (pair, else_chain) in pairs.iter().zip([low, high]) {
-                        self.branch_of[pair[0]] = chain(pair[0]).or(Some(else_chain));
+                    for (pair, else_gauge) in pairs.iter().zip([low, high]) {
+                        self.branch_of[pair[0]] = gauge(pair[0]).or(Some(else_gauge));
                     }
                 }
                 pairs.sort_by_key(|p| self.branch_of[p[0]]);
@@ -179,7 +179,7 @@ impl<'a> Copies<'a> {
         }
     }
 
-    fn find_chains(&mut self) {
+    fn find_gauges(&mut self) {
         for s in self.sides() {
             let Some((side, condition)) = self.boundary(s).filter(|b| b.1.traction_is_given()) else {
                 continue;
@@ -193,9 +193,9 @@ impl<'a> Copies<'a> {
             let place = sides.and_then(|sides| sides.iter().position(|other| *other == side)).unwrap_or(0);
             for copy in ends {
                 self.apex[copy] |= strengthless;
-                if let Some(run) = self.loads.run(side).filter(|_| self.chain_of[copy].is_none()) {
-                    let chain = self.branches.chain(run, (place, middle));
-                    self.chain_of[copy] = Some((chain, self.loads.at(side, self.fraction(copy, side.line))));
+                if let Some(run) = self.loads.run(side).filter(|_| self.gauge_of[copy].is_none()) {
+                    let gauge = self.branches.gauge(run, (place, middle));
+                    self.gauge_of[copy] = Some((gauge, self.loads.at(side, self.fraction(copy, side.line))));
                 }
             }
         }
@@ -236,15 +236,15 @@ impl<'a> Copies<'a> {
                     self.given[copy].push((side.line, at));
                 }
                 let meetings = &mut self.meetings[side.line];
-                if let Some((chain, _)) = &self.chain_of[copy]
-                    && !meetings.iter().any(|m| m.chain == *chain)
+                if let Some((gauge, _)) = &self.gauge_of[copy]
+                    && !meetings.iter().any(|m| m.gauge == *gauge)
                 {
-                    meetings.push(Meeting { chain: *chain, copy, at });
+                    meetings.push(Meeting { gauge: *gauge, copy, at });
                 }
             }
         }
         for line in &mut self.meetings {
-            line.sort_by_key(|m| m.chain);
+            line.sort_by_key(|m| m.gauge);
         }
     }
 
@@ -252,12 +252,12 @@ impl<'a> Copies<'a> {
     pub(super) fn shapes(
         &self,
         across: &[Option<Across>],
-        chains: &[[Form; 3]],
+        gauges: &[[Form; 3]],
         program: &mut Program,
     ) -> Vec<Shape> {
         let mut shapes: Vec<Shape> = (0..self.vertex_of.len())
             .map(|copy| match self.twin_of[copy] {
-                None => self.shape(copy, across, chains, program),
+                None => self.shape(copy, across, gauges, program),
                 Some(_) => Shape::Zero { base: 0 },
             })
             .collect();
@@ -271,8 +271,8 @@ impl<'a> Copies<'a> {
         shapes
     }
 
-    /// The chain that values along an edge of a way are relative to.
-    pub(super) fn way(&self, s: Side) -> Option<usize> {
+    /// The gauge that values along an edge of a way are relative to.
+    pub(super) fn cut(&self, s: Side) -> Option<usize> {
         let other = self.topology.across[s.triangle][s.corner]?;
         let ((a, b), (d, c)) = (self.ends(s), self.ends(other));
         ((a, b) != (c, d)).then_some(self.branch_of[a]).flatten()
@@ -283,11 +283,11 @@ impl<'a> Copies<'a> {
         &self,
         copy: usize,
         across: &[Option<Across>],
-        chains: &[[Form; 3]],
+        gauges: &[[Form; 3]],
         program: &mut Program,
     ) -> Shape {
-        if let Some((chain, demanded)) = &self.chain_of[copy] {
-            return Shape::Chain { chain: *chain, demanded: demanded.clone() };
+        if let Some((gauge, demanded)) = &self.gauge_of[copy] {
+            return Shape::Gauge { gauge: *gauge, demanded: demanded.clone() };
         }
         let p = self.position(copy);
         let h = self.length[copy];
@@ -298,7 +298,7 @@ impl<'a> Copies<'a> {
         // Lines that go on straight say the same.
         lines.dedup_by_key(|l| l.0.group);
         if let Some(&apex) = self.apexes[copy].first() {
-            let base = self.chain_of[apex].as_ref().map_or(0, |c| c.0);
+            let base = self.gauge_of[apex].as_ref().map_or(0, |c| c.0);
             if self.apexes[copy].len() > 1 {
                 let upright = lines.iter().all(|(a, ..)| a.n[1] == 0.0);
                 let depth = self.problem.statement().datum - p[1];
@@ -315,7 +315,7 @@ impl<'a> Copies<'a> {
                 None => Turn::Unknown(unknown(h / r[0].hypot(r[1]))),
                 Some((a, _, s)) => {
                     let t = turned(r);
-                    let [_, gx, gy] = &chains[base];
+                    let [_, gx, gy] = &gauges[base];
                     let own = a.at(*s).plus(-a.n[0], gx).plus(-a.n[1], gy);
                     Turn::Given(Form::default().plus(1.0 / (t[0] * a.n[0] + t[1] * a.n[1]), &own))
                 }

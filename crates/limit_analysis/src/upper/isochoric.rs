@@ -17,8 +17,8 @@ impl Builder<'_> {
     /// nodes of each part, times the cohesion, is an upper bound on the dissipation. All parts have the same strain rate
     /// at the centroid.
     pub(super) fn add_stream(&mut self, triangle: usize, copies: [usize; 3]) {
-        let v = self.ground.corners(triangle);
-        let soil = self.ground.soil(triangle);
+        let v = self.meshed.corners(triangle);
+        let soil = self.meshed.soil(triangle);
         let centre = centroid(&v);
         let area = 0.5 * twice_area(v);
         let h = (2.0 * area).sqrt();

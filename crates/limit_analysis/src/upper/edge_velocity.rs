@@ -6,12 +6,12 @@ use crate::form::Form;
 /// A velocity, quadratic along an edge: Bernstein coefficients at the start, in the middle and at the end of its parts
 /// along the edge and across it, to the left. As a relative velocity of the soil on the left these are slip and opening.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Slide {
+pub(super) struct EdgeVelocity {
     pub(super) slip: [Form; 3],
     pub(super) opening: [Form; 3],
 }
 
-impl Slide {
+impl EdgeVelocity {
     /// From velocities at control points; `t` is the edge's unit vector.
     pub(super) fn new(t: [f64; 2], velocities: &[Velocity; 3]) -> Self {
         let part =
