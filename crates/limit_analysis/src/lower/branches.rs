@@ -1,8 +1,8 @@
-//! Ways from bodies inside the soil to its rim.
+//! Branch cuts from bodies inside the soil to its rim.
 //!
-//! A stress function that is one function all around a body carries no force on it: forces are changes of its slopes. So
-//! along a way from each such body to the rim the function beyond is the function before plus an affine one, a *branch*,
-//! whose slopes are the force and whose value is the moment.
+//! An Airy stress function that is single-valued all around a body carries no force on it: forces are changes of its
+//! slopes. So along a cut from each such body to the rim the function beyond is the function before plus an affine one, a
+//! *branch*, whose slopes are the force and whose value is the moment (Michell's conditions for multiply connected regions).
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -12,7 +12,7 @@ use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
 
-/// Mesh edges along which the stress function may differ by a branch: one way for each body, from the rim to the body.
+/// Mesh edges along which the stress function may differ by a branch: one cut for each body, from the rim to the body.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BranchCuts {
     pub(super) all: Vec<Vec<usize>>,
@@ -54,7 +54,7 @@ impl Rim {
         Self { touching, part }
     }
 
-    /// Whether the function is free at a vertex, or known from one run of loads on both sides: a way may end there.
+    /// Whether the function is free at a vertex, or known from one run of loads on both sides: a cut may end there.
     fn may_end(&self, vertex: usize) -> bool {
         let conditions = || self.touching[&vertex].iter().map(|(c, _)| *c);
         !conditions().any(Condition::shear_is_given)
@@ -104,7 +104,7 @@ impl BranchCuts {
         cuts
     }
 
-    /// Whether an edge is on a way.
+    /// Whether an edge is on a cut.
     pub(super) fn holds(&self, mesh: &Mesh, side: Side) -> bool {
         let corners = mesh.triangles[side.triangle].corners;
         let [a, b] = [1, 2].map(|i| corners[(side.corner + i) % 3]);
@@ -112,7 +112,7 @@ impl BranchCuts {
     }
 }
 
-/// The way with the fewest edges, from where it ends to where it starts.
+/// The cut with the fewest edges, from where it ends to where it starts.
 fn shortest(
     neighbours: &[BTreeSet<usize>],
     starts: impl Iterator<Item = usize>,
@@ -152,14 +152,14 @@ fn shortest(
 /// Where a branch starts on a run of loads: the number of the side in the run and how far along it, as it is walked.
 pub(super) type Place = (usize, f64);
 
-/// The gauges of all parts of runs: a run has its own up to the first way that ends on it, then a branch for each.
+/// The gauges of all parts of runs: a run has its own up to the first cut that ends on it, then a branch for each.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Branches {
-    /// Run, place, and way of each branch on a run, in the order of the runs and along them.
+    /// Run, place, and cut of each branch on a run, in the order of the runs and along them.
     on_runs: Vec<(usize, Place, usize)>,
     /// Number of runs, at least one.
     runs: usize,
-    /// Number of ways.
+    /// Number of cuts.
     cuts: usize,
 }
 
@@ -180,7 +180,7 @@ impl Branches {
         self.on_runs.iter().rev().find(passed).map_or(run, |(.., cut)| self.runs + cut)
     }
 
-    /// The gauges on both sides of a way that ends away from loads.
+    /// The gauges on both sides of a cut that ends away from loads.
     pub(super) fn around(&self, cut: usize) -> [usize; 2] {
         [0, self.runs + cut]
     }

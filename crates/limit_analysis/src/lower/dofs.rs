@@ -1,4 +1,4 @@
-//! The stress function of a problem on a mesh: its unknowns, with the boundary conditions built in.
+//! The Airy stress function of a problem on a mesh: its unknowns, with the static boundary conditions built in.
 
 use soilctl_certificate::{Condition, Gauge, Gradient, LowerField, VertexCopy};
 

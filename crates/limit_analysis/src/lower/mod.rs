@@ -1,6 +1,6 @@
-//! The lower bound: the largest force that some stress field in equilibrium, nowhere beyond yield, can carry.
+//! The static program: the largest force, or the largest factor on loads, over statically admissible stresses.
 //!
-//! Stresses are second derivatives of a stress function with continuous slopes, so that equilibrium holds whatever the
+//! Stresses are second derivatives of an Airy stress function with continuous slopes, so that equilibrium holds whatever the
 //! unknowns are, and only yield is left to the cones of the program.
 
 mod branches;

@@ -1,4 +1,4 @@
-//! Vertices, split where boundaries cut the soil, and what the boundaries say there.
+//! Vertices, split where boundaries or branch cuts part the soil, and what the boundary conditions say at each copy.
 
 use soilctl_certificate::{Condition, LineUse, Place, Side};
 
@@ -47,9 +47,9 @@ pub(super) struct SplitVertices<'a> {
     /// For each line of given shear, the gauges that meet it.
     pub(super) meetings: Vec<Vec<Meeting>>,
     pub(super) branches: Branches,
-    /// For copies on ways from bodies to the rim, the gauge that values there are relative to.
+    /// For copies on cuts from bodies to the rim, the gauge that values there are relative to.
     pub(super) branch_of: Vec<Option<usize>>,
-    /// For one of the two copies at each vertex of a way, the other one, which has the same unknowns.
+    /// For one of the two copies at each vertex of a cut, the other one, which has the same unknowns.
     pub(super) twin_of: Vec<Option<usize>>,
 }
 
@@ -128,7 +128,7 @@ impl<'a> SplitVertices<'a> {
         }
     }
 
-    /// Finds on which runs ways end, and where.
+    /// Finds on which runs cuts end, and where.
     fn find_branches(&mut self, cuts: &BranchCuts) {
         let mut on_runs = Vec::new();
         for (number, cut) in cuts.all.iter().enumerate() {
@@ -146,7 +146,7 @@ impl<'a> SplitVertices<'a> {
         self.branches = Branches::new(self.loads.runs.len(), cuts.all.len(), on_runs);
     }
 
-    /// Goes along the ways and finds which copies are on which side of them.
+    /// Goes along the cuts and finds which copies are on which side of them.
     fn follow(&mut self, cuts: &BranchCuts) {
         for (number, cut) in cuts.all.iter().enumerate() {
             for (i, step) in cut.windows(2).enumerate() {
@@ -215,7 +215,7 @@ impl<'a> SplitVertices<'a> {
             }
         }
         self.length.iter_mut().zip(count).for_each(|(sum, n)| *sum /= n);
-        // What is next to an apex on one side of a way is so on the other one too.
+        // What is next to an apex on one side of a cut is so on the other one too.
         for (copy, twin) in self.twin_of.iter().enumerate() {
             let Some(twin) = *twin else { continue };
             for apex in self.apexes[copy].clone() {
@@ -271,7 +271,7 @@ impl<'a> SplitVertices<'a> {
         shapes
     }
 
-    /// The gauge that values along an edge of a way are relative to.
+    /// The gauge that values along an edge of a cut are relative to.
     pub(super) fn cut(&self, s: Side) -> Option<usize> {
         let other = self.topology.across[s.triangle][s.corner]?;
         let ((a, b), (d, c)) = (self.ends(s), self.ends(other));

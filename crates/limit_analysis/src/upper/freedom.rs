@@ -1,4 +1,4 @@
-//! Which control points of a flow may move, and how.
+//! Kinematic boundary conditions: how each control point of a quadratic velocity may move.
 
 use soilctl_certificate::Condition;
 
@@ -107,7 +107,7 @@ fn in_line(problem: &Problem, a: usize, b: usize) -> bool {
     (0..2).any(|axis| p[axis] == q[axis] && r[axis] == s[axis])
 }
 
-/// Holds corners inside the soil with at most two free neighbours: soil that dilates needs a way out.
+/// Holds corners inside the soil with at most two free neighbours: soil that dilates needs room.
 fn hold_pockets(nodes: &[Quadratic], fixed: &mut [bool]) {
     let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); fixed.len()];
     let mut seen = vec![0_usize; fixed.len()];

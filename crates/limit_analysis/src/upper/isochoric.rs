@@ -1,4 +1,4 @@
-//! What a flow by a stream function dissipates.
+//! Dissipation of soil without friction, whose velocity is that of a stream function.
 
 use super::Builder;
 use super::strength::over_triangle;

@@ -1,4 +1,4 @@
-//! What there is on both sides of an edge.
+//! A problem on a mesh: what there is on both sides of an edge.
 
 use soilctl_certificate::{Condition, Side};
 
@@ -59,7 +59,7 @@ impl<'a> MeshedProblem<'a> {
         let jump = |region| Edge::Jump { other, region };
         match [triangle, other.triangle].map(|t| self.is_isochoric(t)) {
             [true, true] => Edge::Glued,
-            // Clay cannot open, sand must.
+            // Isochoric soil cannot open, dilatant soil must.
             [true, false] => jump(there),
             [false, true] => jump(here),
             [false, false] if !same_strength(self.soil(triangle), self.soil(other.triangle)) => {

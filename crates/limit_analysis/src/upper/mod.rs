@@ -1,4 +1,4 @@
-//! The upper bound: the least force, or the least factor on loads, that some flow of the soil allows.
+//! The kinematic program: the least force, or the least factor on loads, over kinematically admissible velocities.
 //!
 //! Soil with friction dilates as much as it demands: velocities are quadratic on six-node triangles and may jump across
 //! guides, interfaces and structure faces (Makrodimopoulos & Martin 2007, 2008). Soil without friction keeps its volume:

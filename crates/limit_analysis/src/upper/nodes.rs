@@ -1,4 +1,4 @@
-//! Control points of quadratic flows and vertex copies of stream functions: which triangles share them.
+//! Control points of quadratic velocities and vertex copies of stream functions: which triangles share them.
 
 use soilctl_certificate::{Condition, Side};
 
@@ -12,7 +12,7 @@ pub(crate) enum Element {
     Quadratic([usize; 6]),
     /// Vertex copies.
     Stream([usize; 3]),
-    /// Soil without friction that has no way out.
+    /// Isochoric soil around which all is held: at rest.
     Rest,
 }
 
