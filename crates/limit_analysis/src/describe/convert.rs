@@ -9,27 +9,20 @@ use super::described::{Described, Quantity};
 use super::error::DescriptionError;
 use super::faces::Face;
 use super::fill::{Units, material};
-use super::ground::{Ground, Map};
+use super::ground::Map;
 use super::holds::{Holder, Holds};
 use super::input::{Aim, Description};
+use super::plan::Plan;
 use super::segments::Drawing;
-use super::size::{datum, units};
+use super::size::units;
 use crate::error::LimitError;
-use crate::vector::{Point, between, length};
+use crate::vector::{Point, length};
 
 /// Most lines of a statement that the checker takes.
 const MAX_LINES: usize = 256;
 
 /// Cutting a region may bend the top of the one below, once for each layer.
 const MAX_ROUNDS: usize = 64;
-
-/// The geometry of a description, with what holds where.
-pub(super) struct Plan {
-    pub(super) drawing: Drawing,
-    pub(super) map: Map,
-    pub(super) faces: Vec<Face>,
-    pub(super) holds: BTreeMap<LineUse, Holds>,
-}
 
 impl Description {
     /// The problem in the units of the solver.
@@ -223,42 +216,5 @@ impl Description {
                 (gravity, Objective::Body { gravity: [if leftwards { -1.0 } else { 1.0 }, 0.0] })
             }
         }
-    }
-}
-
-impl Plan {
-    /// Both ends of all sides on which something holds.
-    pub(super) fn where_holds(&self, wanted: impl Fn(&LineUse, &Holds) -> bool) -> Vec<[Point; 2]> {
-        let found = self.holds.iter().filter(|(w, h)| wanted(w, h));
-        found.map(|(w, _)| self.map.walked_points(*w)).collect()
-    }
-
-    /// Heights of level lines on which something holds, with the length at each: the longest first, then the highest.
-    pub(super) fn levels(&self, wanted: impl Fn(&LineUse, &Holds) -> bool) -> Vec<(f64, f64)> {
-        let mut levels: Vec<(f64, f64)> = Vec::new();
-        for [a, b] in self.where_holds(wanted) {
-            if a[1] != b[1] {
-                continue;
-            }
-            let long = length(between(a, b));
-            match levels.iter_mut().find(|l| l.0 == a[1]) {
-                Some(level) => level.1 += long,
-                None => levels.push((a[1], long)),
-            }
-        }
-        levels.sort_by(|a, b| b.1.total_cmp(&a.1).then(b.0.total_cmp(&a.0)));
-        levels
-    }
-
-    /// Whether the soil of a side has neither cohesion nor a gradient of it.
-    pub(super) fn is_bare(&self, description: &Description, walk: &LineUse) -> bool {
-        let Ground::Soil { region, .. } = self.map.left_of(*walk) else { return false };
-        let soil = &description.soils[description.soil_of(region)];
-        soil.cohesion_kpa == 0.0 && soil.cohesion_gradient_kpa_per_m == 0.0
-    }
-
-    /// The datum of the statement.
-    pub(super) fn datum(&self, description: &Description) -> f64 {
-        datum(description, self)
     }
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::parts::{BoundaryEntry, Kind, PlateEntry, StructureEntry};
+use super::parts::{BoundaryEntry, Kind, PlateEntry, StructureEntry, is_zero};
 
 /// A plane-strain collapse problem in metres, kPa, kN/m3 and degrees: what a problem file says.
 ///
@@ -144,9 +144,4 @@ impl Default for Aim {
     fn default() -> Self {
         Self::Load {}
     }
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
-pub(super) fn is_zero(value: &f64) -> bool {
-    *value == 0.0
 }

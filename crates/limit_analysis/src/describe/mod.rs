@@ -23,6 +23,7 @@ mod ground;
 mod holds;
 mod input;
 mod parts;
+mod plan;
 mod ready;
 mod reduce;
 mod segments;

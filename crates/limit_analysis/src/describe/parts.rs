@@ -3,8 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::input::is_zero;
-
 /// What holds on a boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -188,4 +186,9 @@ pub struct StructureEntry {
     /// How it is held, if it does not move.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub held: Option<Hold>,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+pub(super) fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }

@@ -1,14 +1,14 @@
 //! The units of the statement, and its datum.
 
-use super::convert::Plan;
 use super::error::DescriptionError;
 use super::fill::Units;
 use super::holds::Holds;
 use super::input::{Aim, Description};
+use super::plan::Plan;
 use crate::vector::Point;
 
 /// The height of the level free ground: of soil that must not be loaded there first, then the longest.
-pub(super) fn datum(description: &Description, plan: &Plan) -> f64 {
+fn datum(description: &Description, plan: &Plan) -> f64 {
     let bare = plan.levels(|w, h| *h == Holds::Free && plan.is_bare(description, w));
     let free = plan.levels(|_, h| *h == Holds::Free);
     bare.first().or(free.first()).map_or(plan.drawing.high[1], |level| level.0)
@@ -39,7 +39,7 @@ pub(super) fn units(description: &Description, plan: &Plan, at_far: f64) -> Resu
     };
     // Flat ground has no height to speak of.
     let length_m = if lead > 1e-3 * soil { lead } else { soil };
-    let [x, y] = [0.5 * (plan.drawing.low[0] + plan.drawing.high[0]), plan.datum(description)];
+    let [x, y] = [0.5 * (plan.drawing.low[0] + plan.drawing.high[0]), datum(description, plan)];
     let cohesion = |[_, p]: [Point; 2]| {
         let at = |s: &super::SoilEntry| {
             let level = s.cohesion_level_m.unwrap_or(0.0);

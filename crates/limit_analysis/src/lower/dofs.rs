@@ -5,8 +5,8 @@ use soilctl_certificate::{Condition, Gauge, Gradient, LowerField, VertexCopy};
 use super::given::{Across, Touching, slopes_across};
 use super::loads;
 use super::reference::ReferenceStress;
-use super::shape::Shape;
 use super::split_vertices::{Meeting, SplitVertices};
+use super::unknown_jet::UnknownJet;
 use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
@@ -20,7 +20,7 @@ pub(crate) struct StressFunction {
     /// Vertex copy at each triangle corner; copies are separated by boundaries only.
     pub(crate) corners: Vec<[usize; 3]>,
     vertex_of: Vec<usize>,
-    shapes: Vec<Shape>,
+    shapes: Vec<UnknownJet>,
     jets: Vec<[Form; 3]>,
     /// SplitVertices at which all stress vanishes.
     pub(crate) apex: Vec<bool>,
@@ -154,7 +154,7 @@ impl StressFunction {
         let slopes = slopes(problem, mesh, topology, &copies, &across, program);
         let far = problem.statement().boundaries.iter().any(|b| b.condition == Condition::Far);
         let far_stress = far.then(|| program.unknown());
-        let jets = shapes.iter().map(Shape::jet).collect();
+        let jets = shapes.iter().map(UnknownJet::jet).collect();
         let SplitVertices { corners, vertex_of, apex, .. } = copies;
         Self {
             corners,

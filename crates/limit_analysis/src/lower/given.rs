@@ -4,7 +4,7 @@
 use soilctl_certificate::{Condition, LineUse};
 
 use super::reference::ReferenceStress;
-use super::shape::Unknown;
+use super::unknown_jet::Unknown;
 use crate::form::Form;
 use crate::problem::Problem;
 use crate::program::Program;

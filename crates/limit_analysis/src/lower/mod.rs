@@ -10,10 +10,10 @@ mod given;
 mod loads;
 pub(crate) mod macro_element;
 mod reference;
-mod shape;
 mod split_vertices;
 #[cfg(test)]
 pub(crate) mod tests;
+mod unknown_jet;
 
 use soilctl_certificate::{Condition, LowerField, Objective};
 

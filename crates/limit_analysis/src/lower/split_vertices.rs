@@ -6,7 +6,7 @@ use super::branches::{BranchCuts, Branches, walked};
 use super::given::Across;
 use super::loads::Loads;
 use super::reference::ReferenceStress;
-use super::shape::{Shape, Turn, Unknown};
+use super::unknown_jet::{Turn, Unknown, UnknownJet};
 use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
@@ -254,11 +254,11 @@ impl<'a> SplitVertices<'a> {
         across: &[Option<Across>],
         gauges: &[[Form; 3]],
         program: &mut Program,
-    ) -> Vec<Shape> {
-        let mut shapes: Vec<Shape> = (0..self.vertex_of.len())
+    ) -> Vec<UnknownJet> {
+        let mut shapes: Vec<UnknownJet> = (0..self.vertex_of.len())
             .map(|copy| match self.twin_of[copy] {
                 None => self.shape(copy, across, gauges, program),
-                Some(_) => Shape::Zero { base: 0 },
+                Some(_) => UnknownJet::Zero { base: 0 },
             })
             .collect();
         for (copy, twin) in self.twin_of.iter().enumerate() {
@@ -285,9 +285,9 @@ impl<'a> SplitVertices<'a> {
         across: &[Option<Across>],
         gauges: &[[Form; 3]],
         program: &mut Program,
-    ) -> Shape {
+    ) -> UnknownJet {
         if let Some((gauge, demanded)) = &self.gauge_of[copy] {
-            return Shape::Gauge { gauge: *gauge, demanded: demanded.clone() };
+            return UnknownJet::Gauge { gauge: *gauge, demanded: demanded.clone() };
         }
         let p = self.position(copy);
         let h = self.length[copy];
@@ -303,9 +303,9 @@ impl<'a> SplitVertices<'a> {
                 let upright = lines.iter().all(|(a, ..)| a.n[1] == 0.0);
                 let depth = self.problem.statement().datum - p[1];
                 return if upright {
-                    Shape::ManyApexes { base, f: unknown(h * h), depth }
+                    UnknownJet::ManyApexes { base, f: unknown(h * h), depth }
                 } else {
-                    Shape::Zero { base }
+                    UnknownJet::Zero { base }
                 };
             }
             let q = self.position(apex);
@@ -320,20 +320,20 @@ impl<'a> SplitVertices<'a> {
                     Turn::Given(Form::default().plus(1.0 / (t[0] * a.n[0] + t[1] * a.n[1]), &own))
                 }
             };
-            return Shape::OneApex { base, apex, r, f, turn };
+            return UnknownJet::OneApex { base, apex, r, f, turn };
         }
         let f = unknown(h * h);
         match lines.as_slice() {
             [] => {
                 let base = self.branch_of[copy].unwrap_or(0);
-                Shape::Free { base, f, fx: unknown(h), fy: unknown(h) }
+                UnknownJet::Free { base, f, fx: unknown(h), fy: unknown(h) }
             }
             [(a, line, s)] => {
                 let along = unknown(h / a.n[0].hypot(a.n[1]));
-                Shape::OneLine { line: *line, n: a.n, across: a.at(*s), f, along }
+                UnknownJet::OneLine { line: *line, n: a.n, across: a.at(*s), f, along }
             }
             [(a, _, s), (b, _, t), ..] => {
-                Shape::TwoLines { normals: [a.n, b.n], across: [a.at(*s), b.at(*t)], f }
+                UnknownJet::TwoLines { normals: [a.n, b.n], across: [a.at(*s), b.at(*t)], f }
             }
         }
     }

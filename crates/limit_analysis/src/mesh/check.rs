@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use soilctl_certificate::{LineUse, Statement};
 
 use super::MeshError;
-use super::domain::Domain;
 use crate::vector::{between, cross, distance};
 
 /// Most points, lines, or uses of lines in an outline.
@@ -14,16 +13,6 @@ const LIMIT: usize = 100_000;
 /// Shortest line and least distance of things that are not joined, as a fraction of the outline's extent (or of the
 /// largest coordinate, if that is larger): a thousand million such lines would span the outline.
 const LEAST: f64 = 1e-9;
-
-/// Checks that a statement's geometry can be meshed: every index valid, every coordinate finite, every loop closed, lines
-/// that meet only at common points, and regions that do not overlap.
-///
-/// # Errors
-///
-/// The first thing that is wrong, with the indices and values concerned.
-pub fn check(statement: &Statement) -> Result<(), MeshError> {
-    Domain::new(statement).map(|_| ())
-}
 
 /// The checks that need no triangulation. Returns the least distance of things that are not joined.
 pub(super) fn check_plain(s: &Statement) -> Result<f64, MeshError> {

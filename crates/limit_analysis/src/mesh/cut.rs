@@ -2,11 +2,8 @@
 
 use super::MeshError;
 use super::domain::Domain;
-use super::wanted::Wanted;
+use super::wanted::{GROWTH, Wanted};
 use crate::vector::Point;
-
-/// How much the wanted size may grow per unit of distance: 30 % from element to element.
-pub(super) const GROWTH: f64 = 0.3;
 
 /// The wanted size along a path, sampled finely enough to be integrated.
 pub(super) struct Profile {

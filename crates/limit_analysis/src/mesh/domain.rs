@@ -16,6 +16,16 @@ use soilctl_certificate::Statement;
 /// Lines that meet at less than this angle (60 degrees) would refine one another for ever.
 const SHARP: f64 = std::f64::consts::FRAC_PI_3;
 
+/// Checks that a statement's geometry can be meshed: every index valid, every coordinate finite, every loop closed, lines
+/// that meet only at common points, and regions that do not overlap.
+///
+/// # Errors
+///
+/// The first thing that is wrong, with the indices and values concerned.
+pub fn check(statement: &Statement) -> Result<(), MeshError> {
+    Domain::new(statement).map(|_| ())
+}
+
 /// A checked outline.
 pub(super) struct Domain<'a> {
     pub(super) statement: &'a Statement,

@@ -4,7 +4,7 @@ use spade::Triangulation;
 use super::MeshError;
 use super::triangulation::FRAME;
 use super::work::{Kind, Work};
-use crate::vector::Point;
+use crate::vector::{Point, angle, between};
 
 /// A triangulation of all regions of a statement, with where its lines and guides run. It is conforming; slits and
 /// interfaces are edges like others, with the same vertices on both sides.
@@ -48,6 +48,12 @@ impl Mesh {
     /// Positions of a triangle's corners.
     pub(crate) fn corners(&self, triangle: usize) -> [Point; 3] {
         self.triangles[triangle].corners.map(|v| self.vertices[v].position)
+    }
+
+    /// The angle at a triangle's corner in radians.
+    pub(crate) fn angle(&self, triangle: usize, corner: usize) -> f64 {
+        let v = self.corners(triangle);
+        angle(between(v[corner], v[(corner + 1) % 3]), between(v[corner], v[(corner + 2) % 3]))
     }
 
     /// The mesh as certificates store it.

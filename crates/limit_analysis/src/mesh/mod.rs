@@ -27,7 +27,7 @@ mod wanted;
 mod weave;
 mod work;
 
-pub use check::check;
+pub use domain::check;
 pub use error::MeshError;
 pub use extract::Mesh;
 pub use fan::Fan;

@@ -1,15 +1,10 @@
 //! Puts fans into the mesh before it is triangulated.
 
-use std::collections::BTreeMap;
-
 use super::MeshError;
 use super::fan::Disc;
 use super::wanted::Wanted;
-use super::work::{Kind, Node};
+use super::work::{Held, Kind, Node};
 use crate::vector::{Point, distance};
-
-/// Edges of fans, lower node first, which stay as they are; and whether a guide runs along them.
-pub(super) type Held = BTreeMap<[usize; 2], bool>;
 
 /// Adds the vertices of a fan and returns its edges. `corner` is the node of its corner, and `first` that of the first
 /// vertex after the corner on a line, which is at the fan's radius, by the line and whether it starts at the corner.

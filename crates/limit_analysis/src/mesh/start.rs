@@ -7,10 +7,10 @@ use super::cut::Profile;
 use super::domain::Domain;
 use super::fan::Disc;
 use super::guide::Forced;
-use super::place::{Held, place};
+use super::place::place;
 use super::triangulation::triangulate;
 use super::wanted::Wanted;
-use super::work::{Kind, Node, Work};
+use super::work::{Held, Kind, Node, Work};
 use crate::vector::Point;
 
 impl<'a> Work<'a> {

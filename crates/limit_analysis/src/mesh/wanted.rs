@@ -1,10 +1,12 @@
 //! The wanted size, at any point.
 
 use super::MeshError;
-use super::cut::GROWTH;
 use super::domain::Domain;
 use super::fan::Disc;
 use crate::vector::{Point, distance};
+
+/// How much the wanted size may grow per unit of distance: 30 % from element to element.
+pub(super) const GROWTH: f64 = 0.3;
 
 /// Smallest size that is worked with, in least distances. It keeps vertices apart by much more than rounding.
 const FINEST: f64 = 30.0;

@@ -1,16 +1,19 @@
 //! The mesh while it is being made: a triangulation, and for each vertex what it is and which size is wanted there.
 
+use std::collections::BTreeMap;
+
 use spade::handles::FixedDirectedEdgeHandle;
 use spade::{PositionInTriangulation, Triangulation};
 
 use super::MeshError;
-use super::cut::GROWTH;
 use super::domain::Domain;
 use super::flood::flood;
-use super::place::Held;
 use super::triangulation::{Cdt, EdgeId, FRAME, FaceId, VertexId, to_spade, triangulate};
-use super::wanted::Wanted;
+use super::wanted::{GROWTH, Wanted};
 use crate::vector::{Point, distance};
+
+/// Edges of fans, lower node first, which stay as they are; and whether a guide runs along them.
+pub(super) type Held = BTreeMap<[usize; 2], bool>;
 
 /// What a vertex is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,10 +6,9 @@ use super::Velocity;
 use super::meshed::MeshedProblem;
 use super::nodes::Element;
 use crate::form::Form;
-use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::program::Program;
-use crate::vector::{between, distance};
+use crate::vector::distance;
 
 /// A triangle and its control points.
 type Quadratic = (usize, [usize; 6]);
@@ -172,19 +171,11 @@ fn hold_notches(meshed: &MeshedProblem, nodes: &[Quadratic], fixed: &mut [bool])
             let free: Vec<usize> = part.iter().flat_map(|i| spokes(fan[*i])).filter(|s| !fixed[*s]).collect();
             // A spoke seen once lies on a free surface or a jump: the notch is open there.
             let closed = free.iter().all(|s| free.iter().filter(|o| *o == s).count() == 2);
-            let triangle = |(i, k): (usize, usize)| (nodes[i].0, k);
-            let angle: f64 = part.iter().map(|i| corner_angle(meshed.mesh, triangle(fan[*i]))).sum();
+            let angle: f64 = part.iter().map(|i| meshed.mesh.angle(nodes[fan[*i].0].0, fan[*i].1)).sum();
             let soil = meshed.soil(nodes[fan[first].0].0);
             if closed && angle < 2.0 * soil.tan.atan() + NOTCH_MARGIN {
                 free.into_iter().for_each(|s| fixed[s] = true);
             }
         }
     }
-}
-
-pub(super) fn corner_angle(mesh: &Mesh, (triangle, k): (usize, usize)) -> f64 {
-    let v = mesh.corners(triangle);
-    let (p, q, r) = (v[k], v[(k + 1) % 3], v[(k + 2) % 3]);
-    let (a, b) = (between(p, q), between(p, r));
-    (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
 }

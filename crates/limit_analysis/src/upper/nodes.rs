@@ -2,7 +2,6 @@
 
 use soilctl_certificate::{Condition, Side};
 
-use super::freedom::corner_angle;
 use super::meshed::{Edge, MeshedProblem};
 
 /// What the flow on a triangle is made of.
@@ -136,7 +135,7 @@ fn weld_sharp_bends(meshed: &MeshedProblem, corners: &mut [[usize; 3]], count: u
     let mut other_rim = vec![false; count];
     for (triangle, copies) in corners.iter().enumerate().filter(|c| !meshed.is_isochoric(c.0)) {
         for (k, &copy) in copies.iter().enumerate() {
-            angle[copy] += corner_angle(meshed.mesh, (triangle, k));
+            angle[copy] += meshed.mesh.angle(triangle, k);
             notch[copy] = 2.0 * meshed.soil(triangle).tan.atan() + 0.1;
             for edge in [(k + 1) % 3, (k + 2) % 3] {
                 match meshed.edge(Side { triangle, corner: edge }) {

@@ -12,7 +12,7 @@ use crate::vector::distance;
 
 /// What is known about a vertex copy; the same kinds as [`StreamJet`].
 #[derive(Debug, Clone)]
-enum Shape {
+enum UnknownJet {
     Free,
     Wall { wall: usize, line: usize, across: Form },
     Corner { wall: usize },
@@ -22,7 +22,7 @@ enum Shape {
 pub(crate) struct StreamFunction {
     /// Vertex of each copy.
     vertices: Vec<usize>,
-    shapes: Vec<Shape>,
+    shapes: Vec<UnknownJet>,
     /// Value and slopes at each copy.
     pub(super) jets: Vec<[Form; 3]>,
     /// For each triangle, slopes across the middles of its edges, along the edge vectors turned left.
@@ -61,7 +61,7 @@ impl StreamFunction {
             let (shape, jet) = match sides.as_slice() {
                 [] => {
                     let s = if gauge_copies[copy] { Form::default() } else { unknown(size[copy]) };
-                    (Shape::Free, [s, unknown(1.0), unknown(1.0)])
+                    (UnknownJet::Free, [s, unknown(1.0), unknown(1.0)])
                 }
                 [side, rest @ ..] => {
                     let place = meshed.mesh.vertices[stream.vertices[copy]].place;
@@ -109,14 +109,14 @@ impl StreamFunction {
     pub(super) fn saved(&self, x: &[f64]) -> (Vec<StreamCopy>, Vec<f64>) {
         let copies = self.vertices.iter().zip(&self.shapes).zip(&self.jets).map(|((vertex, shape), jet)| {
             let jet = match shape {
-                Shape::Free => {
+                UnknownJet::Free => {
                     let [s, sx, sy] = jet.each_ref().map(|f| f.value(x));
                     StreamJet::Free { s, sx, sy }
                 }
-                Shape::Wall { wall, line, across } => {
+                UnknownJet::Wall { wall, line, across } => {
                     StreamJet::Wall { wall: *wall, line: *line, across: across.value(x) }
                 }
-                Shape::Corner { wall } => StreamJet::Corner { wall: *wall },
+                UnknownJet::Corner { wall } => StreamJet::Corner { wall: *wall },
             };
             StreamCopy { vertex: *vertex, jet }
         });
@@ -143,7 +143,7 @@ fn on_wall(
     side: &WallSide,
     other: Option<&WallSide>,
     unknown: &mut impl FnMut(f64) -> Form,
-) -> (Shape, [Form; 2]) {
+) -> (UnknownJet, [Form; 2]) {
     let [dx, dy] = side.direction;
     let square = dx * dx + dy * dy;
     let holds = side.holds || other.is_some_and(|o| o.holds);
@@ -151,10 +151,10 @@ fn on_wall(
         let across = if holds { Form::default() } else { unknown(1.0 / square.sqrt()) };
         let along = side.flow() / square;
         let slopes = [(dx, -dy), (dy, dx)].map(|(d, n)| Form::constant(along * d).plus(n, &across));
-        return (Shape::Wall { wall: side.wall, line: side.line, across }, slopes);
+        return (UnknownJet::Wall { wall: side.wall, line: side.line, across }, slopes);
     }
     let slopes = other.map_or([0.0; 2], |other| corner(side, other));
-    (Shape::Corner { wall: side.wall }, slopes.map(Form::constant))
+    (UnknownJet::Corner { wall: side.wall }, slopes.map(Form::constant))
 }
 
 /// Whether two sides are one as far as the soil can tell. What is in line but for rounding is not.

@@ -26,7 +26,7 @@ pub(crate) fn refusals(statement: &Statement) -> Vec<CertificateError> {
         mesh,
         corners: Vec::new(),
         copies: Vec::new(),
-        chains: Vec::new(),
+        gauges: Vec::new(),
         lines: Vec::new(),
         slopes: Vec::new(),
         far_stress: 0.0,

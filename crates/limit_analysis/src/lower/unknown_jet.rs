@@ -24,7 +24,7 @@ impl Unknown {
 
 /// What is known about a vertex copy; the same kinds as [`Jet`], with unknowns in place of numbers.
 #[derive(Debug, Clone)]
-pub(crate) enum Shape {
+pub(crate) enum UnknownJet {
     /// On a free or loaded boundary: the gauge's affine function and what the loads demand.
     Gauge { gauge: usize, demanded: [Form; 3] },
     /// The affine function of the gauge `base`.
@@ -48,7 +48,7 @@ pub(crate) enum Turn {
     Given(Form),
 }
 
-impl Shape {
+impl UnknownJet {
     /// The gauge whose affine function the values are relative to.
     pub(crate) fn base(&self) -> usize {
         match self {
