@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::mesh::Mesh;
 
-/// A flow of the soil, which proves an upper bound.
+/// A velocity field, which proves an upper bound if it is kinematically admissible.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct UpperField {
@@ -114,8 +114,9 @@ pub enum Velocity {
     },
 }
 
-/// A stress function, which proves a lower bound: a Clough-Tocher piecewise cubic with continuous slopes. What the
-/// numbers mean is said in the [documentation of the crate](crate#lower-bound).
+/// An Airy stress function, which proves a lower bound if its stresses are statically admissible: a piecewise cubic with
+/// continuous slopes on Clough-Tocher macro-elements. What the numbers mean is said in the
+/// [documentation of the crate](crate#lower-bound).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LowerField {

@@ -2,7 +2,7 @@ use crate::fields::LowerField;
 use crate::interval::{Interval, Vector};
 use crate::statement::{Objective, Statement};
 
-/// Everything that pulls at the soil: gravity, and the body force that is bounded.
+/// The body force on the soil: gravity, and the force whose factor is bounded.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BodyForce {
     gravity: [f64; 2],

@@ -1,3 +1,5 @@
+//! Gauges: affine functions that values of the stress function are relative to. They carry no stress.
+
 use crate::CertificateError;
 use crate::fields::{Gradient, LowerField};
 use crate::interval::{Interval, Vector};

@@ -1,4 +1,4 @@
-//! The lower bound: the force that goes with stresses in equilibrium that the soil can bear everywhere.
+//! The lower bound: a stress field is proven statically admissible, and the force or factor that goes with it is the bound.
 
 mod body_force;
 mod covered;

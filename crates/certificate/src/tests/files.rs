@@ -29,6 +29,17 @@ fn a_file_restores_every_number() {
 }
 
 #[test]
+fn files_call_gauges_chains() {
+    let text = serde_json::to_string(&solution()).unwrap();
+    for words in [
+        r#""chains":[{"constant":0.0,"gradient":{"free":{"x":0.0,"y":0.0}}}]"#,
+        r#""jet":{"chain":{"chain":0}}"#,
+    ] {
+        assert!(text.contains(words), "{words} in {text}");
+    }
+}
+
+#[test]
 fn claims_are_not_trusted() {
     let proof = prove(&solution()).unwrap();
     let (lower, upper) = (proof.lower.unwrap(), proof.upper.unwrap());

@@ -1,4 +1,4 @@
-//! The upper bound: the power of a flow in which every bit of soil dilates at least as much as its friction demands.
+//! The upper bound: a velocity field is proven kinematically admissible, and its power adds up to the bound.
 
 mod check;
 mod edge_velocity;
