@@ -1,6 +1,7 @@
 //! What a trace-derived column reads when no effect is there.
 
 use soilctl_effects::{Active, Channel};
+use soilctl_stats::median_absolute_deviation;
 
 use crate::data::{Data, Prior};
 
@@ -110,7 +111,7 @@ impl Baseline {
             if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
         let responses = |terms: &mut Vec<(Vec<f64>, Prior)>| {
             for &Active { effect, shape, .. } in data.known_responses() {
-                for response in effect.responses().iter().filter(|response| response.channel == channel) {
+                for response in effect.responses.iter().filter(|response| response.channel == channel) {
                     let at = |stroke| effect.response(channel, shape, stroke, &data.reference);
                     let prior = Prior { mean: response.mean, sd: response.sd };
                     terms.push((data.strokes.iter().map(at).collect(), prior));
@@ -133,7 +134,7 @@ impl Baseline {
             responses(&mut terms);
             for &Active { effect, amplitude, shape } in data.known_linked(channel) {
                 for (i, value) in known.iter_mut().enumerate() {
-                    *value += effect.shift(channel, amplitude, shape, &data.strokes[i], &data.reading(i));
+                    *value += effect.shift(channel, amplitude, shape, &data.reading(i));
                 }
             }
         }
@@ -157,22 +158,8 @@ fn moving_on(data: &Data, sd: f64) -> Vec<(Vec<f64>, Prior)> {
     angles.into_iter().map(level).chain([depth]).map(|term| (term, Prior { mean: 0.0, sd })).collect()
 }
 
-/// Standard deviation that an outlier does not move much: from the median absolute deviation.
+/// Standard deviation that an outlier does not move much: 1.4826 times the median absolute deviation, as for normal values
+/// (Rousseeuw & Croux 1993).
 pub(crate) fn spread(values: &[f64]) -> f64 {
-    if values.len() < 2 {
-        return 0.0;
-    }
-    let middle = median(values.to_vec());
-    let away = median(values.iter().map(|x| (x - middle).abs()).collect());
-    1.4826 * away
-}
-
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    match n {
-        0 => 0.0,
-        _ if n % 2 == 1 => values[n / 2],
-        _ => 0.5 * (values[n / 2 - 1] + values[n / 2]),
-    }
+    if values.len() < 2 { 0.0 } else { 1.4826 * median_absolute_deviation(values) }
 }

@@ -67,7 +67,7 @@ impl<'a> Setup<'a> {
 
     /// ln force of a stroke, with `effects`, for a friction angle (deg), an offset of the interface friction (deg) and ln of the
     /// density over its prior mean. `None` where the model has no answer.
-    pub(crate) fn ln_force(&self, stroke: usize, soil: [f64; 3], effects: &[Active<'_>]) -> Option<f64> {
+    pub(crate) fn ln_force(&self, stroke: usize, soil: [f64; 3], effects: &[Active]) -> Option<f64> {
         let data = self.data;
         let base = Base {
             phi_deg: soil[0],
@@ -79,7 +79,7 @@ impl<'a> Setup<'a> {
     }
 
     /// What is known and `more`.
-    pub(crate) fn known_and(&self, more: impl IntoIterator<Item = Active<'static>>) -> Vec<Active<'static>> {
+    pub(crate) fn known_and(&self, more: impl IntoIterator<Item = Active>) -> Vec<Active> {
         self.data.known.iter().map(|known| known.active).chain(more).collect()
     }
 

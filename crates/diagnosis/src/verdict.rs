@@ -1,13 +1,13 @@
 //! What may be said of a campaign.
 
-use serde::Serialize;
+use soilctl_effects::{Covariate, EffectId};
 
+use crate::explanation::{Dependence, Explanation};
 use crate::generic::varies;
 use crate::search::{Scored, ScoredShape, Search, THRESHOLD};
 
 /// What a diagnosis ends with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Status {
     /// Nothing is missing that these data could show.
     None,
@@ -28,7 +28,8 @@ pub enum Status {
 const TOLD_APART: f64 = 2.0;
 const TOLD_APART_SHARE: f64 = 0.05;
 /// Effects that only a condition that must vary tells apart, whatever their formulas make of the same strokes.
-const TWINS: [(&str, &str, &str); 1] = [("density_gradient", "side_effects_3d", "width_m")];
+const TWINS: [(EffectId, EffectId, Covariate); 1] =
+    [(EffectId::DensityGradient, EffectId::SideEffects3d, Covariate::Width)];
 /// Part of the best set's ln Bayes factor that one with the twin in its place must have to be as likely, if both may shift all forces
 /// alike: where a formula is 1 is a convention.
 const TWIN_SHARE: f64 = 0.6;
@@ -49,10 +50,10 @@ pub(crate) struct Verdict {
     pub(crate) best: Option<Scored>,
     /// ln Bayes factor of each effect of the best set: what taking it out costs.
     pub(crate) factors: Vec<f64>,
-    /// Ids that the data do not tell apart, best first.
-    pub(crate) equivalents: Vec<String>,
-    /// Covariate and ln Bayes factor of the shape without a name, if the verdict speaks of one.
-    pub(crate) shape: Option<(String, f64)>,
+    /// What the data do not tell apart, best first.
+    pub(crate) equivalents: Vec<Explanation>,
+    /// What a shape without a name depends on and its ln Bayes factor, if the verdict speaks of one.
+    pub(crate) shape: Option<(Dependence, f64)>,
     /// All effects alone, best first.
     pub(crate) singles: Vec<Scored>,
 }
@@ -75,12 +76,12 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let lead = shape.as_ref().map(shape_score).unwrap_or_default() - best.map_or(0.0, Scored::score);
     let Some(best) = best else {
         let status = if shape.is_some() { Status::Unknown } else { Status::None };
-        let equivalents = shape.iter().map(|shape| format!("unknown:{}", shape.covariate)).collect();
-        let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
+        let equivalents = shape.iter().map(|shape| Explanation::Unknown(shape.over)).collect();
+        let shape = shape.map(|shape| (shape.over, shape.log_bayes));
         return Verdict { status, best: None, factors: Vec::new(), equivalents, shape, singles };
     };
     let of_size = &sizes[best.spec.choices.len() - 1];
-    let mut equivalents: Vec<String> = Vec::new();
+    let mut equivalents: Vec<Explanation> = Vec::new();
     let as_likely = |scored: &&Scored| {
         let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { TOLD_APART_SHARE };
         scored.log_bayes > (1.0 - form) * best.log_bayes - TOLD_APART
@@ -88,9 +89,9 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
                 && search.at_any_level(scored) > TWIN_SHARE * search.at_any_level(best))
     };
     for scored in of_size.iter().filter(as_likely) {
-        for id in scored.ids() {
-            if !equivalents.iter().any(|known| known == id) {
-                equivalents.push(id.into());
+        for id in scored.spec.ids().into_iter().map(Explanation::Effect) {
+            if !equivalents.contains(&id) {
+                equivalents.push(id);
             }
         }
     }
@@ -116,35 +117,31 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
         Status::Provisional => left_over.or(shape),
         _ => None,
     };
-    let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
+    let shape = shape.map(|shape| (shape.over, shape.log_bayes));
     let shape = if status == Status::Provisional { instead.or(shape) } else { shape };
-    if let Some((covariate, _)) = &shape {
-        let name = format!("unknown:{covariate}");
-        if status == Status::Unknown {
-            equivalents.insert(0, name);
-        } else {
-            equivalents.push(name);
-        }
+    if let Some((over, _)) = shape {
+        let at = if status == Status::Unknown { 0 } else { equivalents.len() };
+        equivalents.insert(at, Explanation::Unknown(over));
     }
     Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
 }
 
 /// Whether two sets differ by twins only, and the condition that would tell these apart is always the same.
 fn twins(search: &Search<'_>, one: &Scored, other: &Scored) -> bool {
-    let (of_one, of_other) = (one.ids(), other.ids());
-    let left = |ids: &[&'static str], others: &[&str]| -> Vec<&'static str> {
+    let (of_one, of_other) = (one.spec.ids(), other.spec.ids());
+    let left = |ids: &[EffectId], others: &[EffectId]| -> Vec<EffectId> {
         ids.iter().copied().filter(|id| !others.contains(id)).collect()
     };
     let pair = (left(&of_one, &of_other), left(&of_other, &of_one));
-    let ([a], [b]) = (pair.0.as_slice(), pair.1.as_slice()) else { return false };
-    TWINS.iter().any(|(x, y, condition)| {
+    let (&[a], &[b]) = (pair.0.as_slice(), pair.1.as_slice()) else { return false };
+    TWINS.iter().any(|&(x, y, condition)| {
         ((a, b) == (x, y) || (a, b) == (y, x)) && !varies(search.setup.data, condition)
     })
 }
 
 /// What each effect of a set earns over the best set without it.
 fn factors(best: &Scored, sizes: &[Vec<Scored>]) -> Vec<f64> {
-    let ids = best.ids();
+    let ids = best.spec.ids();
     if ids.len() == 1 {
         return vec![best.log_bayes];
     }
@@ -152,7 +149,7 @@ fn factors(best: &Scored, sizes: &[Vec<Scored>]) -> Vec<f64> {
     ids.iter()
         .map(|out| {
             let without = smaller.iter().find(|set| {
-                let of_set = set.ids();
+                let of_set = set.spec.ids();
                 !of_set.contains(out) && of_set.iter().all(|id| ids.contains(id))
             });
             without.map_or(THRESHOLD, |set| best.log_bayes - set.log_bayes)

@@ -70,7 +70,7 @@ impl<'a> Problem<'a> {
                 priors.push(*prior);
             }
             for choice in spec.choices.iter().filter(|choice| choice.responds) {
-                for response in choice.effect.responses().iter().filter(|r| r.channel == *channel) {
+                for response in choice.effect.responses.iter().filter(|r| r.channel == *channel) {
                     let at = |stroke| choice.effect.response(*channel, choice.shape, stroke, &data.reference);
                     terms.push((block, data.strokes.iter().map(at).collect()));
                     priors.push(Prior { mean: response.mean, sd: response.sd });
@@ -79,7 +79,7 @@ impl<'a> Problem<'a> {
         }
         let amplitude_at = priors.len();
         for (k, choice) in spec.choices.iter().enumerate() {
-            let range = choice.effect.range();
+            let range = choice.effect.range;
             priors.push(match spec.fixed.get(k) {
                 Some(amplitude) => Prior { mean: amplitude.abs().ln(), sd: FIXED_SD },
                 None => Prior { mean: range.typical().ln(), sd: range.ln_sd() },
@@ -139,7 +139,7 @@ impl<'a> Problem<'a> {
     }
 
     /// What is known, then the choices.
-    pub(super) fn actives(&self, p: &[f64]) -> Vec<Active<'static>> {
+    pub(super) fn actives(&self, p: &[f64]) -> Vec<Active> {
         let amplitudes = &p[self.amplitude_at..];
         self.setup.known_and(self.spec.choices.iter().zip(amplitudes).map(|(choice, a)| Active {
             effect: choice.effect,
@@ -154,7 +154,7 @@ impl<'a> Problem<'a> {
         self.rows.iter().map(|row| self.nonlinear_row(*row, p, &actives)).collect()
     }
 
-    pub(super) fn nonlinear_row(&self, row: Row, p: &[f64], actives: &[Active<'_>]) -> Option<f64> {
+    pub(super) fn nonlinear_row(&self, row: Row, p: &[f64], actives: &[Active]) -> Option<f64> {
         let data = self.setup.data;
         match row {
             Row::Force(i) => self.setup.ln_force(i, [p[0], p[1], p[2]], actives),
@@ -163,15 +163,9 @@ impl<'a> Problem<'a> {
                 let reads_delta = self.with_force && self.setup.baselines[&channel].reads_delta;
                 let mut value = if reads_delta { p[1] } else { 0.0 };
                 for (choice, active) in self.spec.choices.iter().zip(&actives[data.known.len()..]) {
-                    if choice.linked && choice.effect.linked().contains(&channel) {
-                        let (stroke_seen, reading) = (&data.strokes[stroke], data.reading(stroke));
-                        value += choice.effect.shift(
-                            channel,
-                            active.amplitude,
-                            active.shape,
-                            stroke_seen,
-                            &reading,
-                        );
+                    if choice.linked && choice.effect.linked.contains(&channel) {
+                        let reading = data.reading(stroke);
+                        value += choice.effect.shift(channel, active.amplitude, active.shape, &reading);
                     }
                 }
                 Some(value)

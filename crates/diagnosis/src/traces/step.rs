@@ -1,6 +1,6 @@
 //! Steps of a displacement that comes in steps.
 
-use crate::channels::median;
+use soilctl_stats::median;
 
 /// Changes below this share of the largest ones are no steps.
 const STILL: f64 = 0.3;
@@ -31,7 +31,7 @@ pub(super) fn repeated_step(displacement: &[f64]) -> Option<f64> {
 
 /// The step near a guess of which all large changes are multiples.
 fn lattice(changes: &[f64], sorted: &[f64], steps: &[f64], guess: f64) -> Option<f64> {
-    let step = median(steps.iter().map(|change| change / (change / guess).round()).collect());
+    let step = median(&mut steps.iter().map(|change| change / (change / guess).round()).collect::<Vec<_>>());
     let regular =
         steps.iter().filter(|change| (*change / step - (*change / step).round()).abs() < OFF).count();
     let least = steps.first()?;
