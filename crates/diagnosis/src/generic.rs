@@ -23,6 +23,7 @@ pub(crate) struct Generic {
     pub(crate) columns: Vec<Vec<f64>>,
 }
 
+/// Different values of a condition up to which each has a level of its own. Empirical: designs have two to six.
 const MOST_LEVELS: usize = 6;
 
 /// The conditions that vary in a campaign.

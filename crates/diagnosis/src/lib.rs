@@ -1,5 +1,4 @@
-//! Where the forces of a campaign and a force model disagree, which effect is missing, and what is left after it is
-//! added.
+#![doc = include_str!("../README.md")]
 
 mod channels;
 mod data;

@@ -23,9 +23,9 @@ pub struct Where {
     pub p_adjusted: f64,
 }
 
-/// False-discovery rate of what is reported.
+/// False-discovery rate of what is reported: the usual one.
 const RATE: f64 = 0.05;
-/// Part of a pattern that must be left after the fit, if a test is to mean anything.
+/// Part of a pattern that must be left after the fit, if a test is to mean anything. Empirical.
 const LEAST_OPEN: f64 = 0.15;
 
 /// Covariate of a difference that all strokes share.

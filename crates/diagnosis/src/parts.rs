@@ -7,7 +7,7 @@ use soilctl_effects::{Channel, Covariate};
 use crate::data::Data;
 use crate::generic::{Condition, conditions};
 
-/// Parts into which the strokes are divided along a condition that has many values.
+/// Parts into which the strokes are divided along a condition that has many values: of 48 strokes each has 16.
 const PARTS: f64 = 3.0;
 
 /// The gap of one column on batches that took no part in the fit, over all strokes or those of a range of a condition.

@@ -5,9 +5,10 @@ use soilctl_effects::{Active, EffectId};
 
 use crate::setup::Setup;
 
-/// Expected squared signal-to-noise ratio below which nothing can be named honestly.
+/// Expected squared signal-to-noise ratio below which nothing can be named honestly: half of it, 4, is the largest ln Bayes factor that
+/// is to be expected, a little more than an effect must earn.
 pub const LEAST_LAMBDA: f64 = 8.0;
-/// Usual scatter of ln force of one stroke, before data say otherwise.
+/// Usual scatter of ln force of one stroke, before data say otherwise; the mean of the prior of the fit.
 const USUAL_SCATTER: f64 = 0.06;
 
 /// Whether a design can show an effect.

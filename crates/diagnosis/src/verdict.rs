@@ -23,23 +23,23 @@ pub enum Status {
     NotTestable,
 }
 
-/// Effects within this ln Bayes factor of the best are not told apart. Nor are they within this part of it more, for formulas are not
-/// nature's, unless a reading denies them.
-const TOLD_APART: f64 = 2.0;
-const TOLD_APART_SHARE: f64 = 0.05;
+/// Sets within this ln Bayes factor of the best are equivalent: odds of 7 to 1 at most, where "positive" evidence begins at 3 to 1 (Kass &
+/// Raftery 1995). So are those within this part of it more, for formulas are not nature's, unless a reading denies them. Empirical.
+const EQUIVALENT: f64 = 2.0;
+const EQUIVALENT_SHARE: f64 = 0.05;
 /// Effects that only a condition that must vary tells apart, whatever their formulas make of the same strokes.
-const TWINS: [(EffectId, EffectId, Covariate); 1] =
+const CONFOUNDED: [(EffectId, EffectId, Covariate); 1] =
     [(EffectId::DensityGradient, EffectId::SideEffects3d, Covariate::Width)];
-/// Part of the best set's ln Bayes factor that one with the twin in its place must have to be as likely, if both may shift all forces
-/// alike: where a formula is 1 is a convention.
-const TWIN_SHARE: f64 = 0.6;
-/// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead.
+/// Part of the best set's ln Bayes factor that one with the confounded effect in its place must have to be as likely, if both may shift all forces
+/// alike: where a formula is 1 is a convention. Empirical.
+const CONFOUNDED_SHARE: f64 = 0.6;
+/// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead: 20 to 1. Empirical.
 const UNKNOWN_MARGIN: f64 = 3.0;
-/// ln Bayes factor by which such a shape may trail and still leave doubt.
-const DOUBT: f64 = 0.0;
-/// ln Bayes factor of such a shape on top of the named effects from which these are not the whole story.
+/// The same by which it leaves the effects provisional. Empirical.
+const PROVISIONAL_MARGIN: f64 = 0.0;
+/// ln Bayes factor of such a shape on top of the named effects from which these are not all that is missing: 20 to 1. Empirical.
 const LEFT_OVER: f64 = 3.0;
-/// Part of what the effects explain that their formulas may leave over without doubt.
+/// Part of what the effects explain that their formulas may leave over without doubt. Empirical.
 const LEFT_OVER_SHARE: f64 = 0.15;
 
 /// The best explanation, what else it could be, and the verdict.
@@ -69,9 +69,9 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     }
     let singles = sizes.first().cloned().unwrap_or_default();
     let shapes = search.shapes_on(None);
-    // As many shapes as there are, as much has each to show before it is believed.
-    let toll = (search.shapes.len().max(1) as f64).ln() + 1.2;
-    let shape_score = |shape: &ScoredShape| shape.log_bayes - toll;
+    // The odds against any one of them, and a margin, as an effect pays; the margin is empirical.
+    let multiplicity = (search.shapes.len().max(1) as f64).ln() + 1.2;
+    let shape_score = |shape: &ScoredShape| shape.log_bayes - multiplicity;
     let shape = shapes.into_iter().next().filter(|shape| shape_score(shape) > 0.0);
     let lead = shape.as_ref().map(shape_score).unwrap_or_default() - best.map_or(0.0, Scored::score);
     let Some(best) = best else {
@@ -83,10 +83,10 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let of_size = &sizes[best.spec.choices.len() - 1];
     let mut equivalents: Vec<Explanation> = Vec::new();
     let as_likely = |scored: &&Scored| {
-        let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { TOLD_APART_SHARE };
-        scored.log_bayes > (1.0 - form) * best.log_bayes - TOLD_APART
-            || (twins(search, best, scored)
-                && search.at_any_level(scored) > TWIN_SHARE * search.at_any_level(best))
+        let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { EQUIVALENT_SHARE };
+        scored.log_bayes > (1.0 - form) * best.log_bayes - EQUIVALENT
+            || (confounded(search, best, scored)
+                && search.at_any_level(scored) > CONFOUNDED_SHARE * search.at_any_level(best))
     };
     for scored in of_size.iter().filter(as_likely) {
         for id in scored.spec.ids().into_iter().map(Explanation::Effect) {
@@ -98,11 +98,12 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let factors = factors(best, &sizes);
     let on_force = best.spec.on_force();
     let more = if on_force { search.shapes_on(Some(best)).into_iter().next() } else { None };
-    let left_over = more.filter(|more| more.log_bayes - toll > LEFT_OVER + LEFT_OVER_SHARE * best.log_bayes);
+    let left_over =
+        more.filter(|more| more.log_bayes - multiplicity > LEFT_OVER + LEFT_OVER_SHARE * best.log_bayes);
     let instead = if on_force { search.shape_instead(best) } else { None };
     let status = if lead > UNKNOWN_MARGIN + LEFT_OVER_SHARE * best.log_bayes && on_force {
         Status::Unknown
-    } else if (lead > DOUBT + 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force)
+    } else if (lead > PROVISIONAL_MARGIN + 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force)
         || left_over.is_some()
         || instead.is_some()
     {
@@ -126,15 +127,15 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
 }
 
-/// Whether two sets differ by twins only, and the condition that would tell these apart is always the same.
-fn twins(search: &Search<'_>, one: &Scored, other: &Scored) -> bool {
+/// Whether two sets differ by confounded effects only, and the condition that would tell these apart is always the same.
+fn confounded(search: &Search<'_>, one: &Scored, other: &Scored) -> bool {
     let (of_one, of_other) = (one.spec.ids(), other.spec.ids());
     let left = |ids: &[EffectId], others: &[EffectId]| -> Vec<EffectId> {
         ids.iter().copied().filter(|id| !others.contains(id)).collect()
     };
     let pair = (left(&of_one, &of_other), left(&of_other, &of_one));
     let (&[a], &[b]) = (pair.0.as_slice(), pair.1.as_slice()) else { return false };
-    TWINS.iter().any(|&(x, y, condition)| {
+    CONFOUNDED.iter().any(|&(x, y, condition)| {
         ((a, b) == (x, y) || (a, b) == (y, x)) && !varies(search.setup.data, condition)
     })
 }

@@ -25,19 +25,20 @@ pub struct NextExperiment {
     pub power: f64,
 }
 
-/// Sizes of a follow-up, and the power from which a larger one is not needed.
+/// Sizes of a follow-up (two, four and eight preparations), and the power from which a larger one is not needed. Empirical.
 const STROKES: [usize; 3] = [12, 24, 48];
 const ENOUGH: f64 = 0.97;
-/// To look for what may not be there: a chance that is not worth the sand, and one that is.
+/// To look for what may not be there: a chance that is not worth the sand, and one that is. Empirical.
 const LEAST_POWER: f64 = 0.2;
 const FAIR_POWER: f64 = 0.5;
-/// Most explanations that are told apart at a time.
+/// Most explanations that are told apart at a time, for time grows with the square.
 const MOST_RIVALS: usize = 5;
 
 /// What needs a ruler or a look at the sensor in free air, and no trace.
 const BY_HAND: [Channel; 3] = [Channel::HeapHeight, Channel::TareBefore, Channel::TareAfter];
 
-/// Standard deviations by which two explanations must differ before one of them is named.
+/// Standard deviations by which two explanations must differ before one of them is named: half the square, 4.2, is the ln Bayes
+/// factor that an effect must earn (3.6) and what the range of its amplitude costs it. Empirical.
 const NEEDED: f64 = 2.9;
 
 /// What a campaign has told so far.
@@ -128,7 +129,7 @@ fn best_on_menu(
     for count in STROKES {
         for entry in &MENU {
             let rows = design(data, entry, &readings, count);
-            let Some(lambda) = told_apart(setup, soil, explanations, &rows, &readings) else { continue };
+            let Some(lambda) = separation(setup, soil, explanations, &rows, &readings) else { continue };
             let power = normal_tail(NEEDED - lambda.sqrt());
             if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
                 let doubt = if power < LEAST_POWER { ", though it will hardly settle it" } else { "" };
@@ -167,7 +168,7 @@ fn more_of(data: &Data, over: Dependence, log_bayes: f64) -> Option<NextExperime
 /// Least squared signal-to-noise ratio of the difference of two explanations (or of the only one and nothing) in campaign and
 /// follow-up together, after the soil has been fitted anew and the rival has taken the amplitude that suits it best. The
 /// `readings` of the follow-up tell by their means.
-fn told_apart(
+fn separation(
     setup: &Setup<'_>,
     (phi_deg, scatter): (f64, f64),
     explanations: &[Active],

@@ -70,7 +70,7 @@ const CONFOUNDED: [EffectId; 8] = [
     EffectId::PreparationDrift,
 ];
 
-/// Draws of a soil and an amplitude until there is a force for every stroke.
+/// Most draws of a soil and an amplitude until there is a force for every stroke.
 const ATTEMPTS: u64 = 20;
 
 /// The force model and its surface, shared by all cases.

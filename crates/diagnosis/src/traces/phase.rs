@@ -5,7 +5,7 @@ use std::ops::Range;
 use soilctl_stats::median;
 use soilctl_strokes::{StrokeRow, TraceSample};
 
-/// Share of the failure force at which it begins to rise.
+/// Share of the failure force at which it begins to rise. Empirical, as are all others here.
 const RISEN: f64 = 0.1;
 /// Share of the failure force at which the soil counts as failed, for the table's force comes from a fit.
 const FAILED: f64 = 0.97;
