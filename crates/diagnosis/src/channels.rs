@@ -13,6 +13,7 @@ use crate::data::{Data, Prior};
 const SIMULATED: f64 = 0.5;
 
 /// Baseline and scatter of a channel.
+#[derive(Clone)]
 pub(crate) struct Baseline {
     /// What is subtracted before anything is fitted, by stroke.
     pub(crate) known: Vec<f64>,

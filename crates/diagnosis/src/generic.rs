@@ -66,6 +66,11 @@ fn condition(covariate: Covariate, cells: Vec<Option<f64>>) -> Option<Condition>
     Some(Condition { covariate, values, levels })
 }
 
+/// 1 where a stroke has a level, 0 elsewhere.
+pub(crate) fn indicator(levels: &[usize], level: usize) -> Vec<f64> {
+    levels.iter().map(|&of| f64::from(u8::from(of == level))).collect()
+}
+
 /// Shifted to mean 0 and scaled to root mean square 1; `None` if nothing is left.
 pub(crate) fn standard(values: &[f64]) -> Option<Vec<f64>> {
     let n = values.len() as f64;
@@ -94,12 +99,11 @@ pub(crate) fn shapes(data: &Data) -> Vec<Generic> {
                 shapes.push(Generic { over, columns: vec![square.clone()] });
                 shapes.push(Generic { over, columns: vec![linear.clone(), square] });
             }
-            shapes.extend(steps(c).map(|columns| Generic { over, columns }));
+            let steps = quantiles(c, 4).into_iter().filter_map(|at| step(c, at));
+            shapes.extend(steps.map(|column| Generic { over, columns: vec![column] }));
         }
         if let Some(levels) = c.levels.as_ref().filter(|_| few > 2) {
-            let columns = (0..few).filter_map(|level| {
-                standard(&levels.iter().map(|&l| f64::from(u8::from(l == level))).collect::<Vec<_>>())
-            });
+            let columns = (0..few).filter_map(|level| standard(&indicator(levels, level)));
             shapes.push(Generic { over, columns: columns.collect() });
         } else if few == usize::MAX {
             shapes.extend(waves(c).map(|columns| Generic { over, columns }));
@@ -107,9 +111,7 @@ pub(crate) fn shapes(data: &Data) -> Vec<Generic> {
     }
     if data.batches > MOST_LEVELS {
         // Batches that scatter more than preparations do.
-        let columns = (0..data.batches).filter_map(|batch| {
-            standard(&data.batch.iter().map(|&b| f64::from(u8::from(b == batch))).collect::<Vec<_>>())
-        });
+        let columns = (0..data.batches).filter_map(|batch| standard(&indicator(&data.batch, batch)));
         shapes.push(Generic { over: Covariate::Batch.into(), columns: columns.collect() });
     }
     for (i, a) in found.iter().enumerate() {
@@ -134,16 +136,16 @@ fn without(values: &[f64], other: &[f64]) -> Option<Vec<f64>> {
     standard(&values.iter().zip(other).map(|(a, b)| a - share * b).collect::<Vec<_>>())
 }
 
-/// Steps between any two neighbouring levels or at the quarters of the values.
-fn steps(c: &Condition) -> impl Iterator<Item = Vec<Vec<f64>>> {
+/// Values of a condition that divide the strokes into equal parts.
+fn quantiles(c: &Condition, parts: usize) -> Vec<f64> {
     let mut sorted = c.values.clone();
     sorted.sort_by(f64::total_cmp);
-    let cuts: Vec<f64> = [1, 2, 3].iter().map(|q| sorted[q * sorted.len() / 4]).collect();
-    let values = c.values.clone();
-    cuts.into_iter().filter_map(move |cut| {
-        let step: Vec<f64> = values.iter().map(|x| f64::from(u8::from(*x >= cut))).collect();
-        Some(vec![standard(&step)?])
-    })
+    (1..parts).map(|k| sorted[k * sorted.len() / parts]).collect()
+}
+
+/// A step at a value of a condition.
+fn step(c: &Condition, at: f64) -> Option<Vec<f64>> {
+    standard(&c.values.iter().map(|x| f64::from(u8::from(*x >= at))).collect::<Vec<_>>())
 }
 
 /// The first strokes of a preparation unlike the later ones, and every other stroke unlike the ones between.
@@ -186,13 +188,9 @@ pub(crate) fn rivals(data: &Data, effect: &Effect) -> Vec<Generic> {
 
 /// Steps at up to fifteen places.
 fn fine_steps(c: &Condition) -> Vec<Vec<f64>> {
-    let mut sorted = c.values.clone();
-    sorted.sort_by(f64::total_cmp);
-    let mut cuts: Vec<f64> = (1..16).map(|k| sorted[k * sorted.len() / 16]).collect();
-    cuts.dedup();
-    let step =
-        |cut: &f64| standard(&c.values.iter().map(|x| f64::from(u8::from(x >= cut))).collect::<Vec<_>>());
-    cuts.iter().filter_map(step).collect()
+    let mut at = quantiles(c, 16);
+    at.dedup();
+    at.into_iter().filter_map(|at| step(c, at)).collect()
 }
 
 /// One and two waves over the range.

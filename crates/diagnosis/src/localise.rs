@@ -6,7 +6,7 @@ use soilctl_stats::chi_square_tail;
 
 use crate::channels::spread;
 use crate::fit::Fit;
-use crate::generic::{Condition, conditions, standard};
+use crate::generic::{Condition, conditions, indicator, standard};
 use crate::setup::Setup;
 use crate::traces::{Phase, PhaseKey};
 
@@ -92,8 +92,7 @@ pub(crate) fn localise(setup: &Setup<'_>, baseline: &Fit) -> Vec<Where> {
 fn levels(covariate: &Condition) -> Option<Vec<Vec<f64>>> {
     let levels = covariate.levels.as_ref()?;
     let last = *levels.iter().max()?;
-    (last > 1)
-        .then(|| (0..last).map(|k| levels.iter().map(|&l| f64::from(u8::from(l == k))).collect()).collect())
+    (last > 1).then(|| (0..last).map(|k| indicator(levels, k)).collect())
 }
 
 /// Forces about the recalibrated baseline; soil, batches and model error are directions with priors.

@@ -6,6 +6,7 @@ use soilctl_effects::{ALTERNATIVE_MODELS, Active, Base, Channel, Mechanics, forc
 
 use crate::channels::Baseline;
 use crate::data::Data;
+use crate::generic::indicator;
 use crate::surface::Surface;
 
 /// How far a force model may be mixed into the one in use without being an effect: standard deviation of the share.
@@ -18,6 +19,7 @@ const LEAST_MODEL_ERROR: f64 = 0.007;
 const LEAST_BATCH_SCATTER: f64 = 0.01;
 
 /// Data, model and nuisance of a campaign.
+#[derive(Clone)]
 pub(crate) struct Setup<'a> {
     pub(crate) data: &'a Data,
     pub(crate) surface: &'a Surface,
@@ -37,8 +39,6 @@ impl<'a> Setup<'a> {
         let n = data.len();
         let batch_sd = data.campaign.density_sd_rel.max(LEAST_BATCH_SCATTER);
         let mut nuisance = Vec::new();
-        let indicator =
-            |of: &[usize], which: usize| of.iter().map(|&i| f64::from(u8::from(i == which))).collect();
         let batch_terms = if data.batches > 1 { data.batches } else { 0 };
         for batch in 0..batch_terms {
             nuisance.push((indicator(&data.batch, batch), batch_sd));
@@ -95,17 +95,6 @@ impl<'a> Setup<'a> {
 
     /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.
     pub(crate) fn without_model_error(&self) -> Self {
-        Self {
-            data: self.data,
-            surface: self.surface,
-            baselines: self
-                .baselines
-                .keys()
-                .map(|&channel| (channel, Baseline::of(channel, self.data)))
-                .collect(),
-            nuisance: self.nuisance[..self.batch_terms].to_vec(),
-            batch_terms: self.batch_terms,
-            batch_sd: self.batch_sd,
-        }
+        Self { nuisance: self.nuisance[..self.batch_terms].to_vec(), ..self.clone() }
     }
 }

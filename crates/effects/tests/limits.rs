@@ -140,7 +140,7 @@ fn heaps_and_zeros_show_in_their_channels() {
 proptest! {
     #[test]
     fn plausible_amplitudes_leave_a_finite_force(
-        which in 0..28_usize, size in 0.0..1.0_f64, alpha in 70.0..100.0_f64, depth in 0.012..0.03_f64, shape in 0..8_usize,
+        which in 0..EffectId::ALL.len(), size in 0.0..1.0_f64, alpha in 70.0..100.0_f64, depth in 0.012..0.03_f64, shape in 0..8_usize,
     ) {
         let effect = EffectId::ALL[which].effect();
         let (range, shapes) = (effect.range, effect.shapes());
