@@ -35,11 +35,10 @@ const CONFOUNDED: [(EffectId, EffectId, Covariate); 1] =
 const CONFOUNDED_SHARE: f64 = 0.6;
 /// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead: 20 to 1. Empirical.
 const UNKNOWN_MARGIN: f64 = 3.0;
-/// The same by which it leaves the effects provisional. Empirical.
-const PROVISIONAL_MARGIN: f64 = 0.0;
 /// ln Bayes factor of such a shape on top of the named effects from which these are not all that is missing: 20 to 1. Empirical.
 const LEFT_OVER: f64 = 3.0;
-/// Part of what the effects explain that their formulas may leave over without doubt. Empirical.
+/// Part of what the effects explain that their formulas may leave over; a shape that beats them by more than half of it leaves them
+/// provisional. Empirical.
 const LEFT_OVER_SHARE: f64 = 0.15;
 
 /// The best explanation, what else it could be, and the verdict.
@@ -103,7 +102,7 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let instead = if on_force { search.shape_instead(best) } else { None };
     let status = if lead > UNKNOWN_MARGIN + LEFT_OVER_SHARE * best.log_bayes && on_force {
         Status::Unknown
-    } else if (lead > PROVISIONAL_MARGIN + 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force)
+    } else if (lead > 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force)
         || left_over.is_some()
         || instead.is_some()
     {
