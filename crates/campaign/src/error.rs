@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 
 use soilctl_controller::ControllerError;
 use soilctl_earth_pressure::EarthPressureError;
-use soilctl_effects::EffectsError;
+use soilctl_effects::{EffectId, EffectsError};
 use soilctl_kinematics::KinematicsError;
 use soilctl_plant::PlantError;
 use soilctl_session::SessionError;
@@ -37,7 +37,7 @@ pub enum CampaignError {
         /// The model file.
         file: String,
         /// Id of the effect.
-        effect: String,
+        effect: EffectId,
         /// Why not.
         reason: &'static str,
     },

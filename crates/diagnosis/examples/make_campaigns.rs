@@ -5,12 +5,13 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use soilctl_diagnosis::self_test::{Case, Design, Kind, SelfTest};
+use soilctl_effects::EffectId;
 use soilctl_strokes::StrokeTable;
 
-const CAMPAIGNS: [(&str, &str, u64); 3] = [
-    ("campaign_a", "tip_bearing", 101),
-    ("campaign_b", "force_drift", 102),
-    ("campaign_c", "adjacent_stroke", 103),
+const CAMPAIGNS: [(&str, EffectId, u64); 3] = [
+    ("campaign_a", EffectId::TipBearing, 101),
+    ("campaign_b", EffectId::ForceDrift, 102),
+    ("campaign_c", EffectId::AdjacentStroke, 103),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -18,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let test = SelfTest::new("table", 2001)?;
     std::fs::create_dir_all(out.join("sealed"))?;
     for (name, id, number) in CAMPAIGNS {
-        let case = Case { kind: Kind::Single, number, ids: vec![id], design: Design::default() };
+        let case = Case { kind: Kind::Single, number, causes: vec![id.into()], design: Design::default() };
         let campaign = test.campaign(&case)?.ok_or("the drawn soil has no finite force")?;
         let folder = out.join(name);
         std::fs::create_dir_all(&folder)?;
@@ -28,7 +29,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let hidden: Vec<String> = campaign
             .hidden
             .iter()
-            .map(|h| format!("    {{\"id\": \"{}\", \"size\": {}, \"detail\": {}}}", h.id, h.size, h.detail))
+            .map(|h| {
+                format!("    {{\"id\": \"{}\", \"size\": {}, \"detail\": {}}}", h.cause, h.size, h.detail)
+            })
             .collect();
         let sealed = format!("{{\n  \"hidden\": [\n{}\n  ]\n}}\n", hidden.join(",\n"));
         std::fs::write(out.join("sealed").join(format!("{name}.json")), sealed)?;

@@ -1,13 +1,19 @@
 //! What a trace-derived column reads when no effect is there.
+//!
+//! Standard deviations of baselines are parts of what `campaign.json` says of the instrument: empirical, as are the means and
+//! standard deviations of what depends on the soil (displacement, slope and residual after the break), which are those of
+//! loose and dense sand in strokes of this size.
 
 use soilctl_effects::{Active, Channel};
+use soilctl_stats::median_absolute_deviation;
 
 use crate::data::{Data, Prior};
 
-/// How far baselines may be from those of a simulated arm, over what they may be without one.
+/// How far baselines may be from those of a simulated arm, over what they may be without one. Empirical.
 const SIMULATED: f64 = 0.5;
 
 /// Baseline and scatter of a channel.
+#[derive(Clone)]
 pub(crate) struct Baseline {
     /// What is subtracted before anything is fitted, by stroke.
     pub(crate) known: Vec<f64>,
@@ -31,7 +37,7 @@ impl Baseline {
         let instrument = &data.campaign.instrument;
         let depth: Vec<f64> = data.rows.iter().map(|row| row.depth_m).collect();
         let force: Vec<f64> = data.rows.iter().map(|row| row.force_n).collect();
-        let lean: Vec<f64> =
+        let tens_of_deg: Vec<f64> =
             data.rows.iter().map(|row| (row.alpha_deg - data.reference.alpha_deg) / 10.0).collect();
         let cells: Vec<f64> =
             data.channels.get(&channel).into_iter().flatten().filter_map(|cell| *cell).collect();
@@ -80,7 +86,10 @@ impl Baseline {
                 vec![
                     (one(), zero(0.001)),
                     (depth, Prior { mean: 0.12, sd: 0.12 }),
-                    (lean.iter().zip(&data.rows).map(|(x, row)| x * row.depth_m).collect(), zero(0.01)),
+                    (
+                        tens_of_deg.iter().zip(&data.rows).map(|(x, row)| x * row.depth_m).collect(),
+                        zero(0.01),
+                    ),
                 ],
                 own,
             ),
@@ -90,14 +99,14 @@ impl Baseline {
             }
             Channel::PostSlope => {
                 let mean = if data.campaign.dense_preparation { -0.6 } else { -0.1 };
-                let terms = [(one(), Prior { mean, sd: 0.4 }), (lean, zero(0.03))];
-                (terms.into_iter().chain(moving_on(data, instrument.post_slope_sd)).collect(), own)
+                let terms = [(one(), Prior { mean, sd: 0.4 }), (tens_of_deg, zero(0.03))];
+                (terms.into_iter().chain(after_failure(data, instrument.post_slope_sd)).collect(), own)
             }
             Channel::ResidualRatio => {
                 let mean = if data.campaign.dense_preparation { 0.75 } else { 0.95 };
-                let terms = [(one(), Prior { mean, sd: 0.12 }), (lean, zero(0.01))];
+                let terms = [(one(), Prior { mean, sd: 0.12 }), (tens_of_deg, zero(0.01))];
                 // Half a depth further.
-                (terms.into_iter().chain(moving_on(data, 0.5 * instrument.post_slope_sd)).collect(), own)
+                (terms.into_iter().chain(after_failure(data, 0.5 * instrument.post_slope_sd)).collect(), own)
             }
         };
         if channel == Channel::Displacement && data.derived.contains(&channel) {
@@ -110,7 +119,7 @@ impl Baseline {
             if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
         let responses = |terms: &mut Vec<(Vec<f64>, Prior)>| {
             for &Active { effect, shape, .. } in data.known_responses() {
-                for response in effect.responses().iter().filter(|response| response.channel == channel) {
+                for response in effect.responses.iter().filter(|response| response.channel == channel) {
                     let at = |stroke| effect.response(channel, shape, stroke, &data.reference);
                     let prior = Prior { mean: response.mean, sd: response.sd };
                     terms.push((data.strokes.iter().map(at).collect(), prior));
@@ -133,7 +142,7 @@ impl Baseline {
             responses(&mut terms);
             for &Active { effect, amplitude, shape } in data.known_linked(channel) {
                 for (i, value) in known.iter_mut().enumerate() {
-                    *value += effect.shift(channel, amplitude, shape, &data.strokes[i], &data.reading(i));
+                    *value += effect.shift(channel, amplitude, shape, &data.reading(i));
                 }
             }
         }
@@ -143,7 +152,7 @@ impl Baseline {
 
 /// What a slope after the break may follow in an arm whose plate rises or dives: the tool angle, each (to the nearest 5 deg) with a level of
 /// its own, and the depth, in tenths of its mean. Nothing if the instrument has no such deviation.
-fn moving_on(data: &Data, sd: f64) -> Vec<(Vec<f64>, Prior)> {
+fn after_failure(data: &Data, sd: f64) -> Vec<(Vec<f64>, Prior)> {
     if sd <= 0.0 {
         return Vec::new();
     }
@@ -157,22 +166,8 @@ fn moving_on(data: &Data, sd: f64) -> Vec<(Vec<f64>, Prior)> {
     angles.into_iter().map(level).chain([depth]).map(|term| (term, Prior { mean: 0.0, sd })).collect()
 }
 
-/// Standard deviation that an outlier does not move much: from the median absolute deviation.
+/// Standard deviation that an outlier does not move much: 1.4826 times the median absolute deviation, as for normal values
+/// (Rousseeuw & Croux 1993).
 pub(crate) fn spread(values: &[f64]) -> f64 {
-    if values.len() < 2 {
-        return 0.0;
-    }
-    let middle = median(values.to_vec());
-    let away = median(values.iter().map(|x| (x - middle).abs()).collect());
-    1.4826 * away
-}
-
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    match n {
-        0 => 0.0,
-        _ if n % 2 == 1 => values[n / 2],
-        _ => 0.5 * (values[n / 2 - 1] + values[n / 2]),
-    }
+    if values.len() < 2 { 0.0 } else { 1.4826 * median_absolute_deviation(values) }
 }

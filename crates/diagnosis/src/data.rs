@@ -2,19 +2,19 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use soilctl_effects::{Channel, Reading, Reference, Stroke};
+use soilctl_effects::{Active, Channel, Covariate, EffectId, Loaded, Reading, Reference, Stroke};
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
-use crate::known::Known;
 use crate::traces::{PhaseKey, traced};
 
-/// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation.
+/// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation. Empirical: the four soils of
+/// `data/soils.csv` have 1430 to 1600.
 const USUAL_DENSITY: (f64, f64) = (1550.0, 0.1);
-/// Friction angle of soils nobody tested, deg, and its standard deviation.
+/// Friction angle of soils nobody tested, deg, and its standard deviation. Empirical.
 const USUAL_PHI: (f64, f64) = (38.0, 6.0);
-/// Interface friction if there was no set-point, deg, and its standard deviation.
+/// Interface friction if there was no set-point, deg, and its standard deviation. Empirical: some two thirds of the friction angle.
 const USUAL_DELTA: (f64, f64) = (22.0, 5.0);
 
 /// A value with its standard deviation, before the strokes are looked at.
@@ -26,7 +26,17 @@ pub struct Prior {
     pub sd: f64,
 }
 
-/// Rows up to which a table is a summary.
+/// An effect that is known before the strokes are looked at: part of the baseline, with its amplitude held.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Known {
+    pub(crate) active: Active,
+    /// Whether columns that its amplitude fixes show it.
+    pub(crate) linked: bool,
+    /// Whether columns respond with a strength of their own.
+    pub(crate) responds: bool,
+}
+
+/// Rows up to which a table is a summary: there are four unknowns (soil, interface, density, scatter), and an effect has one or two.
 const MOST_SUMMARIES: usize = 6;
 
 /// Strokes and all that is known beside them.
@@ -200,6 +210,47 @@ impl Data {
         self.expected_phases = phases.filter_map(|(key, cells)| Some((*key, all(cells)?))).collect();
     }
 
+    /// Takes the effects and the gravity of a model file as known. Amplitudes are held in every fit, and the effects are not
+    /// looked for again; the soil is fitted anew. Parameters, also those of what is found, refer to what the file's refer to.
+    pub fn know(&mut self, file: &Loaded) {
+        self.known =
+            file.effects().iter().map(|&active| Known { active, linked: true, responds: true }).collect();
+        self.gravity_m_s2 = file.file().soil.gravity_m_s2;
+        if self.known.is_empty() {
+            return;
+        }
+        let (own, theirs) = (self.reference.clone(), &file.file().reference);
+        let ordered =
+            self.known.iter().any(|known| known.active.effect.varies_with == Some(Covariate::Batch));
+        self.refer_to(Reference {
+            depth_m: theirs.depth_m,
+            alpha_deg: theirs.alpha_deg,
+            delta_set_deg: own.delta_set_deg,
+            speed_mps: theirs.speed_mps.or(own.speed_mps),
+            time_s: theirs.time_s.or(own.time_s),
+            base_deg: theirs.base_deg.or(own.base_deg),
+            // Other preparations have other names; only a drift over those of the file needs them.
+            batches: if ordered { theirs.batches.clone() } else { own.batches },
+        });
+    }
+
+    /// Known effects that change what a column reads by an amount that is known too.
+    pub(crate) fn known_linked(&self, channel: Channel) -> impl Iterator<Item = &Active> {
+        let shows = move |known: &&Known| known.linked && known.active.effect.linked.contains(&channel);
+        self.known.iter().filter(shows).map(|known| &known.active)
+    }
+
+    /// Known effects to which columns respond.
+    pub(crate) fn known_responses(&self) -> impl Iterator<Item = &Active> {
+        self.known.iter().filter(|known| known.responds).map(|known| &known.active)
+    }
+
+    /// Effects that may be missing: those of the catalogue that are not known.
+    pub(crate) fn candidates(&self) -> impl Iterator<Item = EffectId> {
+        let known = |id: &EffectId| self.known.iter().any(|known| known.active.effect.id == *id);
+        EffectId::ALL.into_iter().filter(move |id| !known(id))
+    }
+
     /// Sees the strokes from another reference.
     pub(crate) fn refer_to(&mut self, reference: Reference) {
         self.strokes = self.rows.iter().map(|row| Stroke::new(row, &reference)).collect();
@@ -226,8 +277,9 @@ impl Data {
     }
 
     /// What shifts of channels depend on.
-    pub(crate) fn reading(&self, stroke: usize) -> Reading {
+    pub(crate) fn reading(&self, stroke: usize) -> Reading<'_> {
         Reading {
+            stroke: &self.strokes[stroke],
             force_n: self.rows[stroke].force_n,
             delta_deg: self.delta_set_deg(stroke),
             unit_weight_n_m3: self.density.mean * self.gravity_m_s2,

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use serde::Serialize;
 use soilctl_effects::Channel;
 
 use crate::fit::{Fit, everything, fit};
@@ -11,7 +10,7 @@ use crate::setup::Setup;
 use crate::spec::Spec;
 
 /// How far model and measurement are apart.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// Root mean square of ln force measured over predicted, without effects.
     pub before: f64,
@@ -32,7 +31,7 @@ pub struct Gap {
 }
 
 /// Soil of a fit that a model file can repeat.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedSoil {
     /// Friction angle, deg.
     pub phi_deg: f64,

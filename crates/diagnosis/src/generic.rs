@@ -1,13 +1,14 @@
 //! Shapes without a name, over covariates and pairs of them, so that what is not in the catalogue has a voice.
 
-use soilctl_strokes::StrokeRow;
+use soilctl_effects::{Covariate, Effect};
 
 use crate::data::Data;
+use crate::explanation::Dependence;
 
 /// A recorded condition of the strokes.
 #[derive(Debug, Clone)]
-pub(crate) struct Covariate {
-    pub(crate) name: &'static str,
+pub(crate) struct Condition {
+    pub(crate) covariate: Covariate,
     /// Value by stroke; strokes without one take the mean.
     pub(crate) values: Vec<f64>,
     /// Level by stroke, if there are few different values.
@@ -17,45 +18,29 @@ pub(crate) struct Covariate {
 /// A shape over one covariate or two.
 #[derive(Debug, Clone)]
 pub(crate) struct Generic {
-    /// `depth_m`, or `depth_m x alpha_deg`.
-    pub(crate) covariate: String,
+    pub(crate) over: Dependence,
     /// Regressors of unit root mean square.
     pub(crate) columns: Vec<Vec<f64>>,
 }
 
+/// Different values of a condition up to which each has a level of its own. Empirical: designs have two to six.
 const MOST_LEVELS: usize = 6;
 
-/// The covariates that vary in a campaign.
-pub(crate) fn covariates(data: &Data) -> Vec<Covariate> {
-    type Get = fn(&StrokeRow) -> Option<f64>;
-    let columns: [(&'static str, Get); 11] = [
-        ("alpha_deg", |r| Some(r.alpha_deg)),
-        ("depth_m", |r| Some(r.depth_m)),
-        ("width_m", |r| Some(r.width_m)),
-        ("speed_mps", |r| r.speed_mps),
-        ("radius_m", |r| r.radius_m),
-        ("base_deg", |r| r.base_deg),
-        ("gap_prior_m", |r| r.gap_prior_m),
-        ("wall_m", |r| r.wall_m),
-        ("delta_set_deg", |r| r.delta_set_deg),
-        ("order", |r| r.order.map(f64::from)),
-        ("time_s", |r| r.time_s),
-    ];
-    let mut found: Vec<Covariate> = columns
-        .iter()
-        .filter_map(|(name, get)| covariate(name, data.rows.iter().map(get).collect()))
-        .collect();
-    let batch = data.batch.iter().map(|&b| Some(b as f64)).collect();
-    found.extend(covariate("batch", batch));
-    found
+/// The conditions that vary in a campaign.
+pub(crate) fn conditions(data: &Data) -> Vec<Condition> {
+    let cells = |covariate: Covariate| match covariate {
+        Covariate::Batch => data.batch.iter().map(|&b| Some(b as f64)).collect(),
+        of_row => data.rows.iter().map(|row| of_row.of(row)).collect(),
+    };
+    Covariate::ALL.into_iter().filter_map(|covariate| condition(covariate, cells(covariate))).collect()
 }
 
 /// Whether a recorded condition is not always the same.
-pub(crate) fn varies(data: &Data, name: &str) -> bool {
-    covariates(data).iter().any(|covariate| covariate.name == name)
+pub(crate) fn varies(data: &Data, covariate: Covariate) -> bool {
+    conditions(data).iter().any(|condition| condition.covariate == covariate)
 }
 
-fn covariate(name: &'static str, cells: Vec<Option<f64>>) -> Option<Covariate> {
+fn condition(covariate: Covariate, cells: Vec<Option<f64>>) -> Option<Condition> {
     let known: Vec<f64> = cells.iter().flatten().copied().collect();
     let mean = known.iter().sum::<f64>() / known.len().max(1) as f64;
     let mut distinct = known;
@@ -78,7 +63,12 @@ fn covariate(name: &'static str, cells: Vec<Option<f64>>) -> Option<Covariate> {
             })
             .collect()
     });
-    Some(Covariate { name, values, levels })
+    Some(Condition { covariate, values, levels })
+}
+
+/// 1 where a stroke has a level, 0 elsewhere.
+pub(crate) fn indicator(levels: &[usize], level: usize) -> Vec<f64> {
+    levels.iter().map(|&of| f64::from(u8::from(of == level))).collect()
 }
 
 /// Shifted to mean 0 and scaled to root mean square 1; `None` if nothing is left.
@@ -92,48 +82,45 @@ pub(crate) fn standard(values: &[f64]) -> Option<Vec<f64>> {
 
 /// All shapes of a campaign.
 pub(crate) fn shapes(data: &Data) -> Vec<Generic> {
-    let found = covariates(data);
+    let found = conditions(data);
     let mut shapes = Vec::new();
     for c in &found {
         let Some(linear) = standard(&c.values) else { continue };
         let square: Vec<f64> = linear.iter().map(|x| x * x).collect();
-        let name = c.name.to_owned();
-        shapes.push(Generic { covariate: name.clone(), columns: vec![linear.clone()] });
-        if c.name == "order" {
-            shapes
-                .extend(of_order(c).map(|column| Generic { covariate: name.clone(), columns: vec![column] }));
+        let over = c.covariate.into();
+        shapes.push(Generic { over, columns: vec![linear.clone()] });
+        if c.covariate == Covariate::Order {
+            shapes.extend(of_order(c).map(|column| Generic { over, columns: vec![column] }));
         }
         let few =
             c.levels.as_ref().map_or(usize::MAX, |levels| levels.iter().max().map_or(1, |last| last + 1));
         if few > 2 {
             if let Some(square) = without(&square, &linear) {
-                shapes.push(Generic { covariate: name.clone(), columns: vec![square.clone()] });
-                shapes.push(Generic { covariate: name.clone(), columns: vec![linear.clone(), square] });
+                shapes.push(Generic { over, columns: vec![square.clone()] });
+                shapes.push(Generic { over, columns: vec![linear.clone(), square] });
             }
-            shapes.extend(steps(c).map(|columns| Generic { covariate: name.clone(), columns }));
+            let steps = quantiles(c, 4).into_iter().filter_map(|at| step(c, at));
+            shapes.extend(steps.map(|column| Generic { over, columns: vec![column] }));
         }
         if let Some(levels) = c.levels.as_ref().filter(|_| few > 2) {
-            let columns = (0..few).filter_map(|level| {
-                standard(&levels.iter().map(|&l| f64::from(u8::from(l == level))).collect::<Vec<_>>())
-            });
-            shapes.push(Generic { covariate: name, columns: columns.collect() });
+            let columns = (0..few).filter_map(|level| standard(&indicator(levels, level)));
+            shapes.push(Generic { over, columns: columns.collect() });
         } else if few == usize::MAX {
-            shapes.extend(waves(c).map(|columns| Generic { covariate: name.clone(), columns }));
+            shapes.extend(waves(c).map(|columns| Generic { over, columns }));
         }
     }
     if data.batches > MOST_LEVELS {
         // Batches that scatter more than preparations do.
-        let columns = (0..data.batches).filter_map(|batch| {
-            standard(&data.batch.iter().map(|&b| f64::from(u8::from(b == batch))).collect::<Vec<_>>())
-        });
-        shapes.push(Generic { covariate: "batch".into(), columns: columns.collect() });
+        let columns = (0..data.batches).filter_map(|batch| standard(&indicator(&data.batch, batch)));
+        shapes.push(Generic { over: Covariate::Batch.into(), columns: columns.collect() });
     }
     for (i, a) in found.iter().enumerate() {
         for b in &found[i + 1..] {
             let (Some(x), Some(y)) = (standard(&a.values), standard(&b.values)) else { continue };
             let product: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x * y).collect();
             let Some(left) = without(&product, &x).and_then(|p| without(&p, &y)) else { continue };
-            shapes.push(Generic { covariate: format!("{} x {}", a.name, b.name), columns: vec![left] });
+            let over = Dependence { on: a.covariate, times: Some(b.covariate) };
+            shapes.push(Generic { over, columns: vec![left] });
         }
     }
     shapes
@@ -149,20 +136,20 @@ fn without(values: &[f64], other: &[f64]) -> Option<Vec<f64>> {
     standard(&values.iter().zip(other).map(|(a, b)| a - share * b).collect::<Vec<_>>())
 }
 
-/// Steps between any two neighbouring levels or at the quarters of the values.
-fn steps(c: &Covariate) -> impl Iterator<Item = Vec<Vec<f64>>> {
+/// Values of a condition that divide the strokes into equal parts.
+fn quantiles(c: &Condition, parts: usize) -> Vec<f64> {
     let mut sorted = c.values.clone();
     sorted.sort_by(f64::total_cmp);
-    let cuts: Vec<f64> = [1, 2, 3].iter().map(|q| sorted[q * sorted.len() / 4]).collect();
-    let values = c.values.clone();
-    cuts.into_iter().filter_map(move |cut| {
-        let step: Vec<f64> = values.iter().map(|x| f64::from(u8::from(*x >= cut))).collect();
-        Some(vec![standard(&step)?])
-    })
+    (1..parts).map(|k| sorted[k * sorted.len() / parts]).collect()
+}
+
+/// A step at a value of a condition.
+fn step(c: &Condition, at: f64) -> Option<Vec<f64>> {
+    standard(&c.values.iter().map(|x| f64::from(u8::from(*x >= at))).collect::<Vec<_>>())
 }
 
 /// The first strokes of a preparation unlike the later ones, and every other stroke unlike the ones between.
-fn of_order(c: &Covariate) -> impl Iterator<Item = Vec<f64>> {
+fn of_order(c: &Condition) -> impl Iterator<Item = Vec<f64>> {
     let first = c.values.iter().copied().fold(f64::INFINITY, f64::min);
     let fading = move |x: &f64| (-(x - first) / 1.5).exp();
     let alternating = |x: &f64| (std::f64::consts::PI * x).cos();
@@ -172,35 +159,42 @@ fn of_order(c: &Covariate) -> impl Iterator<Item = Vec<f64>> {
 
 /// What an effect that goes steadily with a condition may be mistaken for: other shapes over that condition and those next to it.
 /// None for other effects.
-pub(crate) fn rivals(data: &Data, id: &str) -> Vec<Generic> {
-    let over: &[&str] = match id {
-        "preparation_drift" | "force_drift" | "moisture_drying" => &["time_s", "batch"],
-        "adjacent_stroke" => &["gap_prior_m", "order"],
-        _ => return Vec::new(),
+pub(crate) fn rivals(data: &Data, effect: &Effect) -> Vec<Generic> {
+    let over: &[Covariate] = match effect.varies_with {
+        Some(Covariate::Time | Covariate::Batch) => &[Covariate::Time, Covariate::Batch],
+        Some(Covariate::PriorGap) => &[Covariate::PriorGap, Covariate::Order],
+        // Conditions of a stroke on its own, in which no neighbour hides.
+        Some(
+            Covariate::ToolAngle
+            | Covariate::Depth
+            | Covariate::Width
+            | Covariate::Speed
+            | Covariate::Radius
+            | Covariate::BaseAngle
+            | Covariate::Wall
+            | Covariate::InterfaceSetPoint
+            | Covariate::Order,
+        )
+        | None => return Vec::new(),
     };
     let mut found = Vec::new();
-    for c in covariates(data).iter().filter(|c| over.contains(&c.name)) {
-        let columns = if c.name == "order" { of_order(c).collect() } else { fine_steps(c) };
-        found.extend(
-            columns.into_iter().map(|column| Generic { covariate: c.name.into(), columns: vec![column] }),
-        );
+    for c in conditions(data).iter().filter(|c| over.contains(&c.covariate)) {
+        let columns = if c.covariate == Covariate::Order { of_order(c).collect() } else { fine_steps(c) };
+        let over = c.covariate.into();
+        found.extend(columns.into_iter().map(|column| Generic { over, columns: vec![column] }));
     }
     found
 }
 
 /// Steps at up to fifteen places.
-fn fine_steps(c: &Covariate) -> Vec<Vec<f64>> {
-    let mut sorted = c.values.clone();
-    sorted.sort_by(f64::total_cmp);
-    let mut cuts: Vec<f64> = (1..16).map(|k| sorted[k * sorted.len() / 16]).collect();
-    cuts.dedup();
-    let step =
-        |cut: &f64| standard(&c.values.iter().map(|x| f64::from(u8::from(x >= cut))).collect::<Vec<_>>());
-    cuts.iter().filter_map(step).collect()
+fn fine_steps(c: &Condition) -> Vec<Vec<f64>> {
+    let mut at = quantiles(c, 16);
+    at.dedup();
+    at.into_iter().filter_map(|at| step(c, at)).collect()
 }
 
 /// One and two waves over the range.
-fn waves(c: &Covariate) -> impl Iterator<Item = Vec<Vec<f64>>> {
+fn waves(c: &Condition) -> impl Iterator<Item = Vec<Vec<f64>>> {
     let low = c.values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = c.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let values = c.values.clone();

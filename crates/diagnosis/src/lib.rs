@@ -1,21 +1,20 @@
-//! Where the forces of a campaign and a force model disagree, which effect is missing, and what is left after it is
-//! added.
+#![doc = include_str!("../README.md")]
 
 mod channels;
-mod chi_square;
 mod data;
 mod diagnosis;
 mod error;
+mod explanation;
 mod fit;
 mod gap;
 mod generic;
 mod grid;
-mod known;
 mod localise;
 mod next;
 mod parts;
 mod search;
 pub mod self_test;
+mod settle;
 mod setup;
 mod spec;
 mod surface;
@@ -26,6 +25,7 @@ mod verdict;
 pub use data::{Data, Prior};
 pub use diagnosis::{Diagnosis, FoundEffect, diagnose};
 pub use error::DiagnosisError;
+pub use explanation::{Dependence, Explanation};
 pub use gap::{Comparison, FittedSoil, Gap};
 pub use localise::Where;
 pub use next::NextExperiment;

@@ -1,18 +1,17 @@
 //! Where model and measurement disagree: tests of residuals, by channel and covariate.
 
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
 use soilctl_effects::Channel;
+use soilctl_stats::chi_square_tail;
 
 use crate::channels::spread;
-use crate::chi_square;
 use crate::fit::Fit;
-use crate::generic::{Covariate, covariates, standard};
+use crate::generic::{Condition, conditions, indicator, standard};
 use crate::setup::Setup;
 use crate::traces::{Phase, PhaseKey};
 
 /// A disagreement that is more than chance.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Where {
     /// Column of the stroke table, or of the traces.
     pub channel: String,
@@ -24,9 +23,9 @@ pub struct Where {
     pub p_adjusted: f64,
 }
 
-/// False-discovery rate of what is reported.
+/// False-discovery rate of what is reported: the usual one.
 const RATE: f64 = 0.05;
-/// Part of a pattern that must be left after the fit, if a test is to mean anything.
+/// Part of a pattern that must be left after the fit, if a test is to mean anything. Empirical.
 const LEAST_OPEN: f64 = 0.15;
 
 /// Covariate of a difference that all strokes share.
@@ -44,7 +43,7 @@ struct Residuals {
 
 /// All tests that survive the control of false discoveries, least probable first.
 pub(crate) fn localise(setup: &Setup<'_>, baseline: &Fit) -> Vec<Where> {
-    let found = covariates(setup.data);
+    let found = conditions(setup.data);
     let mut tests = Vec::new();
     let mut test = |name: &str, phase: Option<Phase>, residuals: &Residuals| {
         if let Some(p) = residuals.shared {
@@ -60,7 +59,7 @@ pub(crate) fn localise(setup: &Setup<'_>, baseline: &Fit) -> Vec<Where> {
                 (Some(a), None) | (None, Some(a)) => a,
                 (None, None) => continue,
             };
-            tests.push((p, name.to_owned(), phase, covariate.name.to_owned()));
+            tests.push((p, name.to_owned(), phase, covariate.covariate.to_string()));
         }
     };
     if let Some(residuals) = forces(setup, baseline) {
@@ -90,11 +89,10 @@ pub(crate) fn localise(setup: &Setup<'_>, baseline: &Fit) -> Vec<Where> {
     out
 }
 
-fn levels(covariate: &Covariate) -> Option<Vec<Vec<f64>>> {
+fn levels(covariate: &Condition) -> Option<Vec<Vec<f64>>> {
     let levels = covariate.levels.as_ref()?;
     let last = *levels.iter().max()?;
-    (last > 1)
-        .then(|| (0..last).map(|k| levels.iter().map(|&l| f64::from(u8::from(l == k))).collect()).collect())
+    (last > 1).then(|| (0..last).map(|k| indicator(levels, k)).collect())
 }
 
 /// Forces about the recalibrated baseline; soil, batches and model error are directions with priors.
@@ -183,7 +181,7 @@ fn about_baseline(
     }
     let mut found = Residuals::new(strokes, &residual, &vec![scatter; n], directions)?;
     if shared {
-        found.shared = Some(chi_square::tail((mean / scatter).powi(2) * n as f64, 1));
+        found.shared = Some(chi_square_tail((mean / scatter).powi(2) * n as f64, 1));
     }
     Some(found)
 }
@@ -225,6 +223,6 @@ impl Residuals {
             + DMatrix::identity(x.ncols(), x.ncols()) * (1e-2 * n as f64);
         let score = x.transpose() * &self.z;
         let statistic = score.dot(&information.cholesky()?.solve(&score));
-        Some(chi_square::tail(statistic, columns.len()))
+        Some(chi_square_tail(statistic, columns.len()))
     }
 }

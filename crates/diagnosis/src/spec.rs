@@ -2,26 +2,20 @@
 
 use std::collections::BTreeSet;
 
-use soilctl_effects::{Channel, Effect};
+use soilctl_effects::{Channel, Effect, EffectId};
 
 use crate::data::Data;
 
 /// One effect with everything but the size of its amplitude.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Choice {
-    pub(crate) effect: &'static dyn Effect,
+    pub(crate) effect: &'static Effect,
     pub(crate) sign: f64,
     pub(crate) shape: f64,
     /// Whether channels that its amplitude fixes are believed to show it.
     pub(crate) linked: bool,
     /// Whether channels respond with a strength of their own.
     pub(crate) responds: bool,
-}
-
-impl std::fmt::Debug for Choice {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} {} {} {} {}", self.effect.id(), self.sign, self.shape, self.linked, self.responds)
-    }
 }
 
 /// Effects and shapes without a name.
@@ -41,15 +35,20 @@ impl Spec {
         more
     }
 
+    /// Its effects, in the order in which they were added.
+    pub(crate) fn ids(&self) -> Vec<EffectId> {
+        self.choices.iter().map(|choice| choice.effect.id).collect()
+    }
+
     /// Channels whose expectation the choices change.
     pub(crate) fn touched(&self, data: &Data) -> BTreeSet<Channel> {
         let mut touched = BTreeSet::new();
         for choice in &self.choices {
             if choice.linked {
-                touched.extend(choice.effect.linked());
+                touched.extend(choice.effect.linked);
             }
             if choice.responds {
-                touched.extend(choice.effect.responses().iter().map(|response| response.channel));
+                touched.extend(choice.effect.responses.iter().map(|response| response.channel));
             }
         }
         touched.retain(|channel| data.channels.contains_key(channel));

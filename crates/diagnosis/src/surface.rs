@@ -6,7 +6,7 @@ use soilctl_effects::{ALTERNATIVE_MODELS, DirectMechanics, EffectsError, Mechani
 use crate::DiagnosisError;
 use crate::grid::{Axis, Grid};
 
-/// Half step of the surface slope with which its influence is tabulated, deg.
+/// Half step of the surface slope with which its influence is tabulated, deg: the middle of the slopes that `surface_slope` has.
 const BETA_STEP_DEG: f64 = 4.0;
 
 /// Force factors of a model and of the alternatives, interpolated by cubics between tabulated points. Agrees

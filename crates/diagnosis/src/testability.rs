@@ -1,18 +1,18 @@
 //! What a design can show, before any data: the gap that is left after soil and interface are fitted anew.
 
 use nalgebra::{Matrix3, Vector3};
-use soilctl_effects::{Active, Effect};
+use soilctl_effects::{Active, EffectId};
 
 use crate::setup::Setup;
 
-/// Expected squared signal-to-noise ratio below which nothing can be named honestly.
+/// Expected squared signal-to-noise ratio below which nothing can be named honestly: half of it, 4, is the largest ln Bayes factor that
+/// is to be expected, a little more than an effect must earn.
 pub const LEAST_LAMBDA: f64 = 8.0;
-/// Usual scatter of ln force of one stroke, before data say otherwise.
+/// Usual scatter of ln force of one stroke, before data say otherwise; the mean of the prior of the fit.
 const USUAL_SCATTER: f64 = 0.06;
 
 /// Whether a design can show an effect.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Testable {
     /// A typical amplitude would be seen.
     Yes,
@@ -25,10 +25,10 @@ pub enum Testable {
 }
 
 /// Expected signal of an effect in a design.
-#[derive(Debug, Clone, serde::Serialize)]
+#[derive(Debug, Clone)]
 pub struct Expected {
-    /// Id of the effect.
-    pub id: &'static str,
+    /// The effect.
+    pub id: EffectId,
     /// Squared signal-to-noise ratio at a typical amplitude.
     pub lambda: f64,
     /// The same at the largest plausible amplitude.
@@ -105,9 +105,9 @@ pub(crate) fn left_after_soil(
 }
 
 /// Change of ln force by an effect, on top of what is known, by stroke.
-pub(crate) fn change(setup: &Setup<'_>, phi_deg: f64, active: Active<'static>) -> Option<Vec<f64>> {
+pub(crate) fn change(setup: &Setup<'_>, phi_deg: f64, active: Active) -> Option<Vec<f64>> {
     let (without, with) = (setup.known_and([]), setup.known_and([active]));
-    let at = |i: usize, effects: &[Active<'_>]| setup.ln_force(i, [phi_deg, 0.0, 0.0], effects);
+    let at = |i: usize, effects: &[Active]| setup.ln_force(i, [phi_deg, 0.0, 0.0], effects);
     (0..setup.data.len()).map(|i| Some(at(i, &with)? - at(i, &without)?)).collect()
 }
 
@@ -118,27 +118,20 @@ pub(crate) fn lambda(setup: &Setup<'_>, phi_deg: f64, change: &[f64], sd: &[f64]
 }
 
 /// Expected signal of an effect at an amplitude, in forces and linked channels together.
-fn signal(
-    setup: &Setup<'_>,
-    phi_deg: f64,
-    effect: &'static dyn Effect,
-    amplitude: f64,
-    sd: &[f64],
-) -> (f64, f64) {
-    let data = setup.data;
-    let shapes = effect.shape().map_or(&[0.0][..], |shape| shape.values);
+fn signal(setup: &Setup<'_>, phi_deg: f64, id: EffectId, amplitude: f64, sd: &[f64]) -> (f64, f64) {
+    let (data, effect) = (setup.data, id.effect());
     let told =
         |shape: &&f64| effect.needs(**shape).is_none_or(|channel| data.channels.contains_key(&channel));
     let (mut most, mut raw) = (0.0_f64, 0.0_f64);
-    for &shape in shapes.iter().filter(told) {
+    for &shape in effect.shapes().iter().filter(told) {
         let Some(change) = change(setup, phi_deg, Active { effect, amplitude, shape }) else { continue };
         let mut found = lambda(setup, phi_deg, &change, sd).unwrap_or(0.0);
-        for channel in effect.linked() {
+        for channel in effect.linked {
             let Some(cells) = data.channels.get(channel) else { continue };
             let scatter = setup.baselines[channel].ln_scatter.mean.exp();
-            let shifts = (0..data.len()).filter(|&i| cells[i].is_some()).map(|i| {
-                effect.shift(*channel, amplitude, shape, &data.strokes[i], &data.reading(i)) / scatter
-            });
+            let shifts = (0..data.len())
+                .filter(|&i| cells[i].is_some())
+                .map(|i| effect.shift(*channel, amplitude, shape, &data.reading(i)) / scatter);
             found += shifts.map(|x| x * x).sum::<f64>();
         }
         most = most.max(found);
@@ -148,13 +141,13 @@ fn signal(
 }
 
 /// What a design can show of an effect.
-pub(crate) fn expected(setup: &Setup<'_>, phi_deg: f64, effect: &'static dyn Effect) -> Expected {
+pub(crate) fn expected(setup: &Setup<'_>, phi_deg: f64, id: EffectId) -> Expected {
     let sd = stroke_sd(setup, None);
-    let range = effect.range();
+    let range = id.effect().range;
     let both = |size: f64| {
         let signs = range.signs().iter();
         signs
-            .map(|sign| signal(setup, phi_deg, effect, sign * size, &sd))
+            .map(|sign| signal(setup, phi_deg, id, sign * size, &sd))
             .fold((0.0, 0.0), |a: (f64, f64), b| (a.0.max(b.0), a.1.max(b.1)))
     };
     let (lambda, _) = both(range.typical());
@@ -168,5 +161,5 @@ pub(crate) fn expected(setup: &Setup<'_>, phi_deg: f64, effect: &'static dyn Eff
     } else {
         Testable::NotVaried
     };
-    Expected { id: effect.id(), lambda, lambda_largest, testable }
+    Expected { id, lambda, lambda_largest, testable }
 }

@@ -1,13 +1,13 @@
 //! What may be said of a campaign.
 
-use serde::Serialize;
+use soilctl_effects::{Covariate, EffectId};
 
+use crate::explanation::{Dependence, Explanation};
 use crate::generic::varies;
 use crate::search::{Scored, ScoredShape, Search, THRESHOLD};
 
 /// What a diagnosis ends with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Status {
     /// Nothing is missing that these data could show.
     None,
@@ -23,22 +23,22 @@ pub enum Status {
     NotTestable,
 }
 
-/// Effects within this ln Bayes factor of the best are not told apart. Nor are they within this part of it more, for formulas are not
-/// nature's, unless a reading denies them.
-const TOLD_APART: f64 = 2.0;
-const TOLD_APART_SHARE: f64 = 0.05;
+/// Sets within this ln Bayes factor of the best are equivalent: odds of 7 to 1 at most, where "positive" evidence begins at 3 to 1 (Kass &
+/// Raftery 1995). So are those within this part of it more, for formulas are not nature's, unless a reading denies them. Empirical.
+const EQUIVALENT: f64 = 2.0;
+const EQUIVALENT_SHARE: f64 = 0.05;
 /// Effects that only a condition that must vary tells apart, whatever their formulas make of the same strokes.
-const TWINS: [(&str, &str, &str); 1] = [("density_gradient", "side_effects_3d", "width_m")];
-/// Part of the best set's ln Bayes factor that one with the twin in its place must have to be as likely, if both may shift all forces
-/// alike: where a formula is 1 is a convention.
-const TWIN_SHARE: f64 = 0.6;
-/// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead.
+const CONFOUNDED: [(EffectId, EffectId, Covariate); 1] =
+    [(EffectId::DensityGradient, EffectId::SideEffects3d, Covariate::Width)];
+/// Part of the best set's ln Bayes factor that one with the confounded effect in its place must have to be as likely, if both may shift all forces
+/// alike: where a formula is 1 is a convention. Empirical.
+const CONFOUNDED_SHARE: f64 = 0.6;
+/// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead: 20 to 1. Empirical.
 const UNKNOWN_MARGIN: f64 = 3.0;
-/// ln Bayes factor by which such a shape may trail and still leave doubt.
-const DOUBT: f64 = 0.0;
-/// ln Bayes factor of such a shape on top of the named effects from which these are not the whole story.
+/// ln Bayes factor of such a shape on top of the named effects from which these are not all that is missing: 20 to 1. Empirical.
 const LEFT_OVER: f64 = 3.0;
-/// Part of what the effects explain that their formulas may leave over without doubt.
+/// Part of what the effects explain that their formulas may leave over; a shape that beats them by more than half of it leaves them
+/// provisional. Empirical.
 const LEFT_OVER_SHARE: f64 = 0.15;
 
 /// The best explanation, what else it could be, and the verdict.
@@ -49,10 +49,10 @@ pub(crate) struct Verdict {
     pub(crate) best: Option<Scored>,
     /// ln Bayes factor of each effect of the best set: what taking it out costs.
     pub(crate) factors: Vec<f64>,
-    /// Ids that the data do not tell apart, best first.
-    pub(crate) equivalents: Vec<String>,
-    /// Covariate and ln Bayes factor of the shape without a name, if the verdict speaks of one.
-    pub(crate) shape: Option<(String, f64)>,
+    /// What the data do not tell apart, best first.
+    pub(crate) equivalents: Vec<Explanation>,
+    /// What a shape without a name depends on and its ln Bayes factor, if the verdict speaks of one.
+    pub(crate) shape: Option<(Dependence, f64)>,
     /// All effects alone, best first.
     pub(crate) singles: Vec<Scored>,
 }
@@ -68,40 +68,41 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     }
     let singles = sizes.first().cloned().unwrap_or_default();
     let shapes = search.shapes_on(None);
-    // As many shapes as there are, as much has each to show before it is believed.
-    let toll = (search.shapes.len().max(1) as f64).ln() + 1.2;
-    let shape_score = |shape: &ScoredShape| shape.log_bayes - toll;
+    // The odds against any one of them, and a margin, as an effect pays; the margin is empirical.
+    let multiplicity = (search.shapes.len().max(1) as f64).ln() + 1.2;
+    let shape_score = |shape: &ScoredShape| shape.log_bayes - multiplicity;
     let shape = shapes.into_iter().next().filter(|shape| shape_score(shape) > 0.0);
     let lead = shape.as_ref().map(shape_score).unwrap_or_default() - best.map_or(0.0, Scored::score);
     let Some(best) = best else {
         let status = if shape.is_some() { Status::Unknown } else { Status::None };
-        let equivalents = shape.iter().map(|shape| format!("unknown:{}", shape.covariate)).collect();
-        let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
+        let equivalents = shape.iter().map(|shape| Explanation::Unknown(shape.over)).collect();
+        let shape = shape.map(|shape| (shape.over, shape.log_bayes));
         return Verdict { status, best: None, factors: Vec::new(), equivalents, shape, singles };
     };
     let of_size = &sizes[best.spec.choices.len() - 1];
-    let mut equivalents: Vec<String> = Vec::new();
+    let mut equivalents: Vec<Explanation> = Vec::new();
     let as_likely = |scored: &&Scored| {
-        let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { TOLD_APART_SHARE };
-        scored.log_bayes > (1.0 - form) * best.log_bayes - TOLD_APART
-            || (twins(search, best, scored)
-                && search.at_any_level(scored) > TWIN_SHARE * search.at_any_level(best))
+        let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { EQUIVALENT_SHARE };
+        scored.log_bayes > (1.0 - form) * best.log_bayes - EQUIVALENT
+            || (confounded(search, best, scored)
+                && search.at_any_level(scored) > CONFOUNDED_SHARE * search.at_any_level(best))
     };
     for scored in of_size.iter().filter(as_likely) {
-        for id in scored.ids() {
-            if !equivalents.iter().any(|known| known == id) {
-                equivalents.push(id.into());
+        for id in scored.spec.ids().into_iter().map(Explanation::Effect) {
+            if !equivalents.contains(&id) {
+                equivalents.push(id);
             }
         }
     }
     let factors = factors(best, &sizes);
     let on_force = best.spec.on_force();
     let more = if on_force { search.shapes_on(Some(best)).into_iter().next() } else { None };
-    let left_over = more.filter(|more| more.log_bayes - toll > LEFT_OVER + LEFT_OVER_SHARE * best.log_bayes);
+    let left_over =
+        more.filter(|more| more.log_bayes - multiplicity > LEFT_OVER + LEFT_OVER_SHARE * best.log_bayes);
     let instead = if on_force { search.shape_instead(best) } else { None };
     let status = if lead > UNKNOWN_MARGIN + LEFT_OVER_SHARE * best.log_bayes && on_force {
         Status::Unknown
-    } else if (lead > DOUBT + 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force)
+    } else if (lead > 0.5 * LEFT_OVER_SHARE * best.log_bayes && on_force)
         || left_over.is_some()
         || instead.is_some()
     {
@@ -116,35 +117,31 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
         Status::Provisional => left_over.or(shape),
         _ => None,
     };
-    let shape = shape.map(|shape| (shape.covariate, shape.log_bayes));
+    let shape = shape.map(|shape| (shape.over, shape.log_bayes));
     let shape = if status == Status::Provisional { instead.or(shape) } else { shape };
-    if let Some((covariate, _)) = &shape {
-        let name = format!("unknown:{covariate}");
-        if status == Status::Unknown {
-            equivalents.insert(0, name);
-        } else {
-            equivalents.push(name);
-        }
+    if let Some((over, _)) = shape {
+        let at = if status == Status::Unknown { 0 } else { equivalents.len() };
+        equivalents.insert(at, Explanation::Unknown(over));
     }
     Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
 }
 
-/// Whether two sets differ by twins only, and the condition that would tell these apart is always the same.
-fn twins(search: &Search<'_>, one: &Scored, other: &Scored) -> bool {
-    let (of_one, of_other) = (one.ids(), other.ids());
-    let left = |ids: &[&'static str], others: &[&str]| -> Vec<&'static str> {
+/// Whether two sets differ by confounded effects only, and the condition that would tell these apart is always the same.
+fn confounded(search: &Search<'_>, one: &Scored, other: &Scored) -> bool {
+    let (of_one, of_other) = (one.spec.ids(), other.spec.ids());
+    let left = |ids: &[EffectId], others: &[EffectId]| -> Vec<EffectId> {
         ids.iter().copied().filter(|id| !others.contains(id)).collect()
     };
     let pair = (left(&of_one, &of_other), left(&of_other, &of_one));
-    let ([a], [b]) = (pair.0.as_slice(), pair.1.as_slice()) else { return false };
-    TWINS.iter().any(|(x, y, condition)| {
+    let (&[a], &[b]) = (pair.0.as_slice(), pair.1.as_slice()) else { return false };
+    CONFOUNDED.iter().any(|&(x, y, condition)| {
         ((a, b) == (x, y) || (a, b) == (y, x)) && !varies(search.setup.data, condition)
     })
 }
 
 /// What each effect of a set earns over the best set without it.
 fn factors(best: &Scored, sizes: &[Vec<Scored>]) -> Vec<f64> {
-    let ids = best.ids();
+    let ids = best.spec.ids();
     if ids.len() == 1 {
         return vec![best.log_bayes];
     }
@@ -152,7 +149,7 @@ fn factors(best: &Scored, sizes: &[Vec<Scored>]) -> Vec<f64> {
     ids.iter()
         .map(|out| {
             let without = smaller.iter().find(|set| {
-                let of_set = set.ids();
+                let of_set = set.spec.ids();
                 !of_set.contains(out) && of_set.iter().all(|id| ids.contains(id))
             });
             without.map_or(THRESHOLD, |set| best.log_bayes - set.log_bayes)

@@ -4,17 +4,18 @@
 
 use std::collections::BTreeSet;
 
-use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest};
-use soilctl_diagnosis::{Data, Diagnosis, Status, Surface, Testable, diagnose};
+use soilctl_diagnosis::self_test::{Case, Cause, Design, HiddenCampaign, Kind, Outside, SelfTest};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, Surface, Testable, diagnose};
 use soilctl_earth_pressure::model;
-use soilctl_effects::Channel;
+use soilctl_effects::{Channel, Covariate, EffectId};
 use soilctl_strokes::StrokeRow;
 
 const SEED: u64 = 31;
 
-fn campaign(ids: &[&'static str], number: u64, design: Design) -> HiddenCampaign {
+fn campaign(effects: &[EffectId], number: u64, design: Design) -> HiddenCampaign {
     let test = SelfTest::new("chen", SEED).unwrap();
-    let case = Case { kind: Kind::Single, number, ids: ids.to_vec(), design };
+    let case =
+        Case { kind: Kind::Single, number, causes: effects.iter().map(|id| (*id).into()).collect(), design };
     test.campaign(&case).unwrap().unwrap()
 }
 
@@ -25,23 +26,23 @@ fn diagnosed(hidden: &HiddenCampaign, rows: Vec<StrokeRow>) -> Diagnosis {
 
 #[test]
 fn a_strong_effect_is_named_and_closes_the_gap() {
-    let hidden = campaign(&["force_bias"], 3, Design::default());
+    let hidden = campaign(&[EffectId::ForceBias], 3, Design::default());
     let found = diagnosed(&hidden, hidden.rows.clone());
     assert_eq!(found.status, Status::Named);
-    assert_eq!(found.effects[0].id, "force_bias");
+    assert_eq!(found.effects[0].id, EffectId::ForceBias);
     let truth = hidden.hidden[0].size;
     assert!((found.effects[0].amplitude - truth).abs() < 4.0 * found.effects[0].amplitude_sd);
     let gap = &found.comparison.gap;
     assert!(gap.after < gap.before && gap.delta_elpd.unwrap() > 4.0);
-    assert_eq!(found.equivalence_set[0], "force_bias");
+    assert_eq!(found.equivalence_set[0], Explanation::Effect(EffectId::ForceBias));
 }
 
 /// A drift of the sensor is read in free air, too; what it does not change stays as it was.
 #[test]
 fn the_gap_shrinks_where_the_effect_is_seen_and_nowhere_else() {
-    let hidden = campaign(&["force_drift"], 3, Design::default());
+    let hidden = campaign(&[EffectId::ForceDrift], 3, Design::default());
     let found = diagnosed(&hidden, hidden.rows.clone());
-    assert_eq!((found.status, found.effects[0].id), (Status::Named, "force_drift"));
+    assert_eq!((found.status, found.effects[0].id), (Status::Named, EffectId::ForceDrift));
     let parts = &found.comparison.parts;
     let whole = |channel: &str| parts.iter().find(|p| p.channel == channel && p.covariate.is_none()).unwrap();
     for channel in ["force_n", "tare_before_n", "tare_after_n"] {
@@ -53,7 +54,8 @@ fn the_gap_shrinks_where_the_effect_is_seen_and_nowhere_else() {
     for part in parts.iter().filter(|part| part.covariate.is_none()) {
         assert!((0.6..1.5).contains(&part.after), "{part:?}");
         // Strokes of the parts along a condition are those of the whole, and so is their chi-square.
-        let levels = parts.iter().filter(|p| p.channel == part.channel && p.covariate == Some("depth_m"));
+        let levels =
+            parts.iter().filter(|p| p.channel == part.channel && p.covariate == Some(Covariate::Depth));
         let sum: f64 = levels.clone().map(|p| p.readings as f64 * p.after * p.after).sum();
         assert!((sum / (part.readings as f64 * part.after * part.after) - 1.0).abs() < 1e-12);
         assert_eq!(levels.map(|p| p.readings).sum::<usize>(), part.readings);
@@ -63,9 +65,9 @@ fn the_gap_shrinks_where_the_effect_is_seen_and_nowhere_else() {
 /// Free play between motors and joints moves no force, so no fit of forces has it. Its column has a baseline that takes a part of it.
 #[test]
 fn the_gap_of_a_column_shrinks_by_an_effect_that_forces_do_not_show() {
-    let hidden = campaign(&["backlash"], 11, Design::default());
+    let hidden = campaign(&[EffectId::Backlash], 11, Design::default());
     let found = diagnosed(&hidden, hidden.rows.clone());
-    assert_eq!((found.status, found.effects[0].id), (Status::Named, "backlash"));
+    assert_eq!((found.status, found.effects[0].id), (Status::Named, EffectId::Backlash));
     let parts = found.comparison.parts;
     let whole = |channel: &str| parts.iter().find(|p| p.channel == channel && p.covariate.is_none()).unwrap();
     let (gap, forces) = (whole("motor_ext_gap_m"), whole("force_n"));
@@ -75,7 +77,7 @@ fn the_gap_of_a_column_shrinks_by_an_effect_that_forces_do_not_show() {
 
 #[test]
 fn the_same_campaign_gives_the_same_bits() {
-    let hidden = campaign(&["rate_effect"], 5, Design { strokes: 24, ..Design::default() });
+    let hidden = campaign(&[EffectId::RateEffect], 5, Design { strokes: 24, ..Design::default() });
     let (a, b) = (diagnosed(&hidden, hidden.rows.clone()), diagnosed(&hidden, hidden.rows.clone()));
     assert_eq!(format!("{a:?}"), format!("{b:?}"));
 }
@@ -85,11 +87,11 @@ fn one_depth_cannot_show_what_depends_on_depth() {
     let design = Design { depths_m: vec![0.02], speeds_mps: vec![0.01], strokes: 24, ..Design::default() };
     let hidden = campaign(&[], 7, design);
     let found = diagnosed(&hidden, hidden.rows.clone());
-    for id in ["rate_effect", "density_gradient"] {
+    for id in [EffectId::RateEffect, EffectId::DensityGradient] {
         let expected = found.expected.iter().find(|of| of.id == id).unwrap();
         assert_eq!(expected.testable, Testable::NotVaried, "{id}");
     }
-    let absorbed = found.expected.iter().find(|of| of.id == "force_scale").unwrap();
+    let absorbed = found.expected.iter().find(|of| of.id == EffectId::ForceScale).unwrap();
     assert!(absorbed.lambda_largest < 30.0);
     assert_ne!(found.status, Status::Named);
 }
@@ -98,10 +100,10 @@ fn one_depth_cannot_show_what_depends_on_depth() {
 #[test]
 fn a_follow_up_asks_for_the_reading_that_settles_it() {
     let design = Design { widths_m: vec![0.127], speeds_mps: vec![0.01], traces: false, ..Design::default() };
-    let hidden = campaign(&["cohesion"], 15, design);
+    let hidden = campaign(&[EffectId::Cohesion], 15, design);
     let first = diagnosed(&hidden, hidden.rows.clone());
     assert_eq!(first.status, Status::Ambiguous);
-    assert_eq!(first.equivalence_set, ["cohesion", "surcharge_heap"]);
+    assert_eq!(first.equivalence_set, [EffectId::Cohesion, EffectId::SurchargeHeap].map(Explanation::Effect));
     let next = first.next.unwrap();
     assert_eq!(next.readings, [Channel::HeapHeight]);
     assert!(next.text.contains("heap_height_m") && next.power > 0.9, "{} {}", next.power, next.text);
@@ -109,12 +111,12 @@ fn a_follow_up_asks_for_the_reading_that_settles_it() {
     assert!(rows[..48].iter().all(|row| row.heap_height_m.is_none()));
     let settled = diagnosed(&hidden, rows);
     assert_eq!(settled.status, Status::Named, "{:?} {:?}", settled.equivalence_set, settled.alone);
-    assert_eq!(settled.equivalence_set, ["cohesion"]);
+    assert_eq!(settled.equivalence_set, [Explanation::Effect(EffectId::Cohesion)]);
 }
 
 #[test]
 fn tables_with_little_in_them_are_answered_all_the_same() {
-    let hidden = campaign(&["cohesion"], 9, Design { traces: false, ..Design::default() });
+    let hidden = campaign(&[EffectId::Cohesion], 9, Design { traces: false, ..Design::default() });
     let bare = |row: &StrokeRow| StrokeRow {
         alpha_deg: row.alpha_deg,
         depth_m: row.depth_m,
@@ -124,7 +126,12 @@ fn tables_with_little_in_them_are_answered_all_the_same() {
     };
     let found = diagnosed(&hidden, hidden.rows.iter().map(bare).collect());
     assert!(found.comparison.gap.heldout_after.is_none());
-    assert!(found.expected.iter().any(|of| of.id == "wall_proximity" && of.testable == Testable::NotVaried));
+    assert!(
+        found
+            .expected
+            .iter()
+            .any(|of| of.id == EffectId::WallProximity && of.testable == Testable::NotVaried)
+    );
 
     let summary: Vec<StrokeRow> = hidden
         .rows
@@ -139,7 +146,7 @@ fn tables_with_little_in_them_are_answered_all_the_same() {
 
 #[test]
 fn holes_and_clipped_columns_do_not_stop_it() {
-    let hidden = campaign(&["backlash"], 11, Design::default());
+    let hidden = campaign(&[EffectId::Backlash], 11, Design::default());
     let mut rows = hidden.rows.clone();
     for (i, row) in rows.iter_mut().enumerate() {
         if i % 3 == 0 {
@@ -151,7 +158,7 @@ fn holes_and_clipped_columns_do_not_stop_it() {
         row.z_drift_m = row.z_drift_m.map(|z| z.min(0.0));
     }
     let found = diagnosed(&hidden, rows);
-    assert_eq!(found.effects[0].id, "backlash");
+    assert_eq!(found.effects[0].id, EffectId::Backlash);
 }
 
 /// Instruments with few digits write the same thing again and again; at one depth a constant reading has two explanations.
@@ -179,7 +186,7 @@ fn forces_alone_without_an_effect_ask_for_what_forces_can_show() {
     let case = Case {
         kind: Kind::Null,
         number: 17,
-        ids: Vec::new(),
+        causes: Vec::new(),
         design: Design { traces: false, ..Design::default() },
     };
     let hidden = test.campaign(&case).unwrap().unwrap();
@@ -188,7 +195,7 @@ fn forces_alone_without_an_effect_ask_for_what_forces_can_show() {
     assert_eq!(found.status, Status::None);
     let next = found.next.unwrap();
     let of = next.text.split("would show ").nth(1).unwrap().split(',').next().unwrap();
-    assert!(soilctl_effects::effect(of).unwrap().acts_on_force() && next.power >= 0.2, "{}", next.text);
+    assert!(of.parse::<EffectId>().unwrap().effect().acts_on_force() && next.power >= 0.2, "{}", next.text);
     // Made and appended, it is not mixed up with the follow-up after it.
     rows.extend(next.rows.iter().map(|row| StrokeRow { force_n: hidden.rows[0].force_n, ..row.clone() }));
     let names =
@@ -202,18 +209,18 @@ fn forces_alone_without_an_effect_ask_for_what_forces_can_show() {
 fn what_is_outside_the_catalogue_is_unknown_and_followed_along_its_covariate() {
     let test = SelfTest::new("chen", SEED).unwrap();
     let mut unknown = 0;
-    let hidden = ["base_waves", "alpha_by_depth", "middle_speed", "warm_afternoon", "middle_depth"];
-    for (number, id) in hidden.into_iter().enumerate() {
-        let (number, ids) = (number as u64, vec![id]);
-        let case = Case { kind: Kind::Outside, number, ids, design: Design::default() };
+    let hidden = &Outside::ALL[1..];
+    for (number, outside) in hidden.iter().enumerate() {
+        let (number, causes) = (number as u64, vec![Cause::Outside(*outside)]);
+        let case = Case { kind: Kind::Outside, number, causes, design: Design::default() };
         let hidden = test.campaign(&case).unwrap().unwrap();
         let found = diagnosed(&hidden, hidden.rows.clone());
         assert_ne!(found.status, Status::Named, "{:?}", found.effects);
         if found.status == Status::Unknown {
             unknown += 1;
-            let covariate = found.equivalence_set[0].strip_prefix("unknown:").unwrap();
+            let Explanation::Unknown(over) = found.equivalence_set[0] else { panic!("{:?}", found.effects) };
             let next = found.next.unwrap();
-            assert!(next.text.contains(covariate) && next.power > 0.2, "{}", next.text);
+            assert!(next.text.contains(&over.to_string()) && next.power > 0.2, "{}", next.text);
         }
     }
     assert!(unknown >= 3, "{unknown}");
@@ -225,7 +232,7 @@ fn what_is_outside_the_catalogue_is_unknown_and_followed_along_its_covariate() {
 fn steps_and_first_strokes_are_no_steady_effects() {
     let test = SelfTest::new("chen", SEED).unwrap();
     for number in 0..6 {
-        let case = Case { kind: Kind::Null, number, ids: Vec::new(), design: Design::default() };
+        let case = Case { kind: Kind::Null, number, causes: Vec::new(), design: Design::default() };
         let hidden = test.campaign(&case).unwrap().unwrap();
         let mut knocked = hidden.rows.clone();
         let from = 15 + 3 * number as usize;
@@ -244,13 +251,13 @@ fn steps_and_first_strokes_are_no_steady_effects() {
 /// Denser soil below and end effects both raise the force over depth squared, and only a second width tells which it is.
 #[test]
 fn one_width_does_not_tell_a_density_gradient_from_end_effects() {
-    for (id, number) in [("density_gradient", 3), ("side_effects_3d", 4)] {
+    for (id, number) in [(EffectId::DensityGradient, 3), (EffectId::SideEffects3d, 4)] {
         let one_width = Design { widths_m: vec![0.127], ..Design::default() };
         let hidden = campaign(&[id], number, one_width);
         let found = diagnosed(&hidden, hidden.rows.clone());
         assert_eq!(found.status, Status::Ambiguous, "{id}: {:?} {:?}", found.effects, found.alone);
-        for twin in ["density_gradient", "side_effects_3d"] {
-            assert!(found.equivalence_set.iter().any(|known| known == twin), "{:?}", found.equivalence_set);
+        for twin in [EffectId::DensityGradient, EffectId::SideEffects3d].map(Explanation::Effect) {
+            assert!(found.equivalence_set.contains(&twin), "{:?}", found.equivalence_set);
         }
         let next = found.next.unwrap();
         assert!(next.text.contains("narrower plate") && next.power > 0.8, "{}: {}", next.text, next.power);

@@ -8,23 +8,24 @@ use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest}
 use soilctl_diagnosis::{Data, Diagnosis, Status, Surface, diagnose};
 use soilctl_earth_pressure::model;
 use soilctl_effects::{
-    EffectEntry, FILE_SCHEMA, Loaded, ModelFile, ParameterValue, Reference, SoilEntry, effect,
+    EffectEntry, EffectId, FILE_SCHEMA, Loaded, ModelFile, ParameterValue, Reference, SoilEntry,
 };
 use soilctl_strokes::StrokeRow;
 
-fn campaign(ids: &[&'static str], number: u64) -> HiddenCampaign {
+fn campaign(effects: &[EffectId], number: u64) -> HiddenCampaign {
     let test = SelfTest::new("chen", 31).unwrap();
-    let case = Case { kind: Kind::Single, number, ids: ids.to_vec(), design: Design::default() };
+    let causes = effects.iter().map(|id| (*id).into()).collect();
+    let case = Case { kind: Kind::Single, number, causes, design: Design::default() };
     test.campaign(&case).unwrap().unwrap()
 }
 
 /// A model file with effects by id and amplitude.
-fn file(effects: &[(&str, f64)], reference: &Reference) -> Loaded {
+fn file(effects: &[(EffectId, f64)], reference: &Reference) -> Loaded {
     let value = |value: f64, unit: &str| ParameterValue { value, sd: 0.0, unit: unit.into() };
-    let entry = |&(id, amplitude): &(&str, f64)| {
-        let main = effect(id).unwrap().parameter();
+    let entry = |&(id, amplitude): &(EffectId, f64)| {
+        let main = id.effect().parameter;
         EffectEntry {
-            id: id.into(),
+            id,
             parameters: BTreeMap::from([(main.name.to_owned(), value(amplitude, main.unit))]),
             shape: 0.0,
             log_bayes_factor: 0.0,
@@ -62,14 +63,18 @@ fn diagnosed(hidden: &HiddenCampaign, rows: &[StrokeRow], known: Option<&Loaded>
 
 #[test]
 fn what_was_found_is_not_missing_any_more() {
-    for id in ["force_drift", "interface_friction_offset", "rate_effect", "backlash"] {
+    for id in
+        [EffectId::ForceDrift, EffectId::InterfaceFrictionOffset, EffectId::RateEffect, EffectId::Backlash]
+    {
         let hidden = campaign(&[id], 3);
         let first = diagnosed(&hidden, &hidden.rows, None);
         assert_eq!((first.status, first.effects[0].id), (Status::Named, id));
         let known = file(&[(id, first.effects[0].amplitude)], &Reference::of(&hidden.rows).unwrap());
         let second = diagnosed(&hidden, &hidden.rows, Some(&known));
         assert_eq!(second.status, Status::None, "{id}: {:?}", second.effects);
-        assert!(second.expected.len() == 27 && second.expected.iter().all(|of| of.id != id));
+        assert!(
+            second.expected.len() == EffectId::ALL.len() - 1 && second.expected.iter().all(|of| of.id != id)
+        );
         // With it, before is what after was.
         for (a, b) in first.comparison.after.iter().zip(&second.comparison.before) {
             assert!((a - b).abs() < 1e-6, "{id}: {a} {b}");
@@ -81,10 +86,10 @@ fn what_was_found_is_not_missing_any_more() {
 #[test]
 fn a_second_effect_is_named_beside_the_known_one() {
     for (first, second) in [
-        ("force_drift", "rate_effect"),
-        ("interface_friction_offset", "density_gradient"),
-        ("rate_effect", "radius_dependence"),
-        ("radius_dependence", "force_drift"),
+        (EffectId::ForceDrift, EffectId::RateEffect),
+        (EffectId::InterfaceFrictionOffset, EffectId::DensityGradient),
+        (EffectId::RateEffect, EffectId::RadiusDependence),
+        (EffectId::RadiusDependence, EffectId::ForceDrift),
     ] {
         let hidden = campaign(&[first, second], 40);
         let known = file(&[(first, hidden.hidden[0].size)], &Reference::of(&hidden.rows).unwrap());
@@ -99,10 +104,13 @@ fn a_second_effect_is_named_beside_the_known_one() {
 /// An offset of the interface friction with a weak gradient looks like cross-talk of the sensor, until the offset is known.
 #[test]
 fn what_is_known_is_not_mistaken_for_something_else() {
-    let hidden = campaign(&["interface_friction_offset", "density_gradient"], 43);
+    let hidden = campaign(&[EffectId::InterfaceFrictionOffset, EffectId::DensityGradient], 43);
     let alone = diagnosed(&hidden, &hidden.rows, None);
-    assert_eq!((alone.status, alone.effects[0].id), (Status::Named, "ft_crosstalk"));
-    let known = file(&[(hidden.hidden[0].id, hidden.hidden[0].size)], &Reference::of(&hidden.rows).unwrap());
+    assert_eq!((alone.status, alone.effects[0].id), (Status::Named, EffectId::FtCrosstalk));
+    let known = file(
+        &[(EffectId::InterfaceFrictionOffset, hidden.hidden[0].size)],
+        &Reference::of(&hidden.rows).unwrap(),
+    );
     let found = diagnosed(&hidden, &hidden.rows, Some(&known));
     assert_eq!(found.status, Status::None, "{:?}", found.effects);
 }
@@ -110,9 +118,9 @@ fn what_is_known_is_not_mistaken_for_something_else() {
 /// A gradient is relative to the mean depth of the campaign that it was found in, also where another one is diagnosed.
 #[test]
 fn parameters_refer_to_the_campaign_of_the_file() {
-    let hidden = campaign(&["density_gradient"], 6);
+    let hidden = campaign(&[EffectId::DensityGradient], 6);
     let reference = Reference::of(&hidden.rows).unwrap();
-    let known = file(&[("density_gradient", 15.0)], &reference);
+    let known = file(&[(EffectId::DensityGradient, 15.0)], &reference);
     let deep: Vec<StrokeRow> =
         hidden.rows.iter().filter(|row| row.depth_m > reference.depth_m).cloned().collect();
     let found = diagnosed(&hidden, &deep, Some(&known));
@@ -131,7 +139,7 @@ fn parameters_refer_to_the_campaign_of_the_file() {
 
 #[test]
 fn a_file_without_effects_is_the_plain_model() {
-    let hidden = campaign(&["force_bias"], 3);
+    let hidden = campaign(&[EffectId::ForceBias], 3);
     let known = file(&[], &Reference::of(&hidden.rows[..5]).unwrap());
     let with = diagnosed(&hidden, &hidden.rows, Some(&known));
     assert_eq!(format!("{with:?}"), format!("{:?}", diagnosed(&hidden, &hidden.rows, None)));

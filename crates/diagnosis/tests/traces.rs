@@ -5,8 +5,11 @@
 use std::collections::BTreeMap;
 
 use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest};
-use soilctl_diagnosis::{Data, Diagnosis, Phase, Status, Surface, courses, diagnose, typical_course};
+use soilctl_diagnosis::{
+    Data, Diagnosis, Explanation, Phase, Status, Surface, courses, diagnose, typical_course,
+};
 use soilctl_earth_pressure::model;
+use soilctl_effects::EffectId;
 use soilctl_strokes::{StrokeRow, TraceSample, TraceTable};
 
 /// What is wrong with the arm or the soil of drawn traces.
@@ -68,7 +71,7 @@ fn trace(row: &StrokeRow, stiffness_n_per_m: f64, hidden: &Hidden, chance: &mut 
 fn campaign() -> HiddenCampaign {
     let test = SelfTest::new("chen", 77).unwrap();
     let design = Design { strokes: 24, traces: false, ..Design::default() };
-    test.campaign(&Case { kind: Kind::Null, number: 1, ids: Vec::new(), design }).unwrap().unwrap()
+    test.campaign(&Case { kind: Kind::Null, number: 1, causes: Vec::new(), design }).unwrap().unwrap()
 }
 
 fn traces(campaign: &HiddenCampaign, hidden: &Hidden, seed: u64) -> TraceTable {
@@ -123,13 +126,13 @@ fn columns_are_those_that_the_trace_was_drawn_with() {
 fn arm_effects_are_named_from_traces_alone() {
     let campaign = campaign();
     for (hidden, id, size) in [
-        (Hidden { play_m: 8e-4, ..Hidden::default() }, "backlash", 8e-4),
-        (Hidden { step_m: 1.5e-3, ..Hidden::default() }, "encoder_quantisation", 1.5e-3),
-        (Hidden { between_m_per_n: 4e-4, ..Hidden::default() }, "cable_flex", 4e-4),
-        (Hidden { beyond_m_per_n: 5e-4, ..Hidden::default() }, "cable_flex", 5e-4),
+        (Hidden { play_m: 8e-4, ..Hidden::default() }, EffectId::Backlash, 8e-4),
+        (Hidden { step_m: 1.5e-3, ..Hidden::default() }, EffectId::EncoderQuantisation, 1.5e-3),
+        (Hidden { between_m_per_n: 4e-4, ..Hidden::default() }, EffectId::CableFlex, 4e-4),
+        (Hidden { beyond_m_per_n: 5e-4, ..Hidden::default() }, EffectId::CableFlex, 5e-4),
     ] {
         let found = diagnosed(&data(&campaign, &hidden));
-        let ids: Vec<&str> = found.effects.iter().map(|effect| effect.id).collect();
+        let ids: Vec<EffectId> = found.effects.iter().map(|effect| effect.id).collect();
         assert!(ids.contains(&id), "{id}: {:?} {ids:?}", found.status);
         let effect = found.effects.iter().find(|effect| effect.id == id).unwrap();
         assert!((effect.amplitude / size - 1.0).abs() < 0.35, "{id}: {}", effect.amplitude);
@@ -156,8 +159,12 @@ fn what_differs_from_a_simulated_arm_is_located_by_phase() {
     assert!(of("slip_angle_deg", None).is_some_and(|p| p < 1e-6), "{:?}", found.located);
     assert_eq!(of("friction_angle_deg", Some(Phase::Loading)), None);
     // What turns the force only once the soil slips.
-    let ids: Vec<&str> = found.equivalence_set.iter().map(String::as_str).collect();
-    assert!(ids.contains(&"interface_friction_offset"), "{:?} {ids:?}", found.status);
+    let set = &found.equivalence_set;
+    assert!(
+        set.contains(&Explanation::Effect(EffectId::InterfaceFrictionOffset)),
+        "{:?} {set:?}",
+        found.status
+    );
 }
 
 #[test]

@@ -41,7 +41,6 @@ mod curve;
 mod degrees;
 mod equivalent;
 mod error;
-mod line;
 mod loglog;
 mod misfit;
 mod point;

@@ -1,9 +1,9 @@
 use serde::Serialize;
 use soilctl_soil::units;
+use soilctl_stats::Line;
 
 use crate::curve::{FrictionAt, FrictionCurve, Sample, answer, need_stresses, samples};
 use crate::error::{DirectShearError, check};
-use crate::line::Line;
 use crate::misfit::Misfit;
 use crate::point::ShearPoint;
 

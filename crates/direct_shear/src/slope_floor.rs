@@ -1,10 +1,10 @@
 use serde::Serialize;
 use soilctl_soil::{Angle, units};
+use soilctl_stats::Line;
 
 use crate::curve::{FrictionAt, FrictionCurve, Sample, answer, distinct_stresses_pa, need_stresses, samples};
 use crate::degrees;
 use crate::error::{DirectShearError, check};
-use crate::line::Line;
 use crate::misfit::Misfit;
 use crate::point::ShearPoint;
 

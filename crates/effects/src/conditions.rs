@@ -50,4 +50,9 @@ impl Conditions {
             bias_n: 0.0,
         }
     }
+
+    /// Changes the force by a share of it, which cannot take more than 99 % away.
+    pub(crate) fn scale(&mut self, share: f64) {
+        self.ln_factor += share.max(-0.99).ln_1p();
+    }
 }

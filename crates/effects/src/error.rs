@@ -2,6 +2,8 @@ use soilctl_earth_pressure::EarthPressureError;
 use soilctl_soil::Rounded;
 use thiserror::Error;
 
+use crate::EffectId;
+
 /// Why an effect or a model file gives no answer.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -20,14 +22,10 @@ pub enum EffectsError {
         force_n: f64,
     },
     /// No such effect.
-    #[error("{file}: there is no effect called {id:?}; the effects are {known}")]
+    #[error("there is no effect called {id:?}; the effects are {}", EffectId::ALL.map(EffectId::name).join(", "))]
     UnknownEffect {
-        /// Model file.
-        file: String,
         /// What was asked for.
         id: String,
-        /// All ids, separated by commas.
-        known: String,
     },
     /// A file that cannot be read or written.
     #[error("{file}: {problem}")]

@@ -1,15 +1,4 @@
-use crate::{Base, Conditions, Effect, EffectsError, Mechanics, Reference, Stroke};
-
-/// An effect with its amplitude and shape.
-#[derive(Clone, Copy)]
-pub struct Active<'a> {
-    /// The effect.
-    pub effect: &'a dyn Effect,
-    /// Its amplitude, in the unit of its parameter.
-    pub amplitude: f64,
-    /// Its shape; ignored by effects without one.
-    pub shape: f64,
-}
+use crate::{Acting, Active, Base, Conditions, EffectsError, Mechanics, Reference, Stroke};
 
 /// Force in N that is read for a stroke, with all effects.
 ///
@@ -21,11 +10,11 @@ pub fn force_n(
     stroke: &Stroke,
     reference: &Reference,
     base: &Base,
-    effects: &[Active<'_>],
+    effects: &[Active],
 ) -> Result<f64, EffectsError> {
     let mut conditions = Conditions::plain(stroke.alpha_deg, stroke.depth_m, base);
-    for active in effects {
-        active.effect.apply(active.amplitude, active.shape, stroke, reference, &mut conditions, mechanics)?;
+    for &Active { effect, amplitude, shape } in effects {
+        effect.apply(&Acting { amplitude, shape, stroke, reference, mechanics }, &mut conditions)?;
     }
     let c = &conditions;
     let net = mechanics.net(c.alpha_deg, c.beta_deg, c.phi_deg, c.delta_deg)?;

@@ -3,13 +3,13 @@ use std::path::Path;
 use soilctl_earth_pressure::model;
 use soilctl_strokes::StrokeRow;
 
-use crate::{Active, Base, DirectMechanics, Effect, EffectsError, ModelFile, Stroke, force_n};
+use crate::{Active, Base, DirectMechanics, EffectsError, ModelFile, Stroke, force_n};
 
 /// A model file that is ready to predict.
 pub struct Loaded {
     file: ModelFile,
     mechanics: DirectMechanics,
-    effects: Vec<(&'static dyn Effect, f64, f64)>,
+    effects: Vec<Active>,
 }
 
 impl Loaded {
@@ -26,7 +26,7 @@ impl Loaded {
     /// # Errors
     /// As [`Loaded::read`].
     pub fn new(file: ModelFile, name: &str) -> Result<Self, EffectsError> {
-        let effects = file.effects.iter().map(|entry| entry.resolve(name)).collect::<Result<_, _>>()?;
+        let effects = file.active(name)?;
         let mechanics = DirectMechanics::new(model(&file.model)?);
         Ok(Self { file, mechanics, effects })
     }
@@ -38,8 +38,9 @@ impl Loaded {
     }
 
     /// Its effects, in the order in which they act.
-    pub fn effects(&self) -> impl Iterator<Item = Active<'static>> {
-        self.effects.iter().map(|&(effect, amplitude, shape)| Active { effect, amplitude, shape })
+    #[must_use]
+    pub fn effects(&self) -> &[Active] {
+        &self.effects
     }
 
     /// Force in N that the model file expects to be read for a stroke, with its effects.
@@ -47,7 +48,7 @@ impl Loaded {
     /// # Errors
     /// As [`force_n`].
     pub fn force_n(&self, row: &StrokeRow) -> Result<f64, EffectsError> {
-        self.force_with(row, true)
+        self.force_with(row, &self.effects)
     }
 
     /// The same without the effects.
@@ -55,7 +56,7 @@ impl Loaded {
     /// # Errors
     /// As [`force_n`].
     pub fn plain_force_n(&self, row: &StrokeRow) -> Result<f64, EffectsError> {
-        self.force_with(row, false)
+        self.force_with(row, &[])
     }
 
     /// Interface friction angle of a stroke, deg: its set-point and the offset, or that of the file.
@@ -65,7 +66,7 @@ impl Loaded {
         row.delta_set_deg.map_or(soil.delta_deg.value, |set| (set + soil.delta_offset_deg.value).max(0.0))
     }
 
-    fn force_with(&self, row: &StrokeRow, with_effects: bool) -> Result<f64, EffectsError> {
+    fn force_with(&self, row: &StrokeRow, effects: &[Active]) -> Result<f64, EffectsError> {
         let soil = &self.file.soil;
         let base = Base {
             phi_deg: soil.phi_deg.value,
@@ -73,13 +74,7 @@ impl Loaded {
             density_kg_m3: soil.density_kg_m3.value,
             gravity_m_s2: soil.gravity_m_s2,
         };
-        let active: Vec<Active<'_>> = self.effects().filter(|_| with_effects).collect();
-        force_n(
-            &self.mechanics,
-            &Stroke::new(row, &self.file.reference),
-            &self.file.reference,
-            &base,
-            &active,
-        )
+        let reference = &self.file.reference;
+        force_n(&self.mechanics, &Stroke::new(row, reference), reference, &base, effects)
     }
 }

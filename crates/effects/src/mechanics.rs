@@ -1,7 +1,9 @@
 use soilctl_earth_pressure::{Case, ChenLiu, ForceModel, LoadFactors, model};
 
 use crate::EffectsError;
-use crate::catalogue::ALTERNATIVE_MODELS;
+
+/// Force models that `model_form` may put in the place of the one in use.
+pub const ALTERNATIVE_MODELS: [&str; 4] = ["coulomb", "chen", "log-spiral", "caquot"];
 
 /// Slant-normalised net factors: `F = 1/2 gamma L^2 w weight + L w (c cohesion + q surcharge)`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, EffectsError, Reference, Shape, effect};
+use crate::{Active, EffectId, EffectsError, Reference, Shape};
 
 /// Id of the format.
 pub const FILE_SCHEMA: &str = "soilctl.model-file/1";
@@ -66,7 +66,7 @@ pub struct SoilEntry {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EffectEntry {
     /// Id in the catalogue.
-    pub id: String,
+    pub id: EffectId,
     /// Its parameters by name.
     pub parameters: BTreeMap<String, ParameterValue>,
     /// Shape for effects whose shape is no parameter; see the catalogue.
@@ -95,15 +95,9 @@ pub struct HeldOut {
 }
 
 impl EffectEntry {
-    /// The effect, its amplitude and its shape.
-    ///
-    /// # Errors
-    /// [`EffectsError::UnknownEffect`] and [`EffectsError::BadFile`] with the key and what is allowed.
-    pub(crate) fn resolve(&self, file: &str) -> Result<(&'static dyn Effect, f64, f64), EffectsError> {
-        let Some(found) = effect(&self.id) else {
-            let known = crate::catalogue().iter().map(|e| e.id()).collect::<Vec<_>>().join(", ");
-            return Err(EffectsError::UnknownEffect { file: file.into(), id: self.id.clone(), known });
-        };
+    /// The effect with its amplitude and its shape; `file` stands for the model file in messages.
+    fn active(&self, file: &str) -> Result<Active, EffectsError> {
+        let effect = self.id.effect();
         let value = |name: &str| {
             let problem = || EffectsError::BadFile {
                 file: file.into(),
@@ -111,9 +105,8 @@ impl EffectEntry {
             };
             self.parameters.get(name).map(|p| p.value).filter(|v| v.is_finite()).ok_or_else(problem)
         };
-        let amplitude = value(found.parameter().name)?;
-        let allowed = found.shape();
-        let shape = match allowed.and_then(|shape| shape.parameter) {
+        let amplitude = value(effect.parameter.name)?;
+        let shape = match effect.shape.and_then(|shape| shape.parameter) {
             Some(parameter) => value(parameter.name)?,
             None => self.shape,
         };
@@ -121,7 +114,7 @@ impl EffectEntry {
             file: file.into(),
             problem: format!("the shape of effect {} is {shape}; it must be {allowed}", self.id),
         };
-        if let Some(Shape { parameter, values }) = allowed {
+        if let Some(Shape { parameter, values }) = effect.shape {
             let (least, most) = values.iter().fold((f64::MAX, f64::MIN), |(l, m), v| (l.min(*v), m.max(*v)));
             if parameter.is_none() && !(least..=most).contains(&shape) {
                 return Err(wrong(&format!("from {least} to {most}")));
@@ -130,7 +123,7 @@ impl EffectEntry {
                 return Err(wrong("above 0"));
             }
         }
-        Ok((found, amplitude, shape))
+        Ok(Active { effect, amplitude, shape })
     }
 }
 
@@ -138,8 +131,7 @@ impl ModelFile {
     /// Reads and checks a model file.
     ///
     /// # Errors
-    /// [`EffectsError::File`] if it cannot be read, [`EffectsError::BadFile`] if it is not what it should be,
-    /// [`EffectsError::UnknownEffect`] if an effect is not in the catalogue.
+    /// [`EffectsError::File`] if it cannot be read, [`EffectsError::BadFile`] if it is not what it should be.
     pub fn read(path: &Path) -> Result<Self, EffectsError> {
         let file = path.display().to_string();
         let text = std::fs::read_to_string(path)
@@ -171,10 +163,16 @@ impl ModelFile {
                 return Err(bad(format!("{key} is {value}; it must be from {low} to {high}")));
             }
         }
-        for entry in &found.effects {
-            entry.resolve(file)?;
-        }
+        found.active(file)?;
         Ok(found)
+    }
+
+    /// Its effects with amplitudes and shapes, in the order in which they act; `file` stands for it in messages.
+    ///
+    /// # Errors
+    /// [`EffectsError::BadFile`] with the parameter or shape that is wrong and what is allowed.
+    pub fn active(&self, file: &str) -> Result<Vec<Active>, EffectsError> {
+        self.effects.iter().map(|entry| entry.active(file)).collect()
     }
 
     /// Writes the file as JSON.

@@ -4,7 +4,9 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_effects::{EffectEntry, FILE_SCHEMA, Loaded, ModelFile, ParameterValue, Reference, SoilEntry};
+use soilctl_effects::{
+    EffectEntry, EffectId, FILE_SCHEMA, Loaded, ModelFile, ParameterValue, Reference, SoilEntry,
+};
 use soilctl_strokes::StrokeRow;
 
 fn value(value: f64, unit: &str) -> ParameterValue {
@@ -26,7 +28,7 @@ fn file() -> ModelFile {
             gravity_m_s2: 9.806_65,
         },
         effects: vec![EffectEntry {
-            id: "depth_offset".into(),
+            id: EffectId::DepthOffset,
             parameters: BTreeMap::from([("offset_m".into(), value(0.002, "m"))]),
             shape: 0.0,
             log_bayes_factor: 9.0,
@@ -69,13 +71,16 @@ fn what_is_wrong_is_refused_by_name() {
     let cases: [(String, &str); 6] = [
         (text(&|f| f.schema = "soilctl.model-file/9".into()), "soilctl.model-file/1"),
         (text(&|f| f.soil.phi_deg.value = 95.0), "soil.phi_deg is 95"),
-        (text(&|f| f.effects[0].id = "gremlins".into()), "no effect called \"gremlins\""),
+        (
+            text(&|_| ()).replace("\"id\":\"depth_offset\"", "\"id\":\"gremlins\""),
+            "no effect called \"gremlins\"",
+        ),
         (text(&|f| f.effects[0].parameters.clear()), "offset_m"),
         (
             text(&|f| {
                 let parameters = BTreeMap::from([("deficit".into(), value(0.1, "1"))]);
                 f.effects[0] = EffectEntry {
-                    id: "progressive_failure".into(),
+                    id: EffectId::ProgressiveFailure,
                     parameters,
                     shape: 0.5,
                     ..f.effects[0].clone()

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::robust;
+use soilctl_stats::noise;
+
 use crate::trace::Trace;
 
 /// At most so many blocks; a stroke of 10 s at 500 Hz has blocks of 10 samples.
@@ -27,7 +28,7 @@ impl Blocks {
             values.chunks_exact(samples).map(|chunk| chunk.iter().sum::<f64>() / samples as f64).collect()
         };
         let f_n = means(trace.force_n());
-        let noise_n = robust::noise(&f_n);
+        let noise_n = noise(&f_n);
         Self { t_s: means(trace.t_s()), u_m: means(trace.displacement_m()), f_n, samples, noise_n }
     }
 

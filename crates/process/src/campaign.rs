@@ -1,8 +1,9 @@
 //! What a whole campaign says: forces at one depth, their scatter, outliers, and whether the arm's configuration
 //! shows (section 6.4, tables 6.4 to 6.11).
 
+use soilctl_stats::{mean_and_sd, t_quantile, two_sided_p};
+
 use crate::error::{ProcessError, positive};
-use crate::statistics::{mean_and_sd, t_quantile, two_sided_p};
 
 /// A failure force and where it was measured.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
+use soilctl_stats::{least_squares, t_quantile};
+
 use crate::error::{ProcessError, positive};
-use crate::robust::least_squares;
-use crate::statistics::t_quantile;
 
 /// A failure force at a depth.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,6 @@
+use soilctl_stats::median;
+
 use crate::error::ProcessError;
-use crate::robust::median;
 
 /// Tool angles at which lift tells the interface friction, in deg: at 70 deg the thick edge bears on the soil, at
 /// 100 deg the soil's motion along the plate hardly shows (section 5.4).

@@ -10,9 +10,7 @@ mod friction;
 pub mod log;
 mod recorded;
 mod robot;
-mod robust;
 mod slip;
-mod statistics;
 pub mod table;
 mod trace;
 

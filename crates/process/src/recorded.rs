@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
+use soilctl_stats::{median, sd_of_median_abs};
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
 use crate::failure::{Analysis, FailureSettings, Indiscernible, Outcome, failure_force};
 use crate::find::Recorded;
 use crate::robot::RobotSample;
-use crate::robust::{median, sd_of_median_abs};
 use crate::slip::Slip;
 use crate::trace::{Channels, FEWEST_SAMPLES, Trace};
 

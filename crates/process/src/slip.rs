@@ -1,6 +1,7 @@
 //! Inclination of the force while failed soil slips along the plate.
 
-use crate::robust::{median, sd_of_median_abs};
+use soilctl_stats::{median, sd_of_median_abs};
+
 use crate::trace::Trace;
 
 /// Way after the failure, over the depth, within which the friction along the plate builds up.

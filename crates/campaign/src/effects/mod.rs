@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
 use soilctl_controller::Sensed;
-use soilctl_effects::{EffectEntry, ModelFile, effect};
+use soilctl_effects::{Active, Covariate, ModelFile, Reference, Site, SoilSite};
 use soilctl_plant::config::PlantConfig;
 use soilctl_plant::{Contact, Effects, SoilChange};
 
@@ -21,58 +21,25 @@ use crate::{CampaignError, Plan};
 use sensors::Sensors;
 use soil::SoilEffects;
 
-/// Where an effect of the catalogue acts in the plant.
-enum Kind {
-    /// On the soil's strength.
-    Strength,
-    /// On the friction between soil and plate.
-    Interface,
-    /// On readings.
-    Sensor,
-    /// On drives.
-    Drive,
-    /// Nowhere, for this reason.
-    None(&'static str),
-}
-
-fn kind(id: &str) -> Kind {
-    match id {
-        "interface_friction_offset" => Kind::Interface,
-        "tool_angle_offset"
-        | "force_scale"
-        | "force_bias"
-        | "force_drift"
-        | "ft_crosstalk"
-        | "encoder_quantisation" => Kind::Sensor,
-        "cable_flex" | "backlash" | "backdrive_friction" => Kind::Drive,
-        "rate_effect" => {
-            Kind::None("all simulated strokes move at the speed that the controller's settings give")
-        }
-        _ => Kind::Strength,
+/// The effects of a model file, if the plant can show them all.
+pub(crate) fn shown(file: &ModelFile, name: &str) -> Result<Vec<Active>, CampaignError> {
+    let effects = file.active(name)?;
+    match effects.iter().find(|active| active.effect.varies_with == Some(Covariate::Speed)) {
+        Some(of_speed) => Err(CampaignError::Effect {
+            file: name.to_owned(),
+            effect: of_speed.effect.id,
+            reason: "all simulated strokes move at the speed that the controller's settings give",
+        }),
+        None => Ok(effects),
     }
-}
-
-/// Amplitude of an effect; model files are checked when they are read.
-fn amplitude(entry: &EffectEntry) -> f64 {
-    effect(&entry.id)
-        .and_then(|found| entry.parameters.get(found.parameter().name))
-        .map_or(0.0, |parameter| parameter.value)
-}
-
-/// Refuses effects that the plant cannot show.
-pub(crate) fn check(file: &ModelFile, name: &str) -> Result<(), CampaignError> {
-    for entry in &file.effects {
-        if let Kind::None(reason) = kind(&entry.id) {
-            return Err(CampaignError::Effect { file: name.to_owned(), effect: entry.id.clone(), reason });
-        }
-    }
-    Ok(())
 }
 
 /// The plant's description with the effects on its drives.
-pub(crate) fn change_drives(file: &ModelFile, plan: &Plan, config: &mut PlantConfig) {
-    for entry in file.effects.iter().filter(|entry| matches!(kind(&entry.id), Kind::Drive)) {
-        arm::change(&entry.id, amplitude(entry), plan, config);
+pub(crate) fn change_drives(effects: &[Active], plan: &Plan, config: &mut PlantConfig) {
+    for active in effects {
+        if let Site::Drive(site) = active.effect.site {
+            arm::change(site, active.amplitude, plan, config);
+        }
     }
 }
 
@@ -86,25 +53,28 @@ pub(crate) struct PlantEffects {
 impl PlantEffects {
     /// Effects in a batch of a plan; `stroke` is the number of the stroke in the plan that is being made.
     pub(crate) fn new(
-        file: &ModelFile,
+        effects: &[Active],
+        reference: &Reference,
         plan: &Plan,
         batch: usize,
         stroke: Arc<AtomicUsize>,
     ) -> Result<Self, CampaignError> {
-        let of =
-            |wanted: fn(&Kind) -> bool| file.effects.iter().filter(move |entry| wanted(&kind(&entry.id)));
-        let interface_deg: f64 = of(|kind| matches!(kind, Kind::Interface)).map(amplitude).sum();
-        Ok(Self {
-            soil: SoilEffects::new(
-                of(|kind| matches!(kind, Kind::Strength)),
-                file,
-                plan,
-                batch,
-                Arc::clone(&stroke),
-            )?,
-            sensors: Sensors::new(of(|kind| matches!(kind, Kind::Sensor)), plan, stroke),
-            interface_rad: interface_deg.to_radians(),
-        })
+        let mut soil = SoilEffects::new(reference, plan, batch, Arc::clone(&stroke))?;
+        let mut sensors = Sensors::new(plan, stroke);
+        let mut interface_deg = 0.0;
+        for &active in effects {
+            match active.effect.site {
+                Site::Soil(SoilSite::Strength | SoilSite::Loosening) | Site::Surface(_) | Site::Model => {
+                    soil.add(active, false);
+                }
+                Site::Soil(SoilSite::Mobilisation) => soil.add(active, true),
+                Site::Interface => interface_deg += active.amplitude,
+                Site::Sensor(site) => sensors.add(site, active.amplitude, plan),
+                // In the plant's description already.
+                Site::Drive(_) => {}
+            }
+        }
+        Ok(Self { soil, sensors, interface_rad: f64::to_radians(interface_deg) })
     }
 }
 

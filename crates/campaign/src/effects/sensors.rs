@@ -4,10 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use soilctl_controller::Sensed;
-use soilctl_effects::EffectEntry;
+use soilctl_effects::SensorSite;
 use soilctl_kinematics::Joint;
 
-use super::amplitude;
 use crate::{Plan, step};
 
 /// What the readings get wrong, by the sums of all effects.
@@ -23,49 +22,40 @@ pub(super) struct Sensors {
 }
 
 impl Sensors {
-    pub(super) fn new<'a>(
-        entries: impl Iterator<Item = &'a EffectEntry>,
-        plan: &Plan,
-        stroke: Arc<AtomicUsize>,
-    ) -> Self {
-        let encoders = &plan.plant().config().encoders;
-        let wrist = Joint::Wrist.index();
-        let strokes = plan.strokes().strokes();
-        let mut sensors = Self {
+    /// Readings without effects.
+    pub(super) fn new(plan: &Plan, stroke: Arc<AtomicUsize>) -> Self {
+        Self {
             scale: 1.0,
             bias_n: 0.0,
             drift_n: 0.0,
             crosstalk: 0.0,
             wrist_counts: [0; 2],
             quantum_counts: 1,
-            strokes: strokes.len(),
+            strokes: plan.strokes().strokes().len(),
             stroke,
-        };
-        for entry in entries {
-            let value = amplitude(entry);
-            match entry.id.as_str() {
-                "force_scale" => sensors.scale *= 1.0 + value,
-                "force_bias" => sensors.bias_n += value,
-                "force_drift" => sensors.drift_n += value,
-                "ft_crosstalk" => sensors.crosstalk += value,
-                "tool_angle_offset" => {
-                    // The wrist bends towards the base with a falling tool angle: what is read is set, what is true is off.
-                    let turns = value / 360.0;
-                    for (counts, per_turn) in sensors.wrist_counts.iter_mut().zip([
-                        encoders.motor_counts_per_turn[wrist],
-                        encoders.external_counts_per_turn[wrist],
-                    ]) {
-                        *counts = rounded(turns * per_turn);
-                    }
-                }
-                "encoder_quantisation" => {
-                    let count_m = step::at_plate_m(plan).filter(|step| *step > 0.0);
-                    sensors.quantum_counts = rounded(count_m.map_or(1.0, |count| value / count)).max(1);
-                }
-                _ => {}
+        }
+    }
+
+    /// One more effect.
+    pub(super) fn add(&mut self, site: SensorSite, amplitude: f64, plan: &Plan) {
+        match site {
+            SensorSite::ForceGain => self.scale *= 1.0 + amplitude,
+            SensorSite::ForceZero => self.bias_n += amplitude,
+            SensorSite::ForceZeroDrift => self.drift_n += amplitude,
+            SensorSite::Crosstalk => self.crosstalk += amplitude,
+            SensorSite::ToolAngle => {
+                let encoders = &plan.plant().config().encoders;
+                let wrist = Joint::Wrist.index();
+                // The wrist bends towards the base with a falling tool angle: what is read is set, what is true is off.
+                self.wrist_counts =
+                    [encoders.motor_counts_per_turn[wrist], encoders.external_counts_per_turn[wrist]]
+                        .map(|per_turn| rounded(amplitude / 360.0 * per_turn));
+            }
+            SensorSite::EncoderStep => {
+                let count_m = step::at_plate_m(plan).filter(|step| *step > 0.0);
+                self.quantum_counts = rounded(count_m.map_or(1.0, |count| amplitude / count)).max(1);
             }
         }
-        sensors
     }
 
     pub(super) fn change(&self, sensed: &mut Sensed) {

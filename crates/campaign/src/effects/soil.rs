@@ -4,12 +4,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use soilctl_earth_pressure::model;
-use soilctl_effects::{
-    Active, Base, DirectMechanics, Effect, EffectEntry, ModelFile, Reference, Stroke, effect, force_n,
-};
+use soilctl_effects::{Active, Base, DirectMechanics, Reference, Stroke, force_n};
 use soilctl_plant::{Contact, SoilChange};
 
-use super::{amplitude, place};
+use super::place;
 use crate::{CampaignError, Plan};
 
 /// Changes of depth (m) and tool angle (rad) from which on the ratio is worked out again.
@@ -17,7 +15,7 @@ const STEP: [f64; 2] = [1e-4, 2e-3];
 
 /// The share by which effects change the limit force.
 pub(super) struct SoilEffects {
-    active: Vec<(&'static dyn Effect, f64, f64)>,
+    active: Vec<Active>,
     reference: Reference,
     base: Base,
     mechanics: DirectMechanics,
@@ -39,31 +37,21 @@ struct Last {
 }
 
 impl SoilEffects {
-    pub(super) fn new<'a>(
-        entries: impl Iterator<Item = &'a EffectEntry>,
-        file: &ModelFile,
+    /// No effect yet.
+    pub(super) fn new(
+        reference: &Reference,
         plan: &Plan,
         batch: usize,
         stroke: Arc<AtomicUsize>,
     ) -> Result<Self, CampaignError> {
-        let mut active = Vec::new();
-        for entry in entries {
-            let Some(found) = effect(&entry.id) else { continue };
-            let shape = found
-                .shape()
-                .and_then(|shape| shape.parameter)
-                .and_then(|parameter| entry.parameters.get(parameter.name))
-                .map_or(entry.shape, |parameter| parameter.value);
-            active.push((found, amplitude(entry), shape));
-        }
         let soil = plan.soil();
         let last = plan.batches().saturating_sub(1).max(1);
         #[allow(clippy::cast_precision_loss, reason = "at most 1024 batches")]
         let batch_fraction = batch as f64 / last as f64;
         Ok(Self {
-            slower: active.iter().any(|(effect, ..)| effect.id() == "progressive_failure"),
-            active,
-            reference: file.reference.clone(),
+            slower: false,
+            active: Vec::new(),
+            reference: reference.clone(),
             base: Base {
                 phi_deg: soil.phi_deg,
                 delta_deg: soil.delta_deg,
@@ -77,6 +65,12 @@ impl SoilEffects {
             stroke,
             last: None,
         })
+    }
+
+    /// One more effect; `slower` if failure is more gradual with it.
+    pub(super) fn add(&mut self, effect: Active, slower: bool) {
+        self.active.push(effect);
+        self.slower |= slower;
     }
 
     pub(super) fn change(&mut self, contact: &Contact, change: &mut SoilChange) {
@@ -119,14 +113,9 @@ impl SoilEffects {
             time_fraction: Some(place.time_fraction),
             batch_fraction: Some(self.batch_fraction),
         };
-        let all: Vec<Active<'_>> = self
-            .active
-            .iter()
-            .map(|&(effect, amplitude, shape)| Active { effect, amplitude, shape })
-            .collect();
         let force =
-            |active: &[Active<'_>]| force_n(&self.mechanics, &stroke, &self.reference, &self.base, active);
-        match (force(&all), force(&[])) {
+            |effects: &[Active]| force_n(&self.mechanics, &stroke, &self.reference, &self.base, effects);
+        match (force(&self.active), force(&[])) {
             // Rounded, so that the last bits of a system's exponential do not matter.
             (Ok(with), Ok(without)) => (with / without * 1e9).round() * 1e-9,
             _ => 1.0,

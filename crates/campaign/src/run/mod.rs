@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 pub use batch::logged_truth;
-use soilctl_effects::ModelFile;
+use soilctl_effects::{Active, ModelFile};
 use soilctl_plant::Simulation;
 use soilctl_session::Setup;
 
@@ -82,13 +82,15 @@ pub fn simulate(
     notice: &(dyn Fn(Notice<'_>) + Sync),
 ) -> Result<Report, CampaignError> {
     let changed = model_file.map(|(file, name)| plan.with_model_file(file, name)).transpose()?;
+    let (model_text, effects) = match model_file {
+        Some((file, name)) => (text(file, name)?, effects::shown(file, name)?),
+        None => Default::default(),
+    };
     let job = Job {
         plan: changed.as_ref().unwrap_or(plan),
         model_file: model_file.map(|(file, _)| file),
-        model_text: match model_file {
-            Some((file, name)) => text(file, name)?,
-            None => String::new(),
-        },
+        effects,
+        model_text,
         out: options.out,
         seed: options.seed,
     };
@@ -110,6 +112,7 @@ pub fn simulate(
 struct Job<'a> {
     plan: &'a Plan,
     model_file: Option<&'a ModelFile>,
+    effects: Vec<Active>,
     model_text: String,
     out: &'a Path,
     seed: u64,
@@ -130,7 +133,8 @@ impl Job<'_> {
         let mut simulation = self.plan.simulation(&setup, self.seed, batch)?;
         if let Some(file) = self.model_file {
             setup.notes.insert("model_file".to_owned(), self.model_text.clone());
-            let effects = PlantEffects::new(file, self.plan, batch, Arc::clone(&stroke))?;
+            let effects =
+                PlantEffects::new(&self.effects, &file.reference, self.plan, batch, Arc::clone(&stroke))?;
             simulation.plant_mut().set_effects(Box::new(effects));
         }
         if let Some(ground) = simulation.plant().ground() {
@@ -194,7 +198,7 @@ impl Plan {
     /// The plan with the soil, the force model and the drives of a model file. The interface friction is the mean set-point
     /// of the strokes and the file's offset.
     pub(crate) fn with_model_file(&self, file: &ModelFile, name: &str) -> Result<Self, CampaignError> {
-        effects::check(file, name)?;
+        let effects = effects::shown(file, name)?;
         let mut plan = self.clone();
         let strokes = self.strokes().strokes();
         #[allow(clippy::cast_precision_loss, reason = "at most 1024 strokes")]
@@ -206,7 +210,7 @@ impl Plan {
             soil.delta_deg = (set_deg + found.delta_offset_deg.value).clamp(0.0, soil.phi_deg);
             soil.density_kg_m3 = found.density_kg_m3.value;
             soil.gravity_m_s2 = found.gravity_m_s2;
-            effects::change_drives(file, self, plant);
+            effects::change_drives(&effects, self, plant);
         })?;
         Ok(plan)
     }

@@ -6,12 +6,15 @@ use super::Fit;
 use super::problem::{Problem, weight};
 use crate::data::Prior;
 
-/// Mean of weight times squared residual for Gaussian scatter, which makes the scatter come out right for it.
+/// Mean of weight times squared residual for Gaussian scatter, `E[z^2 / sqrt(1 + z^2 / 2.5^2)]`, which makes the scatter come out right
+/// for it.
 const GAUSSIAN_SHARE: f64 = 0.840;
+/// Most rounds; what has not settled by then is judged where it is.
 const MAX_ROUNDS: usize = 30;
 /// Standard deviations of its prior by which a ln scatter may lie below it: readings that are all the same say nothing of how
 /// exact the next one is, and a scatter of nothing would leave nothing to be computed with.
 const LEAST_SCATTER: f64 = 4.0;
+/// Half the step of a central difference, in ln density and ln amplitude; angles, in deg, take ten times as much.
 const STEP: f64 = 1e-4;
 
 impl Problem<'_> {
@@ -121,7 +124,7 @@ impl Problem<'_> {
         for _ in 0..12 {
             let mut moved: Vec<f64> =
                 p.iter().zip(step.iter()).map(|(value, change)| value + share * change).collect();
-            // Amplitudes far off their range are no place to look at.
+            // Amplitudes far off their range (a factor of 5 to 50 beyond it) are no place to look at.
             for (k, value) in moved.iter_mut().enumerate().skip(self.amplitude_at) {
                 let prior = self.priors[k];
                 *value = value.clamp(prior.mean - 6.0 * prior.sd, prior.mean + 4.0 * prior.sd);

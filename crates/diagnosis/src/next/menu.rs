@@ -1,6 +1,6 @@
 //! The menu of follow-ups, and the strokes of each.
 
-use soilctl_effects::Channel;
+use soilctl_effects::{Channel, Covariate};
 use soilctl_soil::units::inches_to_m;
 use soilctl_strokes::StrokeRow;
 
@@ -13,8 +13,8 @@ const LEVELS: usize = 4;
 
 /// A way to vary the strokes of a campaign.
 pub(super) struct Menu {
-    /// What it varies, by the columns of a stroke table.
-    pub(super) covariates: &'static [&'static str],
+    /// What it varies.
+    pub(super) covariates: &'static [Covariate],
     pub(super) name: &'static str,
     change: fn(&Data, usize, &mut StrokeRow),
 }
@@ -25,12 +25,12 @@ fn cycle(values: &[f64], i: usize) -> f64 {
 
 pub(super) const MENU: [Menu; 10] = [
     Menu {
-        covariates: &["depth_m"],
+        covariates: &[Covariate::Depth],
         name: "a depth ladder from half the usual depth to one and a half times it",
         change: |data, i, row| row.depth_m = cycle(&[0.5, 1.5, 0.75, 1.25], i) * data.reference.depth_m,
     },
     Menu {
-        covariates: &["width_m"],
+        covariates: &[Covariate::Width],
         name: "a second, narrower plate at shallow and deep strokes",
         change: |data, i, row| {
             row.width_m *= if i % 4 < 2 { 0.4 } else { 1.0 };
@@ -46,7 +46,7 @@ pub(super) const MENU: [Menu; 10] = [
         },
     },
     Menu {
-        covariates: &["speed_mps"],
+        covariates: &[Covariate::Speed],
         name: "a ladder of speeds over a factor of 16, in random order",
         change: |data, i, row| {
             row.speed_mps =
@@ -54,12 +54,12 @@ pub(super) const MENU: [Menu; 10] = [
         },
     },
     Menu {
-        covariates: &["radius_m"],
+        covariates: &[Covariate::Radius],
         name: "the same tool angles at 12 in and 17 in, swapped",
         change: |_, i, row| row.radius_m = Some(inches_to_m(if i % 2 == 0 { 12.0 } else { 17.0 })),
     },
     Menu {
-        covariates: &["base_deg"],
+        covariates: &[Covariate::BaseAngle],
         name: "the box turned round by 180 deg in every other batch (base angles count from the box), strokes over the arm's base angles",
         change: |data, i, row| {
             // The arm goes where it went before; of a box that was turned already, nobody knows where that was.
@@ -70,24 +70,24 @@ pub(super) const MENU: [Menu; 10] = [
         },
     },
     Menu {
-        covariates: &["gap_prior_m"],
+        covariates: &[Covariate::PriorGap],
         name: "strokes at set distances from earlier ones: side by side and far apart",
         change: |_, i, row| row.gap_prior_m = Some(cycle(&[0.01, 0.15, 0.03], i)),
     },
     Menu {
-        covariates: &["wall_m"],
+        covariates: &[Covariate::Wall],
         name: "strokes close to a wall and in the middle of the box",
         change: |_, i, row| row.wall_m = Some(cycle(&[0.01, 0.2, 0.04], i)),
     },
     Menu {
-        covariates: &["delta_set_deg"],
+        covariates: &[Covariate::InterfaceSetPoint],
         name: "bracketing strokes: the interface friction set 4 deg low, right and 4 deg high",
         change: |data, i, row| {
             row.delta_set_deg = Some((data.delta_set_deg(0) + cycle(&[-4.0, 0.0, 4.0], i)).max(1.0))
         },
     },
     Menu {
-        covariates: &["order", "time_s", "batch"],
+        covariates: &[Covariate::Order, Covariate::Time, Covariate::Batch],
         name: "the first batch once more, at the end",
         change: |_, _, _| {},
     },
@@ -95,7 +95,7 @@ pub(super) const MENU: [Menu; 10] = [
 
 /// For what depends on the tool angle in a way that no effect does.
 pub(super) const ANGLES: Menu = Menu {
-    covariates: &["alpha_deg"],
+    covariates: &[Covariate::ToolAngle],
     name: "tool angles halfway between those of the campaign",
     change: |data, i, row| {
         let angles = &data.levels_deg;

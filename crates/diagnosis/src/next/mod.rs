@@ -3,11 +3,12 @@
 mod menu;
 
 use menu::{ANGLES, MENU, design};
-use soilctl_effects::{Active, Channel, Effect, effect};
+use soilctl_effects::{Active, Channel, EffectId};
+use soilctl_stats::normal_tail;
 use soilctl_strokes::StrokeRow;
 
-use crate::chi_square;
 use crate::data::Data;
+use crate::explanation::{Dependence, Explanation};
 use crate::setup::Setup;
 use crate::testability::{Expected, LEAST_LAMBDA, change, left_after_soil, stroke_sd};
 
@@ -24,32 +25,30 @@ pub struct NextExperiment {
     pub power: f64,
 }
 
-/// Sizes of a follow-up, and the power from which a larger one is not needed.
+/// Sizes of a follow-up (two, four and eight preparations), and the power from which a larger one is not needed. Empirical.
 const STROKES: [usize; 3] = [12, 24, 48];
 const ENOUGH: f64 = 0.97;
-/// To look for what may not be there: a chance that is not worth the sand, and one that is.
+/// To look for what may not be there: a chance that is not worth the sand, and one that is. Empirical.
 const LEAST_POWER: f64 = 0.2;
 const FAIR_POWER: f64 = 0.5;
-/// Most explanations that are told apart at a time.
+/// Most explanations that are told apart at a time, for time grows with the square.
 const MOST_RIVALS: usize = 5;
 
 /// What needs a ruler or a look at the sensor in free air, and no trace.
 const BY_HAND: [Channel; 3] = [Channel::HeapHeight, Channel::TareBefore, Channel::TareAfter];
 
-/// Standard deviations by which two explanations must differ before one of them is named.
+/// Standard deviations by which two explanations must differ before one of them is named: half the square, 4.2, is the ln Bayes
+/// factor that an effect must earn (3.6) and what the range of its amplitude costs it. Empirical.
 const NEEDED: f64 = 2.9;
-
-/// An effect with its amplitude and shape.
-type Explanation = (&'static dyn Effect, f64, f64);
 
 /// What a campaign has told so far.
 pub(crate) struct Found<'a> {
-    /// Amplitude and shape of every effect that was fitted, by id.
-    pub(crate) fitted: &'a [(&'static str, f64, f64)],
+    /// Every effect that was fitted; the first one of an effect counts.
+    pub(crate) fitted: &'a [Active],
     /// Scatter of ln force of one stroke.
     pub(crate) scatter: f64,
-    /// Covariate and ln Bayes factor of a shape without a name, if that is what is left.
-    pub(crate) shape: Option<(&'a str, f64)>,
+    /// What a shape without a name depends on and its ln Bayes factor, if that is what is left.
+    pub(crate) shape: Option<(Dependence, f64)>,
 }
 
 /// The best follow-up for what is left open; `None` if nothing on the menu would tell much.
@@ -57,48 +56,48 @@ pub(crate) fn next(
     setup: &Setup<'_>,
     phi_deg: f64,
     Found { fitted, scatter, shape }: Found<'_>,
-    equivalents: &[String],
+    equivalents: &[Explanation],
     expected: &[Expected],
 ) -> Option<NextExperiment> {
     let data = setup.data;
-    if let Some((covariate, log_bayes)) = shape
-        && equivalents.first().is_some_and(|id| id.starts_with("unknown:"))
-    {
-        return more_of(data, covariate, log_bayes);
+    if let (Some((over, log_bayes)), Some(Explanation::Unknown(_))) = (shape, equivalents.first()) {
+        return more_of(data, over, log_bayes);
     }
-    let typical = |id: &str| -> Option<Explanation> {
-        let effect = effect(id)?;
-        let shape = effect.shape().map_or(0.0, |shape| shape.values[shape.values.len() / 2]);
-        Some((effect, effect.range().typical(), shape))
+    let typical = |id: EffectId| {
+        let (effect, shapes) = (id.effect(), id.effect().shapes());
+        Active { effect, amplitude: effect.range.typical(), shape: shapes[shapes.len() / 2] }
     };
-    let known = |id: &str| -> Option<Explanation> {
-        let found = fitted.iter().find(|(of, ..)| *of == id);
-        found.map_or_else(|| typical(id), |(_, size, shape)| Some((effect(id)?, *size, *shape)))
+    let known = |id: EffectId| {
+        let found = fitted.iter().find(|of| of.effect.id == id);
+        found.copied().unwrap_or_else(|| typical(id))
     };
-    let best = |explanations: &[Explanation], question: &str| {
+    let best = |explanations: &[Active], question: &str| {
         best_on_menu(setup, (phi_deg, scatter), explanations, question)
     };
     // What is to be told apart: all explanations that are left, or, if one stands alone, it and nothing; if nothing was
     // found, an effect that this design hides and nothing.
-    let on_force = |id: &str| effect(id).is_some_and(|effect| effect.acts_on_force());
-    let rivals: Vec<&str> =
-        equivalents.iter().map(String::as_str).filter(|id| on_force(id)).take(MOST_RIVALS).collect();
+    let on_force = |id: &EffectId| id.effect().acts_on_force();
+    let effects = equivalents.iter().filter_map(|explanation| match explanation {
+        Explanation::Effect(id) => Some(*id),
+        Explanation::Unknown(_) => None,
+    });
+    let rivals: Vec<EffectId> = effects.filter(on_force).take(MOST_RIVALS).collect();
     match rivals[..] {
         [first, second, ..] => {
-            let explanations = rivals.iter().map(|id| known(id)).collect::<Option<Vec<_>>>()?;
+            let explanations: Vec<Active> = rivals.iter().map(|id| known(*id)).collect();
             let others = if rivals.len() > 2 { " and the others" } else { "" };
             best(&explanations, &format!("tells {first} from {second}{others}"))
         }
-        [only] => best(&[known(only)?], &format!("confirms {only}")),
+        [only] => best(&[known(only)], &format!("confirms {only}")),
         [] => {
             // One that forces show: what hides for want of a trace is in no follow-up of this menu.
             let mut hidden: Vec<&Expected> =
-                expected.iter().filter(|e| e.lambda < LEAST_LAMBDA && on_force(e.id)).collect();
+                expected.iter().filter(|e| e.lambda < LEAST_LAMBDA && on_force(&e.id)).collect();
             hidden.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
             let mut found: Option<NextExperiment> = None;
             for of in hidden {
                 let question = format!("would show {}, which this design hides", of.id);
-                let next = best(&[typical(of.id)?], &question);
+                let next = best(&[typical(of.id)], &question);
                 if next.as_ref().map_or(0.0, |next| next.power)
                     > found.as_ref().map_or(LEAST_POWER, |found| found.power)
                 {
@@ -117,11 +116,11 @@ pub(crate) fn next(
 fn best_on_menu(
     setup: &Setup<'_>,
     soil: (f64, f64),
-    explanations: &[Explanation],
+    explanations: &[Active],
     question: &str,
 ) -> Option<NextExperiment> {
     let data = setup.data;
-    let shows = |channel: &Channel| explanations.iter().any(|(effect, ..)| effect.linked().contains(channel));
+    let shows = |channel: &Channel| explanations.iter().any(|of| of.effect.linked.contains(channel));
     let lacking = BY_HAND.into_iter().filter(|channel| !data.channels.contains_key(channel));
     let readings: Vec<Channel> = lacking.filter(shows).collect();
     let names: Vec<&str> = readings.iter().map(|channel| channel.column()).collect();
@@ -130,7 +129,7 @@ fn best_on_menu(
     for count in STROKES {
         for entry in &MENU {
             let rows = design(data, entry, &readings, count);
-            let Some(lambda) = told_apart(setup, soil, explanations, &rows, &readings) else { continue };
+            let Some(lambda) = separation(setup, soil, explanations, &rows, &readings) else { continue };
             let power = normal_tail(NEEDED - lambda.sqrt());
             if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
                 let doubt = if power < LEAST_POWER { ", though it will hardly settle it" } else { "" };
@@ -146,19 +145,18 @@ fn best_on_menu(
 }
 
 /// More strokes along what a shape without a name depends on. Its signal grows with the strokes, at the least as it did so far.
-fn more_of(data: &Data, covariate: &str, log_bayes: f64) -> Option<NextExperiment> {
-    let entry = covariate
-        .split(" x ")
-        .find_map(|name| MENU.iter().chain([&ANGLES]).find(|entry| entry.covariates.contains(&name)))?;
+fn more_of(data: &Data, over: Dependence, log_bayes: f64) -> Option<NextExperiment> {
+    let entry = [Some(over.on), over.times]
+        .into_iter()
+        .flatten()
+        .find_map(|on| MENU.iter().chain([&ANGLES]).find(|entry| entry.covariates.contains(&on)))?;
     let power = |count: usize| {
         let lambda = 2.0 * log_bayes.max(0.0) * count as f64 / data.len() as f64;
         normal_tail(NEEDED - lambda.sqrt())
     };
     let count = STROKES.into_iter().find(|count| power(*count) >= ENOUGH).unwrap_or(STROKES[2]);
-    let text = format!(
-        "{}: shows what depends on {covariate}, which no effect of the catalogue explains",
-        entry.name
-    );
+    let text =
+        format!("{}: shows what depends on {over}, which no effect of the catalogue explains", entry.name);
     Some(NextExperiment {
         text,
         rows: design(data, entry, &[], count),
@@ -170,10 +168,10 @@ fn more_of(data: &Data, covariate: &str, log_bayes: f64) -> Option<NextExperimen
 /// Least squared signal-to-noise ratio of the difference of two explanations (or of the only one and nothing) in campaign and
 /// follow-up together, after the soil has been fitted anew and the rival has taken the amplitude that suits it best. The
 /// `readings` of the follow-up tell by their means.
-fn told_apart(
+fn separation(
     setup: &Setup<'_>,
     (phi_deg, scatter): (f64, f64),
-    explanations: &[Explanation],
+    explanations: &[Active],
     follow_up: &[StrokeRow],
     readings: &[Channel],
 ) -> Option<f64> {
@@ -194,8 +192,7 @@ fn told_apart(
     let weight: Vec<f64> = sd.iter().map(|s| 1.0 / (s * s)).chain(of_means).collect();
     let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).zip(&weight).map(|((x, y), w)| x * y * w).sum::<f64>();
     let left = explanations.iter().map(|of| {
-        let (effect, amplitude, shape) = *of;
-        let change = change(&joint, phi_deg, Active { effect, amplitude, shape })?;
+        let change = change(&joint, phi_deg, *of)?;
         let mut left = left_after_soil(&joint, phi_deg, &change, &sd)?;
         left.extend(readings.iter().map(|channel| mean_shift(&joint, *of, *channel, follow_up.len())));
         Some(left)
@@ -219,20 +216,14 @@ fn told_apart(
 /// Mean shift of a channel by an effect in the last strokes.
 fn mean_shift(
     setup: &Setup<'_>,
-    (effect, amplitude, shape): Explanation,
+    Active { effect, amplitude, shape }: Active,
     channel: Channel,
     last: usize,
 ) -> f64 {
-    if !effect.linked().contains(&channel) {
+    if !effect.linked.contains(&channel) {
         return 0.0;
     }
     let data = setup.data;
-    let shift = |i: usize| effect.shift(channel, amplitude, shape, &data.strokes[i], &data.reading(i));
+    let shift = |i: usize| effect.shift(channel, amplitude, shape, &data.reading(i));
     (data.len() - last..data.len()).map(shift).sum::<f64>() / last as f64
-}
-
-/// Probability that a standard normal number exceeds a value.
-fn normal_tail(value: f64) -> f64 {
-    let both = chi_square::tail(value * value, 1);
-    if value >= 0.0 { 0.5 * both } else { 1.0 - 0.5 * both }
 }

@@ -1,13 +1,14 @@
 //! Hidden campaigns.
 
 use soilctl_earth_pressure::model;
-use soilctl_effects::{Channel, DirectMechanics};
+use soilctl_effects::{Channel, DirectMechanics, EffectId};
 use soilctl_strokes::{Campaign, StrokeRow};
 
+use super::cause::Cause;
 use super::design::{Design, rows};
-use super::hidden::{Hidden, Span, World, force_n};
+use super::hidden::{Hidden, Span, TrueSoil, force_n};
 use super::random::Random;
-use super::traces::{Habits, fill, instrument};
+use super::traces::{Baselines, fill, instrument};
 use crate::DiagnosisError;
 
 /// A campaign and what is hidden in it.
@@ -39,16 +40,17 @@ pub(super) fn generate(
     random: &mut Random,
 ) -> Result<Option<HiddenCampaign>, DiagnosisError> {
     let mut rows = rows(design, random);
-    let dense = hidden.iter().any(|h| h.id == "insertion_loosening") || random.unit() < 0.4;
+    let hides = |id: EffectId| hidden.iter().any(|h| h.cause == Cause::Effect(id));
+    let dense = hides(EffectId::InsertionLoosening) || random.unit() < 0.4;
     let delta_set = random.between(17.0, 25.0);
-    let world = World {
+    let soil = TrueSoil {
         phi_deg: random.between(33.0, 42.0),
         delta_deg: delta_set + random.normal(0.7),
         density_kg_m3: random.between(1430.0, 1620.0),
     };
     let known = random.unit() < 0.5;
     let campaign = Campaign {
-        phi_independent_deg: known.then(|| world.phi_deg + random.normal(1.0)),
+        phi_independent_deg: known.then(|| soil.phi_deg + random.normal(1.0)),
         phi_independent_sd: known.then_some(1.0),
         density_sd_rel: random.between(0.01, 0.03),
         depth_sd_m: random.between(2e-4, 4e-4),
@@ -57,19 +59,19 @@ pub(super) fn generate(
         ..Campaign::default()
     };
     let plain_name = design.true_model.unwrap_or(base_model);
-    let true_name = if hidden.iter().any(|h| h.id == "model_form") { "coulomb" } else { plain_name };
+    let true_name = if hides(EffectId::ModelForm) { "coulomb" } else { plain_name };
     let count = rows.len() as f64;
     let span = Span {
         depth_m: rows.iter().map(|row| row.depth_m).sum::<f64>() / count,
         time_s: (rows[0].time_s.unwrap_or(0.0), rows[rows.len() - 1].time_s.unwrap_or(1.0)),
         batches: (count / 6.0).ceil(),
     };
-    let habits = Habits::draw(&campaign, dense, random);
+    let baselines = Baselines::draw(&campaign, dense, random);
     let truth = Truth {
         models: [true_name.to_owned(), plain_name.to_owned()],
-        world,
+        soil,
         span,
-        habits,
+        baselines,
         delta_set,
         design: design.clone(),
     };
@@ -84,9 +86,9 @@ pub(super) fn generate(
 pub(super) struct Truth {
     /// Force models with the effects and without.
     models: [String; 2],
-    world: World,
+    soil: TrueSoil,
     span: Span,
-    habits: Habits,
+    baselines: Baselines,
     delta_set: f64,
     design: Design,
 }
@@ -110,11 +112,10 @@ impl Truth {
         for row in rows {
             // Set-points that bracket the first one move the force's inclination with them.
             let moved = row.delta_set_deg.map_or(0.0, |set| set - self.delta_set);
-            let world = &World { delta_deg: self.world.delta_deg + moved, ..self.world };
-            let (Some(plain), Some(with)) = (
-                force_n(&plain_model, world, span, row, &[]),
-                force_n(&true_model, world, span, row, hidden),
-            ) else {
+            let soil = &TrueSoil { delta_deg: self.soil.delta_deg + moved, ..self.soil };
+            let (Some(plain), Some(with)) =
+                (force_n(&plain_model, soil, span, row, &[]), force_n(&true_model, soil, span, row, hidden))
+            else {
                 return Ok(None);
             };
             ln_plain.push(plain.ln());
@@ -124,17 +125,17 @@ impl Truth {
             }
             let recorded = row.depth_m;
             row.depth_m = (recorded + random.normal(campaign.depth_sd_m)).max(0.3 * recorded);
-            let Some(real) = force_n(&true_model, world, span, row, hidden) else { return Ok(None) };
+            let Some(real) = force_n(&true_model, soil, span, row, hidden) else { return Ok(None) };
             row.depth_m = recorded;
             row.force_n = (real * batch_density * (1.0 + random.normal(self.design.scatter))).max(0.02);
-            row.density_kg_m3 = Some(world.density_kg_m3 * batch_density * (1.0 + random.normal(0.005)));
+            row.density_kg_m3 = Some(soil.density_kg_m3 * batch_density * (1.0 + random.normal(0.005)));
             row.delta_set_deg.get_or_insert(self.delta_set);
             let asked: Vec<Channel> = Channel::ALL.into_iter().filter(|c| c.of(row).is_some()).collect();
             if self.design.traces {
-                fill(row, hidden, world, span, campaign, &self.habits, random);
+                fill(row, hidden, soil, span, campaign, &self.baselines, random);
             } else if !asked.is_empty() {
                 let mut full = row.clone();
-                fill(&mut full, hidden, world, span, campaign, &self.habits, random);
+                fill(&mut full, hidden, soil, span, campaign, &self.baselines, random);
                 for channel in asked {
                     channel.put(row, channel.of(&full));
                 }

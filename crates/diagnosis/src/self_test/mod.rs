@@ -1,6 +1,7 @@
 //! A test of the diagnosis on campaigns whose effects it has not seen.
 
 mod campaign;
+mod cause;
 mod design;
 mod hidden;
 mod random;
@@ -9,7 +10,8 @@ mod tally;
 mod traces;
 
 pub use campaign::HiddenCampaign;
+pub use cause::{Cause, Outside};
 pub use design::Design;
-pub use hidden::{Hidden, OUTSIDE};
+pub use hidden::Hidden;
 pub use run::{Case, Kind, Outcome, SelfTest, cases, run_case};
 pub use tally::{Rate, Tally, tally};

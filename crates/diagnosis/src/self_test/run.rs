@@ -1,12 +1,13 @@
 //! Cases of the self-test and how one of them ends.
 
 use soilctl_earth_pressure::model;
-use soilctl_effects::catalogue;
+use soilctl_effects::{DriveSite, EffectId, SensorSite, Site, SoilSite, SurfaceSite};
 use soilctl_strokes::StrokeRow;
 
 use super::campaign::{HiddenCampaign, generate};
+use super::cause::{Cause, Outside};
 use super::design::Design;
-use super::hidden::{OUTSIDE, draw};
+use super::hidden::{Hidden, draw};
 use super::random::Random;
 use crate::data::Data;
 use crate::setup::Setup;
@@ -15,8 +16,7 @@ use crate::testability::{lambda, stroke_sd};
 use crate::{Diagnosis, DiagnosisError, Status, diagnose};
 
 /// What a case is a test of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// Nothing is hidden.
     Null,
@@ -39,8 +39,8 @@ pub struct Case {
     pub kind: Kind,
     /// Its number, which with the seed says everything random about it.
     pub number: u64,
-    /// Ids of what is hidden.
-    pub ids: Vec<&'static str>,
+    /// What is hidden.
+    pub causes: Vec<Cause>,
     /// Its design.
     pub design: Design,
 }
@@ -59,18 +59,18 @@ pub struct Outcome {
 }
 
 /// Effects that one width, one speed and forces alone do not tell from each other.
-const CONFOUNDED: [&str; 8] = [
-    "side_effects_3d",
-    "density_gradient",
-    "cohesion",
-    "stress_dependent_friction",
-    "surface_slope",
-    "base_angle_dependence",
-    "force_bias",
-    "preparation_drift",
+const CONFOUNDED: [EffectId; 8] = [
+    EffectId::SideEffects3d,
+    EffectId::DensityGradient,
+    EffectId::Cohesion,
+    EffectId::StressDependentFriction,
+    EffectId::SurfaceSlope,
+    EffectId::BaseAngleDependence,
+    EffectId::ForceBias,
+    EffectId::PreparationDrift,
 ];
 
-/// Draws of a soil and an amplitude until there is a force for every stroke.
+/// Most draws of a soil and an amplitude until there is a force for every stroke.
 const ATTEMPTS: u64 = 20;
 
 /// The force model and its surface, shared by all cases.
@@ -84,11 +84,11 @@ pub struct SelfTest {
 #[must_use]
 pub fn cases(rounds: u64) -> Vec<Case> {
     let mut cases = Vec::new();
-    let ids: Vec<&'static str> = catalogue().iter().map(|effect| effect.id()).collect();
     let mut number = 0;
-    let mut push = |kind, ids: Vec<&'static str>, design: Design| {
+    let ids = EffectId::ALL;
+    let mut push = |kind, causes: Vec<Cause>, design: Design| {
         number += 1;
-        cases.push(Case { kind, number, ids, design });
+        cases.push(Case { kind, number, causes, design });
     };
     for round in 0..rounds {
         for k in 0..12 {
@@ -100,21 +100,22 @@ pub fn cases(rounds: u64) -> Vec<Case> {
             };
             push(Kind::Null, Vec::new(), design);
         }
-        for &id in &ids {
-            push(Kind::Single, vec![id], Design::default());
+        for id in ids {
+            push(Kind::Single, vec![id.into()], Design::default());
         }
-        for &effect in catalogue().iter().filter(|effect| effect.acts_on_force()) {
-            push(Kind::SingleForces, vec![effect.id()], Design { traces: false, ..Design::default() });
+        for id in ids.into_iter().filter(|id| id.effect().acts_on_force()) {
+            push(Kind::SingleForces, vec![id.into()], Design { traces: false, ..Design::default() });
         }
         for k in 0..12_usize {
             let step = 1 + (round as usize * 7 + k * 5) % (ids.len() - 1);
             let first = (round as usize * 11 + k * 3) % ids.len();
-            push(Kind::Pair, vec![ids[first], ids[(first + step) % ids.len()]], Design::default());
+            let pair = [first, first + step].map(|i| ids[i % ids.len()].into());
+            push(Kind::Pair, pair.to_vec(), Design::default());
         }
-        for (k, id) in OUTSIDE.into_iter().enumerate() {
+        for (k, outside) in Outside::ALL.into_iter().enumerate() {
             push(
                 Kind::Outside,
-                vec![id],
+                vec![Cause::Outside(outside)],
                 Design { traces: (round as usize + k).is_multiple_of(2), ..Design::default() },
             );
         }
@@ -126,7 +127,7 @@ pub fn cases(rounds: u64) -> Vec<Case> {
                 traces: false,
                 ..Design::default()
             };
-            push(Kind::Confounded, vec![id], design);
+            push(Kind::Confounded, vec![id.into()], design);
         }
     }
     cases
@@ -149,7 +150,7 @@ impl SelfTest {
     pub fn campaign(&self, case: &Case) -> Result<Option<HiddenCampaign>, DiagnosisError> {
         for attempt in 0..ATTEMPTS {
             let mut random = self.stream(case, attempt);
-            let hidden = case.ids.iter().map(|&id| draw(id, &mut random)).collect();
+            let hidden = case.causes.iter().map(|&cause| draw(cause, &mut random)).collect();
             if let Some(mut found) = generate(&case.design, &self.model, hidden, &mut random)? {
                 found.attempt = attempt;
                 return Ok(Some(found));
@@ -171,7 +172,7 @@ pub fn run_case(test: &SelfTest, case: &Case) -> Result<Option<Outcome>, Diagnos
     let Some(campaign) = test.campaign(case)? else { return Ok(None) };
     let data = Data::new("hidden campaign", campaign.rows.clone(), campaign.campaign.clone())?;
     let diagnosis = diagnose(&data, &test.surface)?;
-    let lambdas = case.ids.iter().map(|id| signal(test, &data, &campaign, case, id)).collect();
+    let lambdas = campaign.hidden.iter().map(|of| signal(test, &data, &campaign, case, of)).collect();
     let mut followed = None;
     if let (Kind::Confounded, Status::Ambiguous, Some(next)) = (case.kind, diagnosis.status, &diagnosis.next)
         && let Some(rows) = campaign.followed_by(&next.rows, case.number)?
@@ -182,23 +183,10 @@ pub fn run_case(test: &SelfTest, case: &Case) -> Result<Option<Outcome>, Diagnos
     Ok(Some(Outcome { campaign, lambdas, diagnosis, followed }))
 }
 
-/// Squared signal-to-noise ratio of one hidden effect: in its own channel if no force shows it.
-fn signal(test: &SelfTest, data: &Data, campaign: &HiddenCampaign, case: &Case, id: &str) -> f64 {
-    let instrument = &campaign.campaign.instrument;
-    let size = campaign.hidden.iter().find(|h| h.id == id).map_or(0.0, |h| h.size);
-    let n = data.len() as f64;
-    let seen = |shift: f64, sd: f64| if case.design.traces { n * (shift / sd).powi(2) } else { 0.0 };
-    match id {
-        "cable_flex" => {
-            let mean = |f: &dyn Fn(&StrokeRow) -> f64| data.rows.iter().map(f).sum::<f64>() / n;
-            let (force, depth) = (mean(&|r| r.force_n), mean(&|r| r.depth_m));
-            let spread = mean(&|r| (r.force_n - force).powi(2)).sqrt();
-            return seen(size * spread, 0.12 * 0.15 * depth);
-        }
-        "backlash" => return seen(size, instrument.gap_sd),
-        "backdrive_friction" => return seen(size, instrument.cmd_sd),
-        "encoder_quantisation" => return seen(size - instrument.encoder_step_m, 0.03 * size),
-        _ => {}
+/// Squared signal-to-noise ratio of one hidden cause: in its own channel if no force shows it.
+fn signal(test: &SelfTest, data: &Data, campaign: &HiddenCampaign, case: &Case, of: &Hidden) -> f64 {
+    if let Some((shift, sd)) = in_channel(data, campaign, of) {
+        return if case.design.traces { data.len() as f64 * (shift / sd).powi(2) } else { 0.0 };
     }
     let setup = Setup::new(data, &test.surface, data.phi.mean);
     let mut sd = stroke_sd(&setup, Some(case.design.scatter));
@@ -206,9 +194,7 @@ fn signal(test: &SelfTest, data: &Data, campaign: &HiddenCampaign, case: &Case, 
     let change: Vec<f64> = if campaign.hidden.len() == 1 {
         campaign.ln_true.iter().zip(&campaign.ln_plain).map(|(a, b)| a - b).collect()
     } else {
-        let alone =
-            Case { ids: vec![*case.ids.iter().find(|known| **known == id).unwrap_or(&"")], ..case.clone() };
-        match test.alone(&alone, campaign, id) {
+        match test.alone(case, campaign, of) {
             Ok(Some(change)) => change,
             _ => return 0.0,
         }
@@ -217,29 +203,60 @@ fn signal(test: &SelfTest, data: &Data, campaign: &HiddenCampaign, case: &Case, 
     lambda(&setup, data.phi.mean.clamp(33.0, 42.0), &change, &sd).unwrap_or(0.0)
 }
 
+/// Shift and scatter of the channel that shows a cause which no force shows; `None` for all others.
+fn in_channel(data: &Data, campaign: &HiddenCampaign, of: &Hidden) -> Option<(f64, f64)> {
+    let instrument = &campaign.campaign.instrument;
+    let id = match of.cause {
+        Cause::Effect(id) => id,
+        Cause::Outside(_) => return None,
+    };
+    match id.effect().site {
+        Site::Drive(DriveSite::Stretch) => {
+            let n = data.len() as f64;
+            let mean = |f: &dyn Fn(&StrokeRow) -> f64| data.rows.iter().map(f).sum::<f64>() / n;
+            let (force, depth) = (mean(&|r| r.force_n), mean(&|r| r.depth_m));
+            let spread = mean(&|r| (r.force_n - force).powi(2)).sqrt();
+            Some((of.size * spread, 0.12 * 0.15 * depth))
+        }
+        Site::Drive(DriveSite::FreePlay) => Some((of.size, instrument.gap_sd)),
+        Site::Drive(DriveSite::Friction) => Some((of.size, instrument.cmd_sd)),
+        Site::Sensor(SensorSite::EncoderStep) => Some((of.size - instrument.encoder_step_m, 0.03 * of.size)),
+        Site::Soil(SoilSite::Strength | SoilSite::Mobilisation | SoilSite::Loosening)
+        | Site::Interface
+        | Site::Surface(SurfaceSite::Height | SurfaceSite::Slope | SurfaceSite::Load)
+        | Site::Sensor(
+            SensorSite::ForceZero
+            | SensorSite::ForceZeroDrift
+            | SensorSite::ForceGain
+            | SensorSite::Crosstalk
+            | SensorSite::ToolAngle,
+        )
+        | Site::Model => None,
+    }
+}
+
 impl SelfTest {
     /// Change of ln force by one of several hidden effects alone, in the same soil.
     fn alone(
         &self,
         case: &Case,
         campaign: &HiddenCampaign,
-        id: &str,
+        of: &Hidden,
     ) -> Result<Option<Vec<f64>>, DiagnosisError> {
-        let hidden: Vec<_> = campaign.hidden.iter().copied().filter(|h| h.id == id).collect();
         let mut random = self.stream(case, campaign.attempt);
         // The same draws as in the campaign come first, so that soil and geometry are the same.
         for h in &campaign.hidden {
-            draw(h.id, &mut random);
+            draw(h.cause, &mut random);
         }
-        let found = generate(&case.design, &self.model, hidden, &mut random)?;
+        let found = generate(&case.design, &self.model, vec![*of], &mut random)?;
         Ok(found.map(|one| one.ln_true.iter().zip(&one.ln_plain).map(|(a, b)| a - b).collect()))
     }
 }
 
 impl Outcome {
-    /// Ids that the diagnosis gave, best first.
+    /// Effects that the diagnosis gave, best first.
     #[must_use]
-    pub fn given(&self) -> Vec<&'static str> {
+    pub fn given(&self) -> Vec<EffectId> {
         self.diagnosis.effects.iter().map(|effect| effect.id).collect()
     }
 

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use soilctl_effects::EffectId;
+use soilctl_stats::median;
+
+use super::cause::Cause;
 use super::run::{Case, Kind, Outcome};
-use crate::channels::median;
-use crate::{Diagnosis, Status};
+use crate::{Diagnosis, Explanation, Status};
 
 /// A rate with the number of campaigns behind it.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,11 +39,20 @@ pub fn tally(outcomes: &[(Case, Outcome)]) -> Tally {
         rates.push(Rate { name, rate: (of > 0).then(|| right as f64 / of as f64), of });
     };
     let kind = |kind: Kind| outcomes.iter().filter(move |(case, _)| case.kind == kind);
-    let first_right = |(case, o): &&(Case, Outcome)| o.given().first() == case.ids.first();
-    let in_set =
-        |(case, o): &&(Case, Outcome)| o.diagnosis.equivalence_set.iter().any(|id| id == case.ids[0]);
+    let is_hidden = |case: &Case, id: EffectId| case.causes.contains(&Cause::Effect(id));
+    let first_is = |case: &Case, d: &Diagnosis| {
+        let first = d.effects.first().map(|found| Cause::Effect(found.id));
+        first.as_ref() == case.causes.first()
+    };
+    let first_right = |(case, o): &&(Case, Outcome)| first_is(case, &o.diagnosis);
+    let in_set = |(case, o): &&(Case, Outcome)| {
+        o.diagnosis.equivalence_set.iter().any(|explanation| match explanation {
+            Explanation::Effect(id) => case.causes[0] == Cause::Effect(*id),
+            Explanation::Unknown(_) => false,
+        })
+    };
     let firm_wrong =
-        |(case, o): &&(Case, Outcome)| o.firm() && o.given().iter().any(|id| !case.ids.contains(id));
+        |(case, o): &&(Case, Outcome)| o.firm() && o.given().iter().any(|id| !is_hidden(case, *id));
     let strength =
         |low: f64, high: f64| move |entry: &&(Case, Outcome)| (low..high).contains(&entry.1.lambdas[0]);
     let all = f64::INFINITY;
@@ -78,23 +90,14 @@ pub fn tally(outcomes: &[(Case, Outcome)]) -> Tally {
         singles().filter(strength(0.0, 8.0)).map(|e| firm_wrong(&e)).collect(),
     );
     let visible = || kind(Kind::Pair).filter(|(_, o)| o.lambdas.iter().all(|l| *l >= 25.0));
-    rate(
-        "two visible effects: recall",
-        visible()
-            .flat_map(|(case, o)| case.ids.iter().map(|id| o.given().contains(id)).collect::<Vec<_>>())
-            .collect(),
-    );
+    rate("two visible effects: recall", visible().flat_map(|(case, o)| recalled(case, o)).collect());
     rate(
         "two visible effects: false among names given",
-        visible()
-            .flat_map(|(case, o)| o.given().iter().map(|id| !case.ids.contains(id)).collect::<Vec<_>>())
-            .collect(),
+        visible().flat_map(|(case, o)| o.given().into_iter().map(move |id| !is_hidden(case, id))).collect(),
     );
     rate(
         "two visible effects: exactly both",
-        visible()
-            .map(|(case, o)| o.given().len() == 2 && case.ids.iter().all(|id| o.given().contains(id)))
-            .collect(),
+        visible().map(|(case, o)| o.given().len() == 2 && recalled(case, o).all(|found| found)).collect(),
     );
     rate(
         "outside the catalogue: unknown",
@@ -108,17 +111,16 @@ pub fn tally(outcomes: &[(Case, Outcome)]) -> Tally {
     );
     rate("confounded: firm wrong name", confounded().map(|e| firm_wrong(&e)).collect());
     let followed = || confounded().filter_map(|(case, o)| Some((case, o.followed.as_ref()?)));
-    let first = |d: &Diagnosis| d.effects.first().map(|effect| effect.id);
     rate(
         "confounded: right name first after the follow-up",
-        followed().map(|(case, d)| first(d) == case.ids.first().copied()).collect(),
+        followed().map(|(case, d)| first_is(case, d)).collect(),
     );
     let mut ratios = Vec::new();
     let mut closed = Vec::new();
     let (mut covered, mut chi2, mut gains) = (Vec::new(), Vec::new(), Vec::new());
-    for (case, o) in singles().filter(strength(25.0, all)).filter(first_right) {
+    for (_, o) in singles().filter(strength(25.0, all)).filter(first_right) {
         if let (Some(found), Some(hidden)) = (o.diagnosis.effects.first(), o.campaign.hidden.first()) {
-            if case.ids[0] != "model_form" {
+            if hidden.cause != Cause::Effect(EffectId::ModelForm) {
                 ratios.push(found.amplitude / hidden.size);
                 covered.push((found.amplitude - hidden.size).abs() <= 2.0 * found.amplitude_sd);
             }
@@ -130,24 +132,30 @@ pub fn tally(outcomes: &[(Case, Outcome)]) -> Tally {
         }
     }
     rate("lambda >= 25, named first: parameter within 2 sd", covered);
-    for (name, values) in [
+    for (name, mut values) in [
         ("median of parameter over truth", ratios),
         ("median share of the true gap that is left", closed),
         ("median held-out chi2 / n", chi2),
         ("median gain in elpd", gains),
     ] {
         let of = values.len();
-        rates.push(Rate { name, rate: (of > 0).then(|| median(values)), of });
+        rates.push(Rate { name, rate: (of > 0).then(|| median(&mut values)), of });
     }
     let mut confusion: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
     for (case, o) in singles().filter(strength(25.0, all)) {
         let given = o
             .given()
             .first()
-            .map_or_else(|| format!("({:?})", o.diagnosis.status).to_lowercase(), |id| (*id).into());
-        *confusion.entry(case.ids[0].into()).or_default().entry(given).or_default() += 1;
+            .map_or_else(|| format!("({:?})", o.diagnosis.status).to_lowercase(), |id| id.to_string());
+        *confusion.entry(case.causes[0].to_string()).or_default().entry(given).or_default() += 1;
     }
     Tally { rates, confusion }
+}
+
+/// Whether each hidden cause is among the effects that were given.
+fn recalled<'a>(case: &'a Case, outcome: &'a Outcome) -> impl Iterator<Item = bool> + 'a {
+    let given = outcome.given();
+    case.causes.iter().map(move |cause| given.iter().any(|id| Cause::Effect(*id) == *cause))
 }
 
 /// Root mean square of predicted against true ln force with effects, over the same without.

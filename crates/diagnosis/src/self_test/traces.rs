@@ -1,13 +1,16 @@
 //! Trace-derived columns of hidden campaigns.
 
+use soilctl_effects::{DriveSite, SensorSite, Site, SoilSite, SurfaceSite};
 use soilctl_strokes::{Campaign, Instrument, StrokeRow};
 
-use super::hidden::{Hidden, Span, World};
+use super::cause::Cause;
+use super::hidden::{Hidden, Span, TrueSoil};
 use super::random::Random;
 
-/// Baselines that differ from campaign to campaign.
+/// What columns read without effects, which differs from campaign to campaign. Ranges: empirical, as loose and dense sand read in
+/// strokes of this size.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Habits {
+pub(super) struct Baselines {
     mobilisation: f64,
     post_slope: f64,
     residual: f64,
@@ -30,7 +33,7 @@ pub(super) fn instrument(random: &mut Random) -> Instrument {
     }
 }
 
-impl Habits {
+impl Baselines {
     pub(super) fn draw(campaign: &Campaign, dense: bool, random: &mut Random) -> Self {
         Self {
             mobilisation: if dense { random.between(0.04, 0.07) } else { random.between(0.14, 0.26) },
@@ -42,44 +45,88 @@ impl Habits {
     }
 }
 
+/// What columns show of the causes that are hidden.
+#[derive(Default)]
+struct Shown {
+    zero_n: f64,
+    crosstalk: f64,
+    step_m: f64,
+    interface_deg: f64,
+    drive_friction_n: f64,
+    free_play_m: f64,
+    compliance_m_per_n: f64,
+    load_pa: f64,
+    deficit: f64,
+    loosened_deg: f64,
+}
+
+impl Shown {
+    /// `time` goes from 0 (first stroke) to 1 (last).
+    fn of(hidden: &[Hidden], time: f64) -> Self {
+        let mut shown = Self::default();
+        for h in hidden {
+            let id = match h.cause {
+                Cause::Effect(id) => id,
+                Cause::Outside(_) => continue,
+            };
+            match id.effect().site {
+                Site::Sensor(SensorSite::ForceZero) => shown.zero_n += h.size,
+                Site::Sensor(SensorSite::ForceZeroDrift) => shown.zero_n += h.size * time,
+                Site::Sensor(SensorSite::Crosstalk) => shown.crosstalk += h.size,
+                Site::Sensor(SensorSite::EncoderStep) => shown.step_m = h.size,
+                Site::Interface => shown.interface_deg += h.size,
+                Site::Drive(DriveSite::Friction) => shown.drive_friction_n += h.size,
+                Site::Drive(DriveSite::FreePlay) => shown.free_play_m += h.size,
+                Site::Drive(DriveSite::Stretch) => shown.compliance_m_per_n += h.size,
+                Site::Surface(SurfaceSite::Load) => shown.load_pa += h.size,
+                Site::Soil(SoilSite::Mobilisation) => shown.deficit += h.size,
+                Site::Soil(SoilSite::Loosening) => shown.loosened_deg += h.size,
+                Site::Soil(SoilSite::Strength)
+                | Site::Surface(SurfaceSite::Height | SurfaceSite::Slope)
+                | Site::Sensor(SensorSite::ForceGain | SensorSite::ToolAngle)
+                | Site::Model => {}
+            }
+        }
+        shown
+    }
+}
+
 /// Fills the columns of a row that has a force.
 pub(super) fn fill(
     row: &mut StrokeRow,
     hidden: &[Hidden],
-    world: &World,
+    soil: &TrueSoil,
     span: &Span,
     campaign: &Campaign,
-    habits: &Habits,
+    baselines: &Baselines,
     random: &mut Random,
 ) {
     let i = &campaign.instrument;
-    let size = |id: &str| hidden.iter().find(|h| h.id == id).map_or(0.0, |h| h.size);
     let time = row.time_s.map_or(0.0, |t| (t - span.time_s.0) / (span.time_s.1 - span.time_s.0));
-    let zero = size("force_bias") + size("force_drift") * time;
-    row.tare_before_n = Some(zero + random.normal(i.tare_sd));
-    row.tare_after_n = Some(zero + random.normal(i.tare_sd));
-    row.cmd_minus_force_n = Some(size("backdrive_friction") + random.normal(i.cmd_sd));
-    let lifted = size("interface_friction_offset");
-    let read = (world.delta_deg + lifted).to_radians().tan() + size("ft_crosstalk");
+    let shown = Shown::of(hidden, time);
+    row.tare_before_n = Some(shown.zero_n + random.normal(i.tare_sd));
+    row.tare_after_n = Some(shown.zero_n + random.normal(i.tare_sd));
+    row.cmd_minus_force_n = Some(shown.drive_friction_n + random.normal(i.cmd_sd));
+    let read = (soil.delta_deg + shown.interface_deg).to_radians().tan() + shown.crosstalk;
     row.friction_angle_deg = Some((read.atan().to_degrees() + random.normal(i.friction_angle_sd)).max(0.1));
-    row.z_drift_m = Some(8e-5 * lifted + random.normal(i.z_sd));
-    let gradual = size("progressive_failure") * ((row.alpha_deg - 72.0) / 18.0).clamp(0.0, 1.0);
-    let loosened =
-        hidden.iter().find(|h| h.id == "insertion_loosening").map_or(0.0, |h| (h.size / 6.0).min(1.0));
-    let scatter = habits.soil_scatter;
+    row.z_drift_m = Some(8e-5 * shown.interface_deg + random.normal(i.z_sd));
+    let gradual = shown.deficit * ((row.alpha_deg - 72.0) / 18.0).clamp(0.0, 1.0);
+    let loosened = (shown.loosened_deg / 6.0).min(1.0);
+    let scatter = baselines.soil_scatter;
     let displacement =
-        row.depth_m * habits.mobilisation * (1.0 + 4.0 * gradual) * (1.0 + random.normal(0.12 * scatter))
-            + size("cable_flex") * row.force_n;
+        row.depth_m * baselines.mobilisation * (1.0 + 4.0 * gradual) * (1.0 + random.normal(0.12 * scatter))
+            + shown.compliance_m_per_n * row.force_n;
     row.displacement_at_failure_m = Some(displacement.max(1e-5));
-    let drop = habits.post_slope * (1.0 - (3.0 * gradual).min(0.9)) * (1.0 - loosened);
+    let drop = baselines.post_slope * (1.0 - (3.0 * gradual).min(0.9)) * (1.0 - loosened);
     row.post_slope_norm = Some(drop + 0.5 * gradual + random.normal(0.1 * scatter));
-    let residual =
-        habits.residual + (1.0 - habits.residual) * loosened + 0.4 * gradual * (1.0 - habits.residual);
+    let residual = baselines.residual
+        + (1.0 - baselines.residual) * loosened
+        + 0.4 * gradual * (1.0 - baselines.residual);
     row.residual_ratio = Some((residual + random.normal(0.04 * scatter)).max(0.05));
-    let heap = size("surcharge_heap") / (world.density_kg_m3 * 9.81);
+    let heap = shown.load_pa / (soil.density_kg_m3 * 9.81);
     row.heap_height_m = Some(heap * (1.0 + random.normal(0.1)) + random.normal(i.heap_sd));
     row.motor_ext_gap_m =
-        Some(row.force_n / habits.stiffness_n_per_m + size("backlash") + random.normal(i.gap_sd));
-    let step = size("encoder_quantisation").max(i.encoder_step_m);
+        Some(row.force_n / baselines.stiffness_n_per_m + shown.free_play_m + random.normal(i.gap_sd));
+    let step = shown.step_m.max(i.encoder_step_m);
     row.x_step_m = Some((step * (1.0 + random.normal(0.03))).max(1e-6));
 }

@@ -1,14 +1,15 @@
 //! Readings of a stroke out of its trace.
 
 use soilctl_effects::Channel;
+use soilctl_stats::{Line, median};
 use soilctl_strokes::{StrokeRow, TraceSample};
 
 use super::phase::Parts;
 use super::step::repeated_step;
 use super::{Phase, PhaseKey};
-use crate::channels::median;
 
-/// Share of the depth after failure within which the residual is read.
+/// Share of the depth after failure within which the residual is read: half a depth on, within a tenth. Empirical, as are the
+/// next three.
 const RESIDUAL: [f64; 2] = [0.45, 0.55];
 /// Least range of the force, over the failure force, from which a slope over it means something.
 const LEAST_RANGE: f64 = 0.4;
@@ -55,8 +56,8 @@ pub(super) fn channels(parts: &Parts<'_>, row: &StrokeRow) -> Vec<(Channel, f64)
 /// Readings by phase, of the columns that they belong to.
 pub(super) fn phases(parts: &Parts<'_>) -> Vec<(PhaseKey, f64)> {
     let median_of = |part: std::ops::Range<usize>| {
-        let values: Vec<f64> = parts.share.get(part).unwrap_or_default().to_vec();
-        (values.len() >= 3).then(|| median(values))
+        let mut values = parts.share.get(part).unwrap_or_default().to_vec();
+        (values.len() >= 3).then(|| median(&mut values))
     };
     let difference = |a: Option<f64>, b: Option<f64>| Some(a? - b?);
     let angle = |sample: &TraceSample| sample.friction_angle_deg;
@@ -103,19 +104,13 @@ fn after(parts: &Parts<'_>) -> (Option<f64>, Option<f64>) {
         parts.after().map(|i| ((parts.samples[i].x_ext_m - at) / parts.depth_m, parts.share[i])).collect();
     let way = points.iter().map(|p| p.0).fold(0.0, f64::max);
     let slope = (points.len() >= FEWEST && way >= LEAST_WAY).then(|| slope(&points)).flatten();
-    let half: Vec<f64> =
+    let mut half: Vec<f64> =
         points.iter().filter(|p| (RESIDUAL[0]..=RESIDUAL[1]).contains(&p.0)).map(|p| p.1).collect();
-    (slope, (!half.is_empty()).then(|| median(half)))
+    (slope, (!half.is_empty()).then(|| median(&mut half)))
 }
 
 /// Slope of a straight line by least squares; `None` where nothing varies.
 fn slope(points: &[(f64, f64)]) -> Option<f64> {
-    let n = points.len() as f64;
-    let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
-    let (mut xx, mut xy) = (0.0, 0.0);
-    for point in points {
-        xx += (point.0 - x).powi(2);
-        xy += (point.0 - x) * (point.1 - y);
-    }
-    (xx > 0.0).then(|| xy / xx).filter(|slope| slope.is_finite())
+    let line = Line::fit(&points.iter().map(|&(x, y)| (x, y, 1.0)).collect::<Vec<_>>());
+    (line.sxx > 0.0 && line.slope.is_finite()).then_some(line.slope)
 }

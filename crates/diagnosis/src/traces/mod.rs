@@ -8,13 +8,11 @@ mod step;
 use std::collections::BTreeMap;
 
 pub use course::{Course, courses, typical_course};
-use serde::Serialize;
 use soilctl_effects::Channel;
 use soilctl_strokes::{StrokeRow, TraceTable};
 
 /// A part of a stroke.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Phase {
     /// From a tenth of the failure force to failure.
     Loading,

@@ -2,11 +2,10 @@
 
 use std::ops::Range;
 
+use soilctl_stats::median;
 use soilctl_strokes::{StrokeRow, TraceSample};
 
-use crate::channels::median;
-
-/// Share of the failure force at which it begins to rise.
+/// Share of the failure force at which it begins to rise. Empirical, as are all others here.
 const RISEN: f64 = 0.1;
 /// Share of the failure force at which the soil counts as failed, for the table's force comes from a fit.
 const FAILED: f64 = 0.97;
@@ -117,8 +116,8 @@ impl<'a> Parts<'a> {
         part: Range<usize>,
         value: impl Fn(&TraceSample) -> Option<f64>,
     ) -> Option<f64> {
-        let values: Vec<f64> = self.samples.get(part)?.iter().filter_map(value).collect();
-        (values.len() >= FEWEST_OF_PHASE).then(|| median(values))
+        let mut values: Vec<f64> = self.samples.get(part)?.iter().filter_map(value).collect();
+        (values.len() >= FEWEST_OF_PHASE).then(|| median(&mut values))
     }
 
     /// Displacement since the rise over that at failure, and share of the failure force.
@@ -136,6 +135,6 @@ impl<'a> Parts<'a> {
 fn smoothed(values: &[f64]) -> Vec<f64> {
     let half = SMOOTH / 2;
     (0..values.len())
-        .map(|i| median(values[i.saturating_sub(half)..(i + half + 1).min(values.len())].to_vec()))
+        .map(|i| median(&mut values[i.saturating_sub(half)..(i + half + 1).min(values.len())].to_vec()))
         .collect()
 }

@@ -1,8 +1,8 @@
 //! Steps of a displacement that comes in steps.
 
-use crate::channels::median;
+use soilctl_stats::median;
 
-/// Changes below this share of the largest ones are no steps.
+/// Changes below this share of the largest ones are no steps. Empirical, as are all others here.
 const STILL: f64 = 0.3;
 /// How far a change may be from a multiple of the step, over the step.
 const OFF: f64 = 0.15;
@@ -31,7 +31,7 @@ pub(super) fn repeated_step(displacement: &[f64]) -> Option<f64> {
 
 /// The step near a guess of which all large changes are multiples.
 fn lattice(changes: &[f64], sorted: &[f64], steps: &[f64], guess: f64) -> Option<f64> {
-    let step = median(steps.iter().map(|change| change / (change / guess).round()).collect());
+    let step = median(&mut steps.iter().map(|change| change / (change / guess).round()).collect::<Vec<_>>());
     let regular =
         steps.iter().filter(|change| (*change / step - (*change / step).round()).abs() < OFF).count();
     let least = steps.first()?;

@@ -1,5 +1,6 @@
 use serde::Serialize;
 use soilctl_soil::Angle;
+use soilctl_stats::median;
 
 use super::{RawRun, RawSettings};
 use crate::degrees;
@@ -128,12 +129,5 @@ fn dilation(run: &RawRun, peak: usize, half_window: usize) -> Option<Angle> {
             }
         }
     }
-    slopes.sort_by(f64::total_cmp);
-    let middle = slopes.len() / 2;
-    let median = match slopes.len() {
-        0 => return None,
-        n if n % 2 == 1 => slopes[middle],
-        _ => f64::midpoint(slopes[middle - 1], slopes[middle]),
-    };
-    Some(Angle::from_radians(median.atan()))
+    (!slopes.is_empty()).then(|| Angle::from_radians(median(&mut slopes).atan()))
 }

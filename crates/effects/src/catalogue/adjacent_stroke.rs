@@ -1,41 +1,18 @@
-use super::{Effect, distance};
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
+use super::{EffectId, distance};
+use crate::{Covariate, Effect, Site, SoilSite};
 
-/// Soil disturbed by an earlier stroke nearby; the change fades with distance. The amplitude is the relative change
-/// at no distance, the shape the decay length in m.
-pub(super) struct AdjacentStroke;
-
-impl Effect for AdjacentStroke {
-    fn id(&self) -> &'static str {
-        "adjacent_stroke"
-    }
-
-    fn title(&self) -> &'static str {
-        "earlier strokes disturbed the soil"
-    }
-
-    fn parameter(&self) -> Parameter {
-        distance::AMPLITUDE
-    }
-
-    fn range(&self) -> Range {
-        distance::range()
-    }
-
-    fn shape(&self) -> Option<Shape> {
-        Some(distance::DECAY)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        shape: f64,
-        stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        distance::fade(amplitude, shape, stroke.gap_prior_m, c);
-        Ok(())
-    }
-}
+/// Soil disturbed by an earlier stroke nearby: `F' = F (1 + a exp(-d / l))`, with the distance d to the nearest earlier
+/// stroke, the relative change a at no distance and, as shape, the decay length l in m.
+///
+/// Source: own; an exponential decay is assumed.
+pub(super) static EFFECT: Effect = Effect {
+    shape: Some(distance::DECAY),
+    varies_with: Some(Covariate::PriorGap),
+    apply: |a, c| distance::fade(a, a.stroke.gap_prior_m, c),
+    ..Effect::new(
+        EffectId::AdjacentStroke,
+        Site::Soil(SoilSite::Strength),
+        distance::AMPLITUDE,
+        distance::RANGE,
+    )
+};

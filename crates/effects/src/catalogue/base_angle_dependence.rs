@@ -1,13 +1,5 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
-
-/// The reading depends on the base angle. The amplitude is its relative change over the range of base angles: from
-/// one end to the other (odd shapes), or from the middle to the ends (even shapes).
-///
-/// Base angles count from the box, so in a box that was turned they go beyond what an arm reaches. Nobody knows how the change goes
-/// on there: as it began (shapes 1, 2), not at all (3, 4), or, if it is the arm's own angle that counts, from the start with each
-/// turn of the box (5, 6). Without a turn these are the same; with one, the range is that of the arm.
-pub(super) struct BaseAngleDependence;
+use super::EffectId;
+use crate::{Covariate, Effect, Parameter, Range, Reference, Shape, Site, SoilSite, Stroke};
 
 /// By how much a box is turned, in deg: a wider range of base angles is that of no arm.
 const TURN: f64 = 180.0;
@@ -25,44 +17,33 @@ fn position(shape: f64, stroke: &Stroke, reference: &Reference) -> Option<f64> {
     })
 }
 
-impl Effect for BaseAngleDependence {
-    fn id(&self) -> &'static str {
-        "base_angle_dependence"
-    }
-
-    fn title(&self) -> &'static str {
-        "the reading depends on the base angle"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "base_rel", unit: "1" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(0.03, 0.35)
-    }
-
-    fn shape(&self) -> Option<Shape> {
-        Some(Shape { parameter: None, values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0] })
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        shape: f64,
-        stroke: &Stroke,
-        reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        let x = position(shape, stroke, reference).unwrap_or(0.0);
-        let odd = shape.rem_euclid(2.0) > 0.5;
+/// The reading depends on the base angle: `F' = F (1 + a p)`, with the pattern `p = x / 2` (odd shapes) or `p = min(|x|, x^2)` (even
+/// shapes) over the base angle x, from -1 to 1 between the ends of the arm's range. The amplitude is the relative change from one
+/// end to the other, or from the middle to the ends.
+///
+/// Base angles count from the box, so in a box that was turned they go beyond what an arm reaches. Nobody knows how the change goes
+/// on there: as it began (shapes 1, 2), not at all (3, 4), or, if it is the arm's own angle that counts, from the start with each
+/// turn of the box (5, 6). Without a turn these are the same; with one, the range is that of the arm. Whether the place in the box
+/// or the arm makes it is open, so it is simulated as a strength of the soil.
+///
+/// Source: own; the lowest odd and the lowest even pattern.
+pub(super) static EFFECT: Effect = Effect {
+    shape: Some(Shape { parameter: None, values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0] }),
+    varies_with: Some(Covariate::BaseAngle),
+    apply: |a, c| {
+        let x = position(a.shape, a.stroke, a.reference).unwrap_or(0.0);
+        let odd = a.shape.rem_euclid(2.0) > 0.5;
         // Beyond the ends nothing grows with the square.
-        let pattern = if odd { 0.5 * x } else { x.abs().min(x * x) };
-        c.ln_factor += (amplitude * pattern).max(-0.99).ln_1p();
+        c.scale(a.amplitude * if odd { 0.5 * x } else { x.abs().min(x * x) });
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::BaseAngleDependence,
+        Site::Soil(SoilSite::Strength),
+        Parameter { name: "base_rel", unit: "1" },
+        Range::either(0.03, 0.35),
+    )
+};
 
 #[cfg(test)]
 mod tests {

@@ -1,36 +1,19 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Effect, Parameter, Range, Site, SoilSite};
 
-/// Cohesion or adhesion of the soil: a force that grows with depth, not with its square.
-pub(super) struct Cohesion;
-
-impl Effect for Cohesion {
-    fn id(&self) -> &'static str {
-        "cohesion"
-    }
-
-    fn title(&self) -> &'static str {
-        "the soil has cohesion"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "cohesion_pa", unit: "Pa" }
-    }
-
-    fn range(&self) -> Range {
-        Range::positive(10.0, 200.0)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.cohesion_pa += amplitude;
+/// Cohesion c of the soil (Coulomb's `tau = c + sigma tan phi`): a force `c L w N_c` that grows with depth, not with its
+/// square.
+///
+/// Source: the load factor `N_c` is that of Chen & Liu's upper bound (see [`crate::DirectMechanics`]).
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        c.cohesion_pa += a.amplitude;
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::Cohesion,
+        Site::Soil(SoilSite::Strength),
+        Parameter { name: "cohesion_pa", unit: "Pa" },
+        Range::positive(10.0, 200.0),
+    )
+};

@@ -1,42 +1,24 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Effect, Parameter, Range, Site, SoilSite};
 
-/// The soil is denser below: the force over the square of depth grows by the gradient for each metre, relative to
-/// the mean depth.
-pub(super) struct DensityGradient;
-
-/// ln(1 + x), and what carries it on smoothly where that would leave no force.
+/// ln(1 + x), and the tangent in its place where that would leave no force.
 fn ln_factor(x: f64) -> f64 {
     if x > -0.8 { x.ln_1p() } else { 0.2_f64.ln() + 5.0 * (x + 0.8) }
 }
 
-impl Effect for DensityGradient {
-    fn id(&self) -> &'static str {
-        "density_gradient"
-    }
-
-    fn title(&self) -> &'static str {
-        "the soil is denser below"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "gradient_per_m", unit: "1/m" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(2.0, 31.5)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        stroke: &Stroke,
-        reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.ln_factor += ln_factor(amplitude * (stroke.depth_m - reference.depth_m));
+/// The soil is denser below: `F' = F (1 + g (H - H0))` about the mean depth H0, so g is the relative change of `F / H^2` a
+/// metre.
+///
+/// Source: own; linear in depth. Below a fifth of the force the logarithm goes on along its tangent.
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        c.ln_factor += ln_factor(a.amplitude * (a.stroke.depth_m - a.reference.depth_m));
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::DensityGradient,
+        Site::Soil(SoilSite::Strength),
+        Parameter { name: "gradient_per_m", unit: "1/m" },
+        Range::either(2.0, 31.5),
+    )
+};

@@ -1,36 +1,18 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Effect, Parameter, Range, Site, SurfaceSite};
 
-/// The touch-off is wrong: the true depth is the recorded one plus the offset.
-pub(super) struct DepthOffset;
-
-impl Effect for DepthOffset {
-    fn id(&self) -> &'static str {
-        "depth_offset"
-    }
-
-    fn title(&self) -> &'static str {
-        "depths are off by a constant"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "offset_m", unit: "m" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(0.0005, 0.0025)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.depth_m += amplitude;
+/// The touch-off is wrong: the true depth is the recorded one plus the offset, and the force grows with its square.
+///
+/// Source: definition.
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        c.depth_m += a.amplitude;
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::DepthOffset,
+        Site::Surface(SurfaceSite::Height),
+        Parameter { name: "offset_m", unit: "m" },
+        Range::either(0.0005, 0.0025),
+    )
+};

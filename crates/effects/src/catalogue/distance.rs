@@ -1,14 +1,12 @@
 //! What fades with the distance to something: an earlier stroke, a wall.
 
-use crate::{Conditions, Parameter, Range, Shape};
+use crate::{Acting, Conditions, EffectsError, Parameter, Range, Shape};
 
 /// Relative change of the force at no distance.
 pub(super) const AMPLITUDE: Parameter = Parameter { name: "amplitude", unit: "1" };
 
 /// Plausible amplitudes.
-pub(super) fn range() -> Range {
-    Range::either(0.06, 0.5)
-}
+pub(super) const RANGE: Range = Range::either(0.06, 0.5);
 
 /// Decay length in m.
 pub(super) const DECAY: Shape = Shape {
@@ -17,8 +15,13 @@ pub(super) const DECAY: Shape = Shape {
 };
 
 /// Changes the force by `amplitude exp(-distance / decay)`; nothing if the distance was not measured.
-pub(super) fn fade(amplitude: f64, decay_m: f64, distance_m: Option<f64>, conditions: &mut Conditions) {
+pub(super) fn fade(
+    acting: &Acting<'_>,
+    distance_m: Option<f64>,
+    conditions: &mut Conditions,
+) -> Result<(), EffectsError> {
     if let Some(distance_m) = distance_m {
-        conditions.ln_factor += (amplitude * (-distance_m / decay_m).exp()).max(-0.99).ln_1p();
+        conditions.scale(acting.amplitude * (-distance_m / acting.shape).exp());
     }
+    Ok(())
 }

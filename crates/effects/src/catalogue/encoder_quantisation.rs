@@ -1,42 +1,16 @@
-use super::{Effect, Reading};
-use crate::{Channel, Parameter, Range, Stroke};
+use super::EffectId;
+use crate::{Channel, Effect, Parameter, Range, SensorSite, Site};
 
-/// Encoder steps at the tip are coarser than the instrument is said to have.
-pub(super) struct EncoderQuantisation;
-
-impl Effect for EncoderQuantisation {
-    fn id(&self) -> &'static str {
-        "encoder_quantisation"
-    }
-
-    fn title(&self) -> &'static str {
-        "encoder steps are coarse"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "step_m", unit: "m" }
-    }
-
-    fn range(&self) -> Range {
-        Range::positive(0.0004, 0.002)
-    }
-
-    fn acts_on_force(&self) -> bool {
-        false
-    }
-
-    fn linked(&self) -> &'static [Channel] {
-        &[Channel::XStep]
-    }
-
-    fn shift(
-        &self,
-        _channel: Channel,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        reading: &Reading,
-    ) -> f64 {
-        (amplitude - reading.encoder_step_m).max(0.0)
-    }
-}
+/// Encoder steps at the tip are coarser than the instrument is said to have; the amplitude is the true step.
+///
+/// Source: definition.
+pub(super) static EFFECT: Effect = Effect {
+    linked: &[Channel::XStep],
+    shift: |_, amplitude, _, reading| (amplitude - reading.encoder_step_m).max(0.0),
+    ..Effect::new(
+        EffectId::EncoderQuantisation,
+        Site::Sensor(SensorSite::EncoderStep),
+        Parameter { name: "step_m", unit: "m" },
+        Range::positive(0.0004, 0.002),
+    )
+};

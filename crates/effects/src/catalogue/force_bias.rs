@@ -1,51 +1,20 @@
-use super::{Effect, Reading};
-use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Channel, Effect, Parameter, Range, SensorSite, Site};
 
-/// The zero of the sensor is off; free-air readings show it.
-pub(super) struct ForceBias;
-
-impl Effect for ForceBias {
-    fn id(&self) -> &'static str {
-        "force_bias"
-    }
-
-    fn title(&self) -> &'static str {
-        "the sensor's zero is off"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "bias_n", unit: "N" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(0.1, 0.5)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.bias_n += amplitude;
+/// The zero of the sensor is off: `F' = F + b`, and free-air readings show b.
+///
+/// Source: definition.
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        c.bias_n += a.amplitude;
         Ok(())
-    }
-
-    fn linked(&self) -> &'static [Channel] {
-        &[Channel::TareBefore, Channel::TareAfter]
-    }
-
-    fn shift(
-        &self,
-        _channel: Channel,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        _reading: &Reading,
-    ) -> f64 {
-        amplitude
-    }
-}
+    },
+    linked: &[Channel::TareBefore, Channel::TareAfter],
+    shift: |_, amplitude, _, _| amplitude,
+    ..Effect::new(
+        EffectId::ForceBias,
+        Site::Sensor(SensorSite::ForceZero),
+        Parameter { name: "bias_n", unit: "N" },
+        Range::either(0.1, 0.5),
+    )
+};

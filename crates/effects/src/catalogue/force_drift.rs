@@ -1,52 +1,22 @@
-use super::{Effect, Reading};
-use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Channel, Covariate, Effect, Parameter, Range, SensorSite, Site};
 
-/// The zero of the sensor drifts steadily over the campaign; the amplitude is the drift from the first to the last
-/// stroke.
-pub(super) struct ForceDrift;
-
-impl Effect for ForceDrift {
-    fn id(&self) -> &'static str {
-        "force_drift"
-    }
-
-    fn title(&self) -> &'static str {
-        "the sensor's zero drifts"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "drift_n", unit: "N" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(0.1, 1.0)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.bias_n += amplitude * stroke.time_fraction.unwrap_or(0.0);
+/// The zero of the sensor drifts steadily: `F' = F + b t`, with the time t from 0 (first stroke) to 1 (last); free-air
+/// readings show it.
+///
+/// Source: own; linear in time.
+pub(super) static EFFECT: Effect = Effect {
+    varies_with: Some(Covariate::Time),
+    apply: |a, c| {
+        c.bias_n += a.amplitude * a.stroke.time_fraction.unwrap_or(0.0);
         Ok(())
-    }
-
-    fn linked(&self) -> &'static [Channel] {
-        &[Channel::TareBefore, Channel::TareAfter]
-    }
-
-    fn shift(
-        &self,
-        _channel: Channel,
-        amplitude: f64,
-        _shape: f64,
-        stroke: &Stroke,
-        _reading: &Reading,
-    ) -> f64 {
-        amplitude * stroke.time_fraction.unwrap_or(0.0)
-    }
-}
+    },
+    linked: &[Channel::TareBefore, Channel::TareAfter],
+    shift: |_, amplitude, _, reading| amplitude * reading.stroke.time_fraction.unwrap_or(0.0),
+    ..Effect::new(
+        EffectId::ForceDrift,
+        Site::Sensor(SensorSite::ForceZeroDrift),
+        Parameter { name: "drift_n", unit: "N" },
+        Range::either(0.1, 1.0),
+    )
+};

@@ -1,36 +1,18 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Effect, Parameter, Range, SensorSite, Site};
 
-/// The gain of the sensor is off; the scale is read over true force, minus 1.
-pub(super) struct ForceScale;
-
-impl Effect for ForceScale {
-    fn id(&self) -> &'static str {
-        "force_scale"
-    }
-
-    fn title(&self) -> &'static str {
-        "the sensor's gain is off"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "scale", unit: "1" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(0.03, 0.15)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.ln_factor += amplitude.max(-0.99).ln_1p();
+/// The gain of the sensor is off: `F' = F (1 + s)`.
+///
+/// Source: definition.
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        c.scale(a.amplitude);
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::ForceScale,
+        Site::Sensor(SensorSite::ForceGain),
+        Parameter { name: "scale", unit: "1" },
+        Range::either(0.03, 0.15),
+    )
+};

@@ -1,9 +1,5 @@
-use super::{Effect, Reading};
-use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
-
-/// Normal force leaks into the tangential channel: the tangent of the friction angle is read high by the crosstalk,
-/// and the resultant with it. A controller that holds the angle that is read (shape 1) shows it only after failure.
-pub(super) struct FtCrosstalk;
+use super::EffectId;
+use crate::{Channel, Effect, Parameter, Range, SensorSite, Shape, Site};
 
 /// True and read tangent of the friction angle.
 fn tangents(delta_deg: f64, crosstalk: f64) -> (f64, f64) {
@@ -11,61 +7,31 @@ fn tangents(delta_deg: f64, crosstalk: f64) -> (f64, f64) {
     (tan, tan + crosstalk)
 }
 
-impl Effect for FtCrosstalk {
-    fn id(&self) -> &'static str {
-        "ft_crosstalk"
-    }
-
-    fn title(&self) -> &'static str {
-        "normal force leaks into the tangential channel"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "crosstalk", unit: "1" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(0.02, 0.15)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        let (tan, leaky) = tangents(c.delta_deg, amplitude);
+/// A part x of the normal force N leaks into the tangential channel, which reads `N (tan delta + x)`: the friction angle is
+/// read high, and the resultant by `sqrt((1 + (tan delta + x)^2) / (1 + tan^2 delta))`. A controller that holds the angle that
+/// is read (shape 1) shows it only after failure.
+///
+/// Source: own derivation.
+pub(super) static EFFECT: Effect = Effect {
+    shape: Some(Shape { parameter: None, values: &[0.0, 1.0] }),
+    needs: Some(Channel::SlipAngle),
+    apply: |a, c| {
+        let (tan, leaky) = tangents(c.delta_deg, a.amplitude);
         c.ln_factor += 0.5 * ((1.0 + leaky * leaky) / (1.0 + tan * tan)).ln();
         Ok(())
-    }
-
-    fn linked(&self) -> &'static [Channel] {
-        &[Channel::FrictionAngle, Channel::SlipAngle]
-    }
-
-    fn shape(&self) -> Option<Shape> {
-        Some(Shape { parameter: None, values: &[0.0, 1.0] })
-    }
-
-    fn needs(&self, shape: f64) -> Option<Channel> {
-        (shape > 0.5).then_some(Channel::SlipAngle)
-    }
-
-    fn shift(
-        &self,
-        channel: Channel,
-        amplitude: f64,
-        shape: f64,
-        _stroke: &Stroke,
-        reading: &Reading,
-    ) -> f64 {
+    },
+    linked: &[Channel::FrictionAngle, Channel::SlipAngle],
+    shift: |channel, amplitude, shape, reading| {
         if channel == Channel::FrictionAngle && shape > 0.5 {
             return 0.0;
         }
         let (tan, leaky) = tangents(reading.delta_deg, amplitude);
         (leaky.atan() - tan.atan()).to_degrees()
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::FtCrosstalk,
+        Site::Sensor(SensorSite::Crosstalk),
+        Parameter { name: "crosstalk", unit: "1" },
+        Range::either(0.02, 0.15),
+    )
+};

@@ -1,4 +1,4 @@
-//! The catalogue: one effect a file.
+//! The catalogue: one effect a file, and one line here.
 
 mod adjacent_stroke;
 mod backdrive_friction;
@@ -30,144 +30,104 @@ mod tip_bearing;
 mod tool_angle_offset;
 mod wall_proximity;
 
-use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
+use std::fmt;
+use std::str::FromStr;
 
-/// Force models that `model_form` may put in the place of the one in use.
-pub const ALTERNATIVE_MODELS: [&str; 4] = ["coulomb", "chen", "log-spiral", "caquot"];
+use serde::{Deserialize, Serialize};
 
-/// Readings of a stroke that shifts of channels depend on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
-    /// Measured failure force, N.
-    pub force_n: f64,
-    /// Interface friction angle, deg.
-    pub delta_deg: f64,
-    /// Unit weight of the soil, N/m3.
-    pub unit_weight_n_m3: f64,
-    /// Step of the external encoders at the tip, m.
-    pub encoder_step_m: f64,
+use crate::{Effect, EffectsError};
+
+/// Makes [`EffectId`] out of the list below: a variant, the file that defines it, whose name is the id, and a title.
+macro_rules! catalogue {
+    ($($variant:ident: $file:ident, $title:literal;)*) => {
+        /// An effect of the catalogue.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+        #[serde(try_from = "String", into = "&'static str")]
+        pub enum EffectId {
+            $(#[doc = concat!("`", stringify!($file), "`: ", $title, ".")] $variant,)*
+        }
+
+        impl EffectId {
+            /// All effects, in the order in which answers list them.
+            pub const ALL: [Self; [$(stringify!($file)),*].len()] = [$(Self::$variant),*];
+
+            /// Id in files and answers.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => stringify!($file),)* }
+            }
+
+            /// What it is, in a few words.
+            #[must_use]
+            pub const fn title(self) -> &'static str {
+                match self { $(Self::$variant => $title,)* }
+            }
+
+            /// What it does to a stroke.
+            #[must_use]
+            pub fn effect(self) -> &'static Effect {
+                match self { $(Self::$variant => &$file::EFFECT,)* }
+            }
+        }
+    };
 }
 
-/// A channel in which an effect shows with a strength that its amplitude does not fix.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Response {
-    /// The channel.
-    pub channel: Channel,
-    /// Mean of the strength, in the unit of the channel.
-    pub mean: f64,
-    /// Standard deviation of the strength.
-    pub sd: f64,
+catalogue! {
+    StressDependentFriction: stress_dependent_friction, "friction angle falls with normal stress";
+    ProgressiveFailure: progressive_failure, "force read low where failure is gradual";
+    InsertionLoosening: insertion_loosening, "insertion of the plate loosens dense soil";
+    Cohesion: cohesion, "the soil has cohesion";
+    SurchargeHeap: surcharge_heap, "soil is heaped ahead of the plate";
+    SurfaceSlope: surface_slope, "the surface is not level";
+    SideEffects3d: side_effects_3d, "soil shears at the ends of the plate";
+    RateEffect: rate_effect, "the force depends on speed";
+    TipBearing: tip_bearing, "the edge bears on the soil at low tool angles";
+    InterfaceFrictionOffset: interface_friction_offset, "interface friction differs from its set-point";
+    DepthOffset: depth_offset, "depths are off by a constant";
+    ToolAngleOffset: tool_angle_offset, "tool angles are off by a constant";
+    ForceScale: force_scale, "the sensor's gain is off";
+    ForceBias: force_bias, "the sensor's zero is off";
+    ForceDrift: force_drift, "the sensor's zero drifts";
+    FtCrosstalk: ft_crosstalk, "normal force leaks into the tangential channel";
+    DensityGradient: density_gradient, "the soil is denser below";
+    PreparationDrift: preparation_drift, "preparations drift from batch to batch";
+    RadiusDependence: radius_dependence, "the reading depends on the radius";
+    BaseAngleDependence: base_angle_dependence, "the reading depends on the base angle";
+    AdjacentStroke: adjacent_stroke, "earlier strokes disturbed the soil";
+    WallProximity: wall_proximity, "a wall of the box is near";
+    MoistureDrying: moisture_drying, "moisture dries out over the campaign";
+    ModelForm: model_form, "another force model holds";
+    CableFlex: cable_flex, "cables stretch under load";
+    Backlash: backlash, "free play between motor and joint";
+    BackdriveFriction: backdrive_friction, "the drive takes force by friction";
+    EncoderQuantisation: encoder_quantisation, "encoder steps are coarse";
 }
 
-/// One effect: what it does to a stroke.
-pub trait Effect: Sync {
-    /// Id in files and answers.
-    fn id(&self) -> &'static str;
+impl FromStr for EffectId {
+    type Err = EffectsError;
 
-    /// What it is, in a few words.
-    fn title(&self) -> &'static str;
-
-    /// The parameter that is its amplitude.
-    fn parameter(&self) -> Parameter;
-
-    /// Plausible amplitudes.
-    fn range(&self) -> Range;
-
-    /// What the amplitude leaves open; `None` if nothing.
-    fn shape(&self) -> Option<Shape> {
-        None
-    }
-
-    /// Whether the failure force depends on it.
-    fn acts_on_force(&self) -> bool {
-        true
-    }
-
-    /// Changes the conditions of a stroke. Nothing changes at amplitude 0.
-    ///
-    /// # Errors
-    /// [`EffectsError`] where the force model has no answer.
-    fn apply(
-        &self,
-        amplitude: f64,
-        shape: f64,
-        stroke: &Stroke,
-        reference: &Reference,
-        conditions: &mut Conditions,
-        mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        let _ = (amplitude, shape, stroke, reference, conditions, mechanics);
-        Ok(())
-    }
-
-    /// Channels that shift by an amount that the amplitude fixes.
-    fn linked(&self) -> &'static [Channel] {
-        &[]
-    }
-
-    /// Shift of a linked channel, in its unit.
-    fn shift(&self, channel: Channel, amplitude: f64, shape: f64, stroke: &Stroke, reading: &Reading) -> f64 {
-        let _ = (channel, amplitude, shape, stroke, reading);
-        0.0
-    }
-
-    /// A channel without which a shape means the same as another one; `None` if there is no such channel.
-    fn needs(&self, shape: f64) -> Option<Channel> {
-        let _ = shape;
-        None
-    }
-
-    /// Channels that show it with a strength of their own.
-    fn responses(&self) -> &'static [Response] {
-        &[]
-    }
-
-    /// Pattern over the strokes with which a channel responds; to be multiplied by the strength.
-    fn response(&self, channel: Channel, shape: f64, stroke: &Stroke, reference: &Reference) -> f64 {
-        let _ = (channel, shape, stroke, reference);
-        0.0
+    fn from_str(id: &str) -> Result<Self, EffectsError> {
+        let found = Self::ALL.into_iter().find(|known| known.name() == id);
+        found.ok_or_else(|| EffectsError::UnknownEffect { id: id.to_owned() })
     }
 }
 
-static CATALOGUE: [&dyn Effect; 28] = [
-    &stress_dependent_friction::StressDependentFriction,
-    &progressive_failure::ProgressiveFailure,
-    &insertion_loosening::InsertionLoosening,
-    &cohesion::Cohesion,
-    &surcharge_heap::SurchargeHeap,
-    &surface_slope::SurfaceSlope,
-    &side_effects_3d::SideEffects,
-    &rate_effect::RateEffect,
-    &tip_bearing::TipBearing,
-    &interface_friction_offset::InterfaceFrictionOffset,
-    &depth_offset::DepthOffset,
-    &tool_angle_offset::ToolAngleOffset,
-    &force_scale::ForceScale,
-    &force_bias::ForceBias,
-    &force_drift::ForceDrift,
-    &ft_crosstalk::FtCrosstalk,
-    &density_gradient::DensityGradient,
-    &preparation_drift::PreparationDrift,
-    &radius_dependence::RadiusDependence,
-    &base_angle_dependence::BaseAngleDependence,
-    &adjacent_stroke::AdjacentStroke,
-    &wall_proximity::WallProximity,
-    &moisture_drying::MoistureDrying,
-    &model_form::ModelForm,
-    &cable_flex::CableFlex,
-    &backlash::Backlash,
-    &backdrive_friction::BackdriveFriction,
-    &encoder_quantisation::EncoderQuantisation,
-];
+impl TryFrom<String> for EffectId {
+    type Error = EffectsError;
 
-/// All effects.
-#[must_use]
-pub fn catalogue() -> &'static [&'static dyn Effect] {
-    &CATALOGUE
+    fn try_from(id: String) -> Result<Self, EffectsError> {
+        id.parse()
+    }
 }
 
-/// The effect with an id.
-#[must_use]
-pub fn effect(id: &str) -> Option<&'static dyn Effect> {
-    CATALOGUE.iter().copied().find(|effect| effect.id() == id)
+impl From<EffectId> for &'static str {
+    fn from(id: EffectId) -> Self {
+        id.name()
+    }
+}
+
+impl fmt::Display for EffectId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
 }

@@ -1,36 +1,20 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Covariate, Effect, Parameter, Range, Site, SoilSite};
 
-/// The reading depends on how far the arm reaches; the amplitude is its relative change from 12 in to 17 in.
-pub(super) struct RadiusDependence;
-
-impl Effect for RadiusDependence {
-    fn id(&self) -> &'static str {
-        "radius_dependence"
-    }
-
-    fn title(&self) -> &'static str {
-        "the reading depends on the radius"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "radius_rel", unit: "1" }
-    }
-
-    fn range(&self) -> Range {
-        Range::either(0.03, 0.35)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.ln_factor += (amplitude * stroke.radius_position.unwrap_or(0.0)).max(-0.99).ln_1p();
+/// The reading depends on how far the arm reaches: `F' = F (1 + a x)`, with x from 0 at 12 in to 1 at 17 in. Whether the place in
+/// the box or the arm makes it is open, so it is simulated as a strength of the soil.
+///
+/// Source: own; linear between the two radii of Hong 2001, chapter 6.
+pub(super) static EFFECT: Effect = Effect {
+    varies_with: Some(Covariate::Radius),
+    apply: |a, c| {
+        c.scale(a.amplitude * a.stroke.radius_position.unwrap_or(0.0));
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::RadiusDependence,
+        Site::Soil(SoilSite::Strength),
+        Parameter { name: "radius_rel", unit: "1" },
+        Range::either(0.03, 0.35),
+    )
+};

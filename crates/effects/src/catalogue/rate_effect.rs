@@ -1,36 +1,19 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Covariate, Effect, Parameter, Range, Site, SoilSite};
 
-/// The force grows with a power of the speed.
-pub(super) struct RateEffect;
-
-impl Effect for RateEffect {
-    fn id(&self) -> &'static str {
-        "rate_effect"
-    }
-
-    fn title(&self) -> &'static str {
-        "the force depends on speed"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "n", unit: "1" }
-    }
-
-    fn range(&self) -> Range {
-        Range::positive(0.02, 0.12)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.ln_factor += amplitude * stroke.ln_speed.unwrap_or(0.0);
+/// The force grows with a power of the speed: `F' = F (v / v0)^n` about the geometric mean v0 of the campaign's speeds.
+///
+/// Source: empirical power law.
+pub(super) static EFFECT: Effect = Effect {
+    varies_with: Some(Covariate::Speed),
+    apply: |a, c| {
+        c.ln_factor += a.amplitude * a.stroke.ln_speed.unwrap_or(0.0);
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::RateEffect,
+        Site::Soil(SoilSite::Strength),
+        Parameter { name: "n", unit: "1" },
+        Range::positive(0.02, 0.12),
+    )
+};

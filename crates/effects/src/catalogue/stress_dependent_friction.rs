@@ -1,42 +1,24 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Effect, Parameter, Range, Site, SoilSite};
 
-/// Friction falls with the logarithm of normal stress (Lee & Seed 1967; Hong 2001, section 6.6). The stress of a
-/// stroke is the geometric mean of the weight of the soil above the edge and of the plate's pressure, so it grows
-/// with depth and with the square root of the coefficient. The floor, above some 10 kPa, is beyond what a small
-/// plate reaches.
-pub(super) struct StressDependentFriction;
-
-impl Effect for StressDependentFriction {
-    fn id(&self) -> &'static str {
-        "stress_dependent_friction"
-    }
-
-    fn title(&self) -> &'static str {
-        "friction angle falls with normal stress"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "slope_deg_per_decade", unit: "deg" }
-    }
-
-    fn range(&self) -> Range {
-        Range::positive(3.0, 6.0)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        stroke: &Stroke,
-        reference: &Reference,
-        c: &mut Conditions,
-        mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        let here = mechanics.net(stroke.alpha_deg, 0.0, c.phi_deg, c.delta_deg)?.weight;
-        let mean = mechanics.net(reference.alpha_deg, 0.0, c.phi_deg, c.delta_deg)?.weight;
-        let decades = (stroke.depth_m / reference.depth_m).log10() + 0.5 * (here / mean).log10();
-        c.phi_deg -= amplitude * decades;
+/// Friction falls with the logarithm of normal stress: `phi' = phi - a log10(sigma / sigma0)`. The stress of a stroke is the
+/// geometric mean of the weight of the soil above the edge and of the plate's pressure, so it grows with depth and with the
+/// square root of the coefficient: `sigma / sigma0 = (H / H0) sqrt(K / K0)`, about the mean depth and tool angle.
+///
+/// Source: Lee & Seed 1967; Hong 2001, section 6.6, for the slope. The stress of a stroke: own derivation. A floor, above some
+/// 10 kPa, is beyond what a small plate reaches.
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        let here = a.mechanics.net(a.stroke.alpha_deg, 0.0, c.phi_deg, c.delta_deg)?.weight;
+        let mean = a.mechanics.net(a.reference.alpha_deg, 0.0, c.phi_deg, c.delta_deg)?.weight;
+        let decades = (a.stroke.depth_m / a.reference.depth_m).log10() + 0.5 * (here / mean).log10();
+        c.phi_deg -= a.amplitude * decades;
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::StressDependentFriction,
+        Site::Soil(SoilSite::Strength),
+        Parameter { name: "slope_deg_per_decade", unit: "deg" },
+        Range::positive(3.0, 6.0),
+    )
+};

@@ -1,52 +1,21 @@
-use super::{Effect, Reading};
-use crate::{Channel, Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Channel, Effect, Parameter, Range, Site, SurfaceSite};
 
-/// Soil heaped ahead of the plate presses on the surface. A heap of uniform height h presses with density times
-/// gravity times h, which is how heap heights tell.
-pub(super) struct SurchargeHeap;
-
-impl Effect for SurchargeHeap {
-    fn id(&self) -> &'static str {
-        "surcharge_heap"
-    }
-
-    fn title(&self) -> &'static str {
-        "soil is heaped ahead of the plate"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "surcharge_pa", unit: "Pa" }
-    }
-
-    fn range(&self) -> Range {
-        Range::positive(5.0, 150.0)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        c.surcharge_pa += amplitude;
+/// Soil heaped ahead of the plate presses on the surface by q: a force `q L w N_q`. A heap of uniform height h presses with
+/// `q = gamma h`, which is how heap heights tell.
+///
+/// Source: the load factor `N_q` is that of Chen & Liu's upper bound (see [`crate::DirectMechanics`]).
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        c.surcharge_pa += a.amplitude;
         Ok(())
-    }
-
-    fn linked(&self) -> &'static [Channel] {
-        &[Channel::HeapHeight]
-    }
-
-    fn shift(
-        &self,
-        _channel: Channel,
-        amplitude: f64,
-        _shape: f64,
-        _stroke: &Stroke,
-        reading: &Reading,
-    ) -> f64 {
-        amplitude / reading.unit_weight_n_m3
-    }
-}
+    },
+    linked: &[Channel::HeapHeight],
+    shift: |_, amplitude, _, reading| amplitude / reading.unit_weight_n_m3,
+    ..Effect::new(
+        EffectId::SurchargeHeap,
+        Site::Surface(SurfaceSite::Load),
+        Parameter { name: "surcharge_pa", unit: "Pa" },
+        Range::positive(5.0, 150.0),
+    )
+};

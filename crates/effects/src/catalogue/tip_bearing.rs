@@ -1,38 +1,21 @@
-use super::Effect;
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Stroke};
+use super::EffectId;
+use crate::{Effect, Parameter, Range, Site, SoilSite};
 
-/// The edge of the plate bears on the soil at low tool angles: a force that grows with depth, not with its square,
-/// and fades towards 90 deg. The amplitude is its share of the force at 70 deg and the mean depth.
-pub(super) struct TipBearing;
-
-impl Effect for TipBearing {
-    fn id(&self) -> &'static str {
-        "tip_bearing"
-    }
-
-    fn title(&self) -> &'static str {
-        "the edge bears on the soil at low tool angles"
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter { name: "force_rel_70", unit: "1" }
-    }
-
-    fn range(&self) -> Range {
-        Range::positive(0.04, 0.25)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        _shape: f64,
-        stroke: &Stroke,
-        reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        let lean = ((90.0 - stroke.alpha_deg) / 20.0).max(0.0);
-        c.ln_factor += (amplitude * lean * reference.depth_m / stroke.depth_m).ln_1p();
+/// The edge of the plate bears on the soil at low tool angles: a force that grows with depth, not with its square, and fades
+/// towards 90 deg, `F' = F (1 + a max(0, (90 deg - alpha) / 20 deg) H0 / H)`. The amplitude is its share of the force at 70 deg
+/// and the mean depth H0.
+///
+/// Source: own; the pressure under an edge grows with depth (Terzaghi 1943), the way it fades with the angle is assumed.
+pub(super) static EFFECT: Effect = Effect {
+    apply: |a, c| {
+        let lean = ((90.0 - a.stroke.alpha_deg) / 20.0).max(0.0);
+        c.ln_factor += (a.amplitude * lean * a.reference.depth_m / a.stroke.depth_m).ln_1p();
         Ok(())
-    }
-}
+    },
+    ..Effect::new(
+        EffectId::TipBearing,
+        Site::Soil(SoilSite::Strength),
+        Parameter { name: "force_rel_70", unit: "1" },
+        Range::positive(0.04, 0.25),
+    )
+};

@@ -1,41 +1,18 @@
-use super::{Effect, distance};
-use crate::{Conditions, EffectsError, Mechanics, Parameter, Range, Reference, Shape, Stroke};
+use super::{EffectId, distance};
+use crate::{Covariate, Effect, Site, SoilSite};
 
-/// A wall of the box stiffens the wedge; the change fades with distance. The amplitude is the relative change at no
-/// distance, the shape the decay length in m.
-pub(super) struct WallProximity;
-
-impl Effect for WallProximity {
-    fn id(&self) -> &'static str {
-        "wall_proximity"
-    }
-
-    fn title(&self) -> &'static str {
-        "a wall of the box is near"
-    }
-
-    fn parameter(&self) -> Parameter {
-        distance::AMPLITUDE
-    }
-
-    fn range(&self) -> Range {
-        distance::range()
-    }
-
-    fn shape(&self) -> Option<Shape> {
-        Some(distance::DECAY)
-    }
-
-    fn apply(
-        &self,
-        amplitude: f64,
-        shape: f64,
-        stroke: &Stroke,
-        _reference: &Reference,
-        c: &mut Conditions,
-        _mechanics: &dyn Mechanics,
-    ) -> Result<(), EffectsError> {
-        distance::fade(amplitude, shape, stroke.wall_m, c);
-        Ok(())
-    }
-}
+/// A wall of the box stiffens the wedge: `F' = F (1 + a exp(-d / l))`, with the distance d to the nearest wall, the relative
+/// change a at no distance and, as shape, the decay length l in m.
+///
+/// Source: own; an exponential decay is assumed.
+pub(super) static EFFECT: Effect = Effect {
+    shape: Some(distance::DECAY),
+    varies_with: Some(Covariate::Wall),
+    apply: |a, c| distance::fade(a, a.stroke.wall_m, c),
+    ..Effect::new(
+        EffectId::WallProximity,
+        Site::Soil(SoilSite::Strength),
+        distance::AMPLITUDE,
+        distance::RANGE,
+    )
+};

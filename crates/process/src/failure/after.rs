@@ -1,7 +1,8 @@
 //! What the force does after failure.
 
+use soilctl_stats::{huber, median};
+
 use crate::blocks::Blocks;
-use crate::robust::{huber, median};
 
 /// Slope and rest after failure, scaled by depth and failure force.
 pub(super) struct After {

@@ -1,8 +1,9 @@
 //! Failures that can't be missed: the force drops, or the plate runs away (section 5.5, figure 5-17).
 
+use soilctl_stats::{huber, median};
+
 use super::settings::FailureSettings;
 use crate::blocks::Blocks;
-use crate::robust::{huber, median};
 
 /// How a drastic failure showed itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

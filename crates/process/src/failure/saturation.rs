@@ -8,7 +8,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::robust::{Solved, least_squares};
+use soilctl_stats::{Solved, least_squares};
 
 /// The limit force by mobilisation.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! The break point of two lines, the thesis's guideline for gradual failures (section 5.5, figure 5-16).
 
-use crate::robust::{Solved, huber};
+use soilctl_stats::{Solved, huber};
 
 /// Two lines that meet, fitted to force against displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]

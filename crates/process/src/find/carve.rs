@@ -1,8 +1,9 @@
 //! The stroke within a contact: what lies between insertion and pull-out.
 
+use soilctl_stats::median;
+
 use super::{Contact, FindSettings, Recorded};
 use crate::robot::RobotSample;
-use crate::robust::median;
 
 /// The stroke, or how far the plate travelled if it is none.
 pub(super) fn stroke(

@@ -2,6 +2,7 @@
 
 use soilctl_campaign::{BatchReport, BatchTruth, Plan, StrokeTruth};
 use soilctl_process::table::StrokeRecord;
+use soilctl_stats::quantile;
 
 use super::answer::{EachStroke, Forces};
 use crate::verbs::process::Skipped;
@@ -124,27 +125,4 @@ pub(super) fn forces(each: &[EachStroke]) -> Option<Forces> {
         median_signed_error: quantile(&signed, 0.5)?,
         share_within_one_sd: share(compared.iter().filter(within_sd).count()),
     })
-}
-
-/// Quantile of sorted values, linear between them (Hyndman and Fan 1996, type 7); `None` of none.
-fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
-    let last = sorted.len().checked_sub(1)?;
-    let at = share * last as f64;
-    let (low, high) = (sorted.get(at.floor() as usize)?, sorted.get(at.ceil() as usize)?);
-    Some(low + (high - low) * at.fract())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Against R's `quantile(x, type = 7)`, worked by hand: 1, 2, 4, 8.
-    #[test]
-    fn quantiles_between_values() {
-        let x = [1.0, 2.0, 4.0, 8.0];
-        for (share, expected) in [(0.0, 1.0), (0.5, 3.0), (0.95, 7.4), (1.0, 8.0)] {
-            assert!((quantile(&x, share).unwrap() - expected).abs() < 1e-12, "{share}");
-        }
-        assert_eq!((quantile(&[], 0.5), quantile(&[3.0], 0.95)), (None, Some(3.0)));
-    }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_diagnosis::{Phase, Testable};
-use soilctl_effects::effect;
+use soilctl_effects::EffectId;
 
 use super::Work;
 use super::files::{Written, parameters, status};
@@ -62,7 +62,8 @@ pub(crate) struct DiagnosisAnswer {
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct EffectAnswer {
     /// Id in the catalogue.
-    pub(super) id: String,
+    #[schemars(with = "String")]
+    pub(super) id: EffectId,
     /// Parameters by name.
     pub(super) parameters: BTreeMap<String, ParameterAnswer>,
     /// ln Bayes factor over the explanation without it.
@@ -172,15 +173,15 @@ impl DiagnosisAnswer {
                 .effects
                 .iter()
                 .map(|found| EffectAnswer {
-                    id: found.id.into(),
-                    parameters: parameters(found.id, found.amplitude, found.amplitude_sd, found.shape)
+                    id: found.id,
+                    parameters: parameters(found)
                         .into_iter()
                         .map(|(name, p)| (name, ParameterAnswer { value: p.value, sd: p.sd, unit: p.unit }))
                         .collect(),
                     log_bayes_factor: found.log_bayes_factor,
                 })
                 .collect(),
-            equivalence_set: d.equivalence_set.clone(),
+            equivalence_set: d.equivalence_set.iter().map(ToString::to_string).collect(),
             gap: GapAnswer {
                 before: gap.before,
                 after: gap.after,
@@ -224,7 +225,7 @@ impl DiagnosisAnswer {
             report: written.report.display().to_string(),
             model: work.against.model.clone(),
             model_file: work.against.file.as_ref().map(|(path, _)| path.clone()),
-            known_effects: work.against.known().iter().map(|known| known.id.clone()).collect(),
+            known_effects: work.against.known().iter().map(|known| known.id.to_string()).collect(),
             strokes: work.data.len(),
             traces: work.recorded.as_ref().map_or(0, |recorded| recorded.used),
             phi_deg: d.comparison.soil_after.phi_deg,
@@ -234,7 +235,7 @@ impl DiagnosisAnswer {
                 .expected
                 .iter()
                 .map(|of| TestabilityAnswer {
-                    id: of.id.into(),
+                    id: of.id.to_string(),
                     lambda: of.lambda,
                     lambda_largest: of.lambda_largest,
                     verdict: testable(of.testable).into(),
@@ -255,8 +256,7 @@ impl DiagnosisAnswer {
             }
             "none" => "nothing is missing that these strokes could show".into(),
             "named" => {
-                let told =
-                    |e: &EffectAnswer| format!("{} ({})", e.id, effect(&e.id).map_or("", |e| e.title()));
+                let told = |e: &EffectAnswer| format!("{} ({})", e.id, e.id.title());
                 format!("missing: {}", self.effects.iter().map(told).collect::<Vec<_>>().join(" and "))
             }
             "ambiguous" => format!("something is missing; these explain it about equally well: {names}"),

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use soilctl_diagnosis::{Comparison, Data, Diagnosis, NextExperiment, Part, Status};
+use soilctl_diagnosis::{Comparison, Data, Diagnosis, FoundEffect, NextExperiment, Part, Status};
 use soilctl_effects::{
-    EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry, effect,
+    Covariate, EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry,
 };
 use soilctl_strokes::StrokeTable;
 
@@ -80,13 +80,13 @@ pub(super) fn model_file(against: &Against, data: &Data, d: &Diagnosis, bytes: &
             .iter()
             .cloned()
             .chain(d.effects.iter().map(|found| EffectEntry {
-                id: found.id.into(),
-                parameters: parameters(found.id, found.amplitude, found.amplitude_sd, found.shape),
+                id: found.id,
+                parameters: parameters(found),
                 shape: found.shape,
                 log_bayes_factor: found.log_bayes_factor,
             }))
             .collect(),
-        equivalence_set: d.equivalence_set.clone(),
+        equivalence_set: d.equivalence_set.iter().map(ToString::to_string).collect(),
         reference: data.reference.clone(),
         data_hash: format!("{:016x}", fnv(bytes)),
         held_out,
@@ -94,22 +94,21 @@ pub(super) fn model_file(against: &Against, data: &Data, d: &Diagnosis, bytes: &
 }
 
 /// Parameters of an effect by name.
-pub(super) fn parameters(id: &str, amplitude: f64, sd: f64, shape: f64) -> BTreeMap<String, ParameterValue> {
-    let mut found = BTreeMap::new();
-    if let Some(effect) = effect(id) {
-        let main = effect.parameter();
-        found.insert(main.name.to_owned(), value(amplitude, sd, main.unit));
-        if let Some(of_shape) = effect.shape()
-            && let Some(parameter) = of_shape.parameter
-        {
-            // Half the distance to the next value that was tried.
-            let away = of_shape.values.iter().map(|v| (v - shape).abs()).filter(|d| *d > 0.0);
-            let step = away.fold(f64::INFINITY, f64::min);
-            let sd = if step.is_finite() { 0.5 * step } else { 0.0 };
-            found.insert(parameter.name.to_owned(), value(shape, sd, parameter.unit));
-        }
+pub(super) fn parameters(found: &FoundEffect) -> BTreeMap<String, ParameterValue> {
+    let effect = found.id.effect();
+    let main = effect.parameter;
+    let mut parameters =
+        BTreeMap::from([(main.name.to_owned(), value(found.amplitude, found.amplitude_sd, main.unit))]);
+    if let Some(of_shape) = effect.shape
+        && let Some(parameter) = of_shape.parameter
+    {
+        // Half the distance to the next value that was tried.
+        let away = of_shape.values.iter().map(|v| (v - found.shape).abs()).filter(|d| *d > 0.0);
+        let step = away.fold(f64::INFINITY, f64::min);
+        let sd = if step.is_finite() { 0.5 * step } else { 0.0 };
+        parameters.insert(parameter.name.to_owned(), value(found.shape, sd, parameter.unit));
     }
-    found
+    parameters
 }
 
 /// FNV-1a, 64 bits: says whether two files are the same, not more.
@@ -195,7 +194,7 @@ fn gap_table(parts: &[Part], path: &Path) -> Result<(), CliError> {
         text += &format!(
             "{},{},{from},{to},{},{},{},{},{}\n",
             part.channel,
-            part.covariate.unwrap_or_default(),
+            part.covariate.map_or("", Covariate::column),
             part.readings,
             part.before,
             part.after,

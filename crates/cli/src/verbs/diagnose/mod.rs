@@ -96,7 +96,7 @@ impl Against {
 
     /// In words.
     fn described(&self) -> String {
-        let ids: Vec<&str> = self.known().iter().map(|known| known.id.as_str()).collect();
+        let ids: Vec<&str> = self.known().iter().map(|known| known.id.name()).collect();
         if ids.is_empty() { self.model.clone() } else { format!("{} with {}", self.model, ids.join(", ")) }
     }
 }
@@ -163,9 +163,9 @@ fn work(args: &Args, dir: &Path, strokes: &Path, out: &Path, output: &Output) ->
         simulated.before = loop {
             match resimulate(&log, &plain, &data.campaign, out, output) {
                 // What is known and cannot be simulated is left out there.
-                Err(CliError::Campaign(ref problem @ CampaignError::Effect { ref effect, .. })) => {
+                Err(CliError::Campaign(ref problem @ CampaignError::Effect { effect, .. })) => {
                     output.note(&problem.to_string());
-                    plain.effects.retain(|known| known.id != *effect);
+                    plain.effects.retain(|known| known.id != effect);
                 }
                 simulated => break simulated?,
             }

@@ -1,7 +1,7 @@
 //! The page of a diagnosis: where, what, how sure, what else, what changes, what next.
 
 use soilctl_diagnosis::Part;
-use soilctl_effects::effect;
+use soilctl_effects::Covariate;
 use soilctl_figure::{Align, CalloutKind, HtmlReport, Size, Table};
 
 use super::{DiagnosisAnswer, Work, figures, traces};
@@ -103,10 +103,9 @@ fn what(page: &mut HtmlReport, answer: &DiagnosisAnswer) -> Result<(), CliError>
     for found in &answer.effects {
         let parameters: Vec<String> =
             found.parameters.iter().map(|(name, p)| format!("{name} {}", p.text())).collect();
-        let title = effect(&found.id).map_or("", |e| e.title());
         table.row([
-            found.id.clone(),
-            title.into(),
+            found.id.to_string(),
+            found.id.title().into(),
             parameters.join("; "),
             format!("{:.1}", found.log_bayes_factor),
         ])?;
@@ -128,7 +127,7 @@ fn rivals(page: &mut HtmlReport, work: &Work, answer: &DiagnosisAnswer) -> Resul
         [("effect alone", Align::Left), ("what it is", Align::Left), ("ln Bayes factor", Align::Right)];
     let mut table = Table::new("Single effects, best first", columns);
     for (id, factor) in work.diagnosis.alone.iter().take(MOST_RIVALS) {
-        table.row([(*id).to_owned(), effect(id).map_or("", |e| e.title()).into(), format!("{factor:.1}")])?;
+        table.row([id.to_string(), id.title().into(), format!("{factor:.1}")])?;
     }
     page.table(table);
     Ok(())
@@ -199,7 +198,7 @@ fn shrinks(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
     page.table(table);
     // Over which the largest part differs most from the smallest before anything is added.
     let forces: Vec<&Part> = parts.iter().filter(|part| part.channel == "force_n").collect();
-    let mut conditions: Vec<(&str, f64)> = Vec::new();
+    let mut conditions: Vec<(Covariate, f64)> = Vec::new();
     for name in forces.iter().filter_map(|part| part.covariate) {
         if conditions.iter().all(|(other, _)| *other != name) {
             let of = || forces.iter().filter(|part| part.covariate == Some(name)).map(|part| part.before);
@@ -211,10 +210,10 @@ fn shrinks(page: &mut HtmlReport, work: &Work) -> Result<(), CliError> {
         "The held-out gap of the forces along the conditions over which it varies most, in the same unit",
         [("condition", Align::Left), ("from", Align::Right), ("to", Align::Right)].into_iter().chain(numbers),
     );
-    for (name, _) in conditions.iter().take(MOST_FIGURES) {
+    for &(name, _) in conditions.iter().take(MOST_FIGURES) {
         for part in forces.iter().filter(|part| part.covariate == Some(name)) {
             let [from, to] = part.range.map_or_else(Default::default, |range| range.map(number));
-            table.row([(*name).to_owned(), from, to].into_iter().chain(cells(part)))?;
+            table.row([name.to_string(), from, to].into_iter().chain(cells(part)))?;
         }
     }
     page.table(table);

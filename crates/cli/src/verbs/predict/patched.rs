@@ -49,7 +49,7 @@ pub(super) fn predict(args: &Args, path: &Path) -> Result<Prediction, CliError> 
     };
     let soil = &loaded.file().soil;
     let base = model(&loaded.file().model)?;
-    let effects: Vec<&str> = loaded.file().effects.iter().map(|entry| entry.id.as_str()).collect();
+    let effects: Vec<&str> = loaded.file().effects.iter().map(|entry| entry.id.name()).collect();
     let with = if effects.is_empty() { "no effects".to_owned() } else { effects.join(", ") };
     Ok(Prediction {
         model: base.id().into(),

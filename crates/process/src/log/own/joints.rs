@@ -2,10 +2,10 @@
 //! are fine, but behind free play and stretch. Joined, they are both fine and right.
 
 use soilctl_kinematics::{Arm, JointAngles, MotorAngles};
+use soilctl_stats::{Solved, least_squares};
 
 use super::sample::Sample;
 use crate::ProcessError;
-use crate::robust::{Solved, least_squares};
 
 /// Once the pull has exceeded this share of the highest one the free play is taken up, and the motors' readings, shifted and
 /// stretched, agree with the external ones.
@@ -78,7 +78,7 @@ fn line(held: &[usize], gap: &dyn Fn(usize) -> f64, force_n: &[f64], noise: f64)
         Some((shift, stretch))
     };
     let mut middle: Vec<f64> = held.iter().map(|i| gap(*i)).collect();
-    let centre = crate::robust::median(&mut middle);
+    let centre = soilctl_stats::median(&mut middle);
     let near: Vec<usize> = held.iter().copied().filter(|i| (gap(*i) - centre).abs() < 8.0 * noise).collect();
     fit(if near.len() >= 50 { &near } else { held })
 }

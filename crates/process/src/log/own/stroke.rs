@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use soilctl_kinematics::{Arm, Frame, JointAngles, JointTorques};
+use soilctl_stats::median;
 
 use super::joints::{flexed, half_steps, joined, mean_gap};
 use super::sample::{Phase, Sample, mean_wrench, tip_and_sensor};
 use super::surface::touched;
 use crate::log::{Course, LogStroke};
-use crate::robust::median;
 use crate::{Outcome, ProcessError, Recorded, RobotSample, Setting, evaluate};
 
 /// Over this time in s at the end of an insertion both encoders are compared.

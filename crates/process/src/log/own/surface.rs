@@ -2,10 +2,10 @@
 //! surface; where the force begins is the surface.
 
 use soilctl_kinematics::Arm;
+use soilctl_stats::least_squares;
 
 use super::sample::{Phase, Sample, tip_and_sensor};
 use crate::ProcessError;
-use crate::robust::least_squares;
 
 /// Samples in a mean force.
 const BLOCK: usize = 10;

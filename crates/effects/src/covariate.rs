@@ -1,0 +1,94 @@
+use std::fmt;
+
+use soilctl_strokes::StrokeRow;
+
+/// A condition of a stroke that is recorded: what an effect, a residual or a follow-up may vary with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Covariate {
+    /// Tool angle, deg.
+    ToolAngle,
+    /// Vertical depth, m.
+    Depth,
+    /// Width of the plate, m.
+    Width,
+    /// Speed, m/s.
+    Speed,
+    /// Radius of the stroke about the base, m.
+    Radius,
+    /// Base angle, deg.
+    BaseAngle,
+    /// Distance to the nearest earlier stroke, m.
+    PriorGap,
+    /// Distance to the nearest wall, m.
+    Wall,
+    /// Set-point of the interface friction angle, deg.
+    InterfaceSetPoint,
+    /// Number of the stroke in its preparation.
+    Order,
+    /// Campaign clock, s.
+    Time,
+    /// Preparation, in the order in which they were made.
+    Batch,
+}
+
+impl Covariate {
+    /// All of them.
+    pub const ALL: [Self; 12] = [
+        Self::ToolAngle,
+        Self::Depth,
+        Self::Width,
+        Self::Speed,
+        Self::Radius,
+        Self::BaseAngle,
+        Self::PriorGap,
+        Self::Wall,
+        Self::InterfaceSetPoint,
+        Self::Order,
+        Self::Time,
+        Self::Batch,
+    ];
+
+    /// Name of the column in the stroke table.
+    #[must_use]
+    pub const fn column(self) -> &'static str {
+        match self {
+            Self::ToolAngle => "alpha_deg",
+            Self::Depth => "depth_m",
+            Self::Width => "width_m",
+            Self::Speed => "speed_mps",
+            Self::Radius => "radius_m",
+            Self::BaseAngle => "base_deg",
+            Self::PriorGap => "gap_prior_m",
+            Self::Wall => "wall_m",
+            Self::InterfaceSetPoint => "delta_set_deg",
+            Self::Order => "order",
+            Self::Time => "time_s",
+            Self::Batch => "batch",
+        }
+    }
+
+    /// The cell of a stroke; `None` if it is empty, and for a batch, which has a name and no number.
+    #[must_use]
+    pub fn of(self, row: &StrokeRow) -> Option<f64> {
+        match self {
+            Self::ToolAngle => Some(row.alpha_deg),
+            Self::Depth => Some(row.depth_m),
+            Self::Width => Some(row.width_m),
+            Self::Speed => row.speed_mps,
+            Self::Radius => row.radius_m,
+            Self::BaseAngle => row.base_deg,
+            Self::PriorGap => row.gap_prior_m,
+            Self::Wall => row.wall_m,
+            Self::InterfaceSetPoint => row.delta_set_deg,
+            Self::Order => row.order.map(f64::from),
+            Self::Time => row.time_s,
+            Self::Batch => None,
+        }
+    }
+}
+
+impl fmt::Display for Covariate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.column())
+    }
+}
