@@ -32,6 +32,11 @@ const SERIES: [Rgb; 8] = [
     (0xf0, 0xe4, 0x42),
 ];
 
+/// A colour as SVG, plotly.js and the page script read it.
+pub(crate) fn hex((r, g, b): Rgb) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
 /// The colour of a palette index; indices wrap around.
 pub(crate) fn series(index: usize) -> Rgb {
     SERIES[index % SERIES.len()]
@@ -94,9 +99,9 @@ impl Dash {
         IN_ORDER[index % IN_ORDER.len()]
     }
 
-    /// Lengths drawn and skipped in turn, in line widths; empty for an unbroken line.
-    pub(crate) fn pattern(self) -> &'static [f64] {
-        match self {
+    /// Lengths drawn and skipped in turn along a line of the given width, all in px; empty for an unbroken line.
+    pub(crate) fn lengths(self, width: f64) -> Vec<f64> {
+        let in_widths: &[f64] = match self {
             Self::Solid => &[],
             Self::Dash => &[4.0, 2.0],
             Self::Dot => &[1.2, 1.6],
@@ -105,7 +110,8 @@ impl Dash {
             Self::DashDotDot => &[4.5, 1.6, 1.2, 1.6, 1.2, 1.6],
             Self::LongDashDot => &[8.0, 2.0, 1.2, 2.0],
             Self::LooseDot => &[1.2, 3.6],
-        }
+        };
+        in_widths.iter().map(|length| (length * width).max(0.5)).collect()
     }
 }
 
@@ -147,24 +153,25 @@ impl Hatch {
         ["", "/", "\\", "x", "-", "|", "+", "."][self.0]
     }
 
-    /// Directions of its lines, y downwards.
-    pub(crate) fn directions(self) -> &'static [(f64, f64)] {
-        const ALL: [&[(f64, f64)]; 8] = [
-            &[],
-            &[(1.0, -1.0)],
-            &[(1.0, 1.0)],
-            &[(1.0, -1.0), (1.0, 1.0)],
-            &[(1.0, 0.0)],
-            &[(0.0, 1.0)],
-            &[(1.0, 0.0), (0.0, 1.0)],
-            &[(1.0, 0.0)],
-        ];
-        ALL[self.0]
+    /// Its place among all hatches.
+    pub(crate) fn number(self) -> usize {
+        self.0
     }
 
-    /// Dash pattern of its lines.
-    pub(crate) fn pattern(self) -> &'static [f64] {
-        if self.name() == "." { &[1.5, 8.5] } else { &[] }
+    /// Side of the square it repeats in px, and the lines in that square as SVG path data; none for a plain fill.
+    ///
+    /// Sides are whole, so that the squares fall onto pixels.
+    pub(crate) fn tile(self) -> Option<(u8, &'static str)> {
+        match self.name() {
+            "/" => Some((12, "M-3 3 3 -3M-3 15 15 -3M9 15 15 9")),
+            "\\" => Some((12, "M-3 9 3 15M-3 -3 15 15M9 -3 15 3")),
+            "x" => Some((12, "M-3 3 3 -3M-3 15 15 -3M9 15 15 9M-3 9 3 15M-3 -3 15 15M9 -3 15 3")),
+            "-" => Some((9, "M0 4.5H9")),
+            "|" => Some((9, "M4.5 0V9")),
+            "+" => Some((9, "M0 4.5H9M4.5 0V9")),
+            "." => Some((9, "M3.75 4.5H5.25")),
+            _ => None,
+        }
     }
 }
 

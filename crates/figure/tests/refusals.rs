@@ -140,6 +140,10 @@ proptest! {
         if accepted > 0 {
             let svg = figure.to_svg(size).unwrap();
             prop_assert!(!svg.contains("NaN") && !svg.contains("inf"));
+            // Programs that show the picture count in single precision: nothing may lie far beyond the page.
+            let places = svg.split(" d=\"").skip(1).filter_map(|part| part.split('"').next());
+            let numbers = places.flat_map(|d| d.split(['M', ' ', 'Z'])).filter_map(|n| n.parse::<f64>().ok());
+            prop_assert!(numbers.into_iter().all(|n| (-20.0..420.0).contains(&n)));
             prop_assert!(figure.to_png(size).is_ok());
             prop_assert!(!figure.to_plotly_json()["layout"]["xaxis"]["range"].to_string().contains("null"));
         }

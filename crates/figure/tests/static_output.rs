@@ -3,8 +3,9 @@
 
 mod common;
 
-use common::{assert_well_formed, everything};
-use soilctl_figure::{Axis, Dash, Figure, FigureGrid, Legend, Line, Size};
+use common::everything;
+use resvg::usvg::roxmltree::{Document, Node};
+use soilctl_figure::{Axis, Dash, Figure, FigureGrid, HtmlReport, Legend, Line, Size};
 
 fn lines(count: usize) -> Figure {
     let mut figure = Figure::new("t", Axis::linear("x"), Axis::linear("y"));
@@ -15,33 +16,62 @@ fn lines(count: usize) -> Figure {
     figure
 }
 
-/// Polylines in the given colour.
+/// Paths drawn with a line of the given colour.
 fn strokes(svg: &str, color: &str) -> usize {
-    let stroke = format!("stroke=\"{color}\"");
-    svg.lines().filter(|line| line.starts_with("<polyline") && line.contains(&stroke)).count()
+    let document = Document::parse(svg).unwrap();
+    document.descendants().filter(|node| node.attribute("stroke") == Some(color)).count()
+}
+
+/// All texts but the document's title.
+fn texts(svg: &str) -> Vec<String> {
+    let document = Document::parse(svg).unwrap();
+    let texts = document.descendants().filter(|node| node.has_tag_name("text"));
+    texts.filter_map(|node| node.text().map(str::to_owned)).collect()
 }
 
 #[test]
 fn svg_has_one_stroke_per_line_and_one_in_the_legend() {
     let figure = lines(3);
     let svg = figure.to_svg(Size::default()).unwrap();
-    assert_well_formed(&svg);
-    assert_eq!(strokes(&svg, "#0072B2"), 2);
-    assert_eq!(strokes(&svg, "#D55E00"), 2);
+    assert_eq!(strokes(&svg, "#0072b2"), 2);
+    assert_eq!(strokes(&svg, "#d55e00"), 2);
     for i in 0..3 {
-        assert!(svg.contains(&format!("\nline {i}\n")) || svg.contains(&format!(">line {i}<")), "legend {i}");
+        assert!(texts(&svg).contains(&format!("line {i}")), "legend {i}");
     }
     let plain = figure.with_legend(Legend::Hidden).to_svg(Size::default()).unwrap();
-    assert_eq!(strokes(&plain, "#0072B2"), 1);
+    assert_eq!(strokes(&plain, "#0072b2"), 1);
     assert!(!plain.contains("line 0"));
 }
 
 #[test]
 fn svg_of_hostile_text_is_well_formed_and_inert() {
     let svg = everything().unwrap().to_svg(Size::default()).unwrap();
-    assert_well_formed(&svg);
-    assert!(!svg.contains("<script") && !svg.contains('\u{0}'));
-    assert!(svg.contains("&lt;script&gt;"));
+    let document = Document::parse(&svg).unwrap();
+    let known = ["svg", "title", "rect", "pattern", "path", "circle", "text"];
+    let mut elements = document.descendants().filter(Node::is_element);
+    assert!(elements.all(|node| known.contains(&node.tag_name().name())));
+    assert!(texts(&svg).iter().any(|text| text.starts_with("<script>alert(")));
+}
+
+#[test]
+fn what_is_referred_to_is_there_and_has_a_name_of_its_own() {
+    let mut report = HtmlReport::new("page");
+    for _ in 0..2 {
+        report.figure(&everything().unwrap(), Size::default(), "").unwrap();
+    }
+    let svg = everything().unwrap().to_svg(Size::default()).unwrap();
+    for document in [svg, report.to_html()] {
+        let names = |before: &str, after: &str| -> Vec<String> {
+            let parts = document.split(before).skip(1);
+            parts.map(|part| part.split_once(after).unwrap().0.to_owned()).collect()
+        };
+        let (mut patterns, wanted) = (names("<pattern id=\"", "\""), names("fill=\"url(#", ")\""));
+        assert!(!wanted.is_empty() && wanted.iter().all(|name| patterns.contains(name)), "{wanted:?}");
+        let count = patterns.len();
+        patterns.sort();
+        patterns.dedup();
+        assert_eq!(patterns.len(), count);
+    }
 }
 
 #[test]
@@ -49,22 +79,47 @@ fn long_legends_leave_room_for_the_plot() {
     for legend in [Legend::Below, Legend::Right] {
         let svg = lines(200).with_legend(legend).to_svg(Size::new(400, 300).unwrap()).unwrap();
         assert!(svg.contains(" more"), "{legend:?}");
-        assert!(!svg.contains("\"-"), "nothing left of or above the page");
+        assert!(!svg.contains("\"M-") && !svg.contains("translate(-"), "nothing left of or above the page");
     }
+}
+
+/// Width, height and the pixels row by row.
+fn decoded(png: &[u8]) -> (usize, usize, Vec<[u8; 3]>) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    let pixels = bytes.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+    (info.width as usize, info.height as usize, pixels)
 }
 
 #[test]
 fn png_has_the_promised_size_and_shows_something() {
     let size = Size::new(300, 200).unwrap();
-    let png = everything().unwrap().to_png(size).unwrap();
-    let mut reader = png::Decoder::new(png.as_slice()).read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size()];
-    let info = reader.next_frame(&mut pixels).unwrap();
-    assert_eq!((info.width, info.height), (600, 400));
-    let colored = pixels.chunks(3).filter(|p| p.iter().max().unwrap() - p.iter().min().unwrap() > 40).count();
-    let dark = pixels.chunks(3).filter(|p| p.iter().all(|&c| c < 90)).count();
-    let white = pixels.chunks(3).filter(|p| *p == [255, 255, 255]).count();
-    assert!(colored > 1000 && dark > 500 && white > 50_000, "{colored} {dark} {white}");
+    let (width, height, pixels) = decoded(&everything().unwrap().to_png(size).unwrap());
+    assert_eq!((width, height), (600, 400));
+    let count = |shown: &dyn Fn(&[u8; 3]) -> bool| pixels.iter().filter(|p| shown(p)).count();
+    let colored = count(&|p| p.iter().max().unwrap() - p.iter().min().unwrap() > 40);
+    let white = count(&|p| *p == [255, 255, 255]);
+    // The border of the plot area lies on whole pixels, so it has exactly its colour.
+    let ink = count(&|p| *p == [0x1f, 0x23, 0x28]);
+    assert!(colored > 1000 && ink > 1500 && white > 50_000, "{colored} {ink} {white}");
+}
+
+#[test]
+fn words_of_a_png_are_in_their_places() {
+    let mut figure = Figure::new("HHHH", Axis::linear("x"), Axis::linear("y"));
+    figure.push(Line::new("", [(0.0, 0.0), (1.0, 1.0)])).unwrap();
+    let (width, _, pixels) = decoded(&figure.to_png(Size::new(400, 300).unwrap()).unwrap());
+    // Nothing but the title is in the uppermost 32 px.
+    let dark = (0..64 * width).filter(|&i| pixels[i].iter().all(|&c| c < 128));
+    let (columns, rows): (Vec<usize>, Vec<usize>) = dark.map(|i| (i % width, i / width)).unzip();
+    let ends = |of: &[usize]| (*of.iter().min().unwrap(), *of.iter().max().unwrap());
+    let ((left, right), (top, bottom)) = (ends(&columns), ends(&rows));
+    assert!((left + right + 1).abs_diff(width) <= 2, "centred, but it goes from {left} to {right}");
+    // An H of DejaVu Sans Bold is 1714 units wide with 377 units of room in all beside it, and 1493 high, of 2048 an em.
+    let em = 15.0 * 2.0 / 2048.0;
+    assert!(((right - left + 1) as f64 - (4.0 * 1714.0 - 377.0) * em).abs() < 2.0, "{left} {right}");
+    assert!(((bottom - top + 1) as f64 - 1493.0 * em).abs() < 2.0, "{top} {bottom}");
 }
 
 #[test]
@@ -121,7 +176,6 @@ fn csv_reads_back_exactly() {
 fn grids_hold_all_figures() {
     let grid = FigureGrid::new([lines(1), lines(2), lines(3)], 2).unwrap();
     let svg = grid.to_svg(Size::new(900, 700).unwrap()).unwrap();
-    assert_well_formed(&svg);
-    assert_eq!(strokes(&svg, "#0072B2"), 6);
+    assert_eq!(strokes(&svg, "#0072b2"), 6);
     assert!(grid.to_svg(Size::new(300, 300).unwrap()).is_err());
 }

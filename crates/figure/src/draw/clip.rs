@@ -1,6 +1,6 @@
 //! Cutting lines and rings at the edges of a rectangle.
 
-use super::scene::Px;
+use super::svg::Px;
 
 /// A rectangle on the page.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +34,13 @@ impl Rect {
             (self.right, self.bottom),
             (self.left, self.bottom),
         ]
+    }
+
+    /// The ring with its first corner once more at the end.
+    pub(crate) fn outline(&self) -> Vec<Px> {
+        let mut line = self.ring();
+        line.push((self.left, self.top));
+        line
     }
 
     /// The four half planes as (axis, limit, sign): inside where `sign * (p[axis] - limit) >= 0`.

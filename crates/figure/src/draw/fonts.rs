@@ -1,47 +1,76 @@
-//! The font of the static renderers: registration, measuring, shortening and wrapping.
+//! The embedded font: measuring, outlining, shortening and wrapping texts.
 
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 
-use plotters::style::{FontStyle, FontTransform, IntoFont, RGBColor, TextStyle, register_font};
+use ttf_parser::{Face, FaceParsingError, OutlineBuilder};
 
 use crate::error::FigureError;
-use crate::palette::Rgb;
 
-/// Name under which the embedded font is registered. It doubles as the `font-family` of SVG files,
-/// where the alternatives have nearly the same widths.
-const FAMILY: &str = "DejaVu Sans, Verdana, Geneva, sans-serif";
+/// What SVG files ask for; the alternatives have nearly the same widths.
+pub(crate) const FAMILY: &str = "DejaVu Sans, Verdana, Geneva, sans-serif";
 
-/// Ascent plus descent of the font in em; the bitmap backend scales fonts by this height.
-pub(crate) const LINE_HEIGHT: f64 = 1.1640625;
+static FACES: LazyLock<Result<[Face<'_>; 2], FaceParsingError>> =
+    LazyLock::new(|| Ok([Face::parse(dejavu::sans::regular(), 0)?, Face::parse(dejavu::sans::bold(), 0)?]));
 
-/// Registers the embedded fonts once per process.
-pub(crate) fn register() -> Result<(), FigureError> {
-    static DONE: OnceLock<bool> = OnceLock::new();
-    let registered = *DONE.get_or_init(|| {
-        register_font(FAMILY, FontStyle::Normal, dejavu::sans::regular()).is_ok()
-            && register_font(FAMILY, FontStyle::Bold, dejavu::sans::bold()).is_ok()
-    });
-    if registered { Ok(()) } else { Err(FigureError::Backend("the embedded font is unreadable".into())) }
+fn face(bold: bool) -> Option<&'static Face<'static>> {
+    FACES.as_ref().ok().map(|faces| &faces[usize::from(bold)])
 }
 
-/// The text style of a font height as the backend counts it.
-pub(crate) fn style(height: f64, bold: bool, upwards: bool, color: Rgb) -> TextStyle<'static> {
-    let face = if bold { FontStyle::Bold } else { FontStyle::Normal };
-    let turn = if upwards { FontTransform::Rotate270 } else { FontTransform::None };
-    let color = RGBColor(color.0, color.1, color.2);
-    (FAMILY, height, face).into_font().transform(turn).color(&color)
+/// Fails if the embedded font cannot be read; after this, all functions here know the widths of letters.
+pub(crate) fn check() -> Result<(), FigureError> {
+    let unreadable = |error| FigureError::Backend(format!("the embedded font: {error}"));
+    FACES.as_ref().map(drop).map_err(unreadable)
 }
 
 /// Width of a text in px.
 pub(crate) fn width(text: &str, em: f64, bold: bool) -> f64 {
-    // Measured large, because the backend rounds widths to whole pixels.
-    const LARGE: f64 = 100.0;
-    let face = if bold { FontStyle::Bold } else { FontStyle::Normal };
-    let font = (FAMILY, LARGE * LINE_HEIGHT, face).into_font();
-    match font.layout_box(text) {
-        Ok(((left, _), (right, _))) => f64::from(right - left) * em / LARGE,
-        // Only an unregistered font fails; an estimate keeps the layout usable.
-        Err(_) => text.chars().count() as f64 * em * 0.65,
+    let Some(face) = face(bold) else { return 0.0 };
+    let advance = |c| f64::from(face.glyph_hor_advance(glyph(face, c)).unwrap_or_default());
+    text.chars().map(advance).sum::<f64>() * em / f64::from(face.units_per_em())
+}
+
+/// The outline of a text as SVG path data, in units of the font with y upwards, and how many of these an em has.
+pub(crate) fn outline(text: &str, bold: bool) -> (String, f64) {
+    let Some(face) = face(bold) else { return (String::new(), 1.0) };
+    let mut pen = Outline { steps: String::new(), left: 0.0 };
+    for c in text.chars() {
+        let glyph = glyph(face, c);
+        face.outline_glyph(glyph, &mut pen);
+        pen.left += f32::from(face.glyph_hor_advance(glyph).unwrap_or_default());
+    }
+    (pen.steps, f64::from(face.units_per_em()))
+}
+
+/// The first glyph of a font stands for all letters that it does not have.
+fn glyph(face: &Face<'_>, c: char) -> ttf_parser::GlyphId {
+    face.glyph_index(c).unwrap_or_default()
+}
+
+/// Writes path data, moved to the right by `left`.
+struct Outline {
+    steps: String,
+    left: f32,
+}
+
+impl OutlineBuilder for Outline {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.steps += &format!("M{} {y}", x + self.left);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.steps += &format!("L{} {y}", x + self.left);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.steps += &format!("Q{} {y1} {} {y}", x1 + self.left, x + self.left);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        self.steps += &format!("C{} {y1} {} {y2} {} {y}", x1 + self.left, x2 + self.left, x + self.left);
+    }
+
+    fn close(&mut self) {
+        self.steps.push('Z');
     }
 }
 
@@ -89,7 +118,6 @@ mod tests {
 
     #[test]
     fn measures_and_shortens() {
-        register().unwrap();
         let full = width("Shear stress (kPa)", 13.0, false);
         assert!((90.0..150.0).contains(&full), "{full}");
         assert!(width("Shear", 13.0, true) > width("Shear", 13.0, false));
@@ -99,7 +127,6 @@ mod tests {
 
     #[test]
     fn wraps_at_spaces_and_cuts_the_rest() {
-        register().unwrap();
         let lines = wrap("one two three four five six seven eight", 13.0, false, 70.0, 2);
         assert_eq!(lines.len(), 2);
         assert!(lines[1].ends_with('…'));

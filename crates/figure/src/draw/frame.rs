@@ -1,17 +1,13 @@
-//! Where everything goes on a page: margins, the plot area and the map from data to px.
+//! The plot area of a figure, its ticks and the map from data to px.
 
-use super::clip::Rect;
-use super::fonts::{width, wrap};
-use super::legend;
-use super::scene::Px;
-use super::shades;
+use super::clip::{self, Rect};
+use super::fonts::width;
+use super::svg::Px;
 use super::ticks::{Ticks, ticks};
 use crate::extent::{self, Extent};
-use crate::model::{DataPoint, Figure, Legend, Scale};
+use crate::model::{DataPoint, Figure, Orientation, Scale};
 
 pub(crate) const PAD: f64 = 12.0;
-pub(crate) const TITLE_EM: f64 = 15.0;
-pub(crate) const TITLE_STEP: f64 = 20.0;
 pub(crate) const LABEL_EM: f64 = 13.0;
 pub(crate) const TICK_EM: f64 = 12.0;
 /// Distance between the plot area and its tick labels.
@@ -19,14 +15,21 @@ pub(crate) const TICK_GAP: f64 = 7.0;
 /// What remains of the plot area on the smallest page, whatever its labels and names.
 const SMALLEST: f64 = 16.0;
 
+/// Room for what lies around the plot area and its axes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Margins {
+    /// Down to the plot area.
+    pub(crate) top: f64,
+    pub(crate) below: f64,
+    pub(crate) beside: f64,
+}
+
 /// The layout of one figure.
 #[derive(Debug)]
 pub(crate) struct Frame {
     pub(crate) plot: Rect,
-    pub(crate) title: Vec<String>,
     pub(crate) x_ticks: Ticks,
     pub(crate) y_ticks: Ticks,
-    pub(crate) legend: Option<legend::Plan>,
     pub(crate) page_width: f64,
     pub(crate) page_height: f64,
     extent: Extent,
@@ -34,32 +37,20 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    pub(crate) fn new(figure: &Figure, page_width: f64, page_height: f64) -> Self {
-        let title = wrap(&figure.title, TITLE_EM, true, page_width - 2.0 * PAD, 3);
-        let top = match title.len() {
-            0 => PAD,
-            lines => PAD + lines as f64 * TITLE_STEP + 4.0,
-        };
-        let legend = legend::Plan::new(figure, page_width, page_height - top);
-        let below =
-            legend.as_ref().filter(|_| figure.legend == Legend::Below).map_or(0.0, |l| l.height + 8.0);
-        let beside =
-            legend.as_ref().filter(|_| figure.legend == Legend::Right).map_or(0.0, |l| l.width + 14.0);
-        let beside = beside + shades::beside(figure);
+    pub(crate) fn new(figure: &Figure, page_width: f64, page_height: f64, margins: Margins) -> Self {
+        let Margins { top, below, beside } = margins;
         let x_title = if figure.x.label.is_empty() { 0.0 } else { LABEL_EM + 9.0 };
         let left = 64f64.min(page_width * 0.3);
         let plot = Rect {
             left,
-            top,
-            right: (page_width - PAD - 6.0 - beside).max(left + SMALLEST),
-            bottom: (page_height - PAD - below - x_title - TICK_GAP - TICK_EM).max(top + SMALLEST),
+            top: crisp(top),
+            right: crisp((page_width - PAD - 6.0 - beside).max(left + SMALLEST)),
+            bottom: crisp((page_height - PAD - below - x_title - TICK_GAP - TICK_EM).max(top + SMALLEST)),
         };
         let mut frame = Self {
             plot,
-            title,
             x_ticks: Ticks::default(),
             y_ticks: Ticks::default(),
-            legend,
             page_width,
             page_height,
             extent: extent::of(figure),
@@ -81,15 +72,16 @@ impl Frame {
             let y_title = if figure.y.label.is_empty() { 0.0 } else { LABEL_EM + 9.0 };
             let widest =
                 self.y_ticks.major.iter().map(|t| width(&t.label, TICK_EM, false)).fold(8.0, f64::max);
-            self.plot.left = (PAD + y_title + widest + TICK_GAP)
+            let left = (PAD + y_title + widest + TICK_GAP)
                 .min(self.page_width * 0.45)
                 .min(self.plot.right - SMALLEST);
+            self.plot.left = crisp(left);
             self.x_ticks = self.spaced_x_ticks(figure.x.scale);
             let overhang = self.x_ticks.major.last().map_or(0.0, |tick| {
                 self.x(tick.value) + width(&tick.label, TICK_EM, false) / 2.0 - self.plot.right - PAD
             });
-            self.plot.right =
-                (self.plot.right - overhang.max(0.0)).max(self.plot.left + SMALLEST).min(right_edge);
+            let right = (self.plot.right - overhang.max(0.0)).max(self.plot.left + SMALLEST);
+            self.plot.right = crisp(right).min(right_edge);
         }
     }
 
@@ -132,6 +124,32 @@ impl Frame {
     pub(crate) fn all(&self, points: &[DataPoint]) -> Vec<Px> {
         points.iter().map(|&p| self.at(p)).collect()
     }
+
+    /// A line at a value of one axis along all of the other.
+    pub(crate) fn across(&self, along: Orientation, value: f64) -> Vec<Px> {
+        match along {
+            Orientation::Horizontal => {
+                vec![(self.plot.left, self.y(value)), (self.plot.right, self.y(value))]
+            }
+            Orientation::Vertical => vec![(self.x(value), self.plot.bottom), (self.x(value), self.plot.top)],
+        }
+    }
+
+    /// What of lines is inside of the plot area. They are cut here and not by who shows the picture, since programs count px
+    /// in single precision, and data may lie far beyond a fixed range.
+    pub(crate) fn cut_lines(&self, lines: impl IntoIterator<Item = Vec<Px>>) -> Vec<Vec<Px>> {
+        lines.into_iter().flat_map(|line| clip::polyline(&line, &self.plot)).collect()
+    }
+
+    /// What of areas is inside of the plot area.
+    pub(crate) fn cut_rings(&self, rings: impl IntoIterator<Item = Vec<Px>>) -> Vec<Vec<Px>> {
+        rings.into_iter().map(|ring| clip::ring(&ring, &self.plot)).filter(|ring| ring.len() > 2).collect()
+    }
+}
+
+/// The middle of a pixel, where a line of 1 px covers whole pixels.
+pub(crate) fn crisp(px: f64) -> f64 {
+    px.floor() + 0.5
 }
 
 fn fraction(scale: Scale, (low, high): (f64, f64), value: f64) -> f64 {
@@ -150,35 +168,4 @@ fn with_equal_aspect(extent: Extent, plot: &Rect) -> Extent {
         (center - half, center + half)
     };
     Extent { x: around(extent.x, plot.width()), y: around(extent.y, plot.height()) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::{Axis, Line};
-
-    #[test]
-    fn a_plot_area_remains_on_the_smallest_page() {
-        super::super::fonts::register().unwrap();
-        for name in ["w", "a name that is longer than its page is wide, and then some"] {
-            let mut figure = Figure::new(name, Axis::linear(name), Axis::linear(name))
-                .with_legend(Legend::Right)
-                .with_equal_aspect()
-                .unwrap();
-            figure.push(Line::new(name, [(0.0, -1e-60), (1e100, 1e15)])).unwrap();
-            let frame = Frame::new(&figure, 160.0, 160.0);
-            assert!(frame.plot.width() >= SMALLEST && frame.plot.height() >= SMALLEST, "{:?}", frame.plot);
-        }
-    }
-
-    #[test]
-    fn equal_aspect_has_equal_units() {
-        let mut figure = Figure::new("t", Axis::linear("x"), Axis::linear("y")).with_equal_aspect().unwrap();
-        figure.push(Line::new("l", [(0.0, 0.0), (1.0, 30.0)])).unwrap();
-        super::super::fonts::register().unwrap();
-        let frame = Frame::new(&figure, 760.0, 480.0);
-        let (dx, dy) = (frame.x(1.0) - frame.x(0.0), frame.y(0.0) - frame.y(1.0));
-        assert!((dx / dy - 1.0).abs() < 0.02, "{dx} {dy}");
-        assert!(frame.plot.contains(frame.at((1.0, 30.0))));
-    }
 }

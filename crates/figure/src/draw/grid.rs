@@ -1,7 +1,8 @@
 //! Several figures on one page.
 
-use super::scene::Scene;
-use super::{png, scene_of, svg};
+use super::svg::Svg;
+use super::words::Words;
+use super::{draw_figure, png};
 use crate::error::FigureError;
 use crate::model::{Figure, Size};
 
@@ -32,7 +33,7 @@ impl FigureGrid {
     ///
     /// [`FigureError::BadSize`] if the cells come out below 160 px; otherwise as [`Figure::to_svg`].
     pub fn to_svg(&self, page: Size) -> Result<String, FigureError> {
-        svg::render(&self.scene(page)?)
+        self.document(page, Words::Text)
     }
 
     /// Renders the page as a PNG file of twice `page`.
@@ -41,19 +42,19 @@ impl FigureGrid {
     ///
     /// [`FigureError::BadSize`] if the cells come out below 160 px; otherwise as [`Figure::to_png`].
     pub fn to_png(&self, page: Size) -> Result<Vec<u8>, FigureError> {
-        png::render(&self.scene(page)?)
+        png::render(&self.document(page, Words::Outlines)?, page)
     }
 
-    fn scene(&self, page: Size) -> Result<Scene, FigureError> {
+    fn document(&self, page: Size, words: Words) -> Result<String, FigureError> {
         let columns = self.columns.min(self.figures.len()) as u32;
         let rows = (self.figures.len() as u32).div_ceil(columns);
         let cell = Size::new(page.width() / columns, page.height() / rows)?;
         let titles: Vec<&str> = self.figures.iter().map(Figure::title).collect();
-        let mut scene = Scene::new(page, &titles.join("; "));
+        let mut svg = Svg::new(page, &titles.join("; "), words, "");
         for (i, figure) in (0_u32..).zip(&self.figures) {
-            let offset = (f64::from(i % columns * cell.width()), f64::from(i / columns * cell.height()));
-            scene.place(scene_of(figure, cell)?, offset);
+            let corner = (f64::from(i % columns * cell.width()), f64::from(i / columns * cell.height()));
+            svg.moved(corner, |svg| draw_figure(figure, cell, svg))?;
         }
-        Ok(scene)
+        Ok(svg.finish())
     }
 }

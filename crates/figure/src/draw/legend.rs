@@ -1,14 +1,16 @@
 //! The legend, in an area of its own below or beside the plot.
 
+use super::areas;
+use super::axes::DROP;
 use super::clip::Rect;
-use super::dash::dashes;
 use super::fonts::{fit, width};
 use super::frame::{Frame, PAD, TICK_EM};
-use super::hatch::draw_hatch;
-use super::layers::{MARKER, REF_WIDTH, draw_marker};
-use super::scene::{Anchor, Label, Scene};
-use crate::model::{Figure, Layer, Legend};
-use crate::palette::{Dash, FILL_ALPHA, Hatch, Marker, NEUTRAL, Rgb, series};
+use super::layers::{line_pen, ref_pen};
+use super::points::{BAR_WIDTH, MARKER, draw_marker};
+use super::svg::{Pen, Svg};
+use super::words::{Anchor, Label};
+use crate::model::{Band, Figure, Layer, Legend, Polygons};
+use crate::palette::{FILL_ALPHA, Marker, NEUTRAL, series};
 
 const SAMPLE: f64 = 34.0;
 const GAP: f64 = 8.0;
@@ -67,75 +69,59 @@ fn others(count: usize) -> String {
 }
 
 /// Draws the legend as planned.
-pub(crate) fn draw(figure: &Figure, frame: &Frame, scene: &mut Scene) {
-    let Some(plan) = &frame.legend else { return };
+pub(crate) fn draw(figure: &Figure, plan: &Plan, frame: &Frame, svg: &mut Svg) {
     let (left, top) = match figure.legend {
         Legend::Right => (frame.page_width - PAD - plan.width, frame.plot.top),
-        _ => ((frame.page_width - plan.width + BETWEEN) / 2.0, frame.page_height - PAD - plan.height),
+        Legend::Below | Legend::Hidden => {
+            ((frame.page_width - plan.width + BETWEEN) / 2.0, frame.page_height - PAD - plan.height)
+        }
     };
     let place = |i: usize| {
         let (row, column) = (i / plan.columns, i % plan.columns);
         (left + column as f64 * plan.column_width, top + (row as f64 + 0.5) * ROW)
     };
     let room = plan.column_width - SAMPLE - GAP;
-    let mut entry = |i: usize, text: &str| {
+    let entry = |i: usize, text: &str, svg: &mut Svg| {
         let (x, middle) = place(i);
-        let at = (x + SAMPLE + GAP, middle + TICK_EM * 0.36);
-        scene.label(Label::new(fit(text, TICK_EM, false, room), at, Anchor::Start, TICK_EM));
+        let at = (x + SAMPLE + GAP, middle + TICK_EM * DROP);
+        svg.label(&Label::new(fit(text, TICK_EM, false, room), at, Anchor::Start, TICK_EM));
     };
-    let layers: Vec<&Layer> = figure.layers.iter().filter(|l| l.in_legend()).take(plan.shown).collect();
-    for (i, layer) in layers.iter().enumerate() {
-        entry(i, layer.name());
+    for (i, layer) in figure.layers.iter().filter(|l| l.in_legend()).take(plan.shown).enumerate() {
+        entry(i, layer.name(), svg);
+        draw_sample(layer, place(i), svg);
     }
     if plan.left_out > 0 {
-        entry(plan.shown, &others(plan.left_out));
-    }
-    for (i, layer) in layers.iter().enumerate() {
-        draw_sample(layer, place(i), scene);
+        entry(plan.shown, &others(plan.left_out), svg);
     }
 }
 
 /// A sample of how the layer looks.
-fn draw_sample(layer: &Layer, (left, middle): (f64, f64), scene: &mut Scene) {
-    let right = left + SAMPLE;
-    let mut line = |dash: Dash, width: f64, color: Rgb| {
-        for piece in dashes(&[(left, middle), (right, middle)], dash.pattern(), width) {
-            scene.stroke(piece, width, color);
-        }
-    };
+fn draw_sample(layer: &Layer, (left, middle): (f64, f64), svg: &mut Svg) {
+    let line = [vec![(left, middle), (left + SAMPLE, middle)]];
+    let thin = |pen: Pen| Pen { width: pen.width.min(6.0), ..pen };
+    let swatch = Rect { left, top: middle - 6.0, right: left + SAMPLE, bottom: middle + 6.0 };
     match layer {
-        Layer::Line(l) => {
-            let index = l.color.unwrap_or_default();
-            line(l.dash.unwrap_or_else(|| Dash::of(index)), l.width.min(6.0), series(index));
-        }
-        Layer::RefLine(l) => line(l.dash, REF_WIDTH, l.color.map_or(NEUTRAL, series)),
+        Layer::Line(l) => svg.stroke(&line, thin(line_pen(l))),
+        Layer::RefLine(l) => svg.stroke(&line, ref_pen(l)),
+        Layer::Paths(p) => svg.stroke(&line, thin(Pen::solid(p.width, p.color.map_or(NEUTRAL, series)))),
         Layer::Points(p) => {
             let index = p.color.unwrap_or_default();
-            let (center, color) = ((left + right) / 2.0, series(index));
+            let (center, color) = (left + SAMPLE / 2.0, series(index));
             if p.y_error.is_some() {
                 let reach = MARKER + 4.0;
-                scene.stroke(vec![(center, middle - reach), (center, middle + reach)], 1.3, color);
+                let bar = vec![(center, middle - reach), (center, middle + reach)];
+                svg.stroke(&[bar], Pen::solid(BAR_WIDTH, color));
             }
-            draw_marker(p.marker.unwrap_or_else(|| Marker::of(index)), (center, middle), color, scene);
+            draw_marker(p.marker.unwrap_or_else(|| Marker::of(index)), (center, middle), color, svg);
         }
-        Layer::Paths(p) => line(Dash::Solid, p.width.min(6.0), p.color.map_or(NEUTRAL, series)),
-        Layer::Band(b) => draw_swatch(left, middle, b.color, scene),
-        Layer::Polygons(p) => draw_swatch(left, middle, p.color, scene),
-        Layer::Span(s) => draw_swatch(left, middle, s.color, scene),
+        Layer::Band(Band { color, .. }) | Layer::Polygons(Polygons { color, .. }) => {
+            areas::fill(&[swatch.ring()], *color, svg);
+            svg.stroke(&[swatch.outline()], areas::edge(*color));
+        }
+        Layer::Span(s) => {
+            svg.fill(&[swatch.ring()], s.color.map_or(NEUTRAL, series), FILL_ALPHA);
+            svg.stroke(&[swatch.outline()], areas::edge(s.color));
+        }
         Layer::Shades(_) | Layer::Text(_) => {}
-    }
-}
-
-fn draw_swatch(left: f64, middle: f64, index: Option<usize>, scene: &mut Scene) {
-    let (color, dash) = (index.map_or(NEUTRAL, series), index.map_or(Dash::LooseDot, Dash::of));
-    let swatch = Rect { left, top: middle - 6.0, right: left + SAMPLE, bottom: middle + 6.0 };
-    let mut ring = swatch.ring();
-    scene.fill(vec![ring.clone()], color, FILL_ALPHA);
-    if let Some(index) = index {
-        draw_hatch(&[ring.clone()], Hatch::of(index), color, scene);
-    }
-    ring.push(ring[0]);
-    for piece in dashes(&ring, dash.pattern(), 1.2) {
-        scene.stroke(piece, 1.2, color);
     }
 }

@@ -1,115 +1,164 @@
-//! Playing a scene into an SVG document.
-
-use plotters::backend::{DrawingBackend, SVGBackend};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, RGBAColor, ShapeStyle};
+//! The one writer of SVG: a page that shapes and words are added to.
 
 use super::fonts;
-use super::scene::{Anchor, Item, Label, Px, Scene};
-use crate::error::FigureError;
+use super::words::{Label, Words};
 use crate::escape;
-use crate::palette::{PAPER, Rgb};
+use crate::model::Size;
+use crate::palette::{Dash, Hatch, PAPER, Rgb, faint, hex, series};
 
-/// Units of the document per px. The backend draws at whole units, and whole px would make
-/// shallow curves look stepped.
-const UNITS: f64 = 10.0;
-/// Em of the backend's font size, as it writes the `font-size` attribute.
-const SIZE_PER_EM: f64 = 1.24;
-/// Distance of the baseline below the anchor that the backend writes for texts anchored at the top.
-const TOP_TO_BASELINE: f64 = 0.76;
+/// A position on the page in px, y downwards.
+pub(crate) type Px = (f64, f64);
 
-/// Renders a scene.
-pub(crate) fn render(scene: &Scene) -> Result<String, FigureError> {
-    let mut out = String::new();
-    let (width, height) = (scene.size.width(), scene.size.height());
-    let mut backend = SVGBackend::with_string(&mut out, (width * UNITS as u32, height * UNITS as u32));
-    let corner = (unit(f64::from(width)), unit(f64::from(height)));
-    backend.draw_rect((0, 0), corner, &rgba(PAPER, 1.0), true).map_err(failed)?;
-    scene.items.iter().try_for_each(|item| play(item, &mut backend))?;
-    backend.present().map_err(failed)?;
-    drop(backend);
-    Ok(with_root(&out, scene))
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pen {
+    /// In px.
+    pub(crate) width: f64,
+    pub(crate) color: Rgb,
+    pub(crate) dash: Dash,
 }
 
-/// Replaces the root element by one in px that also has an accessible title and round joins.
-fn with_root(svg: &str, scene: &Scene) -> String {
-    let body = svg.split_once('>').map_or("", |(_, body)| body);
-    let (w, h) = (scene.size.width(), scene.size.height());
-    let (uw, uh) = (w * UNITS as u32, h * UNITS as u32);
-    let title = escape::html(&scene.title);
-    format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {uw} {uh}\" \
-         role=\"img\" stroke-linejoin=\"round\">\n<title>{title}</title>{body}"
-    )
-}
-
-fn play(item: &Item, backend: &mut SVGBackend<'_>) -> Result<(), FigureError> {
-    match item {
-        Item::Stroke { points, width, color } => {
-            let style = ShapeStyle {
-                color: rgba(*color, 1.0),
-                filled: false,
-                stroke_width: unit(*width).unsigned_abs().max(1),
-            };
-            let mut path: Vec<_> = points.iter().map(|&p| units(p)).collect();
-            path.dedup();
-            backend.draw_path(path, &style).map_err(failed)
-        }
-        Item::Fill { rings, color, alpha } => {
-            let outline = bridged(rings).into_iter().map(units);
-            backend.fill_polygon(outline, &rgba(*color, *alpha)).map_err(failed)
-        }
-        Item::Disc { center, radius, color } => {
-            let radius = unit(*radius).unsigned_abs();
-            backend.draw_circle(units(*center), radius, &rgba(*color, 1.0), true).map_err(failed)
-        }
-        Item::Label(label) => play_label(label, backend),
+impl Pen {
+    pub(crate) fn solid(width: f64, color: Rgb) -> Self {
+        Self { width, color, dash: Dash::Solid }
     }
 }
 
-fn play_label(label: &Label, backend: &mut SVGBackend<'_>) -> Result<(), FigureError> {
-    let em = label.em * UNITS;
-    let style = fonts::style(em * SIZE_PER_EM, label.bold, label.upwards, label.color);
-    let side = match label.anchor {
-        Anchor::Start => HPos::Left,
-        Anchor::Middle => HPos::Center,
-        Anchor::End => HPos::Right,
-    };
-    let (x, y) = units(label.at);
-    let rise = (em * TOP_TO_BASELINE).round() as i32;
-    let at = if label.upwards { (x - rise, y) } else { (x, y - rise) };
-    let style = style.pos(Pos::new(side, VPos::Top));
-    backend.draw_text(&label.text, &style, at).map_err(failed)
+/// A document under construction.
+#[derive(Debug)]
+pub(crate) struct Svg {
+    out: String,
+    words: Words,
+    /// Goes before names of patterns, which must differ between the pictures of one HTML page.
+    prefix: String,
+    /// Hatches whose patterns are written.
+    patterns: Vec<Hatch>,
 }
 
-/// One ring out of several. The bridges between them are walked both ways, so they enclose
-/// nothing under the non-zero rule.
-fn bridged(rings: &[Vec<Px>]) -> Vec<Px> {
-    let Some((outer, holes)) = rings.split_first() else { return Vec::new() };
-    let mut ring = outer.clone();
-    for hole in holes {
-        ring.extend(outer.first());
-        ring.extend(hole);
-        ring.extend(hole.first());
+impl Svg {
+    /// An empty page.
+    pub(crate) fn new(size: Size, title: &str, words: Words, prefix: &str) -> Self {
+        let (width, height) = (size.width(), size.height());
+        let (family, paper, title) = (fonts::FAMILY, hex(PAPER), escape::html(title));
+        let mut svg = Self { out: String::new(), words, prefix: prefix.to_owned(), patterns: Vec::new() };
+        svg.line(&format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}""#
+        ));
+        svg.line(&format!(r#"role="img" font-family="{family}" fill="none" stroke-linejoin="round">"#));
+        svg.line(&format!("<title>{title}</title>"));
+        svg.line(&format!(r#"<rect width="{width}" height="{height}" fill="{paper}"/>"#));
+        svg
     }
-    if !holes.is_empty() {
-        ring.extend(outer.first());
+
+    /// The whole document.
+    pub(crate) fn finish(mut self) -> String {
+        self.line("</svg>");
+        self.out
     }
-    ring
+
+    /// Draws something that counts its px from `corner`.
+    pub(crate) fn moved<T>(&mut self, corner: Px, draw: impl FnOnce(&mut Self) -> T) -> T {
+        self.line(&format!(r#"<g transform="translate({} {})">"#, corner.0, corner.1));
+        let drawn = draw(self);
+        self.line("</g>");
+        drawn
+    }
+
+    /// Lines; those that end where they begin are closed.
+    pub(crate) fn stroke(&mut self, lines: &[Vec<Px>], pen: Pen) {
+        let (color, width) = (hex(pen.color), rounded(pen.width));
+        let lengths: Vec<String> =
+            pen.dash.lengths(pen.width).into_iter().map(|length| rounded(length).to_string()).collect();
+        let dashes = match &lengths[..] {
+            [] => String::new(),
+            lengths => format!(r#" stroke-dasharray="{}""#, lengths.join(" ")),
+        };
+        self.path(lines, &format!(r#"stroke="{color}" stroke-width="{width}"{dashes}"#));
+    }
+
+    /// Rings filled by the non-zero rule; `alpha` is their opacity, from 0 to 1.
+    pub(crate) fn fill(&mut self, rings: &[Vec<Px>], color: Rgb, alpha: f64) {
+        let color = hex(color);
+        let opacity = if alpha < 1.0 { format!(r#" fill-opacity="{alpha}""#) } else { String::new() };
+        self.path(&closed(rings), &format!(r#"fill="{color}"{opacity}"#));
+    }
+
+    /// The hatch of a palette index across rings. It lies on one grid for the whole page, so lines of neighbours meet.
+    pub(crate) fn hatch(&mut self, rings: &[Vec<Px>], index: usize) {
+        let hatch = Hatch::of(index);
+        let Some((side, lines)) = hatch.tile() else { return };
+        let id = format!("{}hatch-{}", self.prefix, hatch.number());
+        if !self.patterns.contains(&hatch) {
+            self.patterns.push(hatch);
+            let color = hex(faint(series(index)));
+            self.line(&format!(
+                r#"<pattern id="{id}" width="{side}" height="{side}" patternUnits="userSpaceOnUse">"#
+            ));
+            self.line(&format!(r#"<path d="{lines}" stroke="{color}" stroke-width="0.9"/>"#));
+            self.line("</pattern>");
+        }
+        self.path(&closed(rings), &format!(r#"fill="url(#{id})""#));
+    }
+
+    /// A ring with a rim of paper, which keeps it apart from what it overlaps.
+    pub(crate) fn patch(&mut self, ring: &[Px], color: Rgb, rim: f64) {
+        let (color, paper) = (hex(color), hex(PAPER));
+        let style = format!(r#"fill="{color}" stroke="{paper}" stroke-width="{rim}""#);
+        self.path(&closed(&[ring.to_vec()]), &style);
+    }
+
+    /// A disc with a rim of paper.
+    pub(crate) fn disc(&mut self, center: Px, radius: f64, color: Rgb, rim: f64) {
+        let (x, y, r) = (rounded(center.0), rounded(center.1), rounded(radius));
+        let (color, paper) = (hex(color), hex(PAPER));
+        self.line(&format!(
+            r#"<circle cx="{x}" cy="{y}" r="{r}" fill="{color}" stroke="{paper}" stroke-width="{rim}"/>"#
+        ));
+    }
+
+    /// A line of text.
+    pub(crate) fn label(&mut self, label: &Label) {
+        let element = label.element(self.words);
+        self.line(&element);
+    }
+
+    /// A path of all lines together, unless nothing of them is left.
+    fn path(&mut self, lines: &[Vec<Px>], style: &str) {
+        let mut steps = String::new();
+        for line in lines {
+            let mut points: Vec<Px> = line.iter().map(|p| (rounded(p.0), rounded(p.1))).collect();
+            points.dedup();
+            let ends_where_it_began = points.len() > 2 && points.first() == points.last();
+            if ends_where_it_began {
+                points.pop();
+            }
+            if points.len() < 2 {
+                continue;
+            }
+            for (i, (x, y)) in points.iter().enumerate() {
+                let before = if i == 0 { "M" } else { " " };
+                steps += &format!("{before}{x} {y}");
+            }
+            steps += if ends_where_it_began { "Z" } else { "" };
+        }
+        if !steps.is_empty() {
+            self.line(&format!(r#"<path d="{steps}" {style}/>"#));
+        }
+    }
+
+    fn line(&mut self, element: &str) {
+        self.out += element;
+        self.out.push('\n');
+    }
 }
 
-fn units(p: Px) -> (i32, i32) {
-    (unit(p.0), unit(p.1))
+/// Rings as lines that end where they begin.
+fn closed(rings: &[Vec<Px>]) -> Vec<Vec<Px>> {
+    rings.iter().map(|ring| ring.iter().chain(ring.first()).copied().collect()).collect()
 }
 
-fn unit(px: f64) -> i32 {
-    (px * UNITS).round() as i32
-}
-
-fn rgba(color: Rgb, alpha: f64) -> RGBAColor {
-    plotters::style::RGBColor(color.0, color.1, color.2).mix(alpha)
-}
-
-fn failed(error: impl std::fmt::Display) -> FigureError {
-    FigureError::Backend(error.to_string())
+/// Hundredths of a px are finer than can be seen, also in print.
+pub(crate) fn rounded(px: f64) -> f64 {
+    // The sum turns a negative zero into zero.
+    (px * 100.0).round() / 100.0 + 0.0
 }

@@ -2,11 +2,10 @@
 
 use serde_json::{Value, json};
 
-use super::hex;
 use super::traces::trace;
 use crate::escape;
 use crate::model::{DataPoint, Paths, STEPS, Shades};
-use crate::palette::{NEUTRAL, PAPER, series, shade};
+use crate::palette::{NEUTRAL, PAPER, hex, series, shade};
 
 /// Coordinates of lines in one trace, a gap after each.
 fn set_lines<'a>(json: &mut Value, lines: impl Iterator<Item = &'a [DataPoint]>) {

@@ -2,14 +2,12 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{dash, hex, translucent};
+use super::{dash, translucent};
+use crate::draw::REF_WIDTH;
 use crate::escape;
 use crate::extent;
 use crate::model::{Axis, Figure, Layer, Legend, Orientation, RefLine, Scale, Span};
-use crate::palette::{Dash, FILL_ALPHA, GRID, INK, NEUTRAL, PAPER, series};
-
-/// Width of reference lines in px.
-const REF_WIDTH: f64 = 1.5;
+use crate::palette::{Dash, FILL_ALPHA, GRID, INK, NEUTRAL, PAPER, hex, series};
 
 /// The layout of a figure.
 pub(super) fn of(figure: &Figure) -> Value {

@@ -17,11 +17,6 @@ pub(crate) fn to_json(figure: &Figure) -> Value {
     json!({ "data": traces::of(figure), "layout": layout::of(figure) })
 }
 
-/// A colour as plotly.js and the page script expect it; lower case hexadecimal.
-fn hex((r, g, b): Rgb) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
-}
-
 /// A translucent colour.
 fn translucent((r, g, b): Rgb, alpha: f64) -> String {
     format!("rgba({r},{g},{b},{alpha})")
@@ -29,9 +24,6 @@ fn translucent((r, g, b): Rgb, alpha: f64) -> String {
 
 /// A dash pattern as lengths in px, the same as in the static renderers.
 fn dash(dash: Dash, width: f64) -> String {
-    if dash.pattern().is_empty() {
-        return "solid".to_owned();
-    }
-    let lengths: Vec<String> = dash.pattern().iter().map(|l| format!("{:.1}px", l * width)).collect();
-    lengths.join(",")
+    let lengths: Vec<String> = dash.lengths(width).iter().map(|l| format!("{l:.1}px")).collect();
+    if lengths.is_empty() { "solid".to_owned() } else { lengths.join(",") }
 }

@@ -2,10 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::hex;
 use crate::draw::Frame;
 use crate::model::{DataPoint, Motion, MovingPoint};
-use crate::palette::{NEUTRAL, series};
+use crate::palette::{NEUTRAL, hex, series};
 
 /// Steps a px: places are whole numbers of these, which takes a third of the space.
 const STEPS: f64 = 16.0;

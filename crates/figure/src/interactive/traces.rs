@@ -3,10 +3,10 @@
 use serde_json::{Value, json};
 
 use super::fields::{paths_trace, shades_traces};
-use super::{dash, hex, translucent};
+use super::{dash, translucent};
 use crate::escape;
 use crate::model::{Band, Figure, Layer, Line, Points, Polygons, Text, TextPlace};
-use crate::palette::{Dash, FILL_ALPHA, Hatch, INK, Marker, series};
+use crate::palette::{Dash, FILL_ALPHA, Hatch, INK, Marker, hex, series};
 
 /// The traces of a figure; texts last, so that they stay on top.
 pub(super) fn of(figure: &Figure) -> Vec<Value> {

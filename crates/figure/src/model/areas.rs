@@ -73,13 +73,6 @@ impl Polygons {
     pub fn new(name: impl Into<String>, parts: impl Into<Vec<Polygon>>) -> Self {
         Self { name: name.into(), parts: parts.into(), color: None }
     }
-
-    /// Sets the palette index.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
-        self
-    }
 }
 
 /// A strip over the whole figure, such as a measured value with its tolerance.
@@ -106,12 +99,5 @@ impl Span {
     /// A vertical strip between two x values.
     pub fn vertical(name: impl Into<String>, low: f64, high: f64) -> Self {
         Self { name: name.into(), orientation: Orientation::Vertical, low, high, color: None }
-    }
-
-    /// Sets the palette index.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
-        self
     }
 }

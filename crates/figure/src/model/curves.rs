@@ -39,13 +39,6 @@ impl Line {
         self.width = width;
         self
     }
-
-    /// Sets the palette index.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
-        self
-    }
 }
 
 /// The area between two curves over the same x values.
@@ -72,13 +65,6 @@ impl Band {
         high: impl Into<Vec<f64>>,
     ) -> Self {
         Self { name: name.into(), x: x.into(), low: low.into(), high: high.into(), color: None }
-    }
-
-    /// Sets the palette index, e.g. that of the line the band belongs to.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
-        self
     }
 
     /// The closed outline: along the upper curve and back along the lower one.

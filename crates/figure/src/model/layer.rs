@@ -98,3 +98,17 @@ macro_rules! into_layer {
     )*};
 }
 into_layer!(Line, Band, Polygons, Points, Paths, Shades, Span, RefLine, Text);
+
+macro_rules! with_color {
+    ($($kind:ident),*) => {$(
+        impl $kind {
+            /// Sets the palette index; equal indices have equal colours, dashes, markers and hatches.
+            #[must_use]
+            pub fn color(mut self, index: usize) -> Self {
+                self.color = Some(index);
+                self
+            }
+        }
+    )*};
+}
+with_color!(Line, Band, Polygons, Points, Paths, Span, RefLine, Text);

@@ -56,13 +56,6 @@ impl Points {
         self
     }
 
-    /// Sets the palette index.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
-        self
-    }
-
     /// The ends of the error bars in data coordinates, one pair per point.
     pub(crate) fn bars(&self) -> Option<Vec<(f64, f64)>> {
         let lengths = self.y_error.as_ref()?;
@@ -106,13 +99,6 @@ impl RefLine {
         self.dash = dash;
         self
     }
-
-    /// Sets the palette index.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
-        self
-    }
 }
 
 /// Where a text sits relative to its data point.
@@ -154,13 +140,6 @@ impl Text {
     #[must_use]
     pub fn place(mut self, place: TextPlace) -> Self {
         self.place = place;
-        self
-    }
-
-    /// Sets the palette index.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
         self
     }
 }

@@ -39,13 +39,6 @@ impl Paths {
         self
     }
 
-    /// Sets the palette index.
-    #[must_use]
-    pub fn color(mut self, index: usize) -> Self {
-        self.color = Some(index);
-        self
-    }
-
     /// The corners of a part's arrow head: left, tip, right; none without arrows or without a last step.
     pub(crate) fn head(&self, part: &[DataPoint]) -> Option<[DataPoint; 3]> {
         /// Length and half width of a head over that of the last step.

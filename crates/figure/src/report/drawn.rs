@@ -30,12 +30,17 @@ fn untitled(figure: &Figure) -> Figure {
     Figure { title: String::new(), ..figure.clone() }
 }
 
+/// Before the names in a figure's picture.
+fn prefix(number: usize) -> String {
+    format!("figure-{number}-")
+}
+
 impl Drawn {
     pub(crate) fn figure(shown: Shown, caption: RichText, number: usize) -> Result<Self, FigureError> {
         let untitled = untitled(&shown.figure);
         let mut json = untitled.to_plotly_json();
         json["layout"]["margin"]["t"] = 34.into();
-        let svg = untitled.to_svg(shown.size)?;
+        let svg = draw::to_svg(&untitled, shown.size, &prefix(number))?;
         Ok(Self { number, shown, caption, svg, live: Live::Plot, json: escape::script_json(&json) })
     }
 
@@ -51,10 +56,10 @@ impl Drawn {
         let json = interactive::motion_to_json(motion, &frame);
         Ok(Self {
             number,
-            svg: untitled.to_svg(size)?,
+            svg: draw::to_svg(&untitled, size, &prefix(number))?,
             shown,
             caption,
-            live: Live::Motion { axes: draw::svg::render(&axes)? },
+            live: Live::Motion { axes },
             json: escape::script_json(&json),
         })
     }

@@ -34,27 +34,3 @@ pub(crate) fn everything() -> Result<Figure, FigureError> {
         .push(Text::new(HOSTILE, (2.0, 2.0)))?;
     Ok(figure)
 }
-
-/// Fails unless the text is well-formed as far as tags and quotes go.
-pub(crate) fn assert_well_formed(xml: &str) {
-    let mut open: Vec<&str> = Vec::new();
-    let mut rest = xml;
-    while let Some(start) = rest.find('<') {
-        assert!(!rest[..start].contains('>'), "stray > in {}", &rest[..start]);
-        let end = rest[start..].find('>').expect("unclosed tag") + start;
-        let tag = &rest[start + 1..end];
-        assert_eq!(tag.matches('"').count() % 2, 0, "{tag}");
-        if let Some(name) = tag.strip_prefix('/') {
-            assert_eq!(open.pop(), Some(name));
-        } else if !tag.ends_with('/') {
-            open.push(tag.split_whitespace().next().expect("a name"));
-        }
-        rest = &rest[end + 1..];
-    }
-    assert!(open.is_empty(), "{open:?}");
-    let entities = xml.split('&').skip(1);
-    for entity in entities {
-        let name = entity.split(';').next().expect("an entity");
-        assert!(["lt", "gt", "amp", "quot", "apos", "#39"].contains(&name), "&{name}");
-    }
-}

@@ -1,29 +1,18 @@
-//! Polygons coloured by a value, and their colour bar.
+//! Colour bars of maps of a value.
 
-use super::clip::{self, Rect};
-use super::fonts::width;
-use super::frame::{Frame, LABEL_EM, PAD, TICK_EM, TICK_GAP};
-use super::scene::{Anchor, Label, Px, Scene};
+use super::axes::{DROP, MARK};
+use super::clip::Rect;
+use super::fonts::{fit, width};
+use super::frame::{Frame, LABEL_EM, PAD, TICK_EM, TICK_GAP, crisp};
+use super::svg::{Pen, Svg};
 use super::ticks::ticks;
+use super::words::{Anchor, Label};
 use crate::model::{Figure, Layer, STEPS, Scale, Shades};
 use crate::palette::{INK, shade};
 
 /// Width of a colour bar, and its distance from the plot.
 const BAR: f64 = 14.0;
 const GAP: f64 = 14.0;
-
-pub(crate) fn draw_shades(shades: &Shades, frame: &Frame, scene: &mut Scene) {
-    for (color, rings) in shades.level_sets() {
-        let rings: Vec<Vec<Px>> = rings
-            .iter()
-            .map(|ring| clip::ring(&frame.all(ring), &frame.plot))
-            .filter(|ring| ring.len() > 2)
-            .collect();
-        if !rings.is_empty() {
-            scene.fill(rings, color, 1.0);
-        }
-    }
-}
 
 fn bars(figure: &Figure) -> impl Iterator<Item = &Shades> {
     figure.layers.iter().filter_map(|layer| match layer {
@@ -50,30 +39,29 @@ pub(crate) fn beside(figure: &Figure) -> f64 {
 }
 
 /// Draws the colour bars, from the plot outwards.
-pub(crate) fn draw_bars(figure: &Figure, frame: &Frame, scene: &mut Scene) {
+pub(crate) fn draw(figure: &Figure, frame: &Frame, svg: &mut Svg) {
     let plot = &frame.plot;
     let mut left = plot.right;
     for shades in bars(figure) {
-        let bar = Rect { left: left + GAP, right: left + GAP + BAR, ..*plot };
+        let bar = Rect { left: crisp(left + GAP), right: crisp(left + GAP + BAR), ..*plot };
         let at = |part: f64| bar.bottom - part * bar.height();
         for step in 1..STEPS {
-            let ring = Rect { top: bar.top, bottom: at(step as f64 / STEPS as f64), ..bar }.ring();
-            scene.fill(vec![ring], shade(step as f64 / (STEPS - 1) as f64), 1.0);
+            let above = Rect { bottom: at(step as f64 / STEPS as f64), ..bar };
+            svg.fill(&[above.ring()], shade(step as f64 / (STEPS - 1) as f64), 1.0);
         }
-        let mut ring = bar.ring();
-        ring.push(ring[0]);
-        scene.stroke(ring, 1.0, INK);
+        let mut lines = vec![bar.outline()];
         let (low, high) = shades.range;
         for (value, label) in labels(shades, bar.height()) {
             let y = at((value - low) / (high - low));
-            scene.stroke(vec![(bar.right, y), (bar.right + 4.0, y)], 1.0, INK);
-            let place = (bar.right + TICK_GAP, y + TICK_EM * 0.36);
-            scene.label(Label::new(label, place, Anchor::Start, TICK_EM));
+            lines.push(vec![(bar.right, crisp(y)), (bar.right + MARK, crisp(y))]);
+            let place = (bar.right + TICK_GAP, y + TICK_EM * DROP);
+            svg.label(&Label::new(label, place, Anchor::Start, TICK_EM));
         }
+        svg.stroke(&lines, Pen::solid(1.0, INK));
         left += room(shades);
         let middle = (bar.top + bar.bottom) / 2.0;
         let place = ((left - 2.0).min(frame.page_width - PAD / 2.0), middle);
-        let name = super::fonts::fit(&shades.name, LABEL_EM, false, bar.height());
-        scene.label(Label { upwards: true, ..Label::new(name, place, Anchor::Middle, LABEL_EM) });
+        let name = fit(&shades.name, LABEL_EM, false, bar.height());
+        svg.label(&Label { upwards: true, ..Label::new(name, place, Anchor::Middle, LABEL_EM) });
     }
 }
