@@ -1,17 +1,18 @@
 //! Files of a diagnosis: model file, predictions, next experiment.
 
 use std::collections::BTreeMap;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use soilctl_diagnosis::{Comparison, Data, Diagnosis, NextExperiment, Part, Status};
 use soilctl_effects::{
     EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry, effect,
 };
+use soilctl_jobs::fnv1a;
 use soilctl_strokes::StrokeTable;
 
 use super::{Against, Work};
 use crate::error::CliError;
+use crate::verbs::process::save;
 
 /// Where things were written.
 pub(super) struct Written {
@@ -88,7 +89,7 @@ pub(super) fn model_file(against: &Against, data: &Data, d: &Diagnosis, bytes: &
             .collect(),
         equivalence_set: d.equivalence_set.clone(),
         reference: data.reference.clone(),
-        data_hash: format!("{:016x}", fnv(bytes)),
+        data_hash: fnv1a(bytes),
         held_out,
     }
 }
@@ -110,13 +111,6 @@ pub(super) fn parameters(id: &str, amplitude: f64, sd: f64, shape: f64) -> BTree
         }
     }
     found
-}
-
-/// FNV-1a, 64 bits: says whether two files are the same, not more.
-pub(super) fn fnv(bytes: &[u8]) -> u64 {
-    bytes
-        .iter()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// Status as it is written.
@@ -146,7 +140,7 @@ fn write_design(next: &NextExperiment, path: &Path) -> Result<(), CliError> {
         let cell = |&i: &usize| if read(i) { "" } else { line.get(i).map_or("", String::as_str) };
         out += &(keep.iter().map(cell).collect::<Vec<_>>().join(",") + "\n");
     }
-    std::fs::write(path, out).map_err(|problem| failed(path, problem))
+    save(path, out.as_bytes())
 }
 
 /// The same file without the effects that were found (all but the first `known`), with the soil that fits best then.
@@ -180,8 +174,7 @@ fn predictions(work: &Work, file: ModelFile, patch: &Path, path: &Path) -> Resul
             held(&c.heldout_after)
         );
     }
-    let mut out = std::fs::File::create(path).map_err(|problem| failed(path, problem))?;
-    out.write_all(text.as_bytes()).map_err(|problem| failed(path, problem))
+    save(path, text.as_bytes())
 }
 
 /// The held-out gap by column and condition.
@@ -203,7 +196,7 @@ fn gap_table(parts: &[Part], path: &Path) -> Result<(), CliError> {
             part.delta_elpd_se
         );
     }
-    std::fs::write(path, text).map_err(|problem| failed(path, problem))
+    save(path, text.as_bytes())
 }
 
 fn quoted(text: &str) -> String {
