@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 use soilctl_controller::ControllerError;
 use soilctl_earth_pressure::EarthPressureError;
 use soilctl_effects::{EffectId, EffectsError};
+use soilctl_jobs::JobsError;
 use soilctl_kinematics::KinematicsError;
 use soilctl_plant::PlantError;
 use soilctl_session::SessionError;
@@ -41,24 +42,9 @@ pub enum CampaignError {
         /// Why not.
         reason: &'static str,
     },
-    /// A folder that holds another campaign.
-    #[error(
-        "{} holds a campaign with another {what} ({found}; this one: {wanted}); use another folder, or empty this one",
-        path.display()
-    )]
-    OtherCampaign {
-        /// The folder.
-        path: PathBuf,
-        /// What differs.
-        what: &'static str,
-        /// What is there.
-        found: String,
-        /// What was asked for.
-        wanted: String,
-    },
-    /// A thread could not be started, or ended unexpectedly.
-    #[error("a thread of the simulation {0}; close some programs and start again")]
-    Thread(String),
+    /// A folder that holds another campaign, or a thread that could not be started.
+    #[error(transparent)]
+    Jobs(#[from] JobsError),
     /// Settings of the controller, or strokes.
     #[error(transparent)]
     Controller(#[from] ControllerError),

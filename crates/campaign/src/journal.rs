@@ -4,6 +4,7 @@ use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use soilctl_jobs::{Inputs, JobsError, fnv1a, write_atomically};
 
 use crate::CampaignError;
 
@@ -52,8 +53,8 @@ impl Journal {
             schema: SCHEMA.to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             seed,
-            plan_hash: hash(plan),
-            model_file_hash: if model_file.is_empty() { String::new() } else { hash(model_file) },
+            plan_hash: fnv1a(plan.as_bytes()),
+            model_file_hash: if model_file.is_empty() { String::new() } else { fnv1a(model_file.as_bytes()) },
             finished: Vec::new(),
         }
     }
@@ -66,27 +67,9 @@ impl Journal {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
             Err(error) => return Err(CampaignError::file(&path, &error)),
         };
-        let found: Self = serde_json::from_str(&text).map_err(|error| CampaignError::Plan {
-            file: path.display().to_string(),
-            problem: format!("{error}; remove the file to start anew"),
-        })?;
-        for (what, found, wanted) in [
-            ("format", &found.schema, &self.schema),
-            ("program version", &found.program_version, &self.program_version),
-            ("seed", &found.seed.to_string(), &self.seed.to_string()),
-            ("plan", &found.plan_hash, &self.plan_hash),
-            ("model file", &found.model_file_hash, &self.model_file_hash),
-        ] {
-            if found != wanted {
-                let none = |text: &str| if text.is_empty() { "none".to_owned() } else { text.to_owned() };
-                return Err(CampaignError::OtherCampaign {
-                    path: out.to_owned(),
-                    what,
-                    found: none(found),
-                    wanted: none(wanted),
-                });
-            }
-        }
+        let found: Self = serde_json::from_str(&text)
+            .map_err(|problem| JobsError::NoJournal { path: path.clone(), problem })?;
+        found.same_as(self, &path)?;
         self.finished = found.finished.into_iter().filter(|report| out.join(&report.log).is_file()).collect();
         Ok(())
     }
@@ -100,16 +83,22 @@ impl Journal {
 
     /// Stores the journal; it is replaced in one go.
     pub(crate) fn store(&self, out: &Path) -> Result<(), CampaignError> {
-        let (path, new) = (out.join(NAME), out.join(format!("{NAME}.part")));
-        let text = serde_json::to_string_pretty(self).map_err(|error| CampaignError::file(&path, &error))?;
-        std::fs::write(&new, text + "\n").map_err(|error| CampaignError::file(&new, &error))?;
-        std::fs::rename(&new, &path).map_err(|error| CampaignError::file(&path, &error))
+        let path = out.join(NAME);
+        let text =
+            serde_json::to_string_pretty(self).map_err(|error| CampaignError::file(&path, &error))? + "\n";
+        write_atomically(&path, text.as_bytes()).map_err(|error| CampaignError::file(&path, &error))
     }
 }
 
-fn hash(text: &str) -> String {
-    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    format!("{hash:016x}")
+impl Inputs for Journal {
+    fn inputs(&self) -> Vec<(&'static str, String)> {
+        let model_file = if self.model_file_hash.is_empty() { "none" } else { &self.model_file_hash };
+        vec![
+            ("format", self.schema.clone()),
+            ("program version", self.program_version.clone()),
+            ("seed", self.seed.to_string()),
+            ("plan", self.plan_hash.clone()),
+            ("model file", model_file.to_owned()),
+        ]
+    }
 }

@@ -95,7 +95,7 @@ impl Solution {
         if !serde_json::from_str::<Self>(&text).is_ok_and(|back| back == *self) {
             return Err(format("a number is NaN or infinite".into()));
         }
-        fs::write(path, text)
+        soilctl_jobs::write_atomically(path, text.as_bytes())
             .map_err(|e| CertificateError::File { path: path.to_owned(), message: e.to_string() })
     }
 }

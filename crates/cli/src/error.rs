@@ -7,6 +7,7 @@ use soilctl_earth_pressure::EarthPressureError;
 use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
+use soilctl_jobs::JobsError;
 use soilctl_kinematics::KinematicsError;
 use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_live::LiveError;
@@ -79,6 +80,9 @@ pub(crate) enum CliError {
     /// A simulated campaign.
     #[error(transparent)]
     Campaign(#[from] CampaignError),
+    /// Work of another run, a store or a journal.
+    #[error(transparent)]
+    Jobs(#[from] JobsError),
     /// A diagnosis.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
@@ -139,6 +143,7 @@ impl CliError {
                         | RecordingError::Session(SessionError::File { .. } | SessionError::NotALog { .. })
                 )
                 | Self::Campaign(CampaignError::File { .. })
+                | Self::Jobs(JobsError::File { .. } | JobsError::NoResult { .. } | JobsError::Damaged { .. })
         )
     }
 

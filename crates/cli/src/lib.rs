@@ -9,7 +9,6 @@ mod error;
 mod finite;
 mod output;
 mod progress;
-mod shard;
 mod text;
 mod verbs;
 

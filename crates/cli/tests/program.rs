@@ -47,6 +47,7 @@ fn a_reader_that_goes_away_is_no_failure() {
 
 #[test]
 fn the_schemas_in_the_documentation_are_those_of_the_code() {
+    assert!(String::from_utf8(soilctl(&["--help"]).stdout).unwrap().contains("  schemas "));
     let dir = tempfile::tempdir().unwrap();
     assert_eq!(soilctl(&["schemas", dir.path().to_str().unwrap()]).status.code(), Some(0));
     let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/schemas");

@@ -91,6 +91,23 @@ fn a_check_says_what_the_file_means_without_solving() {
 }
 
 #[test]
+fn a_check_draws_the_problem_and_refuses_what_needs_a_solution() {
+    let dir = tempfile::tempdir().unwrap();
+    let (slope, csv) = (example("slope.toml"), dir.path().join("slope.csv"));
+    assert_eq!(soilctl(&["solve", &slope, "--check", "--plot", csv.to_str().unwrap()]).0, 0);
+    let drawn = std::fs::read_to_string(&csv).unwrap();
+    for named in [",silt,", ",free,", ",fixed,", ",smooth,", "-15.0,-6.0", "40.0,6.0"] {
+        assert!(drawn.contains(named), "{named} is not in {drawn}");
+    }
+    for option in ["--report", "--vtu", "--mesh", "--figures", "--save"] {
+        let (code, _, stderr) = soilctl(&["solve", &slope, "--check", option, "x.svg"]);
+        assert!(code == 2 && stderr.contains(option) && stderr.contains("--check"), "{option}: {stderr}");
+    }
+    let (code, _, stderr) = soilctl(&["solve", &slope, "--check", "--plot", "x.txt"]);
+    assert!(code == 2 && stderr.contains(".svg"), "{stderr}");
+}
+
+#[test]
 fn json_files_say_the_same_as_toml_files() {
     let dir = tempfile::tempdir().unwrap();
     let wall = example("wall_passive.toml");

@@ -182,6 +182,7 @@ impl ModelFile {
     pub fn write(&self, path: &Path) -> Result<(), EffectsError> {
         let failed = |problem: String| EffectsError::File { file: path.display().to_string(), problem };
         let text = serde_json::to_string_pretty(self).map_err(|problem| failed(problem.to_string()))?;
-        std::fs::write(path, text + "\n").map_err(|problem| failed(problem.to_string()))
+        let text = text + "\n";
+        soilctl_jobs::write_atomically(path, text.as_bytes()).map_err(|problem| failed(problem.to_string()))
     }
 }

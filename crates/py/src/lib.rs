@@ -10,6 +10,7 @@ mod copies;
 mod earth_pressure;
 mod error;
 mod estimator;
+mod jobs;
 mod kinematics;
 mod limit_analysis;
 mod patient;
@@ -36,6 +37,8 @@ mod _native {
     use crate::earth_pressure::{Prediction, failure_surface, predict, restore_prediction, valid_range};
     #[pymodule_export]
     use crate::estimator::{Estimate, estimate};
+    #[pymodule_export]
+    use crate::jobs::{store_has, store_key, store_note_failure, store_paths, store_publish, store_read};
     #[pymodule_export]
     use crate::kinematics::{Arm, restore_arm};
     #[pymodule_export]

@@ -19,8 +19,9 @@ use std::path::Path;
 pub use error::RecordingError;
 use follow::Follower;
 use rrd::Writer;
+use soilctl_jobs::Beside;
 pub use soilctl_live::protocol::{FORCE_M_PER_N, LEAD_SCALE};
-use soilctl_session::{Beside, SessionError};
+use soilctl_session::SessionError;
 
 /// A layout for Foxglove: the arm, curves and states of the topics that soilctl writes.
 pub const FOXGLOVE_LAYOUT: &str = include_str!("../foxglove.json");
@@ -48,7 +49,7 @@ pub fn record(log: &Path, out: &Path) -> Result<Recording, RecordingError> {
     let id = id(log)?;
     let beside = Beside::new(out);
     let recording = write(log, &id, beside.path())?;
-    beside.keep()?;
+    beside.keep().map_err(|error| unwritten(out, &error.into()))?;
     Ok(recording)
 }
 

@@ -1,6 +1,5 @@
 #![doc = include_str!("../README.md")]
 
-mod beside;
 mod cdr;
 mod error;
 mod export;
@@ -19,7 +18,6 @@ mod strokes;
 pub mod topics;
 mod write;
 
-pub use beside::Beside;
 pub use error::SessionError;
 pub use export::{Export, Row, TABLES, TableForm, export, export_until, table_rows};
 pub use fields::Cell;

@@ -7,8 +7,8 @@ use std::sync::atomic::AtomicBool;
 use mcap::records::{MessageHeader, Metadata};
 use mcap::write::NoSeek;
 use mcap::{Attachment, McapError};
+use soilctl_jobs::Beside;
 
-use crate::beside::Beside;
 use crate::error::reason;
 use crate::read::{Ending, Item, RawMessage, scan_until};
 use crate::write::options;
@@ -46,7 +46,7 @@ pub fn recover(path: &Path, out: &Path) -> Result<Recovery, SessionError> {
 pub fn recover_until(path: &Path, out: &Path, stop: &AtomicBool) -> Result<Recovery, SessionError> {
     let beside = Beside::new(out);
     let recovery = copy(path, beside.path(), stop)?;
-    beside.keep()?;
+    beside.keep().map_err(|error| SessionError::file(out, &error))?;
     Ok(recovery)
 }
 

@@ -145,7 +145,8 @@ impl Campaign {
         let path = path_beside(strokes_path);
         let failed = |problem: String| StrokesError::File { file: path.display().to_string(), problem };
         let text = serde_json::to_string_pretty(self).map_err(|problem| failed(problem.to_string()))?;
-        std::fs::write(&path, text + "\n").map_err(|problem| failed(problem.to_string()))
+        let text = text + "\n";
+        soilctl_jobs::write_atomically(&path, text.as_bytes()).map_err(|problem| failed(problem.to_string()))
     }
 }
 

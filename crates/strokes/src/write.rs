@@ -1,6 +1,5 @@
 use std::fmt::Write as _;
-use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::Path;
 
 use crate::columns::Column;
@@ -14,8 +13,10 @@ impl StrokeTable {
     /// [`StrokesError::File`] if the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), StrokesError> {
         let failed = |problem: String| StrokesError::File { file: path.display().to_string(), problem };
-        let file = File::create(path).map_err(|problem| failed(problem.to_string()))?;
-        self.to_writer(BufWriter::new(file)).map_err(|problem| failed(problem.to_string()))
+        let mut bytes = Vec::new();
+        self.to_writer(&mut bytes)
+            .and_then(|()| soilctl_jobs::write_atomically(path, &bytes))
+            .map_err(|problem| failed(problem.to_string()))
     }
 
     /// As [`StrokeTable::write`], to any writer.

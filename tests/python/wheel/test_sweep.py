@@ -1,5 +1,7 @@
 """Sweeps: resume, name failures, same bytes whatever runs them."""
 
+import hashlib
+import json
 import os
 import signal
 import subprocess
@@ -100,6 +102,27 @@ def test_version_name_and_parameters_make_other_results(tmp_path):
     for version in ("1", "2", "1"):
         soilctl.sweep(square, [{"number": 1}], store=tmp_path, executor=serial, version=version)
     assert serial.submitted == 2
+
+
+def test_files_can_be_found_and_checked_without_soilctl(tmp_path):
+    cell = {"small": 1e-05, "large": 1.5e16, "whole": 10**30, "text": "\u00e9\n\x01\x7f", "list": [None, True, -0.0]}
+
+    def text(value):
+        return json.dumps(value, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+
+    asked = {"format": "soilctl.sweep/1", "function": "f", "version": "1", "cell": cell}
+    key = hashlib.sha256(text(asked).encode()).hexdigest()
+    store = soilctl.Store(tmp_path)
+    assert store.key("f", "1", cell) == key
+    store.publish(key, "f", "1", cell, text([1, 2.5]).encode())
+    file = tmp_path / "results" / key[:2] / f"{key}.json"
+    assert store.path(key) == file and store.read(key) == [1, 2.5]
+    found = json.loads(file.read_bytes())
+    assert hashlib.sha256(found["result"].encode()).hexdigest() == found["sha256"]
+    assert file.read_text() == text(found) + "\n" and found["cell"] == cell
+    with pytest.raises(soilctl.MissingFileError) as missing:
+        store.read("0" * 64)
+    assert missing.value.filename == str(store.path("0" * 64))
 
 
 def test_failures_are_named_and_tried_again(tmp_path):

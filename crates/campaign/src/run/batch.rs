@@ -1,9 +1,10 @@
 //! One batch: a fresh preparation, its strokes, its log.
 
 use std::path::Path;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use soilctl_controller::{Commands, EventKind};
+use soilctl_jobs::Beside;
 use soilctl_plant::Simulation;
 use soilctl_session::messages::SoilTruth;
 use soilctl_session::{Logger, Pace, Recorder, Setup, Truth};
@@ -17,24 +18,23 @@ use crate::journal::BatchReport;
 pub(super) fn run(
     job: &Job<'_>,
     batch: usize,
-    halt: &dyn Fn() -> bool,
+    stop: &AtomicBool,
     notice: &(dyn Fn(Notice<'_>) + Sync),
 ) -> Result<Option<BatchReport>, CampaignError> {
     let log = log_name(batch);
     let path = job.out.join(&log);
-    let part = job.out.join(format!("{log}.part"));
+    let part = Beside::new(&path);
     notice(Notice::Began { batch });
     let (mut simulation, setup, stroke_number) = job.prepare(batch)?;
-    let (logger, mut recorder) = Logger::create(&part, &setup, Pace::Simulated)?;
+    let (logger, mut recorder) = Logger::create(part.path(), &setup, Pace::Simulated)?;
     let strokes = job.plan.strokes_of(batch);
     let mut script = Script::new(strokes.start, strokes.end, job.plan.file().homing);
     let mut goes_on = true;
     while goes_on && !script.is_done() {
-        if halt() {
+        if stop.load(Ordering::Relaxed) {
             drop(recorder);
             // What it says of the log does not matter any more.
             let _ = logger.finish();
-            std::fs::remove_file(&part).map_err(|error| CampaignError::file(&part, &error))?;
             return Ok(None);
         }
         stroke_number.store(script.stroke(), Ordering::Relaxed);
@@ -44,7 +44,7 @@ pub(super) fn run(
     }
     drop(recorder);
     let steps = logger.finish()?.steps;
-    std::fs::rename(&part, &path).map_err(|error| CampaignError::file(&path, &error))?;
+    part.keep().map_err(|error| CampaignError::file(&path, &error))?;
     let report = BatchReport {
         batch,
         log,
@@ -109,15 +109,10 @@ pub(super) fn notes(setup: &mut Setup, batch: usize, density_kg_m3: f64) {
     setup.notes.insert("density_kg_m3".to_owned(), density_kg_m3.to_string());
 }
 
-/// Removes the log of a batch that was not finished, so that a folder holds nothing half-done.
-pub(super) fn remove_parts(out: &Path, batches: usize) -> Result<(), CampaignError> {
+/// Removes the logs that a kill left half-done.
+pub(super) fn remove_parts(out: &Path, batches: usize) {
     for batch in 0..batches {
-        let part = out.join(format!("{}.part", log_name(batch)));
-        match std::fs::remove_file(&part) {
-            Ok(()) => {}
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
-            Err(error) => return Err(CampaignError::file(&part, &error)),
-        }
+        // What is not kept goes away.
+        drop(Beside::new(&out.join(log_name(batch))));
     }
-    Ok(())
 }

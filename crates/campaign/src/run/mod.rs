@@ -4,11 +4,12 @@ mod batch;
 mod script;
 
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 pub use batch::logged_truth;
 use soilctl_effects::{Active, ModelFile};
+use soilctl_jobs::each;
 use soilctl_plant::Simulation;
 use soilctl_session::Setup;
 
@@ -68,10 +69,10 @@ pub struct Report {
 /// often the run was interrupted. A log appears under its name when it is whole.
 ///
 /// `model_file` and its name: soil and effects that replace those of the plan. When `stop` becomes true, batches that
-/// are not finished are given up; a later call makes them.
+/// are not finished are given up; a later call makes them. A failure sets it.
 ///
 /// # Errors
-/// [`CampaignError::OtherCampaign`] if the folder holds something else, [`CampaignError::Effect`] for an effect that the
+/// [`CampaignError::Jobs`] if the folder holds something else, [`CampaignError::Effect`] for an effect that the
 /// plant cannot show, [`CampaignError::File`] or [`CampaignError::Session`] if it cannot be written, and
 /// [`CampaignError::Plant`] if a simulated arm leaves all bounds. Batches that were finished stay.
 pub fn simulate(
@@ -98,13 +99,19 @@ pub fn simulate(
     let mut journal = Journal::new(options.seed, &job.fingerprint()?, &job.model_text);
     journal.resume(options.out)?;
     journal.store(options.out)?;
-    batch::remove_parts(options.out, plan.batches())?;
+    batch::remove_parts(options.out, plan.batches());
     describe::campaign(job.plan).write_beside(&options.out.join("strokes.csv"))?;
     let resumed = journal.finished.len();
     let todo: Vec<usize> = (0..plan.batches())
         .filter(|batch| journal.finished.iter().all(|report| report.batch != *batch))
         .collect();
-    let journal = run_all(&job, &todo, options.threads, journal, stop, notice)?;
+    each(
+        &todo,
+        options.threads,
+        stop,
+        |batch| batch::run(&job, *batch, stop, notice),
+        |_, report| journal.add(report, job.out),
+    )?;
     Ok(Report { resumed, complete: journal.finished.len() == plan.batches(), batches: journal.finished })
 }
 
@@ -148,50 +155,6 @@ impl Job<'_> {
 fn text(file: &ModelFile, name: &str) -> Result<String, CampaignError> {
     serde_json::to_string(file)
         .map_err(|error| CampaignError::Plan { file: name.to_owned(), problem: error.to_string() })
-}
-
-/// Runs batches on threads; the first error ends all.
-fn run_all(
-    job: &Job<'_>,
-    todo: &[usize],
-    threads: usize,
-    journal: Journal,
-    stop: &AtomicBool,
-    notice: &(dyn Fn(Notice<'_>) + Sync),
-) -> Result<Journal, CampaignError> {
-    let (next, shared, failed) = (AtomicUsize::new(0), Mutex::new(journal), AtomicBool::new(false));
-    let work = || -> Result<(), CampaignError> {
-        while let Some(&batch) = todo.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let halt = || stop.load(Ordering::Relaxed) || failed.load(Ordering::Relaxed);
-            if halt() {
-                break;
-            }
-            if let Some(report) = batch::run(job, batch, &halt, notice)? {
-                shared.lock().unwrap_or_else(PoisonError::into_inner).add(report, job.out)?;
-            }
-        }
-        Ok(())
-    };
-    let results: Vec<Result<(), CampaignError>> = std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads.clamp(1, todo.len().max(1)))
-            .map(|_| {
-                std::thread::Builder::new()
-                    .name("batch".to_owned())
-                    .spawn_scoped(scope, || work().inspect_err(|_| failed.store(true, Ordering::Relaxed)))
-            })
-            .collect();
-        workers
-            .into_iter()
-            .map(|worker| match worker {
-                Ok(worker) => worker
-                    .join()
-                    .unwrap_or_else(|_| Err(CampaignError::Thread("ended unexpectedly".to_owned()))),
-                Err(error) => Err(CampaignError::Thread(format!("could not be started: {error}"))),
-            })
-            .collect()
-    });
-    results.into_iter().collect::<Result<(), _>>()?;
-    Ok(shared.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
 impl Plan {

@@ -76,7 +76,6 @@ pub(crate) enum Verb {
     Arm(arm::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
-    #[command(hide = true)]
     /// Writes the JSON schemas of all answers
     Schemas(schemas::Args),
 }

@@ -18,11 +18,13 @@ use crate::output::{Answer, Document};
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
-    /// Folder to write to
+    /// Folder to write to; made if it is not there
     dir: PathBuf,
 }
 
 pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
+    std::fs::create_dir_all(&args.dir)
+        .map_err(|problem| CliError::File { path: args.dir.display().to_string(), problem })?;
     write::<predict::Prediction>(&args.dir)?;
     write::<bound::BoundAnswer>(&args.dir)?;
     write::<solve::SolveAnswer>(&args.dir)?;
@@ -74,6 +76,5 @@ fn write_file<F: JsonSchema>(dir: &Path, id: &str) -> Result<(), CliError> {
 fn save(dir: &Path, id: &str, schema: &Value) -> Result<(), CliError> {
     let path = dir.join(id.replace('/', ".") + ".json");
     let text = serde_json::to_string_pretty(schema)? + "\n";
-    std::fs::write(&path, text)
-        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+    process::save(&path, text.as_bytes())
 }

@@ -1,14 +1,12 @@
 //! Bracket tables in files.
 
-use std::fs::File;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use csv::DeserializeErrorKind;
 use serde::{Deserialize, Serialize};
 
 use super::bracket::{BracketRow, BracketRules, BracketTable};
-use super::sidecar::{SLANT, file_error, program_version, sidecar_path};
+use super::sidecar::{SLANT, file_error, program_version, sidecar_path, write_both};
 use super::{MAX_NODES, Sidecar};
 use crate::EarthPressureError;
 
@@ -68,24 +66,7 @@ pub fn write_bracket(table: &BracketTable, source: &str, path: &Path) -> Result<
         cells: table.rows().len(),
         program_version: program_version().into(),
     };
-    let beside = sidecar_path(path);
-    let json = serde_json::to_string_pretty(&sidecar).map_err(|e| file_error(&beside, &e))? + "\n";
-    write_whole(path, &bytes)?;
-    write_whole(&beside, json.as_bytes())
-}
-
-/// Under another name first, so that nobody ever sees half a file.
-fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), EarthPressureError> {
-    let mut name = path.as_os_str().to_owned();
-    name.push(".tmp");
-    let temporary = PathBuf::from(name);
-    let write = || {
-        let mut file = File::create(&temporary)?;
-        file.write_all(bytes)?;
-        file.sync_all()?;
-        std::fs::rename(&temporary, path)
-    };
-    write().map_err(|e| file_error(path, &e))
+    write_both(path, &bytes, &sidecar)
 }
 
 /// Reads a bracket table and its sidecar. The columns may stand in any order and among others.
@@ -159,6 +140,8 @@ fn cell_problem(error: &csv::Error, headers: &csv::StringRecord, record: &csv::S
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+
     use super::super::bracket::tests::{RULES, square};
     use super::*;
 

@@ -13,7 +13,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::SchemaDescriptor;
 
-use super::sidecar::{Sidecar, file_error};
+use super::sidecar::{Sidecar, file_error, write_both};
 use super::{COLUMNS, Cell, CellStatus, MAX_NODES, Placed, PredictionTable, parquet_pages};
 use crate::EarthPressureError;
 
@@ -27,14 +27,14 @@ const SCHEMA: &str = "message prediction_table {
 /// # Errors
 /// [`EarthPressureError::File`] if a file cannot be written.
 pub fn write_parquet(table: &PredictionTable, source: &str, path: &Path) -> Result<(), EarthPressureError> {
-    write_columns(table, path).map_err(|e| file_error(path, &e))?;
-    Sidecar::of(table, source).write(path)
+    let columns = columns(table).map_err(|e| file_error(path, &e))?;
+    write_both(path, &columns, &Sidecar::of(table, source))
 }
 
-fn write_columns(table: &PredictionTable, path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+fn columns(table: &PredictionTable) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
     let schema = Arc::new(parse_message_type(SCHEMA)?);
     let properties = Arc::new(WriterProperties::builder().set_compression(Compression::SNAPPY).build());
-    let mut file = SerializedFileWriter::new(File::create(path)?, schema, properties)?;
+    let mut file = SerializedFileWriter::new(Vec::new(), schema, properties)?;
     let mut group = file.next_row_group()?;
     let rows: Vec<_> = table.filled().collect();
     let numbers: [Vec<f64>; 4] = [
@@ -53,8 +53,7 @@ fn write_columns(table: &PredictionTable, path: &Path) -> Result<(), Box<dyn std
     writer.typed::<ByteArrayType>().write_batch(&words, None, None)?;
     writer.close()?;
     group.close()?;
-    file.close()?;
-    Ok(())
+    Ok(file.into_inner()?)
 }
 
 /// Reads a table and its sidecar. The columns may stand in any order and among others.

@@ -1,6 +1,7 @@
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
+use soilctl_jobs::write_atomically;
 
 use super::{PredictionTable, Quantity};
 use crate::EarthPressureError;
@@ -48,12 +49,6 @@ impl Sidecar {
         }
     }
 
-    pub(crate) fn write(&self, table_path: &Path) -> Result<(), EarthPressureError> {
-        let path = sidecar_path(table_path);
-        let json = serde_json::to_string_pretty(self).map_err(|e| file_error(&path, &e))?;
-        std::fs::write(&path, json + "\n").map_err(|e| file_error(&path, &e))
-    }
-
     pub(crate) fn read(table_path: &Path) -> Result<Self, EarthPressureError> {
         let path = sidecar_path(table_path);
         let text = std::fs::read_to_string(&path).map_err(|e| file_error(&path, &e))?;
@@ -94,6 +89,18 @@ pub fn sidecar_path(table_path: &Path) -> PathBuf {
     let mut name = table_path.as_os_str().to_owned();
     name.push(".json");
     name.into()
+}
+
+/// Writes a table file and its sidecar, each in one go.
+pub(crate) fn write_both(
+    path: &Path,
+    rows: &[u8],
+    sidecar: &impl Serialize,
+) -> Result<(), EarthPressureError> {
+    let beside = sidecar_path(path);
+    let json = serde_json::to_string_pretty(sidecar).map_err(|e| file_error(&beside, &e))? + "\n";
+    write_atomically(path, rows).map_err(|e| file_error(path, &e))?;
+    write_atomically(&beside, json.as_bytes()).map_err(|e| file_error(&beside, &e))
 }
 
 pub(crate) fn file_error(path: &Path, problem: &dyn std::fmt::Display) -> EarthPressureError {

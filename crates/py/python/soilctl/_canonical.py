@@ -21,7 +21,7 @@ def encode(value: Any, what: str) -> bytes:
     return text.encode("utf-8")
 
 
-def decode(data: bytes) -> Any:
+def decode(data: bytes | str) -> Any:
     """The value of :func:`encode`; tuples come back as lists, numpy scalars as numbers."""
     return json.loads(data, object_hook=_revive)
 

@@ -7,7 +7,8 @@ mod rows;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::beside::Beside;
+use soilctl_jobs::Beside;
+
 use crate::fields::Cell;
 use crate::read::{Ending, Item, scan};
 use crate::{SessionError, topics};
@@ -74,7 +75,7 @@ pub fn export_until(
     known(topic)?;
     let beside = Beside::new(out);
     let exported = write(path, topic, beside.path(), form, stop)?;
-    beside.keep()?;
+    beside.keep().map_err(|error| SessionError::file(out, &error))?;
     Ok(exported)
 }
 

@@ -1,17 +1,18 @@
 //! Files of a diagnosis: model file, predictions, next experiment.
 
 use std::collections::BTreeMap;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use soilctl_diagnosis::{Comparison, Data, Diagnosis, FoundEffect, NextExperiment, Part, Status};
 use soilctl_effects::{
     Covariate, EffectEntry, FILE_SCHEMA, HeldOut, Loaded, ModelFile, ParameterValue, SoilEntry,
 };
+use soilctl_jobs::fnv1a;
 use soilctl_strokes::StrokeTable;
 
 use super::{Against, Work};
 use crate::error::CliError;
+use crate::verbs::process::save;
 
 /// Where things were written.
 pub(super) struct Written {
@@ -88,7 +89,7 @@ pub(super) fn model_file(against: &Against, data: &Data, d: &Diagnosis, bytes: &
             .collect(),
         equivalence_set: d.equivalence_set.iter().map(ToString::to_string).collect(),
         reference: data.reference.clone(),
-        data_hash: format!("{:016x}", fnv(bytes)),
+        data_hash: fnv1a(bytes),
         held_out,
     }
 }
@@ -109,13 +110,6 @@ pub(super) fn parameters(found: &FoundEffect) -> BTreeMap<String, ParameterValue
         parameters.insert(parameter.name.to_owned(), value(found.shape, sd, parameter.unit));
     }
     parameters
-}
-
-/// FNV-1a, 64 bits: says whether two files are the same, not more.
-pub(super) fn fnv(bytes: &[u8]) -> u64 {
-    bytes
-        .iter()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// Status as it is written.
@@ -145,7 +139,7 @@ fn write_design(next: &NextExperiment, path: &Path) -> Result<(), CliError> {
         let cell = |&i: &usize| if read(i) { "" } else { line.get(i).map_or("", String::as_str) };
         out += &(keep.iter().map(cell).collect::<Vec<_>>().join(",") + "\n");
     }
-    std::fs::write(path, out).map_err(|problem| failed(path, problem))
+    save(path, out.as_bytes())
 }
 
 /// The same file without the effects that were found (all but the first `known`), with the soil that fits best then.
@@ -179,8 +173,7 @@ fn predictions(work: &Work, file: ModelFile, patch: &Path, path: &Path) -> Resul
             held(&c.heldout_after)
         );
     }
-    let mut out = std::fs::File::create(path).map_err(|problem| failed(path, problem))?;
-    out.write_all(text.as_bytes()).map_err(|problem| failed(path, problem))
+    save(path, text.as_bytes())
 }
 
 /// The held-out gap by column and condition.
@@ -202,7 +195,7 @@ fn gap_table(parts: &[Part], path: &Path) -> Result<(), CliError> {
             part.delta_elpd_se
         );
     }
-    std::fs::write(path, text).map_err(|problem| failed(path, problem))
+    save(path, text.as_bytes())
 }
 
 fn quoted(text: &str) -> String {

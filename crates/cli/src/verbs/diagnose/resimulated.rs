@@ -61,7 +61,7 @@ pub(super) fn resimulate(
 ) -> Result<Option<Resimulated>, CliError> {
     let (plan, seed) = Plan::from_log(log)?;
     let text = serde_json::to_string(file)?;
-    let folder = out.join("resimulated").join(format!("{:016x}", super::files::fnv(text.as_bytes())));
+    let folder = out.join("resimulated").join(soilctl_jobs::fnv1a(text.as_bytes()));
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let options = Options { out: &folder, seed: seed ^ OTHER_NOISE, threads };
     let name = folder.display().to_string();

@@ -73,13 +73,13 @@ impl ProcessAnswer {
         }
     }
 
-    /// Why the first log can't be used.
-    pub(super) fn first_failure(&self) -> String {
-        let first = self.logs.iter().find_map(|log| Some(format!("{}: {}", log.log, log.error.as_ref()?)));
+    /// Why no log can be used, unless it was `told` of each of them already.
+    pub(super) fn failure(&self, told: bool) -> String {
+        let first = self.logs.iter().find_map(|log| Some(bad_log(&log.log, log.error.as_ref()?)));
         match (first, self.logs.len()) {
             (Some(reason), 1) => reason,
-            (Some(reason), logs) => format!("none of {logs} logs can be used; the first: {reason}"),
-            (None, _) => "no log was read".into(),
+            (Some(reason), logs) if !told => format!("none of {logs} logs can be used; the first: {reason}"),
+            (_, logs) => format!("none of {logs} logs can be used"),
         }
     }
 }
@@ -90,4 +90,9 @@ impl Answer for ProcessAnswer {
     fn text(&self) -> String {
         words::text(self)
     }
+}
+
+/// What is wrong with a log, with its name once.
+pub(super) fn bad_log(log: &str, problem: &str) -> String {
+    if problem.starts_with(log) { problem.to_owned() } else { format!("{log}: {problem}") }
 }

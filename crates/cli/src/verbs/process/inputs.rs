@@ -3,12 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use soilctl_jobs::Shard;
 use soilctl_process::log::LogSettings;
 
 use super::Args;
 use crate::args::read_text;
 use crate::error::CliError;
-use crate::shard::Shard;
 
 /// Most logs of one run.
 const MOST_LOGS: usize = 1_000_000;

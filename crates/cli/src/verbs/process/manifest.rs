@@ -3,18 +3,16 @@
 //! order. Traces wait in files of their own until all are there.
 
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use soilctl_jobs::{JobsError, Journal, Shard, fnv1a};
 use soilctl_process::table::StrokeRecord;
 
 use super::inputs::{Inputs, Log};
 use crate::error::CliError;
-use crate::shard::Shard;
 
 const SCHEMA: &str = "soilctl.process-manifest/1";
 
@@ -25,6 +23,16 @@ struct Header {
     program_version: String,
     /// Options that change what is found, in words.
     settings: String,
+}
+
+impl Header {
+    fn of(inputs: &Inputs) -> Self {
+        Self {
+            schema: SCHEMA.into(),
+            program_version: env!("CARGO_PKG_VERSION").into(),
+            settings: format!("{:?}, traces at {} Hz", inputs.settings, inputs.trace_rate_hz),
+        }
+    }
 }
 
 /// A part of a log that gave no failure force.
@@ -91,9 +99,7 @@ fn stamp(path: &Path) -> (u64, u64) {
 /// The manifest of an output folder, open for adding.
 pub(super) struct Manifest {
     pub(super) folder: PathBuf,
-    path: PathBuf,
-    header: Header,
-    file: File,
+    journal: Journal,
     /// Logs that are done already, by the place of the log.
     pub(super) known: BTreeMap<usize, Entry>,
 }
@@ -123,11 +129,8 @@ pub(super) fn parts(folder: &Path) -> PathBuf {
 
 /// Where the traces of a log wait.
 pub(super) fn part(folder: &Path, log: &Log) -> PathBuf {
-    // FNV-1a: names of logs may hold any character, and be long.
-    let hash = log.path.display().to_string().bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    parts(folder).join(format!("{hash:016x}.csv"))
+    // Names of logs may hold any character, and be long.
+    parts(folder).join(format!("{}.csv", fnv1a(log.path.display().to_string().as_bytes())))
 }
 
 impl Manifest {
@@ -137,11 +140,7 @@ impl Manifest {
         let failed = |path: &Path, problem| CliError::File { path: path.display().to_string(), problem };
         let waiting = parts(folder);
         std::fs::create_dir_all(&waiting).map_err(|problem| failed(&waiting, problem))?;
-        let header = Header {
-            schema: SCHEMA.into(),
-            program_version: env!("CARGO_PKG_VERSION").into(),
-            settings: format!("{:?}, traces at {} Hz", inputs.settings, inputs.trace_rate_hz),
-        };
+        let header = Header::of(inputs);
         let whole = folder.join("manifest.jsonl");
         let path = inputs.shard.map_or_else(|| whole.clone(), |shard| folder.join(of_shard(shard)));
         let mut earlier = vec![whole];
@@ -152,19 +151,13 @@ impl Manifest {
         }
         let mut by_log: BTreeMap<String, Entry> = BTreeMap::new();
         for path in &earlier {
-            let text = match std::fs::read(path) {
-                Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
-                Err(problem) if problem.kind() == std::io::ErrorKind::NotFound => String::new(),
-                Err(problem) => return Err(failed(path, problem)),
+            let found = match Journal::read::<Header, Entry>(path) {
+                Ok(Some((found, entries))) if found == header => entries,
+                // With other options, or by another version: all logs are read again.
+                Ok(_) | Err(JobsError::NoJournal { .. }) => Vec::new(),
+                Err(problem) => return Err(problem.into()),
             };
-            let mut lines = text.lines();
-            let found = lines.next().and_then(|line| serde_json::from_str::<Header>(line).ok());
-            if found.as_ref() == Some(&header) {
-                // A line that a kill cut in the middle does not parse, and its log is read again.
-                for entry in lines.filter_map(|line| serde_json::from_str::<Entry>(line).ok()) {
-                    by_log.insert(entry.log.clone(), entry);
-                }
-            }
+            by_log.extend(found.into_iter().map(|entry| (entry.log.clone(), entry)));
         }
         let traces = folder.join("traces.csv");
         let mut known = BTreeMap::new();
@@ -182,30 +175,13 @@ impl Manifest {
                 known.insert(place, entry);
             }
         }
-        let mut manifest = {
-            // Written anew, so that a cut line does not stay.
-            let file = OpenOptions::new().create(true).write(true).truncate(true).open(&path);
-            let file = file.map_err(|problem| failed(&path, problem))?;
-            Self { folder: folder.to_owned(), path, header, file, known }
-        };
-        let entries: Vec<Entry> = manifest.known.values().cloned().collect();
-        let header = serde_json::to_string(&manifest.header)? + "\n";
-        manifest.line(&header)?;
-        entries.iter().try_for_each(|entry| manifest.add(entry))?;
-        Ok(manifest)
+        let journal = Journal::begin(&path, &header, known.values())?;
+        Ok(Self { folder: folder.to_owned(), journal, known })
     }
 
     /// Adds a log that is done.
     pub(super) fn add(&mut self, entry: &Entry) -> Result<(), CliError> {
-        let text = serde_json::to_string(entry)? + "\n";
-        self.line(&text)
-    }
-
-    fn line(&mut self, text: &str) -> Result<(), CliError> {
-        self.file
-            .write_all(text.as_bytes())
-            .and_then(|()| self.file.flush())
-            .map_err(|problem| CliError::File { path: self.path.display().to_string(), problem })
+        Ok(self.journal.add(entry)?)
     }
 }
 
@@ -215,14 +191,5 @@ pub(super) fn finish(
     folder: &Path,
     entries: &BTreeMap<usize, Entry>,
 ) -> Result<(), CliError> {
-    let header = Header {
-        schema: SCHEMA.into(),
-        program_version: env!("CARGO_PKG_VERSION").into(),
-        settings: format!("{:?}, traces at {} Hz", inputs.settings, inputs.trace_rate_hz),
-    };
-    let mut text = serde_json::to_string(&header)? + "\n";
-    for entry in entries.values() {
-        text += &(serde_json::to_string(entry)? + "\n");
-    }
-    super::outputs::save(&folder.join("manifest.jsonl"), text.as_bytes())
+    Ok(Journal::write(&folder.join("manifest.jsonl"), &Header::of(inputs), entries.values())?)
 }

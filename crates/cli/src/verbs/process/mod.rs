@@ -18,13 +18,13 @@ pub(crate) use answer::ProcessAnswer;
 use clap::ValueEnum;
 pub(crate) use manifest::Skipped;
 pub(crate) use outputs::save;
+use soilctl_jobs::Shard;
 
 use super::Outcome;
 use super::pages::{self, FigureFiles};
 use crate::args::{TopicArgs, finite};
 use crate::error::CliError;
 use crate::output::Output;
-use crate::shard::Shard;
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -218,7 +218,7 @@ pub(crate) fn process(args: &Args, output: &Output) -> Result<(ProcessAnswer, Ou
     }
     let answer = ProcessAnswer::new(&done, analysis, written);
     if done.all_failed() {
-        return Err(CliError::Usage(answer.first_failure()));
+        return Err(CliError::Usage(answer.failure(!output.is_quiet())));
     }
     if done.stopped {
         output.note(&format!(

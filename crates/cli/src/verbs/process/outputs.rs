@@ -5,6 +5,7 @@ use std::fs::File;
 use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
+use soilctl_jobs::Beside;
 use soilctl_process::table::{TRACES_HEADER, write_csv, write_parquet};
 use soilctl_strokes::Campaign;
 
@@ -19,11 +20,7 @@ fn failed(path: &Path) -> impl Fn(std::io::Error) -> CliError + use<'_> {
 
 /// Writes a file in one go: whoever reads it sees the old one or the new one.
 pub(crate) fn save(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    let mut name = path.as_os_str().to_owned();
-    name.push(".new");
-    let new = Path::new(&name);
-    std::fs::write(new, bytes).map_err(failed(new))?;
-    std::fs::rename(new, path).map_err(failed(path))
+    soilctl_jobs::write_atomically(path, bytes).map_err(failed(path))
 }
 
 /// What is known of the campaign: the description beside the table or else beside the first log, otherwise the defaults.
@@ -76,10 +73,11 @@ fn traces(
     folder: &Path,
     entries: &BTreeMap<usize, Entry>,
 ) -> Result<BTreeMap<usize, Entry>, CliError> {
-    let (path, new) = (folder.join("traces.csv"), folder.join("traces.csv.new"));
+    let path = folder.join("traces.csv");
+    let new = Beside::new(&path);
     let mut old = File::open(&path).ok();
-    let mut file = BufWriter::new(File::create(&new).map_err(failed(&new))?);
-    file.write_all(TRACES_HEADER.as_bytes()).map_err(failed(&new))?;
+    let mut file = BufWriter::new(File::create(new.path()).map_err(failed(&path))?);
+    file.write_all(TRACES_HEADER.as_bytes()).map_err(failed(&path))?;
     let mut at = TRACES_HEADER.len() as u64;
     let mut placed = entries.clone();
     for (place, entry) in &mut placed {
@@ -90,18 +88,18 @@ fn traces(
             (Some([from, to]), Some(old)) => {
                 old.seek(SeekFrom::Start(from)).map_err(failed(&path))?;
                 let mut part = BufReader::new(old).take(to - from);
-                std::io::copy(&mut part, &mut file).map_err(failed(&new))?
+                std::io::copy(&mut part, &mut file).map_err(failed(&path))?
             }
             _ => {
                 let part = manifest::part(folder, &inputs.logs[*place]);
                 let mut part_file = BufReader::new(File::open(&part).map_err(failed(&part))?);
-                std::io::copy(&mut part_file, &mut file).map_err(failed(&new))?
+                std::io::copy(&mut part_file, &mut file).map_err(failed(&path))?
             }
         };
         entry.trace_bytes = Some([at, at + bytes]);
         at += bytes;
     }
-    file.flush().map_err(failed(&new))?;
-    std::fs::rename(&new, &path).map_err(failed(&path))?;
+    file.flush().map_err(failed(&path))?;
+    new.keep().map_err(failed(&path))?;
     Ok(placed)
 }

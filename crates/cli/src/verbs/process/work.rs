@@ -1,11 +1,11 @@
 //! All logs, several at a time. What is found does not depend on how many.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
 
+use soilctl_jobs::each;
 use soilctl_process::table::{StrokeRecord, put_on_one_clock};
 
+use super::answer::bad_log;
 use super::inputs::Inputs;
 use super::manifest::{self, Entry, Manifest};
 use super::one_log;
@@ -56,50 +56,22 @@ pub(super) fn process(inputs: &Inputs, output: &Output) -> Result<Done, CliError
     let bar = output.bar(own.len() as u64, "logs");
     bar.inc(reused as u64);
     let folder = manifest.as_ref().map(|manifest| manifest.folder.clone());
-    let next = AtomicUsize::new(0);
-    let mut result = Ok(());
-    std::thread::scope(|scope| {
-        let (sender, receiver) = mpsc::channel();
-        for _ in 0..inputs.threads.min(left.len()) {
-            let (sender, left, next, stop, folder) = (sender.clone(), &left, &next, &stop, &folder);
-            scope.spawn(move || {
-                while let Some(&place) = left.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let log = &inputs.logs[place];
-                    let traces = folder.as_ref().map(|folder| manifest::part(folder, log));
-                    let entry = one_log::process(inputs, log, traces.as_deref(), stop).transpose();
-                    // None: stopped.
-                    let Some(entry) = entry else { break };
-                    if sender.send((place, entry)).is_err() {
-                        break;
-                    }
-                }
-            });
+    let read = |place: &usize| {
+        let log = &inputs.logs[*place];
+        let traces = folder.as_ref().map(|folder| manifest::part(folder, log));
+        one_log::process(inputs, log, traces.as_deref(), &stop)
+    };
+    let result = each(&left, inputs.threads, &stop, read, |place, entry| {
+        if let Some(manifest) = &mut manifest {
+            manifest.add(&entry)?;
         }
-        drop(sender);
-        for (place, entry) in receiver {
-            let kept = entry.and_then(|entry| {
-                if let Some(manifest) = &mut manifest {
-                    manifest.add(&entry)?;
-                }
-                Ok(entry)
-            });
-            match kept {
-                Ok(entry) => {
-                    bar.inc(1);
-                    if let Some(problem) = &entry.error {
-                        bar.suspend(|| output.note(&format!("{}: {problem}; left out", entry.log)));
-                    }
-                    entries.insert(place, entry);
-                }
-                // After a failure the others are told to end.
-                Err(problem) => {
-                    stop.store(true, Ordering::Relaxed);
-                    if result.is_ok() {
-                        result = Err(problem);
-                    }
-                }
-            }
+        bar.inc(1);
+        // Of a single log it is the error in the end.
+        if let Some(problem) = entry.error.as_ref().filter(|_| own.len() > 1) {
+            bar.suspend(|| output.note(&format!("{}; left out", bad_log(&entry.log, problem))));
         }
+        entries.insert(*place, entry);
+        Ok(())
     });
     bar.finish();
     result?;

@@ -53,9 +53,9 @@ struct CheckedBoundary {
     length_m: f64,
 }
 
-const KINDS: [&str; 6] = ["free", "load", "fixed", "smooth", "far", "face"];
+pub(super) const KINDS: [&str; 6] = ["free", "load", "fixed", "smooth", "far", "face"];
 
-fn kind(condition: &Condition) -> &'static str {
+pub(super) fn kind(condition: &Condition) -> &'static str {
     KINDS[match condition {
         Condition::Free => 0,
         Condition::Loaded { .. } => 1,

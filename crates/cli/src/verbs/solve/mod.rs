@@ -2,12 +2,13 @@
 
 mod answer;
 mod check;
+mod drawing;
 mod page;
 mod safety;
 mod save;
 mod scale;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub(crate) use answer::SolveAnswer;
 pub(crate) use check::CheckAnswer;
@@ -30,7 +31,7 @@ pub(crate) struct Args {
     /// Problem file, .toml or .json
     file: PathBuf,
 
-    /// Only reads the file and says what it was understood to mean
+    /// Only reads the file and says what it was understood to mean; --plot draws it (.svg, .png, .csv)
     #[arg(long)]
     check: bool,
 
@@ -49,6 +50,10 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     let description = Description::read(&args.file).map_err(soilctl_limit_analysis::LimitError::from)?;
     let described = description.described()?;
     if args.check {
+        if let Some(path) = check_plot(args)? {
+            let figure = drawing::drawing(&description, &described)?;
+            super::save_figure(&figure, path, soilctl_figure::Size::default())?;
+        }
         output.answer(&CheckAnswer::new(&description, &described))?;
         return Ok(Outcome::Done);
     }
@@ -83,4 +88,15 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     args.show.report(&shown, &mut answer.results, told, output)?;
     output.answer(&answer)?;
     Ok(if answer.gap() <= args.budget.max_gap { Outcome::Done } else { Outcome::Partial })
+}
+
+/// Where --check draws to; files that need a solution are refused.
+fn check_plot(args: &Args) -> Result<Option<&Path>, CliError> {
+    let unsolved = args.save.as_ref().map(|_| "--save").or_else(|| args.show.of_a_solution());
+    match unsolved {
+        Some(option) => Err(CliError::Usage(format!(
+            "{option} needs a solution, and --check solves nothing; leave one of them out"
+        ))),
+        None => Ok(args.show.plot.as_deref()),
+    }
 }

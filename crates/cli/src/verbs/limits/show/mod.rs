@@ -33,7 +33,7 @@ pub(crate) struct Show {
 
     /// Draws a figure (.svg, .png, .html) or writes its data (.csv)
     #[arg(long, value_name = "FILE", help_heading = "Figures and files")]
-    plot: Option<PathBuf>,
+    pub(crate) plot: Option<PathBuf>,
 
     /// What --plot draws
     #[arg(long, value_name = "KIND", value_enum, default_value_t = Kind::Velocity, requires = "plot",
@@ -90,6 +90,17 @@ impl Show {
             }
         }
         Ok(())
+    }
+
+    /// The first option given that shows a solution, other than --plot alone.
+    pub(crate) fn of_a_solution(&self) -> Option<&'static str> {
+        let given = [
+            (self.report.is_some(), "--report"),
+            (self.figures.figures.is_some(), "--figures"),
+            (self.vtu.is_some(), "--vtu"),
+            (self.mesh.is_some(), "--mesh"),
+        ];
+        given.into_iter().find_map(|(given, name)| given.then_some(name))
     }
 
     /// Whether any file is asked for.

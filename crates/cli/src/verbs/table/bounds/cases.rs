@@ -1,6 +1,6 @@
 //! Which cases a run is about, and the order in which they are solved.
 
-use crate::shard::Shard;
+use soilctl_jobs::Shard;
 
 /// Tool angle, friction angle and interface friction angle in degrees.
 pub(super) type Node = [f64; 3];

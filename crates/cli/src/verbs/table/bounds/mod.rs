@@ -11,11 +11,12 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use soilctl_earth_pressure::table::{BracketRow, BracketRules, BracketTable};
+use soilctl_jobs::{Journal, Shard};
 
 pub(super) use answer::{BuiltBounds, Plan};
 use cases::{Node, key};
 use cost::Cost;
-use journal::{Entry, Found, Header, Journal};
+use journal::{Entry, Found, Header};
 use solve::{Solver, solution_path};
 use store::Store;
 
@@ -24,7 +25,6 @@ use super::brackets::{NAME, SOURCE};
 use super::file::{Kind, read_brackets, write_brackets};
 use crate::error::CliError;
 use crate::output::Output;
-use crate::shard::Shard;
 use crate::verbs::limits::positive;
 
 /// Options of the model `bounds`.
@@ -96,7 +96,7 @@ enum Kept<'a> {
 impl Kept<'_> {
     fn add(&mut self, entry: &Entry) -> Result<(), CliError> {
         match self {
-            Self::Journal(journal) => journal.add(entry),
+            Self::Journal(journal) => Ok(journal.add(entry)?),
             Self::Store(store) => store.publish(entry),
         }
     }
@@ -126,7 +126,7 @@ pub(super) fn build(
     }
     let kept = match (&store, out) {
         (Some(store), _) => Kept::Store(store),
-        (None, Some(out)) => Kept::Journal(Journal::open(out, &header, &known)?),
+        (None, Some(out)) => Kept::Journal(Journal::begin(&journal::journal_path(out), &header, &known)?),
         (None, None) => {
             return Err(CliError::Usage(
                 "--out is missing: name the file for the table, or with --store a folder for its cases"

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use soilctl_earth_pressure::table::{BracketRow, BracketRules, CellStatus};
+use soilctl_jobs::each;
 use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Options, Problem, bound};
 
 use super::cases::{Node, mixed};
@@ -36,39 +36,12 @@ impl Solver<'_> {
         threads: usize,
         mut done: impl FnMut(Entry) -> Result<(), CliError>,
     ) -> Result<(), CliError> {
-        let order = mixed(cases.len());
-        let next = AtomicUsize::new(0);
-        std::thread::scope(|scope| {
-            let (sender, receiver) = mpsc::channel();
-            for _ in 0..threads.min(cases.len()) {
-                let (sender, order, next) = (sender.clone(), &order, &next);
-                scope.spawn(move || {
-                    while let Some(&place) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        let Some(entry) = self.case(cases[place]).transpose() else { break };
-                        if sender.send(entry).is_err() {
-                            break;
-                        }
-                    }
-                });
-            }
-            drop(sender);
-            let mut result = Ok(());
-            for entry in receiver {
-                // After a failure the others are told to end, and what they still hand over is not lost.
-                if let Err(problem) = entry.and_then(&mut done) {
-                    self.stop.store(true, Ordering::Relaxed);
-                    result = result.and(Err(problem));
-                }
-            }
-            result
-        })
+        let order: Vec<Node> = mixed(cases.len()).into_iter().map(|place| cases[place]).collect();
+        each(&order, threads, &self.stop, |node| self.case(*node), |_, entry| done(entry))
     }
 
     /// One case; none if it was stopped.
     fn case(&self, node: Node) -> Result<Option<Entry>, CliError> {
-        if self.stop.load(Ordering::Relaxed) {
-            return Ok(None);
-        }
         let start = Instant::now();
         let [alpha_deg, phi_deg, delta_deg] = node;
         let plate = EmbeddedPlate { alpha_deg, phi_deg, delta_deg, ..EmbeddedPlate::default() };
@@ -88,7 +61,7 @@ impl Solver<'_> {
             Ok((bounds, problem)) => {
                 let scaled = Scaled::unit(plate);
                 if let Some(folder) = self.save {
-                    save(&scaled, &problem, &bounds, &solution_path(folder, node))?;
+                    scaled.solution(&problem, &bounds).write(&solution_path(folder, node))?;
                 }
                 Found::Solved(row(node, &scaled, &bounds))
             }
@@ -135,12 +108,4 @@ fn row([alpha_deg, phi_deg, delta_deg]: Node, scaled: &Scaled, bounds: &Bounds) 
         upper_elements: bounds.upper.elements,
         status: CellStatus::Solved,
     }
-}
-
-/// Under another name first: a file that is there is whole.
-fn save(scaled: &Scaled, problem: &Problem, bounds: &Bounds, path: &Path) -> Result<(), CliError> {
-    let temporary = path.with_extension("tmp");
-    scaled.solution(problem, bounds).write(&temporary)?;
-    std::fs::rename(&temporary, path)
-        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
 }

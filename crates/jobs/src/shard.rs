@@ -1,10 +1,10 @@
-//! A share of work that several processes do: Slurm arrays, GNU parallel.
-
 use std::str::FromStr;
 
-/// Every N-th piece, starting with the I-th.
+use crate::JobsError;
+
+/// A share of work that several processes do (Slurm arrays, GNU parallel): every N-th piece, starting with the I-th.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Shard {
+pub struct Shard {
     /// 1 to `of`.
     number: usize,
     of: usize,
@@ -12,25 +12,27 @@ pub(crate) struct Shard {
 
 impl Shard {
     /// Whether the piece at a place, from 0, is one of these.
-    pub(crate) const fn has(self, place: usize) -> bool {
+    #[must_use]
+    pub const fn has(self, place: usize) -> bool {
         place % self.of == self.number - 1
     }
 
-    /// As a part of a file's name.
-    pub(crate) fn named(self) -> String {
+    /// As a part of a file's name, such as `2_of_4`.
+    #[must_use]
+    pub fn named(self) -> String {
         format!("{}_of_{}", self.number, self.of)
     }
 }
 
 impl FromStr for Shard {
-    type Err = String;
+    type Err = JobsError;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, JobsError> {
         let parsed = text.split_once('/').and_then(|(number, of)| {
             let (number, of) = (number.trim().parse().ok()?, of.trim().parse().ok()?);
             (1 <= number && number <= of).then_some(Self { number, of })
         });
-        parsed.ok_or_else(|| "it must be I/N with I from 1 to N, such as 2/4".into())
+        parsed.ok_or(JobsError::Shard)
     }
 }
 
@@ -57,7 +59,7 @@ mod tests {
     #[test]
     fn what_is_no_shard_is_refused() {
         for text in ["", "1", "0/2", "3/2", "1/0", "a/b", "-1/2"] {
-            assert!(text.parse::<Shard>().unwrap_err().contains("I/N"), "{text}");
+            assert!(text.parse::<Shard>().unwrap_err().to_string().contains("I/N"), "{text}");
         }
     }
 }
