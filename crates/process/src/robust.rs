@@ -1,5 +1,10 @@
 //! Small weighted least squares and the robust scale they are used with.
 
+use nalgebra::{SMatrix, SVector};
+
+/// Rows with a smaller pivot, in a matrix of unit diagonal, do not determine what is sought.
+const LEAST_PIVOT: f64 = 1e-12;
+
 /// Median; 0 of nothing. Sorts its argument.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
@@ -35,58 +40,26 @@ pub(crate) struct Solved<const N: usize> {
 pub(crate) fn least_squares<const N: usize>(
     rows: impl Iterator<Item = ([f64; N], f64, f64)>,
 ) -> Option<Solved<N>> {
-    let mut normal = [[0.0; N]; N];
-    let mut right = [0.0; N];
+    let (mut normal, mut right) = (SMatrix::<f64, N, N>::zeros(), SVector::<f64, N>::zeros());
     for (row, value, weight) in rows {
-        for i in 0..N {
-            for j in 0..N {
-                normal[i][j] += weight * row[i] * row[j];
-            }
-            right[i] += weight * row[i] * value;
-        }
+        let row = SVector::from(row);
+        normal += weight * row * row.transpose();
+        right += weight * value * row;
     }
     let inverse = inverted(normal)?;
-    let x = std::array::from_fn(|i| (0..N).map(|j| inverse[i][j] * right[j]).sum());
-    Some(Solved { x, inverse })
+    Some(Solved { x: (inverse * right).into(), inverse: inverse.into() })
 }
 
-/// Gauss-Jordan with pivots on the diagonal, which is sound for a positive definite matrix scaled to a unit diagonal.
-fn inverted<const N: usize>(mut a: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
-    let scale: [f64; N] = std::array::from_fn(|i| a[i][i].sqrt());
-    if scale.iter().any(|s| !(s.is_finite() && *s > 0.0)) {
+/// Inverse of a positive definite matrix, by its Cholesky factor after it was scaled to a unit diagonal.
+fn inverted<const N: usize>(matrix: SMatrix<f64, N, N>) -> Option<SMatrix<f64, N, N>> {
+    let scale = matrix.diagonal().map(f64::sqrt);
+    if !scale.iter().all(|s| s.is_finite() && *s > 0.0) {
         return None;
     }
-    for i in 0..N {
-        for j in 0..N {
-            a[i][j] /= scale[i] * scale[j];
-        }
-    }
-    let mut b: [[f64; N]; N] = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
-    for k in 0..N {
-        let pivot = a[k][k];
-        if pivot.is_nan() || pivot <= 1e-12 {
-            return None;
-        }
-        for j in 0..N {
-            a[k][j] /= pivot;
-            b[k][j] /= pivot;
-        }
-        for i in 0..N {
-            if i != k {
-                let factor = a[i][k];
-                for j in 0..N {
-                    a[i][j] -= factor * a[k][j];
-                    b[i][j] -= factor * b[k][j];
-                }
-            }
-        }
-    }
-    for i in 0..N {
-        for j in 0..N {
-            b[i][j] /= scale[i] * scale[j];
-        }
-    }
-    Some(b)
+    let scales = scale * scale.transpose();
+    let factor = matrix.component_div(&scales).cholesky()?;
+    let is_definite = factor.l_dirty().diagonal().iter().all(|root| root * root > LEAST_PIVOT);
+    is_definite.then(|| factor.inverse().component_div(&scales))
 }
 
 /// The same with residuals beyond `1.5` robust standard deviations counting linearly (Huber 1964), by reweighting;
