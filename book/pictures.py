@@ -54,7 +54,7 @@ def viewer(binary, browser, folder, path):
 
 def page(binary, browser, folder, path):
     """The page of a plate: verdict and mechanism."""
-    plate = ["--alpha", "90", "--phi", "30", "--delta", "15", "--max-gap", "0.02", "--max-seconds", "600"]
+    plate = ["--alpha", "90", "--phi", "30", "--delta", "15", "--max-gap", "0.02"]
     subprocess.run([binary, "bound", *plate, "--report", folder / "plate.html", "--quiet"], check=True, stdout=subprocess.DEVNULL)
     context = browser.new_context(viewport={"width": 1000, "height": 1090}, color_scheme="light", reduced_motion="reduce")
     shown = context.new_page()

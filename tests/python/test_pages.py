@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 PLATE = ["--alpha", 90, "--phi", 30, "--delta", 15]
-BUDGET = ["--max-elements", 1500, "--max-gap", 0.05, "--max-seconds", 250]
+BUDGET = ["--max-elements", 1500, "--max-gap", 0.05]
 
 
 @pytest.fixture(scope="module")

@@ -252,6 +252,6 @@ pub use mesh::{Mesh, Place, Side, Triangle, Vertex};
 pub use proof::{Bound, Proof, prove};
 pub use runs::Run;
 pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownStress, show_flow, show_stress};
-pub use solution::{Claim, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
+pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
 pub use statement::{Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement};
 pub use upper::prove_upper;

@@ -54,6 +54,19 @@ pub struct Claim<F> {
     pub field: F,
     /// The claimed bound, in the units of the statement.
     pub claimed: f64,
+    /// How the field was computed, if that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub computed: Option<Computed>,
+}
+
+/// How a field was computed: for those who want the same digits again. No proof depends on it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Computed {
+    /// Name and version of the cone solver.
+    pub solver: String,
+    /// What factorised the linear systems of its steps.
+    pub factorisation: String,
 }
 
 impl Solution {

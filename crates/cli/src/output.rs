@@ -1,13 +1,14 @@
 //! Everything that is written: the answer to stdout, notes and errors to stderr.
 
 use std::io::{IsTerminal, Write};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, OnceLock};
 
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
 use schemars::JsonSchema;
 use serde::Serialize;
+use signal_hook::consts::{SIGINT, SIGTERM};
 
 use crate::error::CliError;
 use crate::finite;
@@ -54,7 +55,7 @@ pub(crate) struct Output {
     format: Format,
     quiet: bool,
     host: Host,
-    /// Set by Ctrl-C; made when it is first asked for, and the same for all work of this run.
+    /// Set by Ctrl-C and SIGTERM; made when it is first asked for, and the same for all work of this run.
     stop: OnceLock<Arc<AtomicBool>>,
     /// How far the work is.
     progress: Arc<Progress>,
@@ -64,7 +65,7 @@ pub(crate) struct Output {
 
 /// What runs the verb.
 enum Host {
-    /// The program: the answer goes to stdout, Ctrl-C sets a flag.
+    /// The program: the answer goes to stdout, Ctrl-C and SIGTERM set a flag.
     Program,
     /// Another program, in its process: it keeps the answer, and sets the flag by itself.
     Library { answer: Vec<u8>, stop: Arc<AtomicBool> },
@@ -134,15 +135,16 @@ impl Output {
         self.interrupt_keeping(true)
     }
 
-    /// The same for work that may have nothing to keep: then Ctrl-C just ends the program.
+    /// The same for work that may have nothing to keep: then signals just end the program.
     pub(crate) fn interrupt_keeping(&self, something: bool) -> Arc<AtomicBool> {
         match &self.host {
             Host::Program if something => {
                 let stop = self.stop.get_or_init(|| {
                     let stop = Arc::new(AtomicBool::new(false));
-                    let stopped = Arc::clone(&stop);
-                    // If the handler cannot be set, Ctrl-C ends the program.
-                    let _ = ctrlc::set_handler(move || stopped.store(true, Ordering::Relaxed));
+                    for signal in [SIGINT, SIGTERM] {
+                        // If the handler cannot be set, the signal ends the program.
+                        let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
+                    }
                     stop
                 });
                 Arc::clone(stop)

@@ -106,8 +106,34 @@ fn linear_programs_give_wider_bounds_that_are_proven_too() {
 fn a_budget_that_ends_first_is_exit_code_3_with_the_best_bounds() {
     let (code, answer, _) = soilctl(&[&PLATE[..], &["--max-gap", "1e-9"]].concat());
     assert_eq!(code, 3);
-    assert_eq!(answer["ended"], "elements");
+    assert_eq!((&answer["ended"], &answer["stopped_by"]), (&"elements".into(), &"work".into()));
     assert_eq!(answer["certified"], true);
+    let plate = ["bound", "--alpha", "90", "--phi", "30", "--delta", "0", "--max-gap", "1e-9"];
+    let (code, answer, _) = soilctl(&[&plate[..], &["--max-work", "60000"]].concat());
+    assert_eq!(code, 3);
+    assert_eq!((&answer["ended"], &answer["stopped_by"]), (&"work".into(), &"work".into()));
+}
+
+#[test]
+fn what_factorised_the_systems_is_in_the_answer_and_in_the_saved_solution() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("plate.json");
+    let file = file.to_str().unwrap();
+    for (options, name) in [(&[][..], "qdldl"), (&["--factorisation", "faer"][..], "faer")] {
+        let (_, answer, stderr) =
+            soilctl(&[&PLATE[..], &["--max-gap", "0.2", "--save", file], options].concat());
+        assert_eq!(answer["lower_factorisation"], name, "{stderr}");
+        assert_eq!(answer["upper_factorisation"], name);
+        let mut saved: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
+        assert_eq!(saved["upper"]["computed"]["factorisation"], name);
+        assert_eq!(soilctl(&["certify", file]).0, 0);
+        // Solutions of earlier versions do not have it.
+        for side in ["lower", "upper"] {
+            saved[side].as_object_mut().unwrap().remove("computed").unwrap();
+        }
+        std::fs::write(file, saved.to_string()).unwrap();
+        assert_eq!(soilctl(&["certify", file]).0, 0);
+    }
 }
 
 #[test]

@@ -77,7 +77,7 @@ fn main() {
     println!("{:<34} {:<6} {:>6} {:>9} {:>10}", "what", "bound", "elem.", "K", "time");
     let chen = ChenLiu.predict(&Case::level_deg(90.0, 40.0, 25.0)).unwrap().k_net().0;
     println!("{:<34} {:<6} {:>6} {chen:>9.3}", "Chen and Liu", "upper", "");
-    let limits = Options { max_gap: 0.0, max_seconds: 1e9, ..Options::default() };
+    let limits = Options { max_gap: 0.0, max_work: u64::MAX, ..Options::default() };
     ours("ours, cones", &Options { max_elements: 5000, ..limits.clone() });
     uniform(&python, &folder, "cvxpy, Clarabel, uniform", &["--per-unit", "8"]);
     uniform(&python, &folder, "cvxpy, Clarabel, uniform", &["--per-unit", "16"]);

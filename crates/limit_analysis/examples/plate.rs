@@ -12,7 +12,7 @@ fn main() -> Result<(), LimitError> {
         delta_deg: at(2, 15.0),
         ..EmbeddedPlate::default()
     };
-    let options = Options { max_seconds: at(3, 10.0), max_gap: 1e-4, ..Options::default() };
+    let options = Options { max_seconds: Some(at(3, 10.0)), max_gap: 1e-4, ..Options::default() };
     let bounds = bound(&plate.problem()?, &options, &mut |level, gap| {
         println!("{level:?} gap {:.3} %", 100.0 * gap.unwrap_or(f64::NAN));
     })?;

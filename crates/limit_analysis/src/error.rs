@@ -114,10 +114,10 @@ impl LimitError {
     /// Nothing proven, with what may help: some soil may bear no tension at all.
     pub(crate) fn nothing_proven(without_tension: bool, spent: String) -> Self {
         let advice = if without_tension {
-            "allow more time, elements or memory, or soil that bears no tension at all a thousandth of its cohesion: stresses \
+            "allow more work, elements, memory or time, or soil that bears no tension at all a thousandth of its cohesion: stresses \
              along a free face have no other room for a proof"
         } else {
-            "allow more time, elements or memory"
+            "allow more work, elements, memory or time"
         };
         Self::NothingProven { spent, advice }
     }

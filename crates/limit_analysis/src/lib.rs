@@ -104,10 +104,10 @@ mod topology;
 mod upper;
 mod vector;
 
-pub use bound::{Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, bound};
+pub use bound::{Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, bound};
 pub use describe::{Described, Description, DescriptionError};
 pub use error::LimitError;
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};
 pub use problem::Problem;
-pub use solver::Status;
+pub use solver::{Factorisation, Status};
 pub use strength::{SafetyBounds, SafetyProof, Trial, factor_of_safety};

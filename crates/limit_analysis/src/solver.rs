@@ -9,6 +9,8 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, SolverJSONReadWrite, SolverStatus, SupportedConeT,
 };
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::error::LimitError;
 use crate::program::{Cone, Program};
@@ -25,7 +27,7 @@ pub enum Status {
     Infeasible,
     /// The objective has no limit.
     Unbounded,
-    /// Time was up, or the user stopped the run.
+    /// The user's time was up, or the user stopped the run.
     Stopped,
     /// Numerical trouble or too many steps.
     Failed,
@@ -38,7 +40,48 @@ pub(crate) struct Answer {
     pub(crate) status: Status,
     pub(crate) iterations: u32,
     pub(crate) seconds: f64,
+    pub(crate) factorisation: Factorisation,
+    /// Unknowns and rows.
+    pub(crate) size: usize,
 }
+
+/// What factorises the linear systems of the solver's steps. With either a program has the same answer, bit for bit, on any
+/// number of threads; bits of the two differ, and both are as good.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Factorisation {
+    /// Clarabel's QDLDL: one column after another, in plain arithmetic, so bits are those of any other machine.
+    Qdldl,
+    /// Faer: blocks of columns, with the vector instructions that the processor has and blocks that fit its caches, so bits
+    /// are those of any machine with the same processor.
+    Faer,
+}
+
+impl Factorisation {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Qdldl, Self::Faer];
+
+    /// The choice where the user makes none: by the size of the program only.
+    fn of(program: &Program) -> Self {
+        if program.unknowns + program.rows.len() < FAER_FROM { Self::Qdldl } else { Self::Faer }
+    }
+
+    /// Its name, also for Clarabel.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Qdldl => "qdldl",
+            Self::Faer => "faer",
+        }
+    }
+}
+
+/// Unknowns and rows of a program from which on faer takes clearly less time: 40,000 triangles of an upper bound or 20,000 of
+/// a lower one, more than any run has that is not asked for them. `benches/scaling.rs` measures it.
+const FAER_FROM: usize = 500_000;
+
+/// The solver, as certificates name it.
+pub(crate) const SOLVER: &str = "Clarabel 0.11.1";
 
 /// How exactly a program is solved, relative to numbers of the order of one.
 #[derive(Debug, Clone, Copy)]
@@ -71,15 +114,25 @@ impl Accuracy {
 /// Factor on the objective: multipliers of some thousand elements then are of the order of one.
 const OBJECTIVE: f64 = 100.0;
 
-/// Solves a program on one thread, until one of the flags is set. One that ends in numerical trouble is written to `dump`,
-/// as a file from which Clarabel itself can solve it again.
+/// How to solve a program.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct How<'a> {
+    pub(crate) accuracy: Accuracy,
+    /// By the program's size if not given.
+    pub(crate) factorisation: Option<Factorisation>,
+    /// The user's limit on time in seconds.
+    pub(crate) seconds: Option<f64>,
+    /// Where a program that ends in numerical trouble is written, as a file from which Clarabel itself can solve it again.
+    pub(crate) dump: Option<&'a Path>,
+}
+
+/// Solves a program on one thread, until one of the flags is set.
 pub(crate) fn solve(
     program: &Program,
-    accuracy: Accuracy,
-    seconds: f64,
+    how: How<'_>,
     stops: [&Arc<AtomicBool>; 2],
-    dump: Option<&Path>,
 ) -> Result<Answer, LimitError> {
+    let factorisation = how.factorisation.unwrap_or_else(|| Factorisation::of(program));
     let (m, n) = (program.rows.len(), program.unknowns);
     let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
     let mut b = Vec::with_capacity(m);
@@ -105,7 +158,7 @@ pub(crate) fn solve(
     let a = CscMatrix::new(m, n, starts, rows, values);
     let p = CscMatrix::zeros((n, n));
     let refused = |message: String| LimitError::Solver { message };
-    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones(program), settings(accuracy, seconds))
+    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones(program), settings(how, factorisation))
         .map_err(|e| refused(e.to_string()))?;
     let stops = stops.map(Arc::clone);
     solver.set_termination_callback(move |_: &_| stops.iter().any(|stop| stop.load(Ordering::Relaxed)));
@@ -120,7 +173,7 @@ pub(crate) fn solve(
         _ => Status::Failed,
     };
     if status == Status::Failed
-        && let Some(path) = dump
+        && let Some(path) = how.dump
     {
         let failed = |e: std::io::Error| LimitError::Dump { path: path.to_owned(), message: e.to_string() };
         let mut file = File::create(path).map_err(failed)?;
@@ -131,6 +184,8 @@ pub(crate) fn solve(
         status,
         iterations: solution.iterations,
         seconds: solution.solve_time,
+        factorisation,
+        size: n + m,
     })
 }
 
@@ -148,12 +203,13 @@ fn cones(program: &Program) -> Vec<SupportedConeT<f64>> {
     cones
 }
 
-fn settings(accuracy: Accuracy, seconds: f64) -> DefaultSettings<f64> {
+fn settings(how: How<'_>, factorisation: Factorisation) -> DefaultSettings<f64> {
+    let How { accuracy, seconds, .. } = how;
     DefaultSettings {
         verbose: false,
-        time_limit: seconds,
-        // Named, since "auto" would change the bits with the size.
-        direct_solve_method: "qdldl".to_owned(),
+        time_limit: seconds.unwrap_or(f64::INFINITY),
+        direct_solve_method: factorisation.name().to_owned(),
+        // Faer would otherwise share out its sums among the threads of the machine.
         max_threads: 1,
         presolve_enable: false,
         // Rows and columns are scaled by lengths and stresses already; equilibration undoes that and costs twice the
@@ -175,6 +231,15 @@ mod tests {
     use crate::form::Form;
 
     #[test]
+    fn only_large_programs_are_for_faer() {
+        let mut program = Program::default();
+        program.unknowns = FAER_FROM - 1;
+        assert_eq!(Factorisation::of(&program), Factorisation::Qdldl);
+        program.unknown();
+        assert_eq!(Factorisation::of(&program), Factorisation::Faer);
+    }
+
+    #[test]
     fn a_program_that_fails_can_be_solved_again_from_its_file() {
         // Numbers far beyond what doubles can balance: x >= 1e300, x <= 1e-300 y, y free.
         let mut program = Program::default();
@@ -185,7 +250,8 @@ mod tests {
         let path = std::env::temp_dir().join(format!("soilctl-dump-{}.json", std::process::id()));
         let accuracy = Accuracy { gap: 1e-8, regularisation: 1e-8, ..Accuracy::FLOW };
         let stop = Arc::new(AtomicBool::new(false));
-        let answer = solve(&program, accuracy, 10.0, [&stop; 2], Some(&path)).unwrap();
+        let how = How { accuracy, factorisation: None, seconds: None, dump: Some(&path) };
+        let answer = solve(&program, how, [&stop; 2]).unwrap();
         assert_eq!(answer.status, Status::Failed);
         let mut file = File::open(&path).unwrap();
         let mut again: DefaultSolver<f64> = DefaultSolver::load_from_file(&mut file, None).unwrap();

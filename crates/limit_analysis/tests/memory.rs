@@ -13,9 +13,9 @@ fn peak() -> Option<u64> {
 #[test]
 fn a_run_ends_before_it_leaves_its_memory() {
     let problem = EmbeddedPlate { delta_deg: 15.0, ..EmbeddedPlate::default() }.problem().unwrap();
-    for (max_memory_bytes, threads) in [(300_000_000, 1), (600_000_000, 2)] {
+    for (max_memory_bytes, threads) in [(300_000_000, 1), (400_000_000, 2)] {
         let options =
-            Options { max_gap: 0.0, max_seconds: 1e9, max_memory_bytes, threads, ..Options::default() };
+            Options { max_gap: 0.0, max_work: u64::MAX, max_memory_bytes, threads, ..Options::default() };
         let bounds = bound(&problem, &options, &mut |_, _| {}).unwrap();
         assert_eq!(bounds.ended, Ended::Memory);
         // It uses what it has: more than the first mesh.

@@ -7,7 +7,7 @@ use soilctl_limit_analysis::{Bounds, EmbeddedPlate, Ended, LimitError, Options, 
 
 /// A few coarse levels, however slow the machine.
 fn coarse(max_elements: usize) -> Options {
-    Options { max_gap: 1e-6, max_seconds: 1e9, max_elements, ..Options::default() }
+    Options { max_gap: 1e-6, max_work: u64::MAX, max_elements, ..Options::default() }
 }
 
 fn solve(plate: &EmbeddedPlate, options: &Options) -> Bounds {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use soilctl_certificate::Solution as Saved;
+use soilctl_limit_analysis::Ended;
 
 use crate::certificate::{Solution, or_none};
 use crate::copies::{hash_of, maker};
@@ -25,9 +26,10 @@ pub(crate) struct Bracket {
     /// Its unit; empty for pure numbers.
     #[pyo3(get)]
     pub(crate) unit: String,
-    /// Why the run ended: gap, time, elements, memory or stopped.
+    pub(crate) ended: Ended,
+    /// Work spent: elements of meshes times steps of the solver on them.
     #[pyo3(get)]
-    pub(crate) ended: String,
+    pub(crate) work: u64,
     /// Time spent in s.
     #[pyo3(get)]
     pub(crate) seconds: f64,
@@ -59,6 +61,31 @@ impl Bracket {
     fn gap(&self) -> Option<f64> {
         let (low, high) = (self.lower, self.upper);
         (low * high > 0.0).then(|| (2.0 * (high - low) / (high + low)).abs())
+    }
+
+    /// Why the run ended: gap, elements, work, memory, time or stopped.
+    #[getter]
+    fn ended(&self) -> &'static str {
+        self.ended.name()
+    }
+
+    /// What kind of limit that is: goal, work, memory, seconds or user. Only after the last two the same call may end
+    /// elsewhere another time.
+    #[getter]
+    fn stopped_by(&self) -> &'static str {
+        self.ended.stopped_by().name()
+    }
+
+    /// What factorised the solver's systems behind the lower and the upper bound.
+    #[getter]
+    fn factorisation(&self) -> (Option<String>, Option<String>) {
+        let saved: Vec<&Saved> = match &self.proofs {
+            Proofs::Both(saved) => vec![saved],
+            Proofs::Several(proofs) => proofs.iter().map(|(_, saved)| &**saved).collect(),
+        };
+        let lower = saved.iter().find_map(|s| s.lower.as_ref()?.computed.clone());
+        let upper = saved.iter().find_map(|s| s.upper.as_ref()?.computed.clone());
+        (lower.map(|c| c.factorisation), upper.map(|c| c.factorisation))
     }
 
     /// The fields that prove the bounds: to look at, to save, and to prove anew.
@@ -103,7 +130,9 @@ impl Bracket {
         dict.set_item("lower", self.lower)?;
         dict.set_item("upper", self.upper)?;
         dict.set_item("gap", self.gap())?;
-        dict.set_item("ended", &self.ended)?;
+        dict.set_item("ended", self.ended())?;
+        dict.set_item("stopped_by", self.stopped_by())?;
+        dict.set_item("work", self.work)?;
         if let Some(force_n) = self.force_n {
             dict.set_item("force_n", force_n)?;
         }
@@ -114,7 +143,7 @@ impl Bracket {
     fn __eq__(&self, other: &Self) -> bool {
         let ends = |of: &Self| (of.lower, of.upper, of.force_n, of.origin_m);
         ends(self) == ends(other)
-            && (&self.quantity, &self.unit, &self.ended) == (&other.quantity, &other.unit, &other.ended)
+            && (&self.quantity, &self.unit, self.ended) == (&other.quantity, &other.unit, other.ended)
             && self.elements == other.elements
             && self.proofs == other.proofs
     }
@@ -134,7 +163,7 @@ impl Bracket {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let (py, own) = (slf.py(), slf.get());
-        let told = (own.lower, own.upper, &own.quantity, &own.unit, &own.ended, own.seconds);
+        let told = (own.lower, own.upper, &own.quantity, &own.unit, own.ended(), own.seconds, own.work);
         let solutions: Vec<_> = own.solutions(py)?.items().iter().collect();
         let args = (told, own.force_n, own.elements, solutions).into_pyobject(py)?;
         Ok((maker(py, "_restore_bracket")?, args))
@@ -170,16 +199,20 @@ impl Bracket {
     }
 }
 
-/// A bracket as `__reduce__` has taken it apart: lower, upper, quantity, unit, why it ended, seconds; and what else there is.
+/// A bracket as `__reduce__` has taken it apart: lower, upper, quantity, unit, why it ended, seconds, work; and what else there is.
 #[pyfunction]
 #[pyo3(name = "_restore_bracket")]
 pub(crate) fn restore_bracket(
-    told: (f64, f64, String, String, String, f64),
+    told: (f64, f64, String, String, String, f64, u64),
     force_n: Option<(f64, f64)>,
     elements: (usize, usize),
     solutions: Vec<(String, Py<Solution>)>,
 ) -> Answer<Bracket> {
-    let (lower, upper, quantity, unit, ended, seconds) = told;
+    let (lower, upper, quantity, unit, ended, seconds, work) = told;
+    let ended = Ended::ALL
+        .into_iter()
+        .find(|one| one.name() == ended)
+        .ok_or_else(|| input(format!("a bracket cannot have ended by {ended:?}")))?;
     let Some(first) = solutions.first() else {
         return Err(input("a bracket needs a solution that proves it"));
     };
@@ -190,7 +223,7 @@ pub(crate) fn restore_bracket(
             Proofs::Several(several.iter().map(|(name, one)| (name.clone(), one.get().saved())).collect())
         }
     };
-    Ok(Bracket { lower, upper, quantity, unit, ended, seconds, force_n, elements, proofs, origin_m })
+    Ok(Bracket { lower, upper, quantity, unit, ended, work, seconds, force_n, elements, proofs, origin_m })
 }
 
 /// One level of meshes, as ``progress`` is told about it.

@@ -7,12 +7,12 @@ use std::sync::atomic::Ordering;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping};
-use soilctl_certificate::{Claim, LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
+use soilctl_certificate::{LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
 use soilctl_cli::problem_units;
 use soilctl_limit_analysis::describe::{Aim, Quantity};
 use soilctl_limit_analysis::{
-    Bound as Proven, Bounds, Description, DescriptionError, EmbeddedPlate, Ended, LimitError, Options,
-    Problem, SafetyBounds, bound as solve_bounds, factor_of_safety,
+    Bound as Proven, Bounds, Description, DescriptionError, EmbeddedPlate, Factorisation, LimitError,
+    Options, Problem, SafetyBounds, bound as solve_bounds, factor_of_safety,
 };
 use soilctl_soil::{Angle, Interface, Plate, Soil};
 
@@ -25,16 +25,24 @@ use crate::patient::patiently;
 /// Stands in for a size that was not given, so that the others are checked all the same.
 const ANY: f64 = 1.0;
 
-/// What may be spent, checked.
-fn options(
+/// What may be spent, as it was given.
+struct Budget<'a> {
     max_gap: f64,
-    max_seconds: f64,
     max_elements: usize,
+    max_work: Option<u64>,
+    max_seconds: Option<f64>,
     max_memory_mb: Option<u64>,
     threads: usize,
-) -> Answer<Options> {
-    for (name, value) in [("max_gap", max_gap), ("max_seconds", max_seconds)] {
-        if !(value > 0.0 && value.is_finite()) {
+    factorisation: &'a str,
+}
+
+/// The same, checked.
+fn options(budget: &Budget<'_>) -> Answer<Options> {
+    let &Budget { max_gap, max_elements, max_seconds, max_memory_mb, threads, .. } = budget;
+    for (name, value) in [("max_gap", Some(max_gap)), ("max_seconds", max_seconds)] {
+        if let Some(value) = value
+            && !(value > 0.0 && value.is_finite())
+        {
             return Err(input(format!("{name} is {value}; it must be a finite number above 0")));
         }
     }
@@ -49,7 +57,28 @@ fn options(
         Some(mb) if mb >= 100 => mb.saturating_mul(1_000_000),
         Some(mb) => return Err(input(format!("max_memory_mb is {mb}; it must be at least 100"))),
     };
-    Ok(Options { max_gap, max_seconds, max_elements, max_memory_bytes, threads, ..Options::default() })
+    let max_work = match budget.max_work {
+        None => Options::MAX_WORK,
+        Some(0) => return Err(input("max_work is 0; it must be at least 1")),
+        Some(steps) => steps,
+    };
+    let factorisation =
+        match budget.factorisation {
+            "auto" => None,
+            name => Some(Factorisation::ALL.into_iter().find(|one| one.name() == name).ok_or_else(|| {
+                input(format!("factorisation is {name:?}; it must be auto, qdldl or faer"))
+            })?),
+        };
+    Ok(Options {
+        max_gap,
+        max_elements,
+        max_work,
+        max_seconds,
+        max_memory_bytes,
+        threads,
+        factorisation,
+        ..Options::default()
+    })
 }
 
 /// Runs the solver; `bracket` makes the answer, also of what there is when the user ends the run.
@@ -126,8 +155,8 @@ fn saved(
         program: format!("soilctl {}", env!("CARGO_PKG_VERSION")),
         statement: statement.clone(),
         scale,
-        lower: lower.map(|bound| Claim { field: bound.field.clone(), claimed: bound.value }),
-        upper: upper.map(|bound| Claim { field: bound.field.clone(), claimed: bound.value }),
+        lower: lower.map(Proven::claim),
+        upper: upper.map(Proven::claim),
     })
 }
 
@@ -146,10 +175,15 @@ fn saved(
 ///     surcharge_pa: Vertical pressure on the surface.
 ///     gravity_m_s2: Gravity; by default the standard one.
 ///     max_gap: Gap at which to stop.
-///     max_seconds: Time that may be spent.
 ///     max_elements: Most elements of a mesh.
+///     max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+///         machine; by default three million.
+///     max_seconds: Time that may be spent, if it is to be limited: where the run ends then depends on the machine, and
+///         ``stopped_by`` says ``seconds``.
 ///     max_memory_mb: Memory that may be used: a mesh whose programs may need more is not made.
 ///     threads: The bounds are the same for any number.
+///     factorisation: What factorises the systems of the solver's steps: ``qdldl``, ``faer``, or ``auto`` for the choice by the
+///         size of each program. The last digits depend on it.
 ///     progress: Called after each level with an object that has ``elements`` and ``gap``; if it raises, the run
 ///         ends. Or True for a bar of tqdm.
 ///
@@ -161,8 +195,8 @@ fn saved(
 #[pyo3(signature = (
     *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = 0.0, density_kg_m3 = None,
     depth_m = None, width_m = None, cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
-    gravity_m_s2 = 9.80665, max_gap = 0.01, max_seconds = 60.0, max_elements = 20000,
-    max_memory_mb = None, threads = 1, progress = None,
+    gravity_m_s2 = 9.80665, max_gap = 0.01, max_elements = 20000, max_work = None, max_seconds = None,
+    max_memory_mb = None, threads = 1, factorisation = "auto", progress = None,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn bound(
@@ -179,10 +213,12 @@ pub(crate) fn bound(
     surcharge_pa: f64,
     gravity_m_s2: f64,
     max_gap: f64,
-    max_seconds: f64,
     #[pyo3(from_py_with = whole)] max_elements: usize,
+    #[pyo3(from_py_with = whole_or_none)] max_work: Option<u64>,
+    max_seconds: Option<f64>,
     #[pyo3(from_py_with = whole_or_none)] max_memory_mb: Option<u64>,
     #[pyo3(from_py_with = whole)] threads: usize,
+    factorisation: &str,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> Answer<Bracket> {
     let degrees = Angle::from_degrees;
@@ -227,7 +263,15 @@ pub(crate) fn bound(
     };
     // From a force along the surface to one inclined at delta to the plate's normal.
     let factor = 2.0 / degrees(tool_angle_deg + interface_friction_deg).sin();
-    let options = options(max_gap, max_seconds, max_elements, max_memory_mb, threads)?;
+    let options = options(&Budget {
+        max_gap,
+        max_elements,
+        max_work,
+        max_seconds,
+        max_memory_mb,
+        threads,
+        factorisation,
+    })?;
     run_both(py, &problem, options, progress, |bounds| {
         // The factor and the product are each good to a rounding or two; rounding is outwards.
         let slack = 4.0 * f64::EPSILON;
@@ -246,7 +290,7 @@ pub(crate) fn bound(
 /// Args:
 ///     problem: Path of a problem file (.toml or .json), or the description as a dict or another mapping, whose numbers may be
 ///         numpy's.
-///     max_gap, max_seconds, max_elements, max_memory_mb, threads, progress: As for ``bound``.
+///     max_gap, max_elements, max_work, max_seconds, max_memory_mb, threads, factorisation, progress: As for ``bound``.
 ///
 /// Raises:
 ///     InputError: If the description makes no sense.
@@ -255,18 +299,20 @@ pub(crate) fn bound(
 ///     Interrupted: At Ctrl-C; the best bounds so far are in its ``best``.
 #[pyfunction]
 #[pyo3(signature = (
-    problem, *, max_gap = 0.01, max_seconds = 60.0, max_elements = 20000, max_memory_mb = None, threads = 1,
-    progress = None,
+    problem, *, max_gap = 0.01, max_elements = 20000, max_work = None, max_seconds = None, max_memory_mb = None,
+    threads = 1, factorisation = "auto", progress = None,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn solve(
     py: Python<'_>,
     problem: &Bound<'_, PyAny>,
     max_gap: f64,
-    max_seconds: f64,
     #[pyo3(from_py_with = whole)] max_elements: usize,
+    #[pyo3(from_py_with = whole_or_none)] max_work: Option<u64>,
+    max_seconds: Option<f64>,
     #[pyo3(from_py_with = whole_or_none)] max_memory_mb: Option<u64>,
     #[pyo3(from_py_with = whole)] threads: usize,
+    factorisation: &str,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> Answer<Bracket> {
     let description = match problem.cast::<PyMapping>() {
@@ -277,8 +323,16 @@ pub(crate) fn solve(
         Err(_) => Description::read(&problem.extract::<PathBuf>()?),
     };
     let description = description.map_err(LimitError::from)?;
+    let options = options(&Budget {
+        max_gap,
+        max_elements,
+        max_work,
+        max_seconds,
+        max_memory_mb,
+        threads,
+        factorisation,
+    })?;
     if description.objective == (Aim::StrengthReduction {}) {
-        let options = options(max_gap, max_seconds, max_elements, max_memory_mb, threads)?;
         let work = |options: &Options, report: &dyn Fn(Progress)| {
             factor_of_safety(&description, options, &mut |factor, level, gap| {
                 report(Progress { elements: level.upper.elements, gap, factor: Some(factor) });
@@ -295,7 +349,6 @@ pub(crate) fn solve(
         Quantity::Acceleration => ("acceleration over gravity", ""),
     };
     let origin_m = problem_units(&description, &described).origin;
-    let options = options(max_gap, max_seconds, max_elements, max_memory_mb, threads)?;
     run_both(py, &problem, options, progress, |bounds| {
         let ends = described.in_units([bounds.lower.value, bounds.upper.value]);
         let solution =
@@ -318,7 +371,8 @@ fn bracket(
         upper,
         quantity: quantity.into(),
         unit: unit.into(),
-        ended: ended(bounds.ended).into(),
+        ended: bounds.ended,
+        work: bounds.work,
         seconds: bounds.seconds,
         force_n: newtons.map(|n| (n * lower, n * upper)),
         elements: (bounds.lower.elements, bounds.upper.elements),
@@ -339,22 +393,13 @@ fn safety_bracket(description: &Description, found: &SafetyBounds) -> Bracket {
         upper: upper.factor,
         quantity: "factor of safety".into(),
         unit: String::new(),
-        ended: ended(found.ended).into(),
+        ended: found.ended,
+        work: found.work,
         seconds: found.seconds,
         force_n: None,
         elements: (lower.bound.elements, upper.bound.elements),
         proofs: Proofs::Several(proofs),
         origin_m: problem_units(description, &upper.described).origin,
-    }
-}
-
-const fn ended(why: Ended) -> &'static str {
-    match why {
-        Ended::Gap => "gap",
-        Ended::Time => "time",
-        Ended::Elements => "elements",
-        Ended::Memory => "memory",
-        Ended::Stopped => "stopped",
     }
 }
 

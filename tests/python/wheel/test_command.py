@@ -88,7 +88,7 @@ def after(seconds):
 
 
 def test_control_c_ends_the_command_with_what_there_is():
-    words = ["bound", "--alpha", "90", "--phi", "30", "--delta", "0", "--max-gap", "1e-9", "--max-seconds", "300"]
+    words = ["bound", "--alpha", "90", "--phi", "30", "--delta", "0", "--max-gap", "1e-9", "--max-work", str(10**12)]
     code, out, _ = interrupted(*words, "--max-elements", "1000000", "--format", "json", when=after(5.0))
     # In the first seconds there may be no bounds yet on a slow machine; then it is said.
     assert code in (2, 3)
@@ -162,5 +162,5 @@ def test_control_c_ends_an_answer():
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         words = ["--alpha", 90, "--phi", 30, "--delta", 0]
-        soilctl.answer("bound", *words, "--max-gap", 1e-9, "--max-seconds", 300, "--max-elements", 1000000)
+        soilctl.answer("bound", *words, "--max-gap", 1e-9, "--max-work", 10**12, "--max-elements", 1000000)
     timer.join()

@@ -16,7 +16,7 @@ import soilctl
 DATA = Path(__file__).parents[3] / "data"
 SMOOTH = {"tool_angle_deg": 90.0, "friction_angle_deg": 30.0, "interface_friction_deg": 0.0}
 ROUGH = {"tool_angle_deg": 70.0, "friction_angle_deg": 35.0, "interface_friction_deg": 20.0}
-BUDGET = {"max_gap": 0.03, "max_seconds": 120.0}
+BUDGET = {"max_gap": 0.03}
 
 
 @pytest.fixture(scope="module")
@@ -239,7 +239,7 @@ def test_control_c_ends_the_run_and_keeps_the_best():
             os.kill(os.getpid(), signal.SIGINT)
 
     with pytest.raises(KeyboardInterrupt) as caught:
-        soilctl.bound(**SMOOTH, max_gap=1e-6, max_seconds=300.0, progress=interrupt)
+        soilctl.bound(**SMOOTH, max_gap=1e-6, progress=interrupt)
     assert isinstance(caught.value, soilctl.Interrupted)
     assert caught.value.best is not None and caught.value.best.ended == "stopped"
 
@@ -253,16 +253,18 @@ def test_other_threads_run_while_bounds_are_sought():
 
 def test_the_budget_ends_the_run():
     found = soilctl.bound(**SMOOTH, max_gap=1e-9, max_elements=1000)
-    assert found.ended == "elements" and found.gap > 1e-9
-    found = soilctl.bound(**SMOOTH, max_gap=1e-9, max_seconds=2.0)
-    assert found.ended == "time"
+    assert (found.ended, found.stopped_by) == ("elements", "work") and found.gap > 1e-9
+    found = soilctl.bound(**SMOOTH, max_gap=1e-9, max_work=60_000)
+    assert (found.ended, found.stopped_by) == ("work", "work") and found.work > 30_000
+    found = soilctl.bound(**SMOOTH, max_gap=1e-9, max_seconds=5.0)
+    assert (found.ended, found.stopped_by) == ("time", "seconds")
     with pytest.raises(soilctl.NoAnswerError, match="allow more"):
         soilctl.bound(**SMOOTH, max_seconds=1e-6)
 
 
 def test_the_bracket_is_that_of_the_command_line(bracket, tmp_path):
     words = ["--alpha", 90, "--phi", 30, "--delta", 0, "--density", 1600, "--depth", 0.1, "--width", 0.2]
-    there = soilctl.answer("bound", *words, "--max-gap", 0.03, "--max-seconds", 120, "--save", tmp_path / "s.json")
+    there = soilctl.answer("bound", *words, "--max-gap", 0.03, "--save", tmp_path / "s.json")
     assert there["exit_code"] == 0
     assert (there["lower"], there["upper"]) == (bracket.lower, bracket.upper)
     assert (there["force_lower_n"], there["force_upper_n"]) == pytest.approx(bracket.force_n, rel=1e-14)
@@ -343,6 +345,8 @@ def test_problems_that_make_no_sense_are_refused(tmp_path):
         ({"threads": 0}, soilctl.InputError),
         ({"max_memory_mb": 1}, soilctl.InputError),
         ({"max_seconds": math.inf}, soilctl.InputError),
+        ({"max_work": 0}, soilctl.InputError),
+        ({"factorisation": "lu"}, soilctl.InputError),
         ({"tool_angle_deg": "steep"}, TypeError),
     ],
 )

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::memory::both_fit;
 use super::relative_gap;
 use super::run::Run;
 use super::solves::{SolvedLower, SolvedUpper};
@@ -21,14 +22,18 @@ impl Run<'_> {
     /// The upper bound of a level, and the lower one on a mesh of its own; one of them is left out if the other is enough.
     ///
     /// The cheaper one goes first, and the other counts only if that alone does not bring the gap asked for. With two threads
-    /// it is given up then, so the answer is that of one.
+    /// it is given up then, so the answer is that of one; so it is where both do not fit into the memory at once.
     pub(super) fn solve_both(
         &self,
         number: usize,
         lower_mesh: Option<&(Mesh, Topology)>,
     ) -> Result<(Option<SolvedUpper>, Option<SolvedLower>), LimitError> {
-        let elements = self.meshes[number].0.triangles.len() as f64;
-        let lower_first = lower_mesh.is_some_and(|(m, _)| LOWER_COST * (m.triangles.len() as f64) < elements);
+        let elements = self.meshes[number].0.triangles.len();
+        let lower_elements = lower_mesh.map_or(0, |(m, _)| m.triangles.len());
+        let lower_first = lower_mesh.is_some() && LOWER_COST * (lower_elements as f64) < elements as f64;
+        // How many threads there are must not change which meshes fit into the memory.
+        let at_once =
+            self.options.threads > 1 && both_fit(self.options.max_memory_bytes, [elements, lower_elements]);
         let needless: [Arc<AtomicBool>; 2] = Default::default();
         let is_needed = |side: usize| !needless[side].load(Ordering::Relaxed);
         let solve_upper = || {
@@ -46,7 +51,7 @@ impl Run<'_> {
             needless[UPPER].store(enough, Ordering::Relaxed);
             lower
         };
-        let (upper, lower) = if self.options.threads > 1 {
+        let (upper, lower) = if at_once {
             std::thread::scope(|scope| {
                 let lower = scope.spawn(solve_lower);
                 let upper = solve_upper();

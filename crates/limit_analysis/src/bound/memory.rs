@@ -10,19 +10,22 @@ const PER_ELEMENT: f64 = 7e3;
 /// What the process needs without any.
 const BASE: f64 = 16e6;
 
-/// An upper estimate, in bytes, for a level of so many elements.
-fn bytes(elements: f64, both_at_once: bool) -> f64 {
-    let one = PER_ELEMENT * elements * elements.max(2.0).log2();
-    BASE + if both_at_once { 2.0 * one } else { one }
+/// An upper estimate, in bytes, for the program on so many elements.
+fn bytes(elements: f64) -> f64 {
+    PER_ELEMENT * elements * elements.max(2.0).log2()
 }
 
-/// The most elements that fit; infinite where memory is not limited. With `both_at_once` two programs are solved at the
-/// same time.
-pub(super) fn capacity(max_bytes: u64, both_at_once: bool) -> f64 {
+/// Whether two programs may be in memory at the same time.
+pub(super) fn both_fit(max_bytes: u64, elements: [usize; 2]) -> bool {
+    max_bytes == u64::MAX || BASE + elements.map(|n| bytes(n as f64)).iter().sum::<f64>() <= max_bytes as f64
+}
+
+/// The most elements of one program that fit; infinite where memory is not limited.
+pub(super) fn capacity(max_bytes: u64) -> f64 {
     if max_bytes == u64::MAX {
         return f64::INFINITY;
     }
-    let fits = |elements: f64| bytes(elements, both_at_once) <= max_bytes as f64;
+    let fits = |elements: f64| BASE + bytes(elements) <= max_bytes as f64;
     if !fits(1.0) {
         return 0.0;
     }
@@ -41,12 +44,13 @@ mod tests {
     #[test]
     fn what_fits_fits_and_little_more_does_not() {
         for max in [20_000_000, 200_000_000, 8_000_000_000_u64] {
-            for both in [false, true] {
-                let most = capacity(max, both);
-                assert!(bytes(most, both) <= max as f64 && bytes(1.01 * most + 1.0, both) > max as f64);
-            }
+            let most = capacity(max);
+            let needed = |elements: f64| BASE + bytes(elements);
+            assert!(needed(most) <= max as f64 && needed(1.01 * most + 1.0) > max as f64);
+            assert!(!both_fit(max, [most as usize; 2]) && both_fit(max, [most as usize / 3; 2]));
         }
-        assert_eq!(capacity(1_000_000, false), 0.0);
-        assert_eq!(capacity(u64::MAX, true), f64::INFINITY);
+        assert_eq!(capacity(1_000_000), 0.0);
+        assert_eq!(capacity(u64::MAX), f64::INFINITY);
+        assert!(both_fit(u64::MAX, [1_000_000; 2]));
     }
 }

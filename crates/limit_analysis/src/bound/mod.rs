@@ -1,58 +1,23 @@
 //! Both bounds of a problem on a sequence of meshes, each made from what the last one showed.
 
 mod both;
+mod clock;
+mod ended;
 mod memory;
 mod meshes;
+mod options;
 mod run;
 mod solves;
 
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
-use soilctl_certificate::{LowerField, UpperField};
+use soilctl_certificate::{Claim, Computed, LowerField, UpperField};
 
 use crate::error::LimitError;
 use crate::problem::Problem;
-use crate::solver::Status;
+use crate::solver::{Factorisation, SOLVER, Status};
+pub(crate) use clock::Clock;
+pub use ended::{Ended, StoppedBy};
+pub use options::Options;
 use run::Run;
-
-/// When to stop, and what may be spent.
-#[derive(Debug, Clone)]
-pub struct Options {
-    /// Relative gap, `(U - L) / ((U + L) / 2)`, at which to stop.
-    pub max_gap: f64,
-    /// Time in seconds. Which level is the last then depends on the machine; what each level gives does not.
-    pub max_seconds: f64,
-    /// No mesh has more elements.
-    pub max_elements: usize,
-    /// Memory in bytes that the run may use, by an estimate with a margin: no program is built that may need more.
-    pub max_memory_bytes: u64,
-    /// 1: one solve at a time; more: both bounds of a level at once. The results are the same.
-    pub threads: usize,
-    /// Replaces each cone by a pyramid of so many sides inside it (at least 3), which makes the programs linear: for
-    /// comparison. Bounds are proven as always, but further apart.
-    pub segments: Option<usize>,
-    /// An existing folder for programs that end in numerical trouble, one file each, to reproduce it from.
-    pub dump: Option<PathBuf>,
-    /// Set to end the run early with the best bounds so far.
-    pub stop: Arc<AtomicBool>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            max_gap: 0.01,
-            max_seconds: 60.0,
-            max_elements: 20_000,
-            max_memory_bytes: u64::MAX,
-            threads: 1,
-            segments: None,
-            dump: None,
-            stop: Arc::new(AtomicBool::new(false)),
-        }
-    }
-}
 
 /// A proven bound.
 #[derive(Debug, Clone)]
@@ -63,6 +28,18 @@ pub struct Bound<F> {
     pub elements: usize,
     /// What proves it.
     pub field: F,
+    /// What factorised the systems of the solve that found it.
+    pub factorisation: Factorisation,
+}
+
+impl<F: Clone> Bound<F> {
+    /// The bound as saved solutions have it.
+    #[must_use]
+    pub fn claim(&self) -> Claim<F> {
+        let factorisation = self.factorisation.name().to_owned();
+        let computed = Computed { solver: SOLVER.to_owned(), factorisation };
+        Claim { field: self.field.clone(), claimed: self.value, computed: Some(computed) }
+    }
 }
 
 /// One solve of a level.
@@ -70,10 +47,16 @@ pub struct Bound<F> {
 pub struct Solve {
     /// Triangles.
     pub elements: usize,
+    /// Unknowns and rows of the program.
+    pub size: usize,
     /// How the solver ended.
     pub status: Status,
     /// Its steps.
     pub iterations: u32,
+    /// Its work in element steps, with that of the attempts before it: see [`Options::max_work`].
+    pub work: u64,
+    /// What factorised its systems.
+    pub factorisation: Factorisation,
     /// Time in the solver in seconds.
     pub seconds: f64,
     /// Time for repair and proof in seconds.
@@ -113,21 +96,6 @@ impl Level {
     }
 }
 
-/// Why a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ended {
-    /// The gap asked for is reached.
-    Gap,
-    /// Time is up, or the next level would not fit.
-    Time,
-    /// The next mesh would have too many elements.
-    Elements,
-    /// The next program may not fit into the memory allowed.
-    Memory,
-    /// The user asked.
-    Stopped,
-}
-
 /// The bounds of a problem.
 #[derive(Debug, Clone)]
 pub struct Bounds {
@@ -139,6 +107,8 @@ pub struct Bounds {
     pub levels: Vec<Level>,
     /// Why there are no more.
     pub ended: Ended,
+    /// Element steps spent: see [`Options::max_work`].
+    pub work: u64,
     /// Time in seconds.
     pub seconds: f64,
 }
@@ -172,6 +142,7 @@ pub(crate) struct Sides {
     pub(crate) upper: Option<Bound<UpperField>>,
     pub(crate) levels: Vec<Level>,
     pub(crate) ended: Ended,
+    pub(crate) work: u64,
     pub(crate) seconds: f64,
 }
 
@@ -185,11 +156,12 @@ pub fn bound(
     options: &Options,
     progress: &mut dyn FnMut(&Level, Option<f64>),
 ) -> Result<Bounds, LimitError> {
-    let Sides { lower, upper, levels, ended, seconds } = sides(problem, options, &|_, _| false, progress)?;
+    let Sides { lower, upper, levels, ended, work, seconds } =
+        sides(problem, options, &|_, _| false, progress)?;
     match (lower, upper) {
-        (Some(lower), Some(upper)) => Ok(Bounds { lower, upper, levels, ended, seconds }),
+        (Some(lower), Some(upper)) => Ok(Bounds { lower, upper, levels, ended, work, seconds }),
         _ => {
-            let spent = format!("{} levels, {seconds:.1} s", levels.len());
+            let spent = format!("{} levels, {work} element steps", levels.len());
             Err(LimitError::nothing_proven(problem.has_no_tension(), spent))
         }
     }
@@ -215,18 +187,15 @@ pub(crate) fn sides(
             return Err(LimitError::NotCovered { what, advice });
         }
         if let Some(ended) = ended {
-            if matches!(ended, Ended::Time | Ended::Elements | Ended::Memory) {
-                run.last_lower(progress)?;
-            }
-            break ended;
+            break run.last_lower(ended, progress)?;
         }
         let proven = [run.lower.as_ref().map(|b| b.value), run.upper.as_ref().map(|b| b.value)];
         if is_enough(&run.levels, proven) {
             break Ended::Stopped;
         }
     };
-    let seconds = run.start.elapsed().as_secs_f64();
-    Ok(Sides { lower: run.lower, upper: run.upper, levels: run.levels, ended, seconds })
+    let (work, seconds) = (run.spent, run.clock.elapsed());
+    Ok(Sides { lower: run.lower, upper: run.upper, levels: run.levels, ended, work, seconds })
 }
 
 /// What keeps the checker from proving any bound of one side, on more than one mesh.

@@ -2,13 +2,11 @@
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use soilctl_certificate::{LowerField, UpperField};
 
 use super::memory::capacity;
-use super::{Bound, Ended, Level, Options, Solve, relative_gap};
-
+use super::{Bound, Clock, Ended, Level, Options, Solve, relative_gap};
 use crate::error::LimitError;
 use crate::fields::StressField;
 use crate::gap::shares;
@@ -25,8 +23,12 @@ pub(super) const FIRST: f64 = 600.0;
 const GROWTH: f64 = 1.5;
 const LEAST_GROWTH: f64 = 1.15;
 
-/// Time of a solve grows with about this power of the elements.
-const COST: f64 = 1.3;
+/// Work and time of a solve grow with about these powers of the elements: a little more steps, and steps that take longer.
+const WORK: f64 = 1.1;
+const TIME: f64 = 1.3;
+
+/// What a solve is expected to take is so much more than what the last one took, enlarged.
+const SPARE: f64 = 1.1;
 
 /// The mesh whose lower bound is solved with a level's upper bound: lower bounds need far fewer elements.
 fn lower_mesh(level: usize) -> Option<usize> {
@@ -37,11 +39,21 @@ fn lower_mesh(level: usize) -> Option<usize> {
     }
 }
 
+/// What a solve takes.
+#[derive(Default)]
+struct Cost {
+    /// Element steps.
+    work: f64,
+    seconds: f64,
+}
+
 /// A run so far.
 pub(super) struct Run<'a> {
     pub(super) problem: &'a Problem,
     pub(super) options: &'a Options,
-    pub(super) start: Instant,
+    pub(super) clock: Clock,
+    /// Element steps of all solves that count.
+    pub(super) spent: u64,
     pub(super) begin: Start,
     pub(super) meshes: Vec<(Mesh, Topology)>,
     pub(super) levels: Vec<Level>,
@@ -68,7 +80,8 @@ impl<'a> Run<'a> {
         Self {
             problem,
             options,
-            start: Instant::now(),
+            clock: Clock::start(options.max_seconds),
+            spent: 0,
             begin,
             mobile,
             meshes: Vec::new(),
@@ -83,15 +96,20 @@ impl<'a> Run<'a> {
         }
     }
 
-    pub(super) fn remaining(&self) -> f64 {
-        self.options.max_seconds - self.start.elapsed().as_secs_f64()
+    /// What a solve on `elements` is expected to take, from the last one like it.
+    fn estimate(&self, elements: f64, of: impl Fn(&Level) -> Option<Solve>) -> Cost {
+        self.levels.iter().rev().find_map(of).map_or(Cost::default(), |last| {
+            let ratio = elements / last.elements as f64;
+            Cost {
+                work: SPARE * last.work as f64 * ratio.powf(WORK),
+                seconds: SPARE * (last.seconds + last.proof_seconds) * ratio.powf(TIME),
+            }
+        })
     }
 
-    /// Time that a solve on `elements` will take, from the last one like it.
-    fn estimate(&self, elements: usize, of: impl Fn(&Level) -> Option<Solve>) -> f64 {
-        self.levels.iter().rev().find_map(of).map_or(0.0, |last| {
-            1.1 * (last.seconds + last.proof_seconds) * (elements as f64 / last.elements as f64).powf(COST)
-        })
+    /// Element steps left.
+    fn remaining(&self) -> f64 {
+        self.options.max_work.saturating_sub(self.spent) as f64
     }
 
     /// About how many elements the next mesh shall have, or why there is none.
@@ -107,18 +125,23 @@ impl<'a> Run<'a> {
         if growth < LEAST_GROWTH {
             return Err(Ended::Elements);
         }
-        let needed = self.estimate((growth * solved) as usize, |l| Some(l.upper));
-        let growth = growth * (self.remaining() / needed).clamp(0.0, 1.0).powf(1.0 / COST);
+        let needed = self.estimate(growth * solved, |l| Some(l.upper)).work;
+        let growth = growth * (self.remaining() / needed).clamp(0.0, 1.0).powf(1.0 / WORK);
         if growth < LEAST_GROWTH {
-            return Err(Ended::Time);
+            return Err(Ended::Work);
         }
         let growth = growth.min(self.capacity() / solved);
-        if growth < LEAST_GROWTH { Err(Ended::Memory) } else { Ok(growth * self.target) }
+        if growth < LEAST_GROWTH {
+            return Err(Ended::Memory);
+        }
+        // The clock never changes a mesh, it only ends the run.
+        let fits = self.clock.allows(self.estimate(growth * solved, |l| Some(l.upper)).seconds);
+        if fits { Ok(growth * self.target) } else { Err(Ended::Time) }
     }
 
     /// How many elements a level may have in the memory allowed.
     fn capacity(&self) -> f64 {
-        capacity(self.options.max_memory_bytes, self.options.threads > 1)
+        capacity(self.options.max_memory_bytes)
     }
 
     /// One level. Returns why to stop, if so.
@@ -146,11 +169,15 @@ impl<'a> Run<'a> {
         }
         self.meshes.push(made);
 
-        let lower_mesh = lower_mesh(number).filter(|m| {
-            number == 0 || self.estimate(self.meshes[*m].0.triangles.len(), |l| l.lower) < self.remaining()
-        });
+        let expected = |m: usize| self.estimate(self.meshes[m].0.triangles.len() as f64, |l| l.lower);
+        let affordable = lower_mesh(number).filter(|m| number == 0 || expected(*m).work < self.remaining());
+        let lower_mesh = affordable.filter(|m| number == 0 || self.clock.allows(expected(*m).seconds));
+        let mut is_cut = affordable != lower_mesh;
         let own = lower_mesh.map(|m| self.lower_mesh(m)).transpose()?.flatten();
         let (upper, lower) = self.solve_both(number, own.as_ref().or(lower_mesh.map(|m| &self.meshes[m])))?;
+        self.spent += upper.as_ref().map_or(0, |u| u.1.work) + lower.as_ref().map_or(0, |l| l.0.work);
+        let solves = [upper.as_ref().map(|u| u.1.status), lower.as_ref().map(|l| l.0.status)];
+        is_cut |= solves.contains(&Some(Status::Stopped));
         let Some((tightening, upper_solve, upper_field, velocity)) = upper else {
             // The lower bound was enough for the mesh before.
             self.meshes.pop();
@@ -158,7 +185,7 @@ impl<'a> Run<'a> {
                 self.keep_lower(&solve, field, stress, objective);
                 self.tell_lower(solve, progress);
             }
-            return Ok(Some(Ended::Gap));
+            return Ok(Some(if is_cut { self.cut() } else { Ended::Gap }));
         };
         self.tightening = tightening;
         let mut level = Level { upper: upper_solve, lower: None, identity: None };
@@ -167,7 +194,8 @@ impl<'a> Run<'a> {
             self.keep_lower(&solve, field, stress, objective);
         }
         if let Some(value) = upper_solve.proven.filter(|v| self.upper.as_ref().is_none_or(|b| *v < b.value)) {
-            self.upper = Some(Bound { value, elements: upper_solve.elements, field: upper_field });
+            let Solve { elements, factorisation, .. } = upper_solve;
+            self.upper = Some(Bound { value, elements, field: upper_field, factorisation });
         }
         let gap = self.gap();
         let (mesh, topology) = &self.meshes[number];
@@ -182,32 +210,56 @@ impl<'a> Run<'a> {
         }
         progress(&level, gap);
         self.levels.push(level);
+        // Without what was cut off the same gap may be reached later.
+        if is_cut {
+            return Ok(Some(self.cut()));
+        }
         if gap.is_some_and(|g| g <= self.options.max_gap) {
             return Ok(Some(Ended::Gap));
         }
-        if self.options.stop.load(Ordering::Relaxed) {
-            return Ok(Some(Ended::Stopped));
-        }
-        Ok((upper_solve.status == Status::Stopped || self.remaining() <= 0.0).then_some(Ended::Time))
+        let is_over = self.options.stop.load(Ordering::Relaxed) || !self.clock.allows(0.0);
+        Ok(is_over.then(|| self.cut()))
     }
 
-    /// Spends what is left on a lower bound on the finest mesh that fits.
+    /// Whether the user or the clock cut a level short.
+    fn cut(&self) -> Ended {
+        if self.options.stop.load(Ordering::Relaxed) { Ended::Stopped } else { Ended::Time }
+    }
+
+    /// Spends what is left on a lower bound on the finest mesh that fits, unless the run is to end at once. Returns why it
+    /// ends, which is another reason if the clock does not let it have the mesh that the work allows.
     pub(super) fn last_lower(
         &mut self,
+        mut ended: Ended,
         progress: &mut dyn FnMut(&Level, Option<f64>),
-    ) -> Result<(), LimitError> {
+    ) -> Result<Ended, LimitError> {
+        match ended {
+            Ended::Gap | Ended::Stopped => return Ok(ended),
+            Ended::Time | Ended::Elements | Ended::Work | Ended::Memory => {}
+        }
         let solved = self.levels.iter().filter_map(|l| l.lower).map(|s| s.elements).max().unwrap_or(0);
-        let fits = |m: &usize| {
-            let elements = self.meshes[*m].0.triangles.len();
-            elements > solved && self.estimate(elements, |l| l.lower) < self.remaining()
-        };
-        let Some(number) = (0..self.meshes.len()).rev().find(fits) else { return Ok(()) };
-        let own = self.lower_mesh(number)?;
-        let mesh = own.as_ref().unwrap_or(&self.meshes[number]);
-        let (solve, field, stress, objective) = self.solve_lower(mesh, &Arc::default())?;
-        self.keep_lower(&solve, field, stress, objective);
-        self.tell_lower(solve, progress);
-        Ok(())
+        for number in (0..self.meshes.len()).rev() {
+            let elements = self.meshes[number].0.triangles.len();
+            let Cost { work, seconds } = self.estimate(elements as f64, |l| l.lower);
+            if elements <= solved || work >= self.remaining() {
+                continue;
+            }
+            if !self.clock.allows(seconds) {
+                ended = Ended::Time;
+                continue;
+            }
+            let own = self.lower_mesh(number)?;
+            let mesh = own.as_ref().unwrap_or(&self.meshes[number]);
+            let (solve, field, stress, objective) = self.solve_lower(mesh, &Arc::default())?;
+            self.spent += solve.work;
+            if solve.status == Status::Stopped {
+                ended = self.cut();
+            }
+            self.keep_lower(&solve, field, stress, objective);
+            self.tell_lower(solve, progress);
+            break;
+        }
+        Ok(ended)
     }
 
     /// Adds a lower bound to the last level, which had none.
@@ -222,7 +274,8 @@ impl<'a> Run<'a> {
     /// Takes over a lower bound, with the stress field behind it, if it is the best.
     fn keep_lower(&mut self, solve: &Solve, field: LowerField, stress: StressField, objective: f64) {
         if let Some(value) = solve.proven.filter(|v| self.lower.as_ref().is_none_or(|b| *v > b.value)) {
-            self.lower = Some(Bound { value, elements: solve.elements, field });
+            let Solve { elements, factorisation, .. } = *solve;
+            self.lower = Some(Bound { value, elements, field, factorisation });
             self.stress = Some((stress, objective));
         }
     }

@@ -13,7 +13,7 @@ use crate::fields::{StressField, VelocityField};
 use crate::lower::Lower;
 use crate::mesh::Mesh;
 use crate::program::Program;
-use crate::solver::{self, Accuracy, Answer, Status};
+use crate::solver::{self, Accuracy, Answer, How, Status};
 use crate::topology::Topology;
 use crate::upper::Upper;
 
@@ -40,8 +40,44 @@ fn proven(proof: Result<f64, CertificateError>) -> (Option<f64>, Option<&'static
     }
 }
 
+/// What the attempts at a solve took.
+#[derive(Default)]
+struct Spent {
+    work: u64,
+    seconds: f64,
+}
+
+impl Spent {
+    fn add(&mut self, answer: &Answer, mesh: &Mesh) {
+        self.work += u64::from(answer.iterations) * mesh.triangles.len() as u64;
+        self.seconds += answer.seconds;
+    }
+
+    /// The figures of the last attempt, whose proof was begun at `start`.
+    fn solve(
+        &self,
+        answer: &Answer,
+        mesh: &Mesh,
+        start: Instant,
+        (proven, uncovered): (Option<f64>, Option<&'static str>),
+    ) -> Solve {
+        Solve {
+            elements: mesh.triangles.len(),
+            size: answer.size,
+            status: answer.status,
+            iterations: answer.iterations,
+            work: self.work,
+            factorisation: answer.factorisation,
+            seconds: self.seconds,
+            proof_seconds: start.elapsed().as_secs_f64(),
+            proven,
+            uncovered,
+        }
+    }
+}
+
 impl Run<'_> {
-    /// Solves a program, as cones or linearised, in the time that is left, unless it becomes needless.
+    /// Solves a program, as cones or linearised, in the user's time if there is any, unless it becomes needless.
     fn solve(
         &self,
         program: &Program,
@@ -54,7 +90,13 @@ impl Run<'_> {
         let linear = self.options.segments.map(|p| program.linearised(p.max(3)));
         let program = linear.as_ref().unwrap_or(program);
         let stops = [&self.options.stop, needless];
-        solver::solve(program, accuracy, self.remaining().max(0.0), stops, dump.as_deref())
+        let how = How {
+            accuracy,
+            factorisation: self.options.factorisation,
+            seconds: self.clock.left(),
+            dump: dump.as_deref(),
+        };
+        solver::solve(program, how, stops)
     }
 
     pub(super) fn solve_upper(
@@ -64,28 +106,20 @@ impl Run<'_> {
     ) -> Result<SolvedUpper, LimitError> {
         let (mesh, topology) = &self.meshes[number];
         let still = self.mobile.still(mesh);
-        let mut spent = 0.0;
+        let mut spent = Spent::default();
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
             let mut answer = self.solve(&upper.program, Accuracy::FLOW, "upper", needless)?;
             if answer.status == Status::Infeasible {
-                spent += answer.seconds;
+                spent.add(&answer, mesh);
                 answer = self.solve(&upper.program, Accuracy::FLOW_AGAIN, "upper", needless)?;
             }
+            spent.add(&answer, mesh);
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
             let proof = prove_upper(self.problem.statement(), &field);
             let (proven, uncovered) = proven(proof);
-            spent += answer.seconds;
-            let solve = Solve {
-                elements: mesh.triangles.len(),
-                status: answer.status,
-                iterations: answer.iterations,
-                seconds: spent,
-                proof_seconds: start.elapsed().as_secs_f64(),
-                proven,
-                uncovered,
-            };
+            let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
             // A tighter program is no more feasible.
             let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
             if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == TIGHTENING.len() {
@@ -93,7 +127,10 @@ impl Run<'_> {
                 return Ok((attempt, solve, field, velocity));
             }
         }
-        Err(LimitError::nothing_proven(self.problem.has_no_tension(), format!("{spent:.1} s")))
+        Err(LimitError::nothing_proven(
+            self.problem.has_no_tension(),
+            format!("{} element steps", spent.work),
+        ))
     }
 
     pub(super) fn solve_lower(
@@ -101,11 +138,11 @@ impl Run<'_> {
         (mesh, topology): &(Mesh, Topology),
         needless: &Arc<AtomicBool>,
     ) -> Result<SolvedLower, LimitError> {
-        let mut spent = 0.0;
+        let mut spent = Spent::default();
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
             let answer = self.solve(&lower.program, Accuracy::STRESS, "lower", needless)?;
-            spent += answer.seconds;
+            spent.add(&answer, mesh);
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);
             let field = lower.saved(self.problem, mesh, topology, &x);
@@ -113,20 +150,15 @@ impl Run<'_> {
             let (proven, uncovered) = proven(proof);
             let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
             if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == LOWER_TIGHTENING.len() {
-                let solve = Solve {
-                    elements: mesh.triangles.len(),
-                    status: answer.status,
-                    iterations: answer.iterations,
-                    seconds: spent,
-                    proof_seconds: start.elapsed().as_secs_f64(),
-                    proven,
-                    uncovered,
-                };
+                let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
                 let objective = lower.claim(&x);
                 let stress = StressField::new(mesh, topology, &lower, &x);
                 return Ok((solve, field, stress, objective));
             }
         }
-        Err(LimitError::nothing_proven(self.problem.has_no_tension(), format!("{spent:.1} s")))
+        Err(LimitError::nothing_proven(
+            self.problem.has_no_tension(),
+            format!("{} element steps", spent.work),
+        ))
     }
 }

@@ -174,7 +174,7 @@ fn principal_stresses_turn_with_the_stress() {
 
 /// A few levels, however slow the machine.
 fn solve(problem: &Problem, max_elements: usize) -> (Bounds, FlowResults, StressResults) {
-    let options = Options { max_gap: 1e-6, max_seconds: 1e9, max_elements, ..Options::default() };
+    let options = Options { max_gap: 1e-6, max_work: u64::MAX, max_elements, ..Options::default() };
     let bounds = bound(problem, &options, &mut |_, _| {}).unwrap();
     let flow = FlowResults::new(problem.statement(), &bounds.upper.field).unwrap();
     let stress = StressResults::new(problem.statement(), &bounds.lower.field).unwrap();

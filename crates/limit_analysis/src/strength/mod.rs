@@ -3,11 +3,10 @@
 mod search;
 
 use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use soilctl_certificate::{LowerField, UpperField};
 
-use crate::bound::{Bound, Ended, Level, Options, Sides, sides};
+use crate::bound::{Bound, Clock, Ended, Level, Options, Sides, sides};
 use crate::describe::{Described, Description};
 use crate::error::LimitError;
 use search::Search;
@@ -35,6 +34,8 @@ pub struct SafetyBounds {
     pub trials: Vec<Trial>,
     /// Why there are no more.
     pub ended: Ended,
+    /// Element steps spent: see [`Options::max_work`].
+    pub work: u64,
     /// Time in seconds.
     pub seconds: f64,
 }
@@ -51,7 +52,7 @@ impl SafetyBounds {
 /// More trials than any search needs.
 const MAX_TRIALS: usize = 60;
 
-/// Part of the remaining time that one trial may take.
+/// Part of the work and time left that one trial may take.
 const SHARE: f64 = 0.4;
 
 /// After so many levels with only one of the bounds, it is enough if it is so far on its side of one.
@@ -74,11 +75,12 @@ pub fn factor_of_safety(
     options: &Options,
     progress: &mut dyn FnMut(f64, &Level, Option<f64>),
 ) -> Result<SafetyBounds, LimitError> {
-    let start = Instant::now();
     let mut run = Run {
         description,
         options,
-        start,
+        clock: Clock::start(options.max_seconds),
+        spent: 0,
+        is_cut: false,
         search: Search::new(options.max_gap),
         found: Found::default(),
         limit: Ended::Elements,
@@ -90,27 +92,23 @@ pub fn factor_of_safety(
         if options.stop.load(Ordering::Relaxed) {
             break Ended::Stopped;
         }
-        if run.remaining() <= 0.0 {
+        if !run.clock.allows(0.0) {
             break Ended::Time;
         }
-        if run.search.trials.len() == MAX_TRIALS {
-            break Ended::Elements;
+        if run.remaining() == 0 || run.search.trials.len() == MAX_TRIALS {
+            break Ended::Work;
         }
         let Some(factor) = run.search.next() else { break run.limit };
         if let Some(ended) = run.trial(factor, progress)? {
             break ended;
         }
     };
-    let (trials, seconds) = (run.search.trials, start.elapsed().as_secs_f64());
-    match (run.found.lower, run.found.upper) {
-        (Some(lower), Some(upper)) => Ok(SafetyBounds { lower, upper, trials, ended, seconds }),
-        _ => Err(nothing(description, trials.len(), seconds)),
-    }
-}
-
-fn nothing(description: &Description, trials: usize, seconds: f64) -> LimitError {
-    let without_tension = description.soils.iter().any(|soil| soil.tension_kpa == Some(0.0));
-    LimitError::nothing_proven(without_tension, format!("{trials} factors, {seconds:.1} s"))
+    let ended = if run.is_cut && ended != Ended::Stopped { Ended::Time } else { ended };
+    let (Some(lower), Some(upper)) = (run.found.lower.take(), run.found.upper.take()) else {
+        return Err(run.nothing());
+    };
+    let (work, seconds) = (run.spent, run.clock.elapsed());
+    Ok(SafetyBounds { lower, upper, trials: run.search.trials, ended, work, seconds })
 }
 
 /// Whether the first meshes leave no doubt: the other bound would take long and tell little.
@@ -132,7 +130,11 @@ struct Found {
 struct Run<'a> {
     description: &'a Description,
     options: &'a Options,
-    start: Instant,
+    clock: Clock,
+    /// Element steps of all trials.
+    spent: u64,
+    /// Whether the clock ended any trial.
+    is_cut: bool,
     search: Search,
     found: Found,
     /// What keeps trials from getting sharper, once something does.
@@ -140,8 +142,15 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    fn remaining(&self) -> f64 {
-        self.options.max_seconds - self.start.elapsed().as_secs_f64()
+    /// Element steps left.
+    fn remaining(&self) -> u64 {
+        self.options.max_work.saturating_sub(self.spent)
+    }
+
+    fn nothing(&self) -> LimitError {
+        let without_tension = self.description.soils.iter().any(|soil| soil.tension_kpa == Some(0.0));
+        let spent = format!("{} factors, {} element steps", self.search.trials.len(), self.spent);
+        LimitError::nothing_proven(without_tension, spent)
     }
 
     /// One factor. Returns why to stop, if so.
@@ -154,22 +163,20 @@ impl Run<'_> {
         let proven = self.search.gap();
         let options = Options {
             max_gap: self.search.trial_gap,
-            max_seconds: SHARE * self.remaining(),
+            max_work: (SHARE * self.remaining() as f64) as u64,
+            max_seconds: self.clock.left().map(|left| SHARE * left),
             ..self.options.clone()
         };
         let solved = sides(&described.problem()?, &options, &is_plain, &mut |level, _| {
             progress(factor, level, proven);
         });
-        let Sides { lower, upper, ended, .. } = solved?;
+        let Sides { lower, upper, ended, work, .. } = solved?;
+        self.spent += work;
+        self.is_cut |= ended == Ended::Time;
         let both = self.found.lower.is_some() && self.found.upper.is_some();
         if lower.is_none() && upper.is_none() {
             // What is proven already counts.
-            return if both {
-                Ok(Some(Ended::Time))
-            } else {
-                let trials = self.search.trials.len();
-                Err(nothing(self.description, trials, self.start.elapsed().as_secs_f64()))
-            };
+            return if both { Ok(Some(ended)) } else { Err(self.nothing()) };
         }
         let trial = Trial {
             factor,

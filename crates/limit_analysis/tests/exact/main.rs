@@ -24,7 +24,7 @@ use soilctl_limit_analysis::{Bounds, IDENTITY, Options, Problem, bound};
 /// A run to a mesh size, however slow the machine; what it reports is what the checker proves.
 fn solve(statement: Statement, max_elements: usize) -> Bounds {
     let problem = Problem::new(statement).unwrap();
-    let options = Options { max_gap: 1e-6, max_seconds: 1e9, max_elements, ..Options::default() };
+    let options = Options { max_gap: 1e-6, max_work: u64::MAX, max_elements, ..Options::default() };
     let bounds = bound(&problem, &options, &mut |_, _| {}).unwrap();
     assert_eq!(prove_lower(problem.statement(), &bounds.lower.field).unwrap(), bounds.lower.value);
     assert_eq!(prove_upper(problem.statement(), &bounds.upper.field).unwrap(), bounds.upper.value);

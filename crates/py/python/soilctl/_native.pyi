@@ -146,6 +146,12 @@ class Bracket:
     @property
     def ended(self) -> str: ...
     @property
+    def stopped_by(self) -> str: ...
+    @property
+    def work(self) -> int: ...
+    @property
+    def factorisation(self) -> tuple[str | None, str | None]: ...
+    @property
     def seconds(self) -> float: ...
     @property
     def force_n(self) -> tuple[float, float] | None: ...
@@ -188,20 +194,24 @@ def bound(
     surcharge_pa: float = 0.0,
     gravity_m_s2: float = 9.80665,
     max_gap: float = 0.01,
-    max_seconds: float = 60.0,
     max_elements: int = 20000,
+    max_work: int | None = None,
+    max_seconds: float | None = None,
     max_memory_mb: int | None = None,
     threads: int = 1,
+    factorisation: str = "auto",
     progress: Callable[[Progress], object] | bool | None = None,
 ) -> Bracket: ...
 def solve(
     problem: _Path | Mapping[str, Any],
     *,
     max_gap: float = 0.01,
-    max_seconds: float = 60.0,
     max_elements: int = 20000,
+    max_work: int | None = None,
+    max_seconds: float | None = None,
     max_memory_mb: int | None = None,
     threads: int = 1,
+    factorisation: str = "auto",
     progress: Callable[[Progress], object] | bool | None = None,
 ) -> Bracket: ...
 
@@ -354,7 +364,7 @@ class Plant:
 def soil_names() -> list[str]: ...
 def _restore_arm(text: str | None) -> Arm: ...
 def _restore_bracket(
-    told: tuple[float, float, str, str, str, float],
+    told: tuple[float, float, str, str, str, float, int],
     force_n: tuple[float, float] | None,
     elements: tuple[int, int],
     solutions: Sequence[tuple[str, Solution]],

@@ -2,13 +2,13 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_limit_analysis::Bounds;
+use soilctl_limit_analysis::{Bounds, Ended, Factorisation, StoppedBy};
 
 use super::Args;
 use super::plate::Scaled;
 use crate::output::Answer;
 use crate::text::number;
-use crate::verbs::limits::{LevelAnswer, ResultsAnswer, ended, level_table};
+use crate::verbs::limits::{LevelAnswer, ResultsAnswer, level_table};
 
 /// Proven bounds on the net force coefficient of an embedded plate.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -25,14 +25,22 @@ pub(crate) struct BoundAnswer {
     lower_elements: usize,
     /// Triangles of the mesh of the upper bound.
     upper_elements: usize,
+    /// What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does not.
+    lower_factorisation: Factorisation,
+    /// The same of the upper bound.
+    upper_factorisation: Factorisation,
+    /// Work spent in element steps: elements of meshes times steps of the solver on them.
+    work: u64,
     /// Time spent in s.
     seconds: f64,
     /// Lower bound on the force in N; null without depth, width or density.
     pub(super) force_lower_n: Option<f64>,
     /// Upper bound on the force in N; null likewise.
     pub(super) force_upper_n: Option<f64>,
-    /// Why the run ended: gap, time, elements, memory or stopped.
-    pub(super) ended: &'static str,
+    /// Why the run ended.
+    pub(super) ended: Ended,
+    /// What kind of limit that is. Only after `seconds` and `user` the same command may end elsewhere another time.
+    stopped_by: StoppedBy,
     /// All levels, coarse to fine.
     pub(super) levels: Vec<LevelAnswer>,
     /// How far the moving soil reaches along the surface ahead of the plate's top; in the unit of `results`.
@@ -85,10 +93,14 @@ impl BoundAnswer {
             certified: true,
             lower_elements: bounds.lower.elements,
             upper_elements: bounds.upper.elements,
+            lower_factorisation: bounds.lower.factorisation,
+            upper_factorisation: bounds.upper.factorisation,
+            work: bounds.work,
             seconds: bounds.seconds,
             force_lower_n: newtons.map(|n| n * lower),
             force_upper_n: newtons.map(|n| n * upper),
-            ended: ended(bounds.ended),
+            ended: bounds.ended,
+            stopped_by: bounds.ended.stopped_by(),
             levels,
             wedge_ahead: results.reach(1.0),
             wedge_behind: results.reach(-1.0),
@@ -123,7 +135,7 @@ impl Answer for BoundAnswer {
         if let (Some(lower), Some(upper)) = (self.force_lower_n, self.force_upper_n) {
             text += &format!("force  {} to {} N\n", number(lower), number(upper));
         }
-        text += &format!("both bounds are proven; {:.1} s, ended by {}\n\n", self.seconds, self.ended);
+        text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
         text += &level_table(&self.levels);
         text += "\n";
         text + &self.results.text()

@@ -20,7 +20,7 @@ pub(crate) use plate::Scaled;
 #[command(
     after_help = "Both bounds are proven with interval arithmetic; the true force of the rigid-plastic soil with \
     associated flow lies between them. Coefficients are net and per slant length, K = 2 F / (gamma L^2 w). Exit code 3: \
-    the budget ended before the gap was reached. Ctrl-C ends the run with the best bounds so far."
+    the budget ended before the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
 )]
 pub(crate) struct Args {
     /// Tool angle from the horizontal (deg), 10 to 170

@@ -1,6 +1,6 @@
 //! The plate of the command line in the units of the solver, and back.
 
-use soilctl_certificate::{Claim, SCHEMA, Scale, Solution};
+use soilctl_certificate::{SCHEMA, Scale, Solution};
 use soilctl_limit_analysis::results::Units;
 use soilctl_limit_analysis::{Bounds, EmbeddedPlate, Problem};
 use soilctl_soil::{Angle, Interface, Plate, Soil};
@@ -116,8 +116,8 @@ impl Scaled {
                     p.alpha_deg, p.beta_deg, p.phi_deg, p.delta_deg
                 )),
             },
-            lower: Some(Claim { field: bounds.lower.field.clone(), claimed: bounds.lower.value }),
-            upper: Some(Claim { field: bounds.upper.field.clone(), claimed: bounds.upper.value }),
+            lower: Some(bounds.lower.claim()),
+            upper: Some(bounds.upper.claim()),
         }
     }
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_figure::{Align, Table};
-use soilctl_limit_analysis::{Ended, IDENTITY, Level, Solve, Status};
+use soilctl_limit_analysis::{IDENTITY, Level, Solve, Status};
 
 use crate::error::CliError;
 use crate::output::Output;
@@ -65,17 +65,6 @@ fn status(status: Status) -> &'static str {
         Status::Unbounded => "unbounded",
         Status::Stopped => "stopped",
         Status::Failed => "failed",
-    }
-}
-
-/// Why a run ended, in one word.
-pub(crate) fn ended(ended: Ended) -> &'static str {
-    match ended {
-        Ended::Gap => "gap",
-        Ended::Time => "time",
-        Ended::Elements => "elements",
-        Ended::Memory => "memory",
-        Ended::Stopped => "stopped",
     }
 }
 

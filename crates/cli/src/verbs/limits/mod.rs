@@ -7,9 +7,9 @@ mod why;
 
 use std::path::PathBuf;
 
-pub(crate) use levels::{LevelAnswer, ended, level_page_table, level_table, note_doubts};
+pub(crate) use levels::{LevelAnswer, level_page_table, level_table, note_doubts};
 pub(crate) use show::{ResultsAnswer, Show, Shown, Told, bounds_table, proven};
-use soilctl_limit_analysis::{Level, Options};
+use soilctl_limit_analysis::{Factorisation, Level, Options};
 pub(crate) use why::Watch;
 
 use crate::args::finite;
@@ -23,13 +23,17 @@ pub(crate) struct Budget {
     #[arg(long, value_name = "FRACTION", default_value_t = 0.01, value_parser = positive)]
     pub(crate) max_gap: f64,
 
-    /// Time that may be spent (s)
-    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = positive)]
-    max_seconds: f64,
-
     /// Most elements of a mesh
     #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1000..=1_000_000))]
     max_elements: u32,
+
+    /// Work that may be spent: elements of each mesh times steps of the solver on it, the same on every machine
+    #[arg(long, value_name = "N", default_value_t = Options::MAX_WORK, value_parser = clap::value_parser!(u64).range(1..))]
+    max_work: u64,
+
+    /// Time that may be spent (s); where the run ends then depends on the machine, and the answer says so [default: any]
+    #[arg(long, value_name = "S", value_parser = positive)]
+    max_seconds: Option<f64>,
 
     /// Memory that may be used (MB): a mesh whose programs may need more is not made
     #[arg(long, value_name = "MB", value_parser = clap::value_parser!(u32).range(100..))]
@@ -38,6 +42,11 @@ pub(crate) struct Budget {
     /// Threads; the bounds are the same for any number
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1024))]
     threads: u32,
+
+    /// What factorises the systems of the solver's steps: bounds differ in their last digits; `auto` goes by the size of the
+    /// programs
+    #[arg(long, value_name = "WHICH", default_value = "auto")]
+    factorisation: Choice,
 
     /// Solves with strength linearised to so many sides, from inside, instead of cones: for comparison, slower and wider
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..=1000))]
@@ -48,8 +57,19 @@ pub(crate) struct Budget {
     dump: Option<PathBuf>,
 }
 
+/// What `--factorisation` may say.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum Choice {
+    /// By the size of each program
+    Auto,
+    /// Column by column: the same bits on every machine
+    Qdldl,
+    /// In blocks, for large meshes: the same bits on machines with the same processor
+    Faer,
+}
+
 impl Budget {
-    /// The same for the solver; Ctrl-C ends the run with the best bounds so far.
+    /// The same for the solver; Ctrl-C or SIGTERM ends the run with the best bounds so far.
     pub(crate) fn options(&self, output: &Output) -> Result<Options, CliError> {
         if let Some(dir) = self.dump.as_ref().filter(|dir| !dir.is_dir()) {
             return Err(CliError::Usage(format!(
@@ -59,10 +79,16 @@ impl Budget {
         }
         Ok(Options {
             max_gap: self.max_gap,
-            max_seconds: self.max_seconds,
             max_elements: self.max_elements as usize,
+            max_work: self.max_work,
+            max_seconds: self.max_seconds,
             max_memory_bytes: self.max_memory.map_or(u64::MAX, |mb| u64::from(mb) * 1_000_000),
             threads: self.threads as usize,
+            factorisation: match self.factorisation {
+                Choice::Auto => None,
+                Choice::Qdldl => Some(Factorisation::Qdldl),
+                Choice::Faer => Some(Factorisation::Faer),
+            },
             segments: self.segments.map(|n| n as usize),
             dump: self.dump.clone(),
             stop: output.interrupt(),

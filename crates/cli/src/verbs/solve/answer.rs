@@ -3,11 +3,11 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_limit_analysis::describe::Quantity;
-use soilctl_limit_analysis::{Bounds, Described, SafetyBounds};
+use soilctl_limit_analysis::{Bounds, Described, Ended, Factorisation, SafetyBounds, StoppedBy};
 
 use crate::output::Answer;
 use crate::text::{columns, number};
-use crate::verbs::limits::{LevelAnswer, ResultsAnswer, ended, level_table};
+use crate::verbs::limits::{LevelAnswer, ResultsAnswer, level_table};
 
 /// Proven bounds on what a problem file asks for.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -28,10 +28,18 @@ pub(crate) struct SolveAnswer {
     lower_elements: usize,
     /// Triangles of the mesh of the upper bound.
     upper_elements: usize,
+    /// What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does not.
+    lower_factorisation: Factorisation,
+    /// The same of the upper bound.
+    upper_factorisation: Factorisation,
+    /// Work spent in element steps: elements of meshes times steps of the solver on them.
+    work: u64,
     /// Time spent in s.
     seconds: f64,
-    /// Why the run ended: gap, time, elements, memory or stopped.
-    pub(super) ended: &'static str,
+    /// Why the run ended.
+    pub(super) ended: Ended,
+    /// What kind of limit that is. Only after `seconds` and `user` the same command may end elsewhere another time.
+    stopped_by: StoppedBy,
     /// All levels, coarse to fine; empty for a factor of safety.
     pub(super) levels: Vec<LevelAnswer>,
     /// For a factor of safety, all factors that were tried; else empty.
@@ -88,8 +96,12 @@ impl SolveAnswer {
             certified: true,
             lower_elements: bounds.lower.elements,
             upper_elements: bounds.upper.elements,
+            lower_factorisation: bounds.lower.factorisation,
+            upper_factorisation: bounds.upper.factorisation,
+            work: bounds.work,
             seconds: bounds.seconds,
-            ended: ended(bounds.ended),
+            ended: bounds.ended,
+            stopped_by: bounds.ended.stopped_by(),
             levels: bounds.levels.iter().map(|level| LevelAnswer::new(level, unit)).collect(),
             trials: Vec::new(),
             results,
@@ -112,8 +124,12 @@ impl SolveAnswer {
             certified: true,
             lower_elements: safety.lower.bound.elements,
             upper_elements: safety.upper.bound.elements,
+            lower_factorisation: safety.lower.bound.factorisation,
+            upper_factorisation: safety.upper.bound.factorisation,
+            work: safety.work,
             seconds: safety.seconds,
-            ended: ended(safety.ended),
+            ended: safety.ended,
+            stopped_by: safety.ended.stopped_by(),
             levels: Vec::new(),
             trials: trials.collect(),
             results,
@@ -145,7 +161,7 @@ impl Answer for SolveAnswer {
             let [least, most] = [number(-self.upper), number(-self.lower)];
             text += &format!("the soil pushes the structure on, with {least} to {most} kN/m\n");
         }
-        text += &format!("both bounds are proven; {:.1} s, ended by {}\n\n", self.seconds, self.ended);
+        text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
         if self.trials.is_empty() {
             return text + &level_table(&self.levels) + "\n" + &self.results.text();
         }

@@ -25,7 +25,7 @@ use crate::output::Output;
 #[command(
     after_help = "Both bounds are proven with interval arithmetic; the true value for rigid-plastic soil with \
     associated flow lies between them. What the file says is in docs/problem-file.md, examples are in data/problems. \
-    Exit code 3: the budget ended before the gap was reached. Ctrl-C ends the run with the best bounds so far."
+    Exit code 3: the budget ended before the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
 )]
 pub(crate) struct Args {
     /// Problem file, .toml or .json

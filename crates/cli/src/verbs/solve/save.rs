@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use soilctl_certificate::{Claim, LowerField, SCHEMA, Solution, UpperField};
+use soilctl_certificate::{LowerField, SCHEMA, Solution, UpperField};
 use soilctl_limit_analysis::{Bound, Bounds, Described, SafetyBounds};
 
 use crate::error::CliError;
@@ -32,8 +32,8 @@ fn write(
         program: format!("soilctl {}", env!("CARGO_PKG_VERSION")),
         statement: described.statement.clone(),
         scale: described.scale(),
-        lower: lower.map(|b| Claim { field: b.field.clone(), claimed: b.value }),
-        upper: upper.map(|b| Claim { field: b.field.clone(), claimed: b.value }),
+        lower: lower.map(Bound::claim),
+        upper: upper.map(Bound::claim),
     };
     Ok(solution.write(path)?)
 }

@@ -1,6 +1,7 @@
 //! The page of a solution: bounds, the mechanism in motion, fields, contact stresses, and how it was computed.
 
 use soilctl_figure::{Align, CalloutKind, HtmlReport, RichText, Table};
+use soilctl_limit_analysis::Ended;
 
 use super::answer::ContactAnswer;
 use super::plot::{self, Kind};
@@ -30,7 +31,7 @@ pub(crate) fn bounds_table() -> Table {
 }
 
 /// What the bounds are worth.
-pub(crate) fn proven(gap: Option<f64>, wanted: f64, ended: &str) -> (CalloutKind, String) {
+pub(crate) fn proven(gap: Option<f64>, wanted: f64, ended: Ended) -> (CalloutKind, String) {
     let proof = "Both bounds are proven with interval arithmetic; the true value for rigid-plastic soil with associated \
                  flow lies between them.";
     match gap {
@@ -40,15 +41,14 @@ pub(crate) fn proven(gap: Option<f64>, wanted: f64, ended: &str) -> (CalloutKind
         Some(gap) => (
             CalloutKind::Warning,
             format!(
-                "{proof} They are {} % apart: the run ended ({ended}) before {} % was reached.",
+                "{proof} They are {} % apart, where {} % was asked for: the run was {ended}.",
                 number(round(100.0 * gap)),
                 number(100.0 * wanted)
             ),
         ),
-        None => (
-            CalloutKind::Warning,
-            format!("{proof} They are on both sides of zero; the run ended ({ended})."),
-        ),
+        None => {
+            (CalloutKind::Warning, format!("{proof} They are on both sides of zero; the run was {ended}."))
+        }
     }
 }
 

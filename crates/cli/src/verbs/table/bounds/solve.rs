@@ -73,8 +73,8 @@ impl Solver<'_> {
     fn bounds(&self, problem: &Problem) -> Result<Bounds, LimitError> {
         let options = Options {
             max_gap: self.rules.max_gap,
-            max_seconds: f64::INFINITY,
             max_elements: self.rules.max_elements,
+            max_work: u64::MAX,
             threads: 1,
             stop: Arc::clone(&self.stop),
             ..Options::default()
