@@ -6,7 +6,7 @@ use soilctl_limit_analysis::Bounds;
 
 use super::Args;
 use super::plate::Scaled;
-use crate::output::Answer;
+use crate::output::Words;
 use crate::text::number;
 use crate::verbs::limits::{LevelAnswer, ResultsAnswer, ended, level_table};
 
@@ -110,9 +110,11 @@ impl BoundAnswer {
     }
 }
 
-impl Answer for BoundAnswer {
+impl soilctl_app::Answer for BoundAnswer {
     const SCHEMA: &'static str = "soilctl.bound/1";
+}
 
+impl Words for BoundAnswer {
     fn text(&self) -> String {
         let mut text = format!(
             "net coefficient per slant length, 2 F / (gamma L^2 w):\nlower  {}\nupper  {}\ngap    {} %\n",

@@ -6,7 +6,6 @@ mod brackets;
 mod build;
 mod check;
 mod check_brackets;
-mod file;
 mod grid;
 mod show;
 
@@ -14,9 +13,9 @@ use std::path::PathBuf;
 
 pub(crate) use answer::TableAnswer;
 use clap::Subcommand;
-pub(crate) use file::read_model;
 
 use super::Outcome;
+use soilctl_app::table_file as file;
 use crate::error::CliError;
 use crate::output::Output;
 
