@@ -90,3 +90,16 @@ pub(crate) fn read_text(path: &Path) -> Result<String, CliError> {
     std::fs::read_to_string(path)
         .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::Cli;
+
+    /// What clap checks of a command line only when it is used: names that clash, defaults that make no sense.
+    #[test]
+    fn options_of_all_verbs_go_together() {
+        Cli::command().debug_assert();
+    }
+}

@@ -22,8 +22,8 @@ use crate::args::Cli;
 use crate::error::CliError;
 use crate::output::Output;
 pub use crate::progress::Progress;
-pub(crate) use soilctl_app::text;
 pub use crate::verbs::solve::units as problem_units;
+pub(crate) use soilctl_app::text;
 
 /// Runs the command line `args`, the program's name first; answers go to standard output, all else to standard error.
 ///
@@ -97,9 +97,11 @@ pub fn answer(
         ));
     }
     let mut output = Output::kept(stop, progress).of_command(command::line(&args));
-    let outcome = cli.verb.run(&mut output).map_err(CliError::in_options).map_err(|error| match error.is_of_a_file() {
-        true => Refused::File(error.to_string()),
-        false => Refused::Input(error.to_string()),
+    let outcome = cli.verb.run(&mut output).map_err(CliError::in_options).map_err(|error| {
+        match error.is_of_a_file() {
+            true => Refused::File(error.to_string()),
+            false => Refused::Input(error.to_string()),
+        }
     })?;
     let json = String::from_utf8_lossy(&output.into_kept()).into_owned();
     Ok(Answered { exit_code: outcome.exit_code(), json })

@@ -62,12 +62,7 @@ fn polygons(region: &Region) -> Vec<Polygon> {
 ///
 /// # Errors
 /// [`PageError`] if a polygon of it is none.
-pub fn push_region(
-    figure: &mut Figure,
-    name: &str,
-    region: &Region,
-    color: usize,
-) -> Result<(), PageError> {
+pub fn push_region(figure: &mut Figure, name: &str, region: &Region, color: usize) -> Result<(), PageError> {
     if !region.is_empty() {
         figure.push(Polygons::new(name, polygons(region)).color(color))?;
     }
@@ -198,8 +193,10 @@ pub(crate) fn fit(work: &Estimation) -> Result<Figure, PageError> {
         let curve: Vec<(f64, f64, f64)> = (0..=60)
             .filter_map(|k| {
                 let alpha = low + (high - low) * f64::from(k) / 60.0;
-                let slice =
-                    work.model.at(Angle::from_degrees(alpha), Angle::from_degrees(work.request.loads.beta_deg)).ok()?;
+                let slice = work
+                    .model
+                    .at(Angle::from_degrees(alpha), Angle::from_degrees(work.request.loads.beta_deg))
+                    .ok()?;
                 let net = slice.net(*phi, delta.min(*phi)).ok()?;
                 Some((alpha, net.weight_lower, net.weight_upper))
             })

@@ -112,7 +112,9 @@ fn observation(request: &Request, m: &Measurement) -> Result<Observation, AppErr
     let alpha = Angle::from_degrees(m.alpha_deg);
     let plate = Plate::new(alpha, Angle::from_degrees(request.loads.beta_deg), m.depth_m, m.width_m)?;
     let observation = match request.uncertainty {
-        Uncertainty::Sigma => Observation::new(&m.label, plate, m.force_n, request.deviations()? * m.force_sd_n)?,
+        Uncertainty::Sigma => {
+            Observation::new(&m.label, plate, m.force_n, request.deviations()? * m.force_sd_n)?
+        }
         Uncertainty::Bounds if m.count == 1 => Observation::new(&m.label, plate, m.force_n, m.force_sd_n)?,
         Uncertainty::Bounds => {
             Observation::from_bounds(&m.label, plate, m.force_n, m.force_min_n, m.force_max_n)?

@@ -12,9 +12,7 @@ use soilctl_estimator::{
     conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
 };
 
-pub use answer::{
-    Answer, Centre, Disagreement, Measured, Minimum, NextStroke, Point, Section, distinct,
-};
+pub use answer::{Answer, Centre, Disagreement, Measured, Minimum, NextStroke, Point, Section, distinct};
 pub use exact::{ContourSection, Crossing, ExactAnswer};
 pub use inputs::Inputs;
 pub use request::{Request, Uncertainty};

@@ -85,9 +85,10 @@ fn form(out: &Path) -> Result<TableForm, AppError> {
     match out.extension().and_then(|ending| ending.to_str()) {
         Some("csv") => Ok(TableForm::Csv),
         Some("parquet") => Ok(TableForm::Parquet),
-        _ => {
-            Err(AppError::Request(format!("--out is {}; the name must end in .csv or .parquet", out.display())))
-        }
+        _ => Err(AppError::Request(format!(
+            "--out is {}; the name must end in .csv or .parquet",
+            out.display()
+        ))),
     }
 }
 

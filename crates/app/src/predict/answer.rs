@@ -5,7 +5,6 @@ use serde::Serialize;
 use soilctl_earth_pressure::ValidRange;
 use soilctl_soil::Provenance;
 
-
 /// Force and coefficients of a plate from a named model. Coefficients are null when a stroke table was given.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Answer {

@@ -9,8 +9,8 @@ use soilctl_strokes::{ReadOptions, StrokeRow, StrokeTable};
 
 use super::Request;
 use super::answer::{Answer, Inputs, StrokePrediction};
-use crate::request::NumberOrColumn;
 use crate::AppError;
+use crate::request::NumberOrColumn;
 
 pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError> {
     let mut file = ModelFile::read(path)?;
@@ -30,23 +30,26 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
         delta_set_deg: row.delta_set_deg.filter(|_| delta.is_none()),
         ..row.clone()
     };
-    let (strokes, force_n, k_net) = match (&request.strokes, request.alpha_deg, request.depth_m, request.width_m) {
-        (Some(table), ..) => {
-            let table = StrokeTable::read(table, ReadOptions { allow_zero_sd: true })?;
-            let rows = table.rows().map(|row| stroke(&loaded, seen(&row))).collect::<Result<Vec<_>, _>>()?;
-            (Some(rows), None, None)
-        }
-        (None, Some(alpha_deg), Some(depth_m), Some(width_m)) => {
-            let row = StrokeRow { alpha_deg, depth_m, width_m, force_n: 1.0, ..StrokeRow::default() };
-            let force_n = loaded.force_n(&row)?;
-            (None, Some(force_n), Some(coefficient(&loaded, &row, force_n)))
-        }
-        _ => {
-            return Err(AppError::Request(
-                "--model-file predicts forces: give --strokes FILE, or --alpha, --depth and --width".into(),
-            ));
-        }
-    };
+    let (strokes, force_n, k_net) =
+        match (&request.strokes, request.alpha_deg, request.depth_m, request.width_m) {
+            (Some(table), ..) => {
+                let table = StrokeTable::read(table, ReadOptions { allow_zero_sd: true })?;
+                let rows =
+                    table.rows().map(|row| stroke(&loaded, seen(&row))).collect::<Result<Vec<_>, _>>()?;
+                (Some(rows), None, None)
+            }
+            (None, Some(alpha_deg), Some(depth_m), Some(width_m)) => {
+                let row = StrokeRow { alpha_deg, depth_m, width_m, force_n: 1.0, ..StrokeRow::default() };
+                let force_n = loaded.force_n(&row)?;
+                (None, Some(force_n), Some(coefficient(&loaded, &row, force_n)))
+            }
+            _ => {
+                return Err(AppError::Request(
+                    "--model-file predicts forces: give --strokes FILE, or --alpha, --depth and --width"
+                        .into(),
+                ));
+            }
+        };
     let soil = &loaded.file().soil;
     let base = model(&loaded.file().model)?;
     let effects: Vec<&str> = loaded.file().effects.iter().map(|entry| entry.id.as_str()).collect();
@@ -56,7 +59,9 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
         k_passive: None,
         k_active: None,
         k_net,
-        k_net_depth: k_net.zip(request.alpha_deg).map(|(k, alpha)| k / Angle::from_degrees(alpha).sin().powi(2)),
+        k_net_depth: k_net
+            .zip(request.alpha_deg)
+            .map(|(k, alpha)| k / Angle::from_degrees(alpha).sin().powi(2)),
         k_net_lower: None,
         k_net_upper: None,
         k_net_provenance: None,

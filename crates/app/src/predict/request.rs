@@ -39,8 +39,12 @@ pub struct Request {
     pub phi_deg: Option<f64>,
 
     /// Friction angle between soil and plate (deg), or `column` for delta_set_deg of --strokes
-    #[arg(long = "delta", value_name = "DEG|column", allow_negative_numbers = true,
-          required_unless_present = "model_file")]
+    #[arg(
+        long = "delta",
+        value_name = "DEG|column",
+        allow_negative_numbers = true,
+        required_unless_present = "model_file"
+    )]
     pub delta_deg: Option<NumberOrColumn>,
 
     /// Bulk density (kg/m3), or `column` for density_kg_m3 of --strokes

@@ -6,8 +6,8 @@ use soilctl_soil::{Angle, Bracket, Interface, Plate, Soil};
 use super::Request;
 use super::answer::{Answer, Inputs, Sensitivity};
 use super::chosen::Chosen;
-use crate::request::NumberOrColumn;
 use crate::AppError;
+use crate::request::NumberOrColumn;
 
 /// Stands in for a quantity that was not given, so that the others are checked all the same.
 const ANY: f64 = 1.0;

@@ -11,8 +11,8 @@ use super::Request;
 use super::answer::{Answer, StrokePrediction};
 use super::chosen::Chosen;
 use super::single::inputs;
-use crate::request::NumberOrColumn;
 use crate::AppError;
+use crate::request::NumberOrColumn;
 
 pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError> {
     // Measured forces are only shown beside the predicted ones, so their uncertainty does not matter.

@@ -17,6 +17,7 @@ use crate::{AppError, Outcome, Watch};
 /// One page with the estimate, its figures and what they mean.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[serde(default)]
+#[group(skip)]
 pub struct Request {
     #[command(flatten)]
     #[serde(flatten)]
@@ -98,7 +99,9 @@ impl Report {
 /// [`AppError`] as for an estimate, or if the direct-shear table makes no sense.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Report, AppError> {
     if request.estimate.exact {
-        return Err(AppError::Request("a report has bands, so --exact has no meaning for it; use estimate".into()));
+        return Err(AppError::Request(
+            "a report has bands, so --exact has no meaning for it; use estimate".into(),
+        ));
     }
     let estimation = estimate::run(&request.estimate, watch)?;
     let shear = match &request.shear {

@@ -5,8 +5,8 @@ use serde::Serialize;
 use soilctl_direct_shear::DirectShearError;
 
 use super::fits::Fitted;
-use crate::text::stress;
 use crate::AppError;
+use crate::text::stress;
 
 /// The friction angle that a curve gives at a normal stress.
 #[derive(Debug, Serialize, JsonSchema)]

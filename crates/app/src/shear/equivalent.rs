@@ -11,8 +11,8 @@ use soilctl_soil::Angle;
 use super::carry::{self, Carried};
 use super::fits::Fitted;
 use super::stroke::Given;
-use crate::text::stress;
 use crate::AppError;
+use crate::text::stress;
 
 /// Friction angles at the normal stresses of a stroke (Hong 2001, section 6.6.1).
 #[derive(Debug, Serialize, JsonSchema)]

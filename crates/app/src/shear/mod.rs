@@ -21,8 +21,8 @@ pub use raw::RawRequest;
 pub use raw_answer::{Load, RawAnswer, Run};
 pub use request::Request;
 use soilctl_direct_shear::raw::RawAnalysis;
-pub use stroke::StrokeRequest;
 use stroke::Given;
+pub use stroke::StrokeRequest;
 
 use crate::{AppError, Watch, request as requests};
 

@@ -11,8 +11,8 @@ use soilctl_direct_shear::raw::{
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
 use super::raw_answer::{Load, RawAnswer, Run};
-use crate::request::finite;
 use crate::AppError;
+use crate::request::finite;
 
 /// Raw shear-box records, instead of a table of angles.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]

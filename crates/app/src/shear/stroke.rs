@@ -6,8 +6,8 @@ use soilctl_direct_shear::{PointDepth, StrokeLoad};
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, Soil, Stroke};
 
 use super::equivalent::Inputs;
-use crate::request::finite;
 use crate::AppError;
+use crate::request::finite;
 
 /// What a stroke needs beside its force; each of them needs the force in turn.
 const WITH_FORCE: [&str; 5] = ["alpha_deg", "depth_m", "width_m", "density_kg_m3", "delta_deg"];
@@ -87,10 +87,12 @@ pub(super) struct Given {
 impl StrokeRequest {
     /// The stroke of the options; `None` without them.
     pub(super) fn given(&self) -> Result<Option<Given>, AppError> {
-        let (Some(alpha_deg), Some(depth_m), Some(width_m)) = (self.alpha_deg, self.depth_m, self.width_m) else {
+        let (Some(alpha_deg), Some(depth_m), Some(width_m)) = (self.alpha_deg, self.depth_m, self.width_m)
+        else {
             return Ok(None);
         };
-        let (Some(density_kg_m3), Some(delta_deg), Some(force_n)) = (self.density_kg_m3, self.delta_deg, self.force_n)
+        let (Some(density_kg_m3), Some(delta_deg), Some(force_n)) =
+            (self.density_kg_m3, self.delta_deg, self.force_n)
         else {
             return Ok(None);
         };

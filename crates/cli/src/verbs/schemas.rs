@@ -10,11 +10,8 @@ use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{
-    Outcome, bound, certify, demo, diagnose, monitor, process, run as run_verb, solve, table, view,
-};
+use super::{Outcome, bound, certify, demo, diagnose, monitor, process, run as run_verb, solve, table, view};
 use crate::error::CliError;
-
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {

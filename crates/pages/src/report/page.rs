@@ -70,12 +70,8 @@ fn verdict(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
         "Estimate: the full range, its centre with the half width that covers it, and the soil of least misfit inside it",
         columns,
     );
-    let centre = |pick: fn(&Centre) -> String| {
-        a.centre.as_ref().map_or("–".into(), pick)
-    };
-    let best = |pick: fn(&Point) -> String| {
-        a.best_estimate.as_ref().map_or("–".into(), pick)
-    };
+    let centre = |pick: fn(&Centre) -> String| a.centre.as_ref().map_or("–".into(), pick);
+    let best = |pick: fn(&Point) -> String| a.best_estimate.as_ref().map_or("–".into(), pick);
     table.row([
         "Friction angle φ (deg)".to_owned(),
         format!("{:.2}", phi[0]),

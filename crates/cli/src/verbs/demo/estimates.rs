@@ -10,8 +10,8 @@ use super::delta;
 use super::folder::Folder;
 use super::region::{self, Known};
 use crate::error::CliError;
-use soilctl_app::document;
 use crate::verbs::process::save;
+use soilctl_app::document;
 
 pub(super) const DENSITY_UNKNOWN: &str = "density unknown";
 pub(super) const DENSITY_WEIGHED: &str = "density weighed";
@@ -69,11 +69,9 @@ pub(super) fn all(
         density_sd_rel: campaign.density_sd_rel,
     };
     let mut wanted = vec![(DENSITY_UNKNOWN, Some("estimate.json"), known(&table).request(None))];
-    wanted.extend(
-        density_kg_m3.map(|density| {
-            (DENSITY_WEIGHED, Some("estimate_weighed.json"), known(&table).request(Some(density)))
-        }),
-    );
+    wanted.extend(density_kg_m3.map(|density| {
+        (DENSITY_WEIGHED, Some("estimate_weighed.json"), known(&table).request(Some(density)))
+    }));
     let true_table = folder.file("measurements_true.csv");
     if region::true_measurements(&true_table, &chosen, &answer.each, interval_deg, &campaign)?.is_some() {
         wanted.push((TRUE_FORCES, None, known(&true_table).request(None)));

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_pages::estimate;
 use soilctl_figure::{Axis, Band, Dash, Figure, Line, Marker, Points, RefLine, Size};
+use soilctl_pages::estimate;
 
 use super::answer::{DemoAnswer, EachStroke};
 use super::estimates::TRUE_FORCES;

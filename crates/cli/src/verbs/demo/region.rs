@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use soilctl_app::estimate::{self, Estimation};
 use soilctl_app::Unwatched;
+use soilctl_app::estimate::{self, Estimation};
 use soilctl_app::request::{Loads, NumberOrColumn};
 use soilctl_earth_pressure::{Case, ChenLiu, ForceModel as _};
 use soilctl_process::table::StrokeRecord;

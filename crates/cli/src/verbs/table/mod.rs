@@ -15,9 +15,9 @@ pub(crate) use answer::TableAnswer;
 use clap::Subcommand;
 
 use super::Outcome;
-use soilctl_app::table_file as file;
 use crate::error::CliError;
 use crate::output::Output;
+use soilctl_app::table_file as file;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
