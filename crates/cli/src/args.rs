@@ -1,9 +1,9 @@
 //! The command line: global options and the soil and tool options that every verb calls the same.
 
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use clap::Parser;
+pub(crate) use soilctl_app::request::finite;
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
 use crate::error::CliError;
@@ -85,43 +85,21 @@ impl TopicArgs {
     }
 }
 
-/// A number, or the word `column` for the column of that name in the stroke table.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum NumberOrColumn {
-    Number(f64),
-    Column,
-}
-
-impl NumberOrColumn {
-    pub(crate) fn number(self) -> Option<f64> {
-        match self {
-            Self::Number(value) => Some(value),
-            Self::Column => None,
-        }
-    }
-}
-
-impl FromStr for NumberOrColumn {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "column" {
-            return Ok(Self::Column);
-        }
-        finite(text).map(Self::Number).map_err(|problem| format!("{problem}, or the word column"))
-    }
-}
-
-/// A number that is neither NaN nor infinite.
-pub(crate) fn finite(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        _ => Err("it must be a finite number with a decimal point, such as 0.025".into()),
-    }
-}
-
 /// A text file that an option names.
 pub(crate) fn read_text(path: &Path) -> Result<String, CliError> {
     std::fs::read_to_string(path)
         .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::Cli;
+
+    /// What clap checks of a command line only when it is used: names that clash, defaults that make no sense.
+    #[test]
+    fn options_of_all_verbs_go_together() {
+        Cli::command().debug_assert();
+    }
 }

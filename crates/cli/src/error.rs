@@ -1,3 +1,5 @@
+use clap::{Command, CommandFactory};
+use soilctl_app::AppError;
 use soilctl_campaign::CampaignError;
 use soilctl_certificate::CertificateError;
 use soilctl_controller::ControllerError;
@@ -12,6 +14,7 @@ use soilctl_kinematics::KinematicsError;
 use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_live::LiveError;
 use soilctl_monitor::MonitorError;
+use soilctl_pages::PageError;
 use soilctl_process::ProcessError;
 use soilctl_recording::RecordingError;
 use soilctl_session::SessionError;
@@ -19,25 +22,23 @@ use soilctl_soil::SoilError;
 use soilctl_strokes::StrokesError;
 use thiserror::Error;
 
+use crate::args::Cli;
+
 /// Why a verb gave no answer.
 #[derive(Debug, Error)]
 pub(crate) enum CliError {
     /// Options that do not go together, or one that is missing.
     #[error("{0}")]
     Usage(String),
+    /// A use case.
+    #[error(transparent)]
+    App(#[from] AppError),
+    /// A figure or a page.
+    #[error(transparent)]
+    Page(#[from] PageError),
     /// A force model or a table.
     #[error(transparent)]
     EarthPressure(#[from] EarthPressureError),
-    /// One row of a stroke table.
-    #[error("{file}, line {line}: {problem}")]
-    Row {
-        /// Name of the file.
-        file: String,
-        /// Line in the file.
-        line: usize,
-        /// What is wrong there.
-        problem: EarthPressureError,
-    },
     /// A soil, an interface or a plate.
     #[error(transparent)]
     Soil(#[from] SoilError),
@@ -92,17 +93,6 @@ pub(crate) enum CliError {
     /// A figure.
     #[error(transparent)]
     Figure(#[from] FigureError),
-    /// An answer that is no number.
-    #[error(
-        "{key} came out as {value}, which is no answer; the inputs are beyond what double precision can hold, so \
-         bring them closer to the size of a real plate and soil"
-    )]
-    NotFinite {
-        /// Key of the answer.
-        key: String,
-        /// NaN or an infinity.
-        value: f64,
-    },
     /// A file that cannot be written or read.
     #[error("{path}: {problem}")]
     File {
@@ -120,8 +110,22 @@ pub(crate) enum CliError {
 }
 
 impl CliError {
+    /// The same with values called as the command line calls them.
+    pub(crate) fn in_options(self) -> Self {
+        match self {
+            Self::App(AppError::OutOfRange { key, value, allowed }) => {
+                let option = option_of(&Cli::command(), &key);
+                Self::App(AppError::OutOfRange { key: option.unwrap_or(key), value, allowed })
+            }
+            other => other,
+        }
+    }
+
     /// Whether a file could not be read or written, rather than made no sense.
     pub(crate) const fn is_of_a_file(&self) -> bool {
+        if let Self::App(problem) | Self::Page(PageError::App(problem)) = self {
+            return problem.is_of_a_file();
+        }
         matches!(
             self,
             Self::File { .. }
@@ -130,8 +134,7 @@ impl CliError {
                 | Self::DirectShear(DirectShearError::Io { .. })
                 | Self::Effects(EffectsError::File { .. })
                 | Self::Limit(
-                    LimitError::File(_)
-                        | LimitError::Description(DescriptionError::File { .. })
+                    LimitError::Description(DescriptionError::File { .. })
                         | LimitError::Certificate(CertificateError::File { .. })
                 )
                 | Self::Certificate(CertificateError::File { .. })
@@ -151,4 +154,11 @@ impl CliError {
     pub(crate) fn is_broken_pipe(&self) -> bool {
         matches!(self, Self::Stdout(problem) if problem.kind() == std::io::ErrorKind::BrokenPipe)
     }
+}
+
+/// The option that fills a field of a request.
+fn option_of(command: &Command, field: &str) -> Option<String> {
+    let own = command.get_arguments().find(|argument| argument.get_id() == field);
+    let option = own.and_then(|argument| argument.get_long()).map(|long| format!("--{long}"));
+    option.or_else(|| command.get_subcommands().find_map(|verb| option_of(verb, field)))
 }

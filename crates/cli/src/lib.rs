@@ -6,10 +6,8 @@
 mod args;
 mod command;
 mod error;
-mod finite;
 mod output;
 mod progress;
-mod text;
 mod verbs;
 
 use std::ffi::OsString;
@@ -20,10 +18,11 @@ use std::sync::atomic::AtomicBool;
 use clap::Parser;
 
 use crate::args::Cli;
+use crate::error::CliError;
 use crate::output::Output;
 pub use crate::progress::Progress;
-use crate::verbs::Outcome;
 pub use crate::verbs::solve::units as problem_units;
+pub(crate) use soilctl_app::text;
 
 /// Runs the command line `args`, the program's name first; answers go to standard output, all else to standard error.
 ///
@@ -48,20 +47,12 @@ fn exit_code(args: impl IntoIterator<Item = OsString>) -> u8 {
     };
     let mut output = Output::new(cli.format, cli.quiet).of_command(command::line(&args));
     match cli.verb.run(&mut output) {
-        Ok(outcome) => code(outcome),
+        Ok(outcome) => outcome.exit_code(),
         Err(error) if error.is_broken_pipe() => 0,
         Err(error) => {
-            output.error(&error);
+            output.error(&error.in_options());
             2
         }
-    }
-}
-
-const fn code(outcome: Outcome) -> u8 {
-    match outcome {
-        Outcome::Done => 0,
-        Outcome::Negative => 1,
-        Outcome::Partial => 3,
     }
 }
 
@@ -105,10 +96,12 @@ pub fn answer(
         ));
     }
     let mut output = Output::kept(stop, progress).of_command(command::line(&args));
-    let outcome = cli.verb.run(&mut output).map_err(|error| match error.is_of_a_file() {
-        true => Refused::File(error.to_string()),
-        false => Refused::Input(error.to_string()),
+    let outcome = cli.verb.run(&mut output).map_err(CliError::in_options).map_err(|error| {
+        match error.is_of_a_file() {
+            true => Refused::File(error.to_string()),
+            false => Refused::Input(error.to_string()),
+        }
     })?;
     let json = String::from_utf8_lossy(&output.into_kept()).into_owned();
-    Ok(Answered { exit_code: code(outcome), json })
+    Ok(Answered { exit_code: outcome.exit_code(), json })
 }

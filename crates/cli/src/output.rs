@@ -2,16 +2,14 @@
 
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
-use schemars::JsonSchema;
-use serde::Serialize;
 use signal_hook::consts::{SIGINT, SIGTERM};
+use soilctl_app::{Interrupted, Watch};
 
 use crate::error::CliError;
-use crate::finite;
 use crate::progress::{Bar, Progress};
 
 /// Form of the answer.
@@ -23,31 +21,10 @@ pub(crate) enum Format {
     Json,
 }
 
-/// What a verb answers: data for JSON, and the same in words.
-pub(crate) trait Answer: Serialize {
-    /// Schema id, `soilctl.<verb>/1`.
-    const SCHEMA: &'static str;
-
+/// What a verb answers, in words.
+pub(crate) trait Words: soilctl_app::Answer {
     /// The answer for people, ending in a line feed.
     fn text(&self) -> String;
-}
-
-/// An answer with what every JSON document starts with.
-#[derive(Serialize, JsonSchema)]
-pub(crate) struct Document<'a, A> {
-    /// Id of this schema.
-    schema: &'a str,
-    /// Version of the program.
-    version: &'a str,
-    #[serde(flatten)]
-    answer: &'a A,
-}
-
-/// An answer as its JSON document.
-pub(crate) fn document<A: Answer>(answer: &A) -> Result<String, CliError> {
-    finite::check(answer)?;
-    let document = Document { schema: A::SCHEMA, version: env!("CARGO_PKG_VERSION"), answer };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
 /// Where answers and notes go.
@@ -59,6 +36,8 @@ pub(crate) struct Output {
     stop: OnceLock<Arc<AtomicBool>>,
     /// How far the work is.
     progress: Arc<Progress>,
+    /// The bar of work that a use case has begun.
+    bar: Mutex<Option<Bar>>,
     /// The command line, as pages show it.
     command: String,
 }
@@ -94,6 +73,7 @@ impl Output {
             host: Host::Program,
             stop: OnceLock::new(),
             progress: Arc::default(),
+            bar: Mutex::new(None),
             command: String::new(),
         }
     }
@@ -107,6 +87,7 @@ impl Output {
             host,
             stop: OnceLock::new(),
             progress,
+            bar: Mutex::new(None),
             command: String::new(),
         }
     }
@@ -155,13 +136,13 @@ impl Output {
     }
 
     /// Writes the one answer of this run.
-    pub(crate) fn answer<A: Answer>(&mut self, answer: &A) -> Result<(), CliError> {
+    pub(crate) fn answer<A: Words>(&mut self, answer: &A) -> Result<(), CliError> {
         let text = match self.format {
             Format::Text => {
-                finite::check(answer)?;
+                soilctl_app::check_finite(answer)?;
                 answer.text()
             }
-            Format::Json => document(answer)?,
+            Format::Json => soilctl_app::document(answer)?,
         };
         self.raw(text.as_bytes())
     }
@@ -229,5 +210,37 @@ impl Output {
     pub(crate) fn count(&self, steps: u64) -> Arc<Progress> {
         self.progress.begin(steps);
         Arc::clone(&self.progress)
+    }
+}
+
+impl Watch for Output {
+    fn stop(&self, interrupted: Interrupted) -> Arc<AtomicBool> {
+        self.interrupt_keeping(interrupted == Interrupted::KeepsResults)
+    }
+
+    fn begin(&self, steps: u64, name: &str) {
+        self.with_bar(|bar| *bar = Some(self.bar(steps, name)));
+    }
+
+    fn advance(&self, steps: u64) {
+        self.with_bar(|bar| bar.iter().for_each(|bar| bar.inc(steps)));
+    }
+
+    fn end(&self) {
+        self.with_bar(|bar| bar.take().iter().for_each(Bar::finish));
+    }
+
+    fn note(&self, text: &str) {
+        self.with_bar(|bar| match bar {
+            Some(bar) => bar.suspend(|| self.notes().note(text)),
+            None => self.notes().note(text),
+        });
+    }
+}
+
+impl Output {
+    /// Nobody panics while holding the bar, and if so it is as good as before.
+    fn with_bar(&self, act: impl FnOnce(&mut Option<Bar>)) {
+        act(&mut self.bar.lock().unwrap_or_else(std::sync::PoisonError::into_inner));
     }
 }

@@ -126,6 +126,13 @@ pub(crate) struct How<'a> {
     pub(crate) dump: Option<&'a Path>,
 }
 
+/// Solves a program of a test to the end.
+#[cfg(test)]
+pub(crate) fn solve_through(program: &Program, accuracy: Accuracy) -> Answer {
+    let how = How { accuracy, factorisation: None, seconds: None, dump: None };
+    solve(program, how, [&Arc::new(AtomicBool::new(false)); 2]).unwrap()
+}
+
 /// Solves a program on one thread, until one of the flags is set.
 pub(crate) fn solve(
     program: &Program,

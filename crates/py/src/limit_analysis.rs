@@ -19,7 +19,7 @@ use soilctl_soil::{Angle, Interface, Plate, Soil};
 use crate::array::{whole, whole_or_none};
 use crate::bracket::{Bracket, Progress, Proofs};
 use crate::earth_pressure::beyond;
-use crate::error::{Answer, Fail, file, file_at, input, kinds, no_answer};
+use crate::error::{Answer, Fail, file_at, input, kinds, no_answer};
 use crate::patient::patiently;
 
 /// Stands in for a size that was not given, so that the others are checked all the same.
@@ -408,7 +408,6 @@ impl From<LimitError> for Fail {
         match problem {
             LimitError::Certificate(problem) => problem.into(),
             LimitError::NoCollapse { .. } | LimitError::NothingProven { .. } => no_answer(problem),
-            LimitError::File(problem) => file(problem),
             LimitError::Description(DescriptionError::File { ref path, .. }) => file_at(&problem, path),
             _ => input(problem),
         }

@@ -11,7 +11,7 @@ use soilctl_limit_analysis::results::Units;
 use super::Outcome;
 use super::limits::{ResultsAnswer, Show, Shown, Told, bounds_table};
 use crate::error::CliError;
-use crate::output::{Answer, Output};
+use crate::output::{Output, Words};
 use crate::text::number_or_dash;
 
 #[derive(Debug, clap::Args)]
@@ -166,9 +166,11 @@ impl CertifyAnswer {
     }
 }
 
-impl Answer for CertifyAnswer {
+impl soilctl_app::Answer for CertifyAnswer {
     const SCHEMA: &'static str = "soilctl.certify/1";
+}
 
+impl Words for CertifyAnswer {
     fn text(&self) -> String {
         let mut text = self.description.as_ref().map_or_else(String::new, |d| format!("{d}\n"));
         for (name, checked) in [("lower", &self.lower), ("upper", &self.upper)] {

@@ -25,10 +25,9 @@ pub(crate) mod solve;
 mod table;
 mod view;
 
-use std::path::Path;
-
 use clap::Subcommand;
-use soilctl_figure::{Figure, Size};
+pub(crate) use soilctl_app::Outcome;
+pub(crate) use soilctl_pages::save_figure;
 
 use crate::error::CliError;
 use crate::output::Output;
@@ -80,17 +79,6 @@ pub(crate) enum Verb {
     Schemas(schemas::Args),
 }
 
-/// How a verb that gave an answer ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Outcome {
-    /// Done.
-    Done,
-    /// Done, and the answer is negative.
-    Negative,
-    /// Done in part: the budget ended before the goal.
-    Partial,
-}
-
 impl Verb {
     /// Whether it answers once, in JSON, and ends by itself, so that another program may wait for it.
     pub(crate) const fn is_one_answer(&self) -> bool {
@@ -122,20 +110,4 @@ impl Verb {
             Self::Schemas(args) => schemas::run(&args),
         }
     }
-}
-
-/// Writes a figure into a file, in the form that its name asks for.
-fn save_figure(figure: &Figure, path: &Path, size: Size) -> Result<(), CliError> {
-    let bytes = match path.extension().and_then(|ending| ending.to_str()) {
-        Some("svg") => figure.to_svg(size)?.into_bytes(),
-        Some("png") => figure.to_png(size)?,
-        Some("csv") => figure.to_csv().into_bytes(),
-        _ => {
-            return Err(CliError::Usage(format!(
-                "--plot is {}; the name must end in .svg, .png or .csv",
-                path.display()
-            )));
-        }
-    };
-    process::save(path, &bytes)
 }

@@ -16,7 +16,7 @@ use tempfile::NamedTempFile;
 use super::Outcome;
 use crate::args::{TopicArgs, finite};
 use crate::error::CliError;
-use crate::output::{Answer, Output};
+use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -96,9 +96,11 @@ pub(crate) struct MonitorAnswer {
     damage: Vec<String>,
 }
 
-impl Answer for MonitorAnswer {
+impl soilctl_app::Answer for MonitorAnswer {
     const SCHEMA: &'static str = "soilctl.monitor/1";
+}
 
+impl Words for MonitorAnswer {
     fn text(&self) -> String {
         format!("{}\n", self.url)
     }

@@ -12,17 +12,14 @@ mod infinite;
 #[path = "../../tests/exact/prandtl.rs"]
 mod prandtl;
 
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
 use soilctl_certificate::{Statement, prove_lower, prove_upper};
 
 use crate::lower::Lower;
 use crate::lower::tests::common;
 use crate::mesh::{Request, generate};
 use crate::problem::Problem;
-use crate::program::Program;
-use crate::solver::{Accuracy, solve};
+
+use crate::solver::{Accuracy, solve_through};
 use crate::start::Start;
 use crate::topology::Topology;
 use crate::upper::Upper;
@@ -54,19 +51,16 @@ fn bounds(statement: Statement) -> [Option<f64>; 2] {
     })
     .unwrap();
     let topology = Topology::new(&mesh);
-    let solved = |program: &Program, accuracy| {
-        solve(program, accuracy, 1e9, [&Arc::new(AtomicBool::new(false)); 2], None).unwrap()
-    };
     let lower = LOWER_TIGHTENING.into_iter().find_map(|tightening| {
         let lower = Lower::new(&problem, &mesh, &topology, tightening);
-        let x = lower.drawn_inside(&solved(&lower.program, Accuracy::STRESS).x, -0.5 * tightening);
+        let x = lower.drawn_inside(&solve_through(&lower.program, Accuracy::STRESS).x, -0.5 * tightening);
         let field = lower.function.saved(&mesh, &topology, &problem, &x);
         prove_lower(problem.statement(), &field).ok()
     });
     let still = mobile.still(&mesh);
     let upper = TIGHTENING.into_iter().find_map(|tightening| {
         let upper = Upper::new(&problem, &mesh, &topology, &still, tightening);
-        let field = upper.saved(&mesh, &solved(&upper.program, Accuracy::FLOW).x);
+        let field = upper.saved(&mesh, &solve_through(&upper.program, Accuracy::FLOW).x);
         prove_upper(problem.statement(), &field).ok()
     });
     [lower, upper]

@@ -1,8 +1,5 @@
 //! Lower bounds of problems with known answers, on one mesh each.
 
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
 use soilctl_certificate::{Condition, Linear, Material, Objective, Statement, prove_lower};
 
 #[path = "../../tests/common/mod.rs"]
@@ -12,7 +9,7 @@ use common::{soil, statement};
 
 use super::*;
 use crate::mesh::{Fan, Request, generate};
-use crate::solver::{Accuracy, solve};
+use crate::solver::{Accuracy, solve_through};
 
 fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f64) -> f64 {
     let problem = Problem::new(statement).unwrap();
@@ -29,8 +26,7 @@ fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f
     let accuracy = Accuracy { gap: 1e-7, ..Accuracy::STRESS };
     let attempt = |tightening: f64| {
         let lower = Lower::new(&problem, &mesh, &topology, tightening);
-        let answer =
-            solve(&lower.program, accuracy, 60.0, [&Arc::new(AtomicBool::new(false)); 2], None).unwrap();
+        let answer = solve_through(&lower.program, accuracy);
         let x = lower.drawn_inside(&answer.x, -0.5 * tightening);
         let field = lower.function.saved(&mesh, &topology, &problem, &x);
         prove_lower(problem.statement(), &field).ok()

@@ -6,7 +6,7 @@ use soilctl_limit_analysis::{Bounds, Ended, Factorisation, StoppedBy};
 
 use super::Args;
 use super::plate::Scaled;
-use crate::output::Answer;
+use crate::output::Words;
 use crate::text::number;
 use crate::verbs::limits::{LevelAnswer, ResultsAnswer, level_table};
 
@@ -122,9 +122,11 @@ impl BoundAnswer {
     }
 }
 
-impl Answer for BoundAnswer {
+impl soilctl_app::Answer for BoundAnswer {
     const SCHEMA: &'static str = "soilctl.bound/1";
+}
 
+impl Words for BoundAnswer {
     fn text(&self) -> String {
         let mut text = format!(
             "net coefficient per slant length, 2 F / (gamma L^2 w):\nlower  {}\nupper  {}\ngap    {} %\n",

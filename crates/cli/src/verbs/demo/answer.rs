@@ -2,7 +2,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::words;
-use crate::output::Answer;
+use crate::output::Words;
 
 /// A simulated campaign from the soil to the estimate, and how far that is from the truth.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -205,9 +205,11 @@ pub(crate) struct Files {
     pub(crate) report: Option<String>,
 }
 
-impl Answer for DemoAnswer {
+impl soilctl_app::Answer for DemoAnswer {
     const SCHEMA: &'static str = "soilctl.demo/1";
+}
 
+impl Words for DemoAnswer {
     fn text(&self) -> String {
         words::text(self)
     }

@@ -1,5 +1,6 @@
 //! The estimates of a demonstration, beside the truth.
 
+use soilctl_app::estimate::Estimation;
 use soilctl_campaign::Plan;
 use soilctl_process::table::StrokeRecord;
 use soilctl_strokes::Campaign;
@@ -9,20 +10,17 @@ use super::delta;
 use super::folder::Folder;
 use super::region::{self, Known};
 use crate::error::CliError;
-use crate::output::document;
-use crate::verbs::estimate::args::EstimateArgs;
-use crate::verbs::estimate::work::Work;
 use crate::verbs::process::save;
+use soilctl_app::document;
 
 pub(super) const DENSITY_UNKNOWN: &str = "density unknown";
 pub(super) const DENSITY_WEIGHED: &str = "density weighed";
 pub(super) const TRUE_FORCES: &str = "true forces";
 
-/// An estimate with the options that it was made with, or why there is none.
+/// An estimate, or why there is none.
 pub(super) struct Estimated {
     pub(super) name: &'static str,
-    pub(super) args: EstimateArgs,
-    pub(super) work: Result<Work, String>,
+    pub(super) work: Result<Estimation, String>,
 }
 
 /// Marks strokes by their names; says how many.
@@ -70,19 +68,17 @@ pub(super) fn all(
         gravity_m_s2: plan.soil().gravity_m_s2,
         density_sd_rel: campaign.density_sd_rel,
     };
-    let mut wanted = vec![(DENSITY_UNKNOWN, Some("estimate.json"), known(&table).args(None))];
-    wanted.extend(
-        density_kg_m3.map(|density| {
-            (DENSITY_WEIGHED, Some("estimate_weighed.json"), known(&table).args(Some(density)))
-        }),
-    );
+    let mut wanted = vec![(DENSITY_UNKNOWN, Some("estimate.json"), known(&table).request(None))];
+    wanted.extend(density_kg_m3.map(|density| {
+        (DENSITY_WEIGHED, Some("estimate_weighed.json"), known(&table).request(Some(density)))
+    }));
     let true_table = folder.file("measurements_true.csv");
     if region::true_measurements(&true_table, &chosen, &answer.each, interval_deg, &campaign)?.is_some() {
-        wanted.push((TRUE_FORCES, None, known(&true_table).args(None)));
+        wanted.push((TRUE_FORCES, None, known(&true_table).request(None)));
     }
     let mut all = Vec::new();
-    for (name, file, args) in wanted {
-        let work = region::estimate(&args)?;
+    for (name, file, request) in wanted {
+        let work = region::estimate(&request)?;
         let found = work.as_ref().ok().map(|work| region::region(work, &answer.truth));
         if let (Some(file), Ok(work)) = (file, &work) {
             let path = folder.file(file);
@@ -97,7 +93,7 @@ pub(super) fn all(
             DENSITY_WEIGHED => answer.density_weighed = found,
             _ => answer.true_forces = found,
         }
-        all.push(Estimated { name, args, work });
+        all.push(Estimated { name, work });
     }
     Ok(all)
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use soilctl_figure::{Axis, Band, Dash, Figure, Line, Marker, Points, RefLine, Size};
+use soilctl_pages::estimate;
 
 use super::answer::{DemoAnswer, EachStroke};
 use super::estimates::TRUE_FORCES;
@@ -10,7 +11,6 @@ use super::folder::Folder;
 use super::steps::Told;
 use crate::error::CliError;
 use crate::text::number;
-use crate::verbs::estimate::figures as estimate;
 use crate::verbs::process::figures as process;
 use crate::verbs::save_figure;
 
@@ -203,10 +203,10 @@ fn region(answer: &DemoAnswer, told: &Told<'_>) -> Result<Option<Figure>, CliErr
 /// The band of each measurement, with the truth.
 fn bands(answer: &DemoAnswer, told: &Told<'_>) -> Result<Option<Figure>, CliError> {
     let measured = told.estimates.iter().rev().filter(|estimated| estimated.name != TRUE_FORCES);
-    let Some((work, args)) = measured.filter_map(|e| Some((e.work.as_ref().ok()?, &e.args))).next() else {
+    let Some(work) = measured.filter_map(|e| e.work.as_ref().ok()).next() else {
         return Ok(None);
     };
-    let mut figure = estimate::bands(work, args)?;
+    let mut figure = estimate::figure(work, Some(estimate::Kind::Bands))?;
     figure.push(truth_point(answer))?;
     Ok(Some(figure))
 }

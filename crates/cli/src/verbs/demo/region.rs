@@ -2,16 +2,16 @@
 
 use std::path::Path;
 
+use soilctl_app::Unwatched;
+use soilctl_app::estimate::{self, Estimation};
+use soilctl_app::request::{Loads, NumberOrColumn};
 use soilctl_earth_pressure::{Case, ChenLiu, ForceModel as _};
 use soilctl_process::table::StrokeRecord;
 use soilctl_soil::Angle;
 use soilctl_strokes::{Campaign, StrokeRow, StrokeTable};
 
 use super::answer::{EachStroke, Region, Truth};
-use crate::args::{LoadArgs, NumberOrColumn};
 use crate::error::CliError;
-use crate::verbs::estimate::args::{EstimateArgs, Uncertainty};
-use crate::verbs::estimate::work::{self, Work};
 
 /// Set-points of the strokes that count, in deg from the interface friction: far below it the soil fails with another friction
 /// on the plate, above it the plate slips along the soil, which does not fail.
@@ -129,33 +129,22 @@ pub(super) struct Known<'a> {
 }
 
 impl Known<'_> {
-    /// The options of `soilctl estimate`, with the density as weighed in kg/m3 or unknown.
-    pub(super) fn args(&self, weighed_kg_m3: Option<f64>) -> EstimateArgs {
-        EstimateArgs {
+    /// What an estimate is asked, with the density as weighed in kg/m3 or unknown.
+    pub(super) fn request(&self, weighed_kg_m3: Option<f64>) -> estimate::Request {
+        estimate::Request {
             file: self.measurements.to_owned(),
             model: self.model.to_owned(),
-            model_file: None,
-            delta: NumberOrColumn::Column,
-            delta_tol: INCLINATION_DEG,
-            density: weighed_kg_m3.map(NumberOrColumn::Number),
+            delta_deg: NumberOrColumn::Column,
+            delta_tol_deg: INCLINATION_DEG,
+            density_kg_m3: weighed_kg_m3.map(NumberOrColumn::Number),
             density_tol: WEIGHED + self.density_sd_rel,
             sigma: Some(SIGMA),
-            uncertainty: Uncertainty::Sigma,
-            adjust_high_angles: 0.0,
-            phi_range: None,
-            loads: LoadArgs {
-                cohesion: self.cohesion_pa,
-                adhesion: 0.0,
-                surcharge: 0.0,
-                gravity: self.gravity_m_s2,
-                beta: 0.0,
+            loads: Loads {
+                cohesion_pa: self.cohesion_pa,
+                gravity_m_s2: self.gravity_m_s2,
+                ..Loads::default()
             },
-            sections: Vec::new(),
-            next_strokes: false,
-            next_alpha: Vec::new(),
-            next_depth: Vec::new(),
-            force_limit: None,
-            compare: false,
+            ..estimate::Request::default()
         }
     }
 }
@@ -164,16 +153,16 @@ impl Known<'_> {
 ///
 /// # Errors
 /// Only those of files: that forces allow no estimate is an answer.
-pub(super) fn estimate(args: &EstimateArgs) -> Result<Result<Work, String>, CliError> {
-    match work::run(args, false) {
+pub(super) fn estimate(request: &estimate::Request) -> Result<Result<Estimation, String>, CliError> {
+    match estimate::run(request, &Unwatched) {
         Ok(work) => Ok(Ok(work)),
-        Err(problem) if problem.is_of_a_file() => Err(problem),
+        Err(problem) if problem.is_of_a_file() => Err(problem.into()),
         Err(problem) => Ok(Err(problem.to_string())),
     }
 }
 
 /// The estimate beside the truth.
-pub(super) fn region(work: &Work, truth: &Truth) -> Region {
+pub(super) fn region(work: &Estimation, truth: &Truth) -> Region {
     let found = &work.answer;
     let holds =
         |range: Option<[f64; 2]>, value: f64| range.is_some_and(|[low, high]| (low..=high).contains(&value));

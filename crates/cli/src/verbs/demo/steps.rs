@@ -12,7 +12,7 @@ use crate::error::CliError;
 use crate::output::Output;
 use crate::verbs::pages::{self, FigureFiles};
 use crate::verbs::process::{self, ProcessAnswer, Skipped, save};
-use crate::verbs::simulate::{self, SimulateAnswer};
+use soilctl_app::simulate::{self, Answer as SimulateAnswer};
 
 /// Everything that the page tells beside the answer.
 pub(super) struct Told<'a> {

@@ -9,7 +9,7 @@ use soilctl_effects::EffectId;
 
 use super::Work;
 use super::files::{Written, parameters, status};
-use crate::output::Answer;
+use crate::output::Words;
 use crate::text::{columns, measured, number};
 
 /// Most disagreements in the answer in words.
@@ -288,9 +288,11 @@ pub(super) const fn testable(testable: Testable) -> &'static str {
     }
 }
 
-impl Answer for DiagnosisAnswer {
+impl soilctl_app::Answer for DiagnosisAnswer {
     const SCHEMA: &'static str = "soilctl.diagnose/1";
+}
 
+impl Words for DiagnosisAnswer {
     fn text(&self) -> String {
         let mut text = format!("{}: {}\n", self.status, self.sentence());
         for effect in &self.effects {

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use soilctl_app::simulate;
 use soilctl_campaign::{Options, Plan};
 use soilctl_diagnosis::{Course, Data};
 use soilctl_effects::ModelFile;
@@ -10,7 +11,7 @@ use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 use super::recorded::Recorded;
 use crate::error::CliError;
 use crate::output::Output;
-use crate::verbs::{process, simulate};
+use crate::verbs::process;
 
 /// Noise of the campaign that is simulated again must not be that of the first one.
 const OTHER_NOISE: u64 = 0x5eed;

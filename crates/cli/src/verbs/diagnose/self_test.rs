@@ -9,7 +9,7 @@ use soilctl_diagnosis::self_test::{SelfTest, Tally, cases, run_case, tally};
 
 use super::Args;
 use crate::error::CliError;
-use crate::output::{Answer, Output};
+use crate::output::{Output, Words};
 use crate::text::columns;
 use crate::verbs::Outcome;
 
@@ -72,9 +72,11 @@ pub(super) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     Ok(if stopped { Outcome::Partial } else { Outcome::Done })
 }
 
-impl Answer for SelfTestAnswer {
+impl soilctl_app::Answer for SelfTestAnswer {
     const SCHEMA: &'static str = "soilctl.diagnose-self-test/1";
+}
 
+impl Words for SelfTestAnswer {
     fn text(&self) -> String {
         let mut rows = vec![vec!["what".to_owned(), "rate".into(), "of".into()]];
         for rate in &self.rates {

@@ -6,7 +6,7 @@ use super::findings::Analysis;
 use super::manifest::{Entry, Skipped};
 use super::words;
 use super::work::Done;
-use crate::output::Answer;
+use crate::output::Words;
 
 /// Strokes of logs.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -84,9 +84,11 @@ impl ProcessAnswer {
     }
 }
 
-impl Answer for ProcessAnswer {
+impl soilctl_app::Answer for ProcessAnswer {
     const SCHEMA: &'static str = "soilctl.process/1";
+}
 
+impl Words for ProcessAnswer {
     fn text(&self) -> String {
         words::text(self)
     }

@@ -7,7 +7,7 @@ use soilctl_controller::TICK_S;
 use soilctl_live::{BIN_ENDS_US, Report, Timing};
 use soilctl_session::messages::word;
 
-use crate::output::Answer;
+use crate::output::Words;
 
 /// How a session went.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -84,9 +84,11 @@ impl RunAnswer {
     }
 }
 
-impl Answer for RunAnswer {
+impl soilctl_app::Answer for RunAnswer {
     const SCHEMA: &'static str = "soilctl.run/1";
+}
 
+impl Words for RunAnswer {
     fn text(&self) -> String {
         let mut text = format!("{} ticks ({:.3} s); {}\n", self.ticks, self.time_s, self.ended);
         if let Some(fault) = &self.fault {

@@ -1,16 +1,22 @@
 //! The answer of `shear` in words.
 
+use soilctl_app::shear::{Answer, PowerLaw, RawAnswer, SlopeFloor, SoilAnswer};
+use soilctl_app::text::{columns, four_digits, stress};
 use soilctl_soil::units::pa_to_psi;
 
-use super::answer::{PowerLaw, ShearAnswer, SlopeFloor, SoilAnswer};
-use super::raw_answer::RawAnswer;
-use super::words_stroke::stroke_text;
-use crate::text::{columns, number_or_dash};
+use super::stroke::stroke_text;
+use crate::output::Words;
 
 /// Mark of an angle outside the stresses of its curve; room for it keeps columns straight.
 const EXTRAPOLATED: &str = "*";
 
-pub(super) fn text(answer: &ShearAnswer) -> String {
+impl Words for Answer {
+    fn text(&self) -> String {
+        text(self)
+    }
+}
+
+fn text(answer: &Answer) -> String {
     let mut text = String::new();
     if let Some(raw) = &answer.raw {
         text += &raw_text(raw);
@@ -29,11 +35,6 @@ pub(super) fn text(answer: &ShearAnswer) -> String {
     text.trim_end().to_owned() + "\n"
 }
 
-/// A stress in both units.
-pub(super) fn stress(pa: f64) -> String {
-    format!("{} psi ({} kPa)", four_digits(pa_to_psi(pa)), four_digits(pa / 1000.0))
-}
-
 /// A stress in psi and in kPa, a cell each.
 pub(super) fn stress_cells(pa: f64) -> [String; 2] {
     [four_digits(pa_to_psi(pa)), four_digits(pa / 1000.0)]
@@ -45,10 +46,6 @@ pub(super) fn angle_cell(found: Option<(f64, bool)>) -> String {
         || "- ".into(),
         |(deg, extrapolated)| format!("{deg:.1}{}", if extrapolated { EXTRAPOLATED } else { " " }),
     )
-}
-
-fn four_digits(value: f64) -> String {
-    number_or_dash(format!("{value:.3e}").parse().ok())
 }
 
 /// Cells for a header whose columns end in a mark.

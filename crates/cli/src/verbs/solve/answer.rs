@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_limit_analysis::describe::Quantity;
 use soilctl_limit_analysis::{Bounds, Described, Ended, Factorisation, SafetyBounds, StoppedBy};
 
-use crate::output::Answer;
+use crate::output::Words;
 use crate::text::{columns, number};
 use crate::verbs::limits::{LevelAnswer, ResultsAnswer, level_table};
 
@@ -148,9 +148,11 @@ impl SolveAnswer {
     }
 }
 
-impl Answer for SolveAnswer {
+impl soilctl_app::Answer for SolveAnswer {
     const SCHEMA: &'static str = "soilctl.solve/1";
+}
 
+impl Words for SolveAnswer {
     fn text(&self) -> String {
         let mut text = self.title.as_ref().map_or_else(String::new, |t| format!("{t}\n"));
         text += &format!("{}:\nlower  {}\nupper  {}\n", self.words(), number(self.lower), number(self.upper));

@@ -7,7 +7,7 @@ use soilctl_limit_analysis::describe::Aim;
 use soilctl_limit_analysis::{Described, Description};
 
 use super::answer::{SAFETY, names};
-use crate::output::Answer;
+use crate::output::Words;
 use crate::text::{columns, number};
 
 /// A problem file as it was understood.
@@ -131,9 +131,11 @@ impl Span {
     }
 }
 
-impl Answer for CheckAnswer {
+impl soilctl_app::Answer for CheckAnswer {
     const SCHEMA: &'static str = "soilctl.solve-check/1";
+}
 
+impl Words for CheckAnswer {
     fn text(&self) -> String {
         let mut text = self.title.as_ref().map_or_else(String::new, |t| format!("{t}\n"));
         let [long, stress] = [number(self.length_m), number(self.stress_kpa)];

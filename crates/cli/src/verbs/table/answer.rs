@@ -9,7 +9,7 @@ use super::brackets::{self, BracketCell, Gaps, SOURCE};
 use super::check::check_text;
 use super::check_brackets::BracketFindings;
 use super::show::show_text;
-use crate::output::Answer;
+use crate::output::Words;
 use crate::verbs::Outcome;
 
 /// What was done with a table.
@@ -194,9 +194,11 @@ impl TableAnswer {
     }
 }
 
-impl Answer for TableAnswer {
+impl soilctl_app::Answer for TableAnswer {
     const SCHEMA: &'static str = "soilctl.table/1";
+}
 
+impl Words for TableAnswer {
     fn text(&self) -> String {
         match self {
             Self::Show { table, cells } => table.text() + &show_text(table, cells),

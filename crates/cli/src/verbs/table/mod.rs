@@ -6,7 +6,6 @@ mod brackets;
 mod build;
 mod check;
 mod check_brackets;
-mod file;
 mod grid;
 mod show;
 
@@ -14,11 +13,11 @@ use std::path::PathBuf;
 
 pub(crate) use answer::TableAnswer;
 use clap::Subcommand;
-pub(crate) use file::read_model;
 
 use super::Outcome;
 use crate::error::CliError;
 use crate::output::Output;
+use soilctl_app::table_file as file;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_recording::Recording;
 
-use crate::output::Answer;
+use crate::output::Words;
 use crate::text::{columns, number};
 
 /// What was made of a log.
@@ -58,9 +58,11 @@ impl ViewAnswer {
     }
 }
 
-impl Answer for ViewAnswer {
+impl soilctl_app::Answer for ViewAnswer {
     const SCHEMA: &'static str = "soilctl.view/1";
+}
 
+impl Words for ViewAnswer {
     fn text(&self) -> String {
         let mut text = format!("recording: {}\n", self.recording);
         if let Some(layout) = &self.foxglove_layout {

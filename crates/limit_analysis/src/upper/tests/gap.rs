@@ -1,8 +1,5 @@
 //! The gap as a sum of shares, with stress fields made by hand: only their equilibrium matters.
 
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
 use soilctl_certificate::{Condition, Linear, Material, Objective, Statement};
 
 use super::super::Upper;
@@ -11,7 +8,7 @@ use crate::fields::{StressField, VelocityField};
 use crate::gap::shares;
 use crate::mesh::{Guide, Mesh, Request, generate};
 use crate::problem::Problem;
-use crate::solver::{self, Accuracy};
+use crate::solver::{Accuracy, solve_through};
 use crate::topology::Topology;
 
 const PRESSURE: f64 = 1.5;
@@ -40,9 +37,7 @@ fn check_with(statement: &Statement, of: impl Fn([f64; 2]) -> [f64; 3]) {
     let guides = [Guide { points: vec![[1.0, 0.0], [2.0, -0.7], [3.0, 0.0]] }];
     let (fine, topology) = mesh(&problem, 0.35, &guides);
     let upper = Upper::new(&problem, &fine, &topology, &[], 0.0);
-    let accuracy = Accuracy::FLOW;
-    let answer =
-        solver::solve(&upper.program, accuracy, 1e9, [&Arc::new(AtomicBool::new(false)); 2], None).unwrap();
+    let answer = solve_through(&upper.program, Accuracy::FLOW);
     let velocity = VelocityField::new(&upper, &answer.x);
 
     let (coarse, across) = mesh(&problem, 0.8, &[]);

@@ -6,9 +6,6 @@ mod grounds;
 mod layers;
 mod sand;
 
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
 use soilctl_certificate::{Statement, prove_upper};
 
 use super::Upper;
@@ -16,7 +13,7 @@ use crate::adapt::wanted_sizes;
 use crate::fields::{Piece, VelocityField};
 use crate::mesh::{Guide, Request, SizeField, generate};
 use crate::problem::Problem;
-use crate::solver::{self, Accuracy};
+use crate::solver::{Accuracy, solve_through};
 use crate::start::Start;
 use crate::topology::Topology;
 use crate::vector::twice_area;
@@ -61,9 +58,7 @@ fn bounds(statement: &Statement, targets: &[usize]) -> Vec<Found> {
         let topology = Topology::new(&mesh);
         for tightening in [1e-6, 1e-5, 1e-4] {
             let upper = Upper::new(&problem, &mesh, &topology, &mobile.still(&mesh), tightening);
-            let accuracy = Accuracy::FLOW;
-            let stop = Arc::new(AtomicBool::new(false));
-            let answer = solver::solve(&upper.program, accuracy, 1e9, [&stop; 2], None).unwrap();
+            let answer = solve_through(&upper.program, Accuracy::FLOW);
             let field = upper.saved(&mesh, &answer.x);
             let (elements, objective) = (mesh.triangles.len(), upper.force.value(&answer.x));
             let proven = prove_upper(statement, &field);

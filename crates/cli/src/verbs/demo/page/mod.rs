@@ -144,15 +144,15 @@ fn again(page: &mut HtmlReport, answer: &DemoAnswer, told: &Told<'_>) {
         ("Look at a stroke", format!("soilctl monitor --play {folder}/batch_000.mcap --open")),
         ("Find failure forces", format!("soilctl process {folder} --out runs/strokes.csv")),
     ];
-    if let (Some(table), Some(estimated)) = (&answer.files.measurements, told.estimates.first()) {
-        let args = &estimated.args;
-        let delta = args.delta.number().unwrap_or_default();
+    let estimated = told.estimates.first().and_then(|estimated| estimated.work.as_ref().ok());
+    if let (Some(table), Some(estimated)) = (&answer.files.measurements, estimated) {
+        let request = &estimated.request;
         let mut line = format!(
-            "soilctl report {table} --model {} --delta {delta:.2} --delta-tol {:.2} --sigma {SIGMA} --gravity {}",
-            args.model, args.delta_tol, args.loads.gravity
+            "soilctl report {table} --model {} --delta column --delta-tol {:.2} --sigma {SIGMA} --gravity {}",
+            request.model, request.delta_tol_deg, request.loads.gravity_m_s2
         );
-        if args.loads.cohesion > 0.0 {
-            line += &format!(" --cohesion {}", args.loads.cohesion);
+        if request.loads.cohesion_pa > 0.0 {
+            line += &format!(" --cohesion {}", request.loads.cohesion_pa);
         }
         entries.push(("Estimate, on a page with more detail", line));
     }

@@ -1,0 +1,133 @@
+//! Why a use case gave no answer.
+
+use soilctl_campaign::CampaignError;
+use soilctl_certificate::CertificateError;
+use soilctl_controller::ControllerError;
+use soilctl_diagnosis::DiagnosisError;
+use soilctl_direct_shear::DirectShearError;
+use soilctl_earth_pressure::EarthPressureError;
+use soilctl_effects::EffectsError;
+use soilctl_estimator::EstimatorError;
+use soilctl_kinematics::KinematicsError;
+use soilctl_limit_analysis::{DescriptionError, LimitError};
+use soilctl_process::ProcessError;
+use soilctl_session::SessionError;
+use soilctl_soil::SoilError;
+use soilctl_strokes::StrokesError;
+use thiserror::Error;
+
+/// Why a use case gave no answer.
+#[derive(Debug, Error)]
+pub enum AppError {
+    /// Values of a request that do not go together, or one that is missing.
+    #[error("{0}")]
+    Request(String),
+    /// A value of a request outside its range.
+    #[error("{key} is {value}; it must be {allowed}")]
+    OutOfRange {
+        /// Name of the value, as the request's field is called.
+        key: String,
+        /// What was given.
+        value: String,
+        /// What is allowed, with its unit.
+        allowed: String,
+    },
+    /// A force model or a table.
+    #[error(transparent)]
+    EarthPressure(#[from] EarthPressureError),
+    /// One row of a stroke table.
+    #[error("{file}, line {line}: {problem}")]
+    Row {
+        /// Name of the file.
+        file: String,
+        /// Line in the file.
+        line: usize,
+        /// What is wrong there.
+        problem: EarthPressureError,
+    },
+    /// A soil, an interface or a plate.
+    #[error(transparent)]
+    Soil(#[from] SoilError),
+    /// A stroke table.
+    #[error(transparent)]
+    Strokes(#[from] StrokesError),
+    /// Direct shear.
+    #[error(transparent)]
+    DirectShear(#[from] DirectShearError),
+    /// An estimate.
+    #[error(transparent)]
+    Estimator(#[from] EstimatorError),
+    /// Limit analysis.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
+    /// A saved solution.
+    #[error(transparent)]
+    Certificate(#[from] CertificateError),
+    /// A log.
+    #[error(transparent)]
+    Session(#[from] SessionError),
+    /// Recorded strokes.
+    #[error(transparent)]
+    Process(#[from] ProcessError),
+    /// An arm.
+    #[error(transparent)]
+    Kinematics(#[from] KinematicsError),
+    /// Settings of the controller.
+    #[error(transparent)]
+    Controller(#[from] ControllerError),
+    /// A simulated campaign.
+    #[error(transparent)]
+    Campaign(#[from] CampaignError),
+    /// A diagnosis.
+    #[error(transparent)]
+    Diagnosis(#[from] DiagnosisError),
+    /// Effects and model files.
+    #[error(transparent)]
+    Effects(#[from] EffectsError),
+    /// An answer that is no number.
+    #[error(
+        "{key} came out as {value}, which is no answer; the inputs are beyond what double precision can hold, so \
+         bring them closer to the size of a real plate and soil"
+    )]
+    NotFinite {
+        /// Key of the answer.
+        key: String,
+        /// NaN or an infinity.
+        value: f64,
+    },
+    /// A file that cannot be written or read.
+    #[error("{path}: {problem}")]
+    File {
+        /// The path.
+        path: String,
+        /// What the system says.
+        problem: std::io::Error,
+    },
+    /// A request or an answer that is no JSON document.
+    #[error("{0}")]
+    Json(#[from] serde_json::Error),
+}
+
+impl AppError {
+    /// Whether a file could not be read or written, rather than made no sense.
+    #[must_use]
+    pub const fn is_of_a_file(&self) -> bool {
+        matches!(
+            self,
+            Self::File { .. }
+                | Self::EarthPressure(EarthPressureError::File { .. })
+                | Self::Strokes(StrokesError::File { .. })
+                | Self::DirectShear(DirectShearError::Io { .. })
+                | Self::Effects(EffectsError::File { .. })
+                | Self::Limit(
+                    LimitError::Description(DescriptionError::File { .. })
+                        | LimitError::Certificate(CertificateError::File { .. })
+                )
+                | Self::Certificate(CertificateError::File { .. })
+                | Self::Session(
+                    SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
+                )
+                | Self::Campaign(CampaignError::File { .. })
+        )
+    }
+}

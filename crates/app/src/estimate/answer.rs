@@ -1,0 +1,248 @@
+//! Every soil that explains the measurements, as plain data.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_estimator::{Candidate, Fit, LocalMinimum, Observation, Optimiser, Ring};
+
+use super::ExactAnswer;
+use crate::Outcome;
+
+/// A section of the consistent set at one interface friction.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Section {
+    /// Interface friction (deg).
+    pub delta_deg: f64,
+    /// Rings of [phi (deg), density (kg/m3)], by the even-odd rule; the first point is not repeated.
+    pub polygons: Vec<Ring>,
+}
+
+/// One measurement as the estimator saw it.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Measured {
+    /// Name.
+    pub label: String,
+    /// Tool angle (deg).
+    pub alpha_deg: f64,
+    /// Vertical depth (m).
+    pub depth_m: f64,
+    /// Failure force (N).
+    pub force_n: f64,
+    /// Lower end of its interval (N).
+    pub force_low_n: f64,
+    /// Upper end of its interval (N).
+    pub force_high_n: f64,
+    /// Strokes behind it.
+    pub strokes: usize,
+}
+
+impl Measured {
+    pub(super) fn of(observation: &Observation, strokes: usize) -> Self {
+        Self {
+            label: observation.label().into(),
+            alpha_deg: observation.plate().tool_angle().degrees(),
+            depth_m: observation.plate().depth_m(),
+            force_n: observation.force_n(),
+            force_low_n: observation.low_n(),
+            force_high_n: observation.high_n(),
+            strokes,
+        }
+    }
+}
+
+/// A single soil.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct Point {
+    /// Friction angle (deg).
+    pub phi_deg: f64,
+    /// Bulk density (kg/m3).
+    pub density_kg_m3: f64,
+    /// Interface friction (deg).
+    pub delta_deg: f64,
+    /// Sum of squared relative force errors (Hong 2001, eq. 7.1).
+    pub misfit: f64,
+}
+
+impl From<Fit> for Point {
+    fn from(fit: Fit) -> Self {
+        Self {
+            phi_deg: fit.phi_deg,
+            density_kg_m3: fit.density_kg_m3,
+            delta_deg: fit.delta_deg,
+            misfit: fit.misfit,
+        }
+    }
+}
+
+/// Centroid of the region and how far the region reaches from it.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct Centre {
+    /// Friction angle (deg).
+    pub phi_deg: f64,
+    /// Half width that covers the region (deg).
+    pub phi_half_width_deg: f64,
+    /// Bulk density (kg/m3).
+    pub density_kg_m3: f64,
+    /// Half width that covers the region (kg/m3).
+    pub density_half_width_kg_m3: f64,
+}
+
+/// What breaks consistency; names of measurements.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Disagreement {
+    /// Measurements without which all others agree.
+    pub culprits: Vec<String>,
+    /// Pairs that no soil explains together.
+    pub pairs: Vec<[String; 2]>,
+    /// Measurements that no soil explains even alone.
+    pub alone: Vec<String>,
+    /// Factor on all uncertainties at which the measurements just agree; null if 10 is not enough.
+    pub uncertainty_factor: Option<f64>,
+}
+
+/// Where a local optimiser started and ended.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Minimum {
+    /// `downhill-simplex` or `levenberg-marquardt`.
+    pub optimiser: &'static str,
+    /// Start: phi (deg), density (kg/m3), delta (deg).
+    pub start: [f64; 3],
+    /// End.
+    pub end: Point,
+    /// Whether the end lies in the consistent region.
+    pub inside: bool,
+}
+
+impl Minimum {
+    pub(super) fn of(found: &LocalMinimum, inside: bool) -> Self {
+        let optimiser = match found.optimiser {
+            Optimiser::DownhillSimplex => "downhill-simplex",
+            Optimiser::LevenbergMarquardt => "levenberg-marquardt",
+        };
+        Self { optimiser, start: found.start, end: found.end.into(), inside }
+    }
+
+    /// Optimiser, friction angle, density, interface friction, misfit and whether it lies in the region, in words.
+    #[must_use]
+    pub fn cells(&self) -> [String; 6] {
+        [
+            self.optimiser.to_owned(),
+            format!("{:.2}", self.end.phi_deg),
+            format!("{:.0}", self.end.density_kg_m3),
+            format!("{:.2}", self.end.delta_deg),
+            format!("{:.2e}", self.end.misfit),
+            if self.inside { "yes" } else { "no" }.to_owned(),
+        ]
+    }
+}
+
+/// Ends that differ by more than 0.05 deg or 0.5 % in density, each with the number of starts that led there.
+#[must_use]
+pub fn distinct(minima: &[Minimum]) -> Vec<(&Minimum, usize)> {
+    let mut kept: Vec<(&Minimum, usize)> = Vec::new();
+    for m in minima {
+        let same = |k: &Minimum| {
+            k.optimiser == m.optimiser
+                && (k.end.phi_deg - m.end.phi_deg).abs() < 0.05
+                && (k.end.density_kg_m3 / m.end.density_kg_m3 - 1.0).abs() < 0.005
+        };
+        match kept.iter_mut().find(|(k, _)| same(k)) {
+            Some((_, count)) => *count += 1,
+            None => kept.push((m, 1)),
+        }
+    }
+    kept
+}
+
+/// A stroke that might be made next.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct NextStroke {
+    /// Tool angle (deg).
+    pub alpha_deg: f64,
+    /// Vertical depth (m).
+    pub depth_m: f64,
+    /// Expected area of the region after it, relative to now.
+    pub area_left: f64,
+    /// Expected width of the friction range after it (deg).
+    pub phi_width_deg: f64,
+    /// Expected width of the density range after it (kg/m3).
+    pub density_width_kg_m3: f64,
+    /// Force to expect at most (N).
+    pub force_n: f64,
+    /// Model that predicts it.
+    pub model: &'static str,
+}
+
+impl From<&Candidate> for NextStroke {
+    fn from(c: &Candidate) -> Self {
+        Self {
+            alpha_deg: c.alpha_deg,
+            depth_m: c.depth_m,
+            area_left: c.area_left,
+            phi_width_deg: c.phi_width_deg,
+            density_width_kg_m3: c.density_width_kg_m3,
+            force_n: c.force_n,
+            model: c.model,
+        }
+    }
+}
+
+/// The answer.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Answer {
+    /// Force model.
+    pub model: String,
+    /// Whether any soil explains all measurements.
+    pub consistent: bool,
+    /// Range of the friction angle (deg) over the whole interval of delta; null if inconsistent.
+    pub phi_deg: Option<[f64; 2]>,
+    /// Range of the density (kg/m3) over the whole interval of delta; null if inconsistent.
+    pub density_kg_m3: Option<[f64; 2]>,
+    /// Sections at chosen deltas; empty if inconsistent.
+    pub regions: Vec<Section>,
+    /// Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi, density].
+    pub region: Vec<Vec<Ring>>,
+    /// Consistent [delta, density], the same form; empty if delta is known exactly.
+    pub delta_density: Vec<Vec<Ring>>,
+    /// Consistent [phi, delta], the same form; empty if delta is known exactly.
+    pub phi_delta: Vec<Vec<Ring>>,
+    /// Area of the region (deg kg/m3).
+    pub area_deg_kg_m3: f64,
+    /// Volume of the consistent set (deg2 kg/m3).
+    pub volume_deg2_kg_m3: f64,
+    /// What was known of delta (deg).
+    pub delta_deg: [f64; 2],
+    /// What was known of the density (kg/m3).
+    pub density_known_kg_m3: Option<[f64; 2]>,
+    /// Centroid of the region.
+    pub centre: Option<Centre>,
+    /// Soil of least misfit inside the region.
+    pub best_estimate: Option<Point>,
+    /// Limits of the search that the region touches: it may reach further.
+    pub cut_by: Vec<&'static str>,
+    /// The measurements.
+    pub measurements: Vec<Measured>,
+    /// What breaks consistency; null if nothing does.
+    pub disagreement: Option<Disagreement>,
+    /// The result in words.
+    pub verdict: String,
+    /// Strokes that would shrink the region most, the best first; null if not asked for.
+    pub next_strokes: Option<Vec<NextStroke>>,
+    /// What local optimisers find; null if not asked for.
+    pub optimisers: Option<Vec<Minimum>>,
+    /// Results for exact data; null unless `--exact`.
+    pub exact: Option<ExactAnswer>,
+    /// What to keep in mind.
+    pub warnings: Vec<String>,
+}
+
+impl crate::Answer for Answer {
+    const SCHEMA: &'static str = "soilctl.estimate/1";
+
+    fn outcome(&self) -> Outcome {
+        let found = match &self.exact {
+            Some(exact) => exact.best.is_some(),
+            None => self.consistent,
+        };
+        if found { Outcome::Done } else { Outcome::Negative }
+    }
+}

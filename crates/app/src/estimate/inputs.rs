@@ -1,0 +1,151 @@
+//! From a request and a stroke table to the estimator's setup.
+
+use soilctl_earth_pressure::ForceModel;
+use soilctl_effects::Loaded;
+use soilctl_estimator::{Observation, Setup};
+use soilctl_soil::{Angle, Plate};
+use soilctl_strokes::{
+    Campaign, Measurement, ReadOptions, StrokeRow, StrokeTable, Uncertainty as Deviations, measurements,
+};
+
+use super::request::{Request, Uncertainty};
+use crate::AppError;
+use crate::request::NumberOrColumn;
+
+/// What a request knows: measurements, and what is known beside them.
+#[derive(Debug, Clone)]
+pub struct Inputs {
+    /// Strokes of one geometry together, as the stroke table has them.
+    pub measurements: Vec<Measurement>,
+    /// Accuracies of the campaign, or the defaults.
+    pub campaign: Campaign,
+    /// Interval of the interface friction (deg).
+    pub delta_deg: (f64, f64),
+    /// Interval of the density (kg/m3); `None` if it is unknown.
+    pub density_kg_m3: Option<(f64, f64)>,
+    /// What to keep in mind.
+    pub warnings: Vec<String>,
+}
+
+/// Tool angles from which failure is mostly gradual, in degrees.
+const HIGH_ANGLE_DEG: f64 = 90.0;
+
+impl Inputs {
+    /// Reads the table and what is known beside it. Exact data need no standard deviations.
+    pub(super) fn read(request: &Request, exact: bool) -> Result<Self, AppError> {
+        request.deviations()?;
+        let mut table = StrokeTable::read(&request.file, ReadOptions { allow_zero_sd: exact })?;
+        if let Some(path) = &request.model_file {
+            table = without_effects(&table, &Loaded::read(path)?)?;
+        }
+        let wanted = if exact { Deviations::ExactAllowed } else { Deviations::Required };
+        let measurements = measurements(&table, wanted)?;
+        let campaign = Campaign::read_beside(&request.file)?.unwrap_or_default();
+        let mut warnings = Vec::new();
+        let (low, high) = spread(request, request.delta_deg, "delta", &measurements, |m| m.delta_set_deg)?;
+        let mut delta_deg = (low - request.delta_tol_deg, high + request.delta_tol_deg);
+        if low < 0.0 {
+            return Err(AppError::Request(format!("--delta is {low} deg; it must be at least 0 deg")));
+        }
+        if delta_deg.0 < 0.0 {
+            delta_deg.0 = 0.0;
+            warnings.push("the interval of delta is cut at 0 deg: friction is not negative".into());
+        }
+        let density_kg_m3 = match request.density_kg_m3 {
+            None => None,
+            Some(choice) => {
+                let (low, high) = spread(request, choice, "density", &measurements, |m| m.density_kg_m3)?;
+                Some((low * (1.0 - request.density_tol), high * (1.0 + request.density_tol)))
+            }
+        };
+        let angle = |m: &Measurement| m.alpha_deg.to_bits();
+        if measurements.iter().all(|m| angle(m) == angle(&measurements[0])) {
+            warnings.push(
+                "all strokes are at one tool angle, which cannot tell friction angle from density; add strokes at \
+                 other tool angles"
+                    .into(),
+            );
+        }
+        Ok(Self { measurements, campaign, delta_deg, density_kg_m3, warnings })
+    }
+
+    /// The setup of the estimator.
+    pub(super) fn setup<'m>(
+        &self,
+        request: &Request,
+        model: &'m dyn ForceModel,
+    ) -> Result<Setup<'m>, AppError> {
+        let observations =
+            self.measurements.iter().map(|m| observation(request, m)).collect::<Result<_, _>>()?;
+        let mut setup = Setup::new(model, observations, self.delta_deg);
+        setup.density_kg_m3 = self.density_kg_m3;
+        setup.phi_search_deg = request.phi_range_deg;
+        setup.gravity_m_s2 = request.loads.gravity_m_s2;
+        setup.loads = request.loads.into();
+        Ok(setup)
+    }
+
+    /// Deltas at which sections are shown.
+    pub(super) fn sections(&self, request: &Request) -> Vec<f64> {
+        if !request.sections_deg.is_empty() {
+            return request.sections_deg.clone();
+        }
+        let (low, high) = self.delta_deg;
+        if low == high { vec![low] } else { vec![low, f64::midpoint(low, high), high] }
+    }
+}
+
+/// The forces that would have been read without the effects of a model file.
+fn without_effects(table: &StrokeTable, model: &Loaded) -> Result<StrokeTable, AppError> {
+    let rows = table
+        .rows()
+        .map(|row| {
+            let ratio = model.plain_force_n(&row)? / model.force_n(&row)?;
+            let force_sd_n = row.force_sd_n.map(|sd| sd * ratio);
+            Ok(StrokeRow { force_n: row.force_n * ratio, force_sd_n, ..row })
+        })
+        .collect::<Result<Vec<_>, AppError>>()?;
+    Ok(StrokeTable::new(table.name(), &rows)?)
+}
+
+fn observation(request: &Request, m: &Measurement) -> Result<Observation, AppError> {
+    let alpha = Angle::from_degrees(m.alpha_deg);
+    let plate = Plate::new(alpha, Angle::from_degrees(request.loads.beta_deg), m.depth_m, m.width_m)?;
+    let observation = match request.uncertainty {
+        Uncertainty::Sigma => {
+            Observation::new(&m.label, plate, m.force_n, request.deviations()? * m.force_sd_n)?
+        }
+        Uncertainty::Bounds if m.count == 1 => Observation::new(&m.label, plate, m.force_n, m.force_sd_n)?,
+        Uncertainty::Bounds => {
+            Observation::from_bounds(&m.label, plate, m.force_n, m.force_min_n, m.force_max_n)?
+        }
+    };
+    let high = m.alpha_deg >= HIGH_ANGLE_DEG && request.adjust_high_angles > 0.0;
+    Ok(if high { observation.read_low_by(request.adjust_high_angles) } else { observation })
+}
+
+/// Least and greatest value of an option, or of the column that it names.
+fn spread(
+    request: &Request,
+    choice: NumberOrColumn,
+    option: &str,
+    measurements: &[Measurement],
+    column: impl Fn(&Measurement) -> Option<f64>,
+) -> Result<(f64, f64), AppError> {
+    if let Some(value) = choice.number() {
+        return Ok((value, value));
+    }
+    let mut ends: Option<(f64, f64)> = None;
+    for m in measurements {
+        let value = column(m).ok_or_else(|| {
+            AppError::Request(format!(
+                "{}, line {}: --{option} column needs a value in every row of that column; fill the cell or give \
+                 a number",
+                request.file.display(),
+                m.lines.first().copied().unwrap_or_default()
+            ))
+        })?;
+        ends = Some(ends.map_or((value, value), |(low, high)| (low.min(value), high.max(value))));
+    }
+    ends.ok_or_else(|| AppError::Request(format!("{} has no rows", request.file.display())))
+}

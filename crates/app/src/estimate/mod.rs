@@ -1,0 +1,179 @@
+//! Set-membership estimation: every soil that explains the measured forces within their uncertainty.
+
+mod answer;
+mod exact;
+mod inputs;
+mod request;
+mod words;
+
+use soilctl_earth_pressure::{ChenLiu, ForceModel, model};
+use soilctl_estimator::{
+    Conflict, Estimate, Optimiser, Projections, Region, Setup, StrokeMenu, agreement_factor, best_fit,
+    conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
+};
+
+pub use answer::{Answer, Centre, Disagreement, Measured, Minimum, NextStroke, Point, Section, distinct};
+pub use exact::{ContourSection, Crossing, ExactAnswer};
+pub use inputs::Inputs;
+pub use request::{Request, Uncertainty};
+
+use crate::{AppError, Watch, request as requests};
+
+/// An estimate with everything that figures and pages are drawn from.
+pub struct Estimation {
+    /// What was asked.
+    pub request: Request,
+    /// What was known.
+    pub inputs: Inputs,
+    /// The force model.
+    pub model: Box<dyn ForceModel>,
+    /// The consistent set.
+    pub estimate: Estimate,
+    /// Its shadows.
+    pub projections: Projections,
+    /// Sections at the chosen deltas (deg).
+    pub sections: Vec<(f64, Region)>,
+    /// The answer.
+    pub answer: Answer,
+}
+
+impl Estimation {
+    /// The setup that the estimator worked with.
+    ///
+    /// # Errors
+    /// None in practice: the same setup gave this estimate.
+    pub fn setup(&self) -> Result<Setup<'_>, AppError> {
+        self.inputs.setup(&self.request, &*self.model)
+    }
+}
+
+/// Estimates with everything that was asked for.
+///
+/// # Errors
+/// [`AppError`] if the request or the table makes no sense, or a file cannot be read. That no soil explains the measurements is
+/// an answer.
+pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError> {
+    requests::check(request)?;
+    let exact_data = request.exact;
+    let inputs = Inputs::read(request, exact_data)?;
+    let model = model(&request.model)?;
+    let setup = inputs.setup(request, &*model)?;
+    let deltas = inputs.sections(request);
+    // Exact data have bands of no width, which meet nowhere but in theory: contours take their place.
+    let estimate = if exact_data { Estimate::default() } else { estimate(&setup)? };
+    let projections = if exact_data { Projections::default() } else { projections(&setup)? };
+    let sections = if exact_data { &[] } else { &deltas[..] };
+    let sections = sections
+        .iter()
+        .map(|&delta| Ok((delta, section(&setup, delta)?)))
+        .collect::<Result<Vec<_>, AppError>>()?;
+    let exact = if exact_data { Some(exact::answer(&setup, &deltas)?) } else { None };
+    let consistent = estimate.is_consistent();
+    let disagreement = if consistent || exact_data { None } else { Some(disagreement(&setup)?) };
+    let next = if request.next_strokes && consistent {
+        Some(
+            next_strokes(&setup, &estimate, &menu(request, &inputs, &setup), &ChenLiu)?
+                .iter()
+                .map(NextStroke::from)
+                .collect(),
+        )
+    } else {
+        None
+    };
+    let optimisers = if request.compare { Some(compare(&setup, &estimate)?) } else { None };
+    let best_estimate = best_fit(&setup, &estimate)?.map(Into::into);
+    let mut answer = Answer {
+        model: model.id().into(),
+        consistent,
+        phi_deg: estimate.phi_deg,
+        density_kg_m3: estimate.density_kg_m3,
+        regions: Vec::new(),
+        region: estimate.region.polygons().to_vec(),
+        delta_density: projections.delta_density.polygons().to_vec(),
+        phi_delta: projections.phi_delta.polygons().to_vec(),
+        area_deg_kg_m3: estimate.region.area(),
+        volume_deg2_kg_m3: projections.volume,
+        delta_deg: [inputs.delta_deg.0, inputs.delta_deg.1],
+        density_known_kg_m3: inputs.density_kg_m3.map(|(low, high)| [low, high]),
+        centre: centre(&estimate),
+        best_estimate,
+        cut_by: words::limits(&estimate),
+        measurements: setup
+            .observations
+            .iter()
+            .zip(&inputs.measurements)
+            .map(|(observation, m)| Measured::of(observation, m.count))
+            .collect(),
+        disagreement,
+        verdict: String::new(),
+        next_strokes: next,
+        optimisers,
+        exact,
+        warnings: inputs.warnings.clone(),
+    };
+    if consistent {
+        answer.regions = sections
+            .iter()
+            .map(|(delta_deg, region)| Section {
+                delta_deg: *delta_deg,
+                polygons: region.polygons().concat(),
+            })
+            .collect();
+    }
+    answer.verdict = words::verdict(&answer);
+    answer.warnings.extend(words::warnings(&answer));
+    Ok(Estimation { request: request.clone(), inputs, model, estimate, projections, sections, answer })
+}
+
+fn centre(estimate: &Estimate) -> Option<Centre> {
+    let [phi_deg, density_kg_m3] = estimate.region.centroid()?;
+    let reach = |centre: f64, [low, high]: [f64; 2]| (high - centre).max(centre - low);
+    Some(Centre {
+        phi_deg,
+        phi_half_width_deg: reach(phi_deg, estimate.phi_deg?),
+        density_kg_m3,
+        density_half_width_kg_m3: reach(density_kg_m3, estimate.density_kg_m3?),
+    })
+}
+
+fn disagreement(setup: &Setup<'_>) -> Result<Disagreement, AppError> {
+    let Conflict { culprits, pairs, alone, .. } = conflict(setup)?;
+    let label = |i: usize| setup.observations[i].label().to_owned();
+    Ok(Disagreement {
+        culprits: culprits.into_iter().map(label).collect(),
+        pairs: pairs.into_iter().map(|(i, j)| [label(i), label(j)]).collect(),
+        alone: alone.into_iter().map(label).collect(),
+        uncertainty_factor: agreement_factor(setup)?,
+    })
+}
+
+/// Strokes to choose from: scatter as in the table, depth error as in the campaign.
+fn menu(request: &Request, inputs: &Inputs, setup: &Setup<'_>) -> StrokeMenu {
+    let mut depths_m = request.next_depth_m.clone();
+    if depths_m.is_empty() {
+        depths_m = inputs.measurements.iter().map(|m| (m.depth_m * 1e3).round() / 1e3).collect();
+        depths_m.sort_by(f64::total_cmp);
+        depths_m.dedup();
+    }
+    let relative = setup.observations.iter().map(|o| 0.5 * (o.high_n() - o.low_n()) / o.force_n());
+    StrokeMenu {
+        tool_angles_deg: request.next_alpha_deg.clone(),
+        depths_m,
+        width_m: inputs.measurements[0].width_m,
+        force_scatter: relative.sum::<f64>() / setup.observations.len() as f64,
+        depth_error_m: inputs.campaign.depth_sd_m,
+        force_limit_n: request.force_limit_n,
+    }
+}
+
+fn compare(setup: &Setup<'_>, estimate: &Estimate) -> Result<Vec<Minimum>, AppError> {
+    let starts = spread_starts(setup);
+    let mut found = Vec::new();
+    for optimiser in [Optimiser::DownhillSimplex, Optimiser::LevenbergMarquardt] {
+        for minimum in local_minima(setup, optimiser, &starts)? {
+            let inside = estimate.region.contains([minimum.end.phi_deg, minimum.end.density_kg_m3]);
+            found.push(Minimum::of(&minimum, inside));
+        }
+    }
+    Ok(found)
+}

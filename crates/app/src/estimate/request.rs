@@ -1,0 +1,164 @@
+//! What an estimate is asked.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::AppError;
+use crate::request::{Loads, NumberOrColumn, finite};
+
+/// What a force's uncertainty means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Uncertainty {
+    /// Bands of `--sigma` standard deviations
+    Sigma,
+    /// Hard bounds: `force_sd_n` is the half width, a group spans its least to its greatest force
+    Bounds,
+}
+
+/// Every soil that could have produced the measured forces.
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[serde(default)]
+pub struct Request {
+    /// Stroke table (CSV)
+    pub file: PathBuf,
+
+    /// Model: table (the bracket of bounds), thesis-ub, thesis-lb, chen, caquot, log-spiral, log-spiral-thesis, coulomb
+    #[arg(long, value_name = "NAME", default_value_t = Request::default().model)]
+    pub model: String,
+
+    /// A model file, such as the patch of `diagnose`: its effects are taken out of the measured forces first, at the
+    /// soil of the file
+    #[arg(long, value_name = "PATCH")]
+    pub model_file: Option<PathBuf>,
+
+    /// Friction angle between soil and plate (deg), or `column` for delta_set_deg of the table
+    #[arg(long = "delta", value_name = "DEG|column", allow_negative_numbers = true)]
+    pub delta_deg: NumberOrColumn,
+
+    /// Half width of what is known of delta (deg)
+    #[arg(long = "delta-tol", value_name = "DEG", default_value_t = Request::default().delta_tol_deg, value_parser = finite,
+          allow_negative_numbers = true)]
+    #[schemars(range(min = 0.0))]
+    pub delta_tol_deg: f64,
+
+    /// Bulk density (kg/m3), or `column` for density_kg_m3 of the table; left out: unknown
+    #[arg(long = "density", value_name = "KG/M3|column", allow_negative_numbers = true)]
+    pub density_kg_m3: Option<NumberOrColumn>,
+
+    /// Relative half width of what is known of the density
+    #[arg(long, value_name = "FRACTION", default_value_t = Request::default().density_tol, value_parser = finite,
+          allow_negative_numbers = true)]
+    #[schemars(range(min = 0.0), extend("exclusiveMaximum" = 1.0))]
+    pub density_tol: f64,
+
+    /// Standard deviations that a band reaches on either side of the force [default: 1]
+    #[arg(long, value_name = "K", value_parser = finite, allow_negative_numbers = true)]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub sigma: Option<f64>,
+
+    /// What the uncertainty of a force means
+    #[arg(long, value_name = "KIND", value_enum, default_value_t = Request::default().uncertainty)]
+    pub uncertainty: Uncertainty,
+
+    /// Allow that forces at tool angles of 90 deg and more were read low by up to this fraction, because friction was
+    /// not fully mobilised when failure was read (0.1 in Hong 2001, section 7.5.1)
+    #[arg(long, value_name = "FRACTION", default_value_t = Request::default().adjust_high_angles, value_parser = finite,
+          allow_negative_numbers = true)]
+    #[schemars(range(min = 0.0))]
+    pub adjust_high_angles: f64,
+
+    /// Friction angles to search (deg), LOW:HIGH
+    #[arg(long = "phi-range", value_name = "LOW:HIGH", value_parser = range)]
+    pub phi_range_deg: Option<(f64, f64)>,
+
+    #[command(flatten)]
+    #[serde(flatten)]
+    #[allow(missing_docs)]
+    pub loads: Loads,
+
+    /// Values of delta at which sections are shown (deg); default: the ends and the middle
+    #[arg(long = "sections", value_name = "DEG,...", value_delimiter = ',', value_parser = finite)]
+    pub sections_deg: Vec<f64>,
+
+    /// Rank the next strokes by how much they would shrink the region
+    #[arg(long)]
+    pub next_strokes: bool,
+
+    /// Tool angles to consider for the next stroke (deg)
+    #[arg(long = "next-alpha", value_name = "DEG,...", value_delimiter = ',', value_parser = finite,
+          default_values_t = Request::default().next_alpha_deg, requires = "next_strokes")]
+    pub next_alpha_deg: Vec<f64>,
+
+    /// Depths to consider for the next stroke (m); default: the depths of the table
+    #[arg(long = "next-depth", value_name = "M,...", value_delimiter = ',', value_parser = finite, requires = "next_strokes")]
+    pub next_depth_m: Vec<f64>,
+
+    /// Greatest force the arm can exert (N); dearer strokes are left out
+    #[arg(long = "force-limit", value_name = "N", value_parser = finite, requires = "next_strokes")]
+    pub force_limit_n: Option<f64>,
+
+    /// Take the forces as exact: contour lines instead of bands
+    #[arg(long)]
+    pub exact: bool,
+
+    /// Also run what one would otherwise use, downhill simplex and Levenberg-Marquardt from many starts
+    #[arg(long)]
+    pub compare: bool,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self {
+            file: PathBuf::new(),
+            model: "table".into(),
+            model_file: None,
+            delta_deg: NumberOrColumn::Column,
+            delta_tol_deg: 1.0,
+            density_kg_m3: None,
+            density_tol: 0.04,
+            sigma: None,
+            uncertainty: Uncertainty::Sigma,
+            adjust_high_angles: 0.0,
+            phi_range_deg: None,
+            loads: Loads::default(),
+            sections_deg: Vec::new(),
+            next_strokes: false,
+            next_alpha_deg: vec![40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0],
+            next_depth_m: Vec::new(),
+            force_limit_n: None,
+            exact: false,
+            compare: false,
+        }
+    }
+}
+
+impl Request {
+    /// Standard deviations on either side; bounds know none.
+    pub(super) fn deviations(&self) -> Result<f64, AppError> {
+        match (self.sigma, self.uncertainty) {
+            (Some(_), Uncertainty::Bounds) => Err(AppError::Request(
+                "--sigma has no meaning with --uncertainty bounds; leave one out".into(),
+            )),
+            (sigma, _) => Ok(sigma.unwrap_or(1.0)),
+        }
+    }
+
+    /// What a band is, in words.
+    #[must_use]
+    pub fn band_in_words(&self) -> String {
+        match self.uncertainty {
+            Uncertainty::Sigma => format!("bands of {} σ", crate::text::number(self.sigma.unwrap_or(1.0))),
+            Uncertainty::Bounds => "bands between hard bounds".into(),
+        }
+    }
+}
+
+fn range(text: &str) -> Result<(f64, f64), String> {
+    let (low, high) = text.split_once(':').ok_or("it must be LOW:HIGH, such as 30:45")?;
+    let (low, high) = (finite(low)?, finite(high)?);
+    if low < high { Ok((low, high)) } else { Err("LOW must be below HIGH".into()) }
+}

@@ -1,0 +1,164 @@
+//! What is answered about a log.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_session::{Export, Info, Recovery};
+
+use crate::Outcome;
+
+/// What a log holds, or what was made of it.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct Answer {
+    /// `info`, `doctor`, `recover` or `export`.
+    pub action: &'static str,
+    /// Whether the file is whole and its checksums hold.
+    pub whole: bool,
+    /// What is wrong with the file; empty if it is whole.
+    pub damage: Vec<String>,
+    /// What is wrong with the content; only `doctor` fills it.
+    pub problems: Vec<String>,
+    /// What is in the log; of `recover`, in the new one. Null for `export`.
+    pub content: Option<Content>,
+    /// What was written; null for `info` and `doctor`.
+    pub written: Option<Written>,
+}
+
+/// What is in a log.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Content {
+    /// Log time of the first message in s; null if there is none.
+    pub start_s: Option<f64>,
+    /// Log time of the last message in s.
+    pub end_s: Option<f64>,
+    /// Steps of the controller.
+    pub steps: u64,
+    /// Steps that are missing between them.
+    pub missing_steps: u64,
+    /// Key frames, from which a replay can begin.
+    pub keyframes: u64,
+    /// What made the log, as the log says: version, seed, model.
+    pub session: BTreeMap<String, String>,
+    /// Boundaries and settings of the strokes, as the log says.
+    pub strokes: Vec<BTreeMap<String, String>>,
+    /// Topics.
+    pub topics: Vec<Topic>,
+    /// Names of the attachments.
+    pub attachments: Vec<String>,
+}
+
+/// A topic.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Topic {
+    /// Its name.
+    pub topic: String,
+    /// Type of its messages.
+    #[serde(rename = "type")]
+    pub message_type: String,
+    /// How many there are.
+    pub messages: u64,
+}
+
+/// What was written.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Written {
+    /// The file.
+    pub file: String,
+    /// The exported topic; null for `recover`.
+    pub topic: Option<String>,
+    /// Messages, or rows of the table.
+    pub rows: u64,
+    /// Columns of the table; null for `recover`.
+    pub columns: Option<usize>,
+}
+
+impl Answer {
+    pub(super) fn info(info: Info) -> Self {
+        Self { problems: Vec::new(), ..Self::doctor(info).called("info") }
+    }
+
+    pub(super) fn doctor(info: Info) -> Self {
+        Self {
+            action: "doctor",
+            whole: info.ending.is_whole(),
+            damage: info.ending.damage.clone(),
+            problems: info.problems.clone(),
+            content: Some(Content::new(info)),
+            written: None,
+        }
+    }
+
+    pub(super) fn recover(new: Info, saved: Recovery, out: &Path) -> Self {
+        let file = out.display().to_string();
+        Self {
+            action: "recover",
+            whole: saved.ending.is_whole(),
+            damage: saved.ending.damage,
+            problems: Vec::new(),
+            content: Some(Content::new(new)),
+            written: Some(Written { file, topic: None, rows: saved.messages, columns: None }),
+        }
+    }
+
+    pub(super) fn export(table: Export, topic: &str, out: &Path) -> Self {
+        Self {
+            action: "export",
+            whole: table.ending.is_whole(),
+            damage: table.ending.damage,
+            written: Some(Written {
+                file: out.display().to_string(),
+                topic: Some(topic.to_owned()),
+                rows: table.rows,
+                columns: Some(table.columns),
+            }),
+            ..Self::default()
+        }
+    }
+
+    fn called(self, action: &'static str) -> Self {
+        Self { action, ..self }
+    }
+
+    /// Whether the file is whole and nothing is wrong with its content.
+    #[must_use]
+    pub fn is_well(&self) -> bool {
+        self.whole && self.problems.is_empty()
+    }
+}
+
+impl crate::Answer for Answer {
+    const SCHEMA: &'static str = "soilctl.log/1";
+
+    fn outcome(&self) -> Outcome {
+        match (self.whole, self.problems.is_empty()) {
+            (false, _) => Outcome::Partial,
+            (true, false) => Outcome::Negative,
+            (true, true) => Outcome::Done,
+        }
+    }
+}
+
+impl Content {
+    fn new(info: Info) -> Self {
+        #[allow(clippy::cast_precision_loss, reason = "exact to a tick for 285 years")]
+        let seconds = |time_ns: u64| time_ns as f64 / 1e9;
+        let topics = info.topics.into_iter().map(|(topic, found)| Topic {
+            topic,
+            message_type: found.message_type,
+            messages: found.messages,
+        });
+        Self {
+            start_s: info.start_ns.map(seconds),
+            end_s: info.end_ns.map(seconds),
+            steps: info.steps,
+            missing_steps: info.missing_steps,
+            keyframes: info.keyframes,
+            session: info.session,
+            strokes: info.strokes,
+            topics: topics.collect(),
+            attachments: info.attachments,
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! How a use case speaks with whoever runs it while it works.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// What is left of work that is stopped before its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interrupted {
+    /// Results so far are kept or answered, so stopping is a request to end soon.
+    KeepsResults,
+    /// Nothing is left, so the process may as well end at once.
+    LeavesNothing,
+}
+
+/// Whoever runs a use case: sees how far it is, reads its notes, and may stop it. Any thread may call it.
+pub trait Watch: Sync {
+    /// A flag that is set when the work is to end.
+    fn stop(&self, interrupted: Interrupted) -> Arc<AtomicBool>;
+
+    /// Work of so many steps begins, which are called `name` ("strokes", "logs"); 0 if nobody knows how many.
+    fn begin(&self, steps: u64, name: &str);
+
+    /// So many more steps are done.
+    fn advance(&self, steps: u64);
+
+    /// The work that was begun has ended.
+    fn end(&self);
+
+    /// A sentence for the user beside the answer.
+    fn note(&self, text: &str);
+}
+
+/// Nobody watches: notes are dropped, and nothing is ever stopped.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unwatched;
+
+impl Watch for Unwatched {
+    fn stop(&self, _: Interrupted) -> Arc<AtomicBool> {
+        Arc::default()
+    }
+
+    fn begin(&self, _: u64, _: &str) {}
+
+    fn advance(&self, _: u64) {}
+
+    fn end(&self) {}
+
+    fn note(&self, _: &str) {}
+}

@@ -1,0 +1,103 @@
+//! `soilctl predict`: force and coefficients of a plate from a named model.
+
+use std::path::PathBuf;
+
+use soilctl_app::Outcome;
+use soilctl_app::predict::{self, Answer, Request, StrokePrediction};
+use soilctl_app::text::{columns, number, number_or_dash};
+use soilctl_pages::predict::{Kind, save};
+
+use crate::error::CliError;
+use crate::output::{Output, Words};
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Coefficients are per slant length, K = 2 F / (gamma L^2 w) with L = depth / sin(alpha); the net \
+    one is passive minus active. Without --depth, --width and --density the force is null."
+)]
+pub(crate) struct Args {
+    #[command(flatten)]
+    request: Request,
+
+    /// Draws a figure (.svg, .png) or writes its data (.csv)
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["strokes", "model_file"])]
+    plot: Option<PathBuf>,
+
+    /// What --plot draws
+    #[arg(long, value_name = "KIND", value_enum, default_value_t = Kind::Surface, requires = "plot")]
+    plot_kind: Kind,
+}
+
+pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    let answer = predict::run(&args.request, output)?;
+    if let (Some(path), Some(case)) = (&args.plot, args.request.case()?) {
+        save(path, args.plot_kind, &case, output)?;
+    }
+    output.answer(&answer)?;
+    Ok(Outcome::Done)
+}
+
+impl Words for Answer {
+    fn text(&self) -> String {
+        let mut text = format!("{}: {}\n", self.model, self.reference);
+        match &self.strokes {
+            Some(strokes) => text += &strokes_text(strokes),
+            None => text += &coefficients_text(self),
+        }
+        if self.interpolation_margin > 0.0 {
+            let per_cent = number(100.0 * self.interpolation_margin);
+            text += &format!("interpolation may be off by up to {per_cent} %\n");
+        }
+        for note in &self.notes {
+            text += &format!("note: {note}\n");
+        }
+        text
+    }
+}
+
+fn coefficients_text(answer: &Answer) -> String {
+    let mut text = String::new();
+    let mut line = |key: &str, value: String, meaning: &str| {
+        text += format!("{key:<12} {value:<12} {meaning}").trim_end();
+        text += "\n";
+    };
+    let value = number_or_dash;
+    line("k_passive", value(answer.k_passive), "");
+    line("k_active", value(answer.k_active), "");
+    line("k_net", value(answer.k_net), "passive minus active, per slant length: 2 F / (gamma L^2 w)");
+    if answer.k_net_lower.is_some() {
+        line("k_net_lower", value(answer.k_net_lower), "lower end of the bracket");
+        line("k_net_upper", value(answer.k_net_upper), "upper end of the bracket");
+    }
+    line("k_net_depth", value(answer.k_net_depth), "the same per depth: 2 F / (gamma H^2 w)");
+    if let Some(s) = &answer.sensitivity_percent_per_deg {
+        for (key, change) in
+            [("d_alpha", s.alpha), ("d_beta", s.beta), ("d_phi", s.phi), ("d_delta", s.delta)]
+        {
+            line(key, value(change), "% of k_net for one degree more");
+        }
+    }
+    match answer.force_n {
+        Some(force) => line("force_n", number(force), "N, with all loads"),
+        None => line("force_n", "-".into(), "needs --depth, --width and --density"),
+    }
+    text
+}
+
+fn strokes_text(strokes: &[StrokePrediction]) -> String {
+    let header = ["line", "stroke_id", "alpha_deg", "depth_m", "k_net", "force_n", "measured_n", "ratio"];
+    let mut rows = vec![header.map(str::to_owned).to_vec()];
+    rows.extend(strokes.iter().map(|stroke| {
+        vec![
+            stroke.line.to_string(),
+            stroke.stroke_id.clone().unwrap_or_else(|| "-".into()),
+            number(stroke.alpha_deg),
+            number(stroke.depth_m),
+            number(stroke.k_net),
+            number_or_dash(stroke.force_n),
+            number(stroke.measured_n),
+            number_or_dash(stroke.ratio),
+        ]
+    }));
+    columns(&rows)
+}

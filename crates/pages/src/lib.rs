@@ -1,0 +1,15 @@
+//! Figures and HTML pages of the answers of `soilctl-app`.
+//!
+//! A module a use case. Figures are descriptions ([`soilctl_figure::Figure`]) that can be written as SVG, PNG or CSV; pages hold
+//! figures, tables and sentences and need no network.
+
+pub mod arm;
+mod error;
+pub mod estimate;
+pub mod predict;
+pub mod report;
+pub mod shear;
+mod write;
+
+pub use error::PageError;
+pub use write::{save_figure, write};

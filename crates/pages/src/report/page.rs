@@ -1,0 +1,248 @@
+//! The page, section by section.
+
+use soilctl_app::estimate::{Centre, Estimation, Point, distinct};
+use soilctl_app::report::Report;
+use soilctl_app::text::number;
+use soilctl_figure::{Align, CalloutKind, HtmlReport, RichText, Size, Table};
+
+use super::{budget, curves, shear};
+use crate::{PageError, estimate as figures};
+
+/// Tool angles for which the models are drawn against the friction angle.
+const MOST_CURVES: usize = 6;
+
+/// The page of a report.
+///
+/// # Errors
+/// [`PageError`] if a figure cannot be drawn.
+pub fn page(report: &Report) -> Result<HtmlReport, PageError> {
+    let work = &report.estimation;
+    let mut page = HtmlReport::new(&report.title);
+    page.kind("Soil estimate").subtitle(subtitle(work));
+    verdict(&mut page, work)?;
+    measurements(&mut page, work)?;
+    regions(&mut page, work)?;
+    models(&mut page, work)?;
+    budget::section(&mut page, &report.budget)?;
+    if report.asked_for_shear {
+        shear::section(&mut page, report.shear.as_ref())?;
+    }
+    next(&mut page, work)?;
+    optimisers(&mut page, work)?;
+    method(&mut page, work);
+    Ok(page)
+}
+
+fn subtitle(work: &Estimation) -> String {
+    let a = &work.answer;
+    let density = match a.density_known_kg_m3 {
+        Some([low, high]) => format!("density known within {low:.0} to {high:.0} kg/m³"),
+        None => "density unknown".into(),
+    };
+    format!(
+        "{} measurements, model {}, interface friction {} to {}°, {density}, {}",
+        a.measurements.len(),
+        a.model,
+        number(a.delta_deg[0]),
+        number(a.delta_deg[1]),
+        work.request.band_in_words(),
+    )
+}
+
+fn verdict(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
+    let a = &work.answer;
+    let kind = if a.consistent { CalloutKind::Good } else { CalloutKind::Bad };
+    let title =
+        if a.consistent { "The measurements agree" } else { "The measurements contradict each other" };
+    page.verdict(kind, title, a.verdict.as_str());
+    for warning in &a.warnings {
+        page.callout(CalloutKind::Warning, "Keep in mind", warning.as_str());
+    }
+    let (Some(phi), Some(density)) = (a.phi_deg, a.density_kg_m3) else { return Ok(()) };
+    let columns = [
+        ("", Align::Left),
+        ("consistent from", Align::Right),
+        ("to", Align::Right),
+        ("centre ±", Align::Right),
+        ("least misfit", Align::Right),
+    ];
+    let mut table = Table::new(
+        "Estimate: the full range, its centre with the half width that covers it, and the soil of least misfit inside it",
+        columns,
+    );
+    let centre = |pick: fn(&Centre) -> String| a.centre.as_ref().map_or("–".into(), pick);
+    let best = |pick: fn(&Point) -> String| a.best_estimate.as_ref().map_or("–".into(), pick);
+    table.row([
+        "Friction angle φ (deg)".to_owned(),
+        format!("{:.2}", phi[0]),
+        format!("{:.2}", phi[1]),
+        centre(|c| format!("{:.2} ± {:.2}", c.phi_deg, c.phi_half_width_deg)),
+        best(|b| format!("{:.2}", b.phi_deg)),
+    ])?;
+    table.row([
+        "Density ρ (kg/m³)".to_owned(),
+        format!("{:.0}", density[0]),
+        format!("{:.0}", density[1]),
+        centre(|c| format!("{:.0} ± {:.0}", c.density_kg_m3, c.density_half_width_kg_m3)),
+        best(|b| format!("{:.0}", b.density_kg_m3)),
+    ])?;
+    table.row([
+        "Interface friction δ (deg)".to_owned(),
+        format!("{:.2}", a.delta_deg[0]),
+        format!("{:.2}", a.delta_deg[1]),
+        "as given".to_owned(),
+        best(|b| format!("{:.2}", b.delta_deg)),
+    ])?;
+    page.table(table);
+    Ok(())
+}
+
+fn measurements(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
+    page.heading("Measurements");
+    let columns = [
+        ("measurement", Align::Left),
+        ("strokes", Align::Right),
+        ("force (N)", Align::Right),
+        ("band from (N)", Align::Right),
+        ("to (N)", Align::Right),
+    ];
+    let mut table = Table::new("Failure forces and the bands they allow", columns);
+    for m in &work.answer.measurements {
+        table.row([
+            m.label.clone(),
+            m.strokes.to_string(),
+            format!("{:.3}", m.force_n),
+            format!("{:.3}", m.force_low_n),
+            format!("{:.3}", m.force_high_n),
+        ])?;
+    }
+    page.table(table);
+    Ok(())
+}
+
+fn regions(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
+    let size = Size::new(820, 520)?;
+    if work.answer.consistent {
+        page.heading("Soils that explain every measurement");
+        page.figure(
+            &figures::region(work)?,
+            size,
+            "Every friction angle and density inside the outline explains every measured force within its band, for \
+             some interface friction in the given interval. The sections show single values of δ.",
+        )?;
+    }
+    page.heading("Bands of the measurements");
+    page.figure(
+        &figures::bands(work)?,
+        size,
+        "Each measurement alone allows a band; steep bands (large tool angles) tell friction angles apart, flat \
+         ones (small tool angles) densities.",
+    )?;
+    if work.answer.consistent && !work.projections.phi_delta.is_empty() {
+        page.heading("The other projections");
+        page.paragraph(format!(
+            "The consistent set is a body in (φ, ρ, δ) of {:.4} deg² kg/m³; these are its other two shadows.",
+            work.projections.volume
+        ));
+        page.figure(&figures::phi_delta(work)?, Size::default(), "Friction angle and interface friction.")?;
+        page.figure(&figures::delta_density(work)?, Size::default(), "Interface friction and density.")?;
+    }
+    Ok(())
+}
+
+fn models(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
+    page.heading("Model and data");
+    page.figure(
+        &figures::fit(work)?,
+        Size::new(820, 480)?,
+        "Measured coefficients over the tool angle, with the model at the ends of the friction range and at the \
+         soil of least misfit.",
+    )?;
+    let mut angles: Vec<f64> = work.answer.measurements.iter().map(|m| m.alpha_deg).collect();
+    angles.sort_by(f64::total_cmp);
+    angles.dedup();
+    for alpha in angles.into_iter().take(MOST_CURVES) {
+        if let Some(figure) = curves::against_phi(work, alpha)? {
+            page.figure(
+                &figure,
+                Size::default(),
+                format!(
+                    "All models at tool angle {}° against the friction angle; the horizontal strip is what was measured.",
+                    number(alpha)
+                ),
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn next(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
+    let Some(next) = &work.answer.next_strokes else { return Ok(()) };
+    page.heading("Next best stroke");
+    let columns = [
+        "tool angle (deg)",
+        "depth (mm)",
+        "area left (%)",
+        "φ width (deg)",
+        "ρ width (kg/m³)",
+        "force (N)",
+        "model",
+    ];
+    let mut table = Table::new(
+        "What would be left of the region, on average over soils inside it",
+        columns.map(|c| (c, Align::Right)),
+    );
+    for n in next.iter().take(12) {
+        table.row([
+            number(n.alpha_deg),
+            format!("{:.1}", 1e3 * n.depth_m),
+            format!("{:.0}", 100.0 * n.area_left),
+            format!("{:.2}", n.phi_width_deg),
+            format!("{:.0}", n.density_width_kg_m3),
+            format!("{:.2}", n.force_n),
+            n.model.to_owned(),
+        ])?;
+    }
+    page.table(table);
+    if next.iter().any(|n| n.model != work.answer.model) {
+        page.paragraph(
+            "Rows under another model than the estimate's are at tool angles that its table does not cover; there both \
+             prediction and region are Chen & Liu's closed form.",
+        );
+    }
+    Ok(())
+}
+
+fn optimisers(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
+    let Some(minima) = &work.answer.optimisers else { return Ok(()) };
+    page.heading("What plain optimisation would say");
+    page.paragraph(
+        "Local optimisers give one soil and no range, and where they end depends on where they start. Each row is one \
+         distinct end; all three parameters were free.",
+    );
+    let columns = ["optimiser", "starts", "φ (deg)", "ρ (kg/m³)", "δ (deg)", "misfit", "in the region"]
+        .map(|c| (c, Align::Right));
+    let mut table = Table::new("Ends of downhill simplex and Levenberg-Marquardt", columns);
+    for (m, count) in distinct(minima) {
+        let [optimiser, rest @ ..] = m.cells();
+        table.row([optimiser, count.to_string()].into_iter().chain(rest))?;
+    }
+    page.table(table);
+    Ok(())
+}
+
+fn method(page: &mut HtmlReport, work: &Estimation) {
+    page.heading("Method");
+    page.paragraph(
+        RichText::new("A force interval at given φ and δ is a density interval, because force is proportional to density. ")
+            .text("The region is the intersection of these bands over all measurements and the union over δ; its \
+                   boundary is moved outwards by at most 0.03 %, never inwards. If the uncertainties hold, the soil is ")
+            .strong("inside")
+            .text("."),
+    );
+    page.definitions([
+        ("Model", work.model.reference().to_owned()),
+        ("Coefficients", "normalised by the slant length, K = 2F/(γL²w), passive minus active".to_owned()),
+        ("After", "W. Hong, Modeling, Estimation, and Control of Robot-Soil Interactions, PhD thesis, MIT 2001, chapter 7".to_owned()),
+    ]);
+}
