@@ -61,7 +61,7 @@ pub(super) fn run(args: &Args, socket: &Path, output: &mut Output) -> Result<Out
                     return Ok(Outcome::Negative);
                 }
             }
-            Err(Failed::Error(error)) => return Err(error),
+            Err(Failed::Error(error)) => return Err(*error),
         }
     }
     Ok(Outcome::Done)
@@ -105,12 +105,12 @@ enum Failed {
     /// A person may try again.
     Said(String),
     /// Nothing works any more.
-    Error(CliError),
+    Error(Box<CliError>),
 }
 
 impl<E: Into<CliError>> From<E> for Failed {
     fn from(error: E) -> Self {
-        Self::Error(error.into())
+        Self::Error(Box::new(error.into()))
     }
 }
 
