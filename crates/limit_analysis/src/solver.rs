@@ -239,8 +239,7 @@ mod tests {
 
     #[test]
     fn only_large_programs_are_for_faer() {
-        let mut program = Program::default();
-        program.unknowns = FAER_FROM - 1;
+        let mut program = Program { unknowns: FAER_FROM - 1, ..Program::default() };
         assert_eq!(Factorisation::of(&program), Factorisation::Qdldl);
         program.unknown();
         assert_eq!(Factorisation::of(&program), Factorisation::Faer);
