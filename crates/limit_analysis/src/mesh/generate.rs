@@ -31,7 +31,7 @@ pub struct Request<'a> {
 ///
 /// # Errors
 ///
-/// What [`check`] finds; [`MeshError::BadSize`] for a wanted size that is not positive,
+/// [`MeshError`] for a statement that is too large or too fine to mesh, [`MeshError::BadSize`] for a wanted size that is not positive,
 /// [`MeshError::BadGuide`] for coordinates that are not finite, [`MeshError::BadFan`] for a fan that is not at a corner or
 /// of no possible shape, and [`MeshError::TooManyTriangles`] if more than `max_triangles` are needed.
 pub fn generate(request: &Request) -> Result<Mesh, MeshError> {
