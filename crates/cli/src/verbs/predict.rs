@@ -30,7 +30,9 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let answer = predict::run(&args.request, output)?;
-    if let (Some(path), Some(case)) = (&args.plot, args.request.case()?) {
+    if let Some(path) = &args.plot
+        && let Some(case) = args.request.case()?
+    {
         save(path, args.plot_kind, &case, output)?;
     }
     output.answer(&answer)?;
