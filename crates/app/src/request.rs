@@ -97,7 +97,8 @@ pub fn check<R: Request>(request: &R) -> Result<(), AppError> {
         let numbers = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);
         for number in numbers.iter().filter_map(Value::as_f64) {
             if !limits.allow(number) {
-                let (value, allowed) = (number.to_string(), limits.in_words(unit(key)));
+                let unit = unit(key);
+                let (value, allowed) = (format!("{number}{unit}"), limits.in_words(unit));
                 return Err(AppError::OutOfRange { key: key.to_owned(), value, allowed });
             }
         }
@@ -342,8 +343,8 @@ mod tests {
             (r#"{"delta": 20, "widht_m": 1}"#, "widht_m is unknown"),
             (r#"{"width_m": 1}"#, "delta is missing"),
             (r#"{"delta": "row"}"#, "the word column"),
-            (r#"{"delta": 20, "width_m": 0}"#, "width_m is 0; it must be above 0 m and at most 10 m"),
-            (r#"{"delta": 20, "depths_m": [1, -1]}"#, "depths_m is -1; it must be at least 0 m"),
+            (r#"{"delta": 20, "width_m": 0}"#, "width_m is 0 m; it must be above 0 m and at most 10 m"),
+            (r#"{"delta": 20, "depths_m": [1, -1]}"#, "depths_m is -1 m; it must be at least 0 m"),
             (r#"{"delta": 20, "depths_m": [1], "depth_m": 2}"#, "exclude each other"),
             ("[]", "expected"),
         ] {
