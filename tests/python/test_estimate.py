@@ -1,5 +1,7 @@
 """`soilctl estimate`: regions against an independent count, inconsistent data, and bad input."""
 
+import math
+
 import numpy as np
 import pytest
 import reference
@@ -232,6 +234,8 @@ def assert_negative(answer, validate):
     assert answer["consistent"] is False
     assert answer["phi_deg"] is None and answer["density_kg_m3"] is None
     assert answer["regions"] == [] and answer["region"] == []
+    # The volume of nothing is 0, not -0.
+    assert math.copysign(1.0, answer["volume_deg2_kg_m3"]) == 1.0
 
 
 def test_loose_ticino_has_no_intersection_under_chen(soilctl, validate, data):

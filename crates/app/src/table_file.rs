@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use soilctl_earth_pressure::table::{
-    BracketModel, BracketTable, PredictionTable, Sidecar, TableModel, is_bracket_file, read_bracket,
-    read_csv, read_parquet, write_bracket, write_csv, write_parquet,
+    self, BracketModel, BracketTable, Form, PredictionTable, Sidecar, TableModel, is_bracket_file,
+    read_bracket, read_csv, read_parquet, write_bracket,
 };
 use soilctl_earth_pressure::thesis::{Column, appendix_c};
 use soilctl_earth_pressure::{ForceModel, plate_bounds};
@@ -43,7 +43,7 @@ pub fn find_table(source: &str) -> Result<AnyTable, AppError> {
         return Ok(AnyTable::Points(appendix_c(*column)?, "Hong 2001, Appendix C".into()));
     }
     let path: &Path = source.as_ref();
-    Kind::of(path)?;
+    form(path)?;
     if is_bracket_file(path)? {
         return Ok(AnyTable::Brackets(read_brackets(path)?.0));
     }
@@ -58,7 +58,7 @@ pub fn find_table(source: &str) -> Result<AnyTable, AppError> {
 pub fn read_model(path: &Path) -> Result<(Box<dyn ForceModel>, String), AppError> {
     const ID: &str = "table-file";
     const REFERENCE: &str = "a prediction table read from a file";
-    Kind::of(path)?;
+    form(path)?;
     if is_bracket_file(path)? {
         let (table, sidecar) = read_bracket(path)?;
         let (lower, upper) = table.split()?;
@@ -72,9 +72,9 @@ pub fn read_model(path: &Path) -> Result<(Box<dyn ForceModel>, String), AppError
 
 /// Reads a table file by its ending.
 fn read_table(path: &Path) -> Result<(PredictionTable, Sidecar), AppError> {
-    Ok(match Kind::of(path)? {
-        Kind::Csv => read_csv(path)?,
-        Kind::Parquet => read_parquet(path)?,
+    Ok(match form(path)? {
+        Form::Csv => read_csv(path)?,
+        Form::Parquet => read_parquet(path)?,
     })
 }
 
@@ -83,7 +83,7 @@ fn read_table(path: &Path) -> Result<(PredictionTable, Sidecar), AppError> {
 /// # Errors
 /// [`AppError`] if the file cannot be read or written, or makes no sense.
 pub fn read_brackets(path: &Path) -> Result<(BracketTable, String), AppError> {
-    Kind::of_brackets(path)?;
+    for_brackets(path)?;
     if !is_bracket_file(path)? {
         return Err(AppError::Request(format!(
             "{} is a table, but not one of bounds; choose a file that `table build --model bounds` wrote",
@@ -99,7 +99,7 @@ pub fn read_brackets(path: &Path) -> Result<(BracketTable, String), AppError> {
 /// # Errors
 /// [`AppError`] if the file cannot be read or written, or makes no sense.
 pub fn write_brackets(table: &BracketTable, source: &str, path: &Path) -> Result<(), AppError> {
-    Kind::of_brackets(path)?;
+    for_brackets(path)?;
     Ok(write_bracket(table, source, path)?)
 }
 
@@ -108,53 +108,34 @@ pub fn write_brackets(table: &BracketTable, source: &str, path: &Path) -> Result
 /// # Errors
 /// [`AppError`] if the file cannot be read or written, or makes no sense.
 pub fn write_table(table: &PredictionTable, source: &str, path: &Path) -> Result<(), AppError> {
-    match Kind::of(path)? {
-        Kind::Csv => write_csv(table, source, path)?,
-        Kind::Parquet => write_parquet(table, source, path)?,
-    }
-    Ok(())
+    Ok(table::write_table(form(path)?, table, source, path)?)
 }
 
-/// Form of a table file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Text.
-    Csv,
-    /// Columns.
-    Parquet,
+/// Refuses what a table of brackets cannot be written to.
+///
+/// # Errors
+/// [`AppError`] if the file cannot be read or written, or makes no sense.
+pub fn for_brackets(path: &Path) -> Result<(), AppError> {
+    match form(path)? {
+        Form::Csv => Ok(()),
+        Form::Parquet => Err(AppError::Request(format!(
+            "{} ends in .parquet, but a table of bounds is a CSV file; choose a name that ends in .csv",
+            path.display()
+        ))),
+    }
 }
 
-impl Kind {
-    /// Refuses what a table of brackets cannot be written to.
-    ///
-    /// # Errors
-    /// [`AppError`] if the file cannot be read or written, or makes no sense.
-    pub fn of_brackets(path: &Path) -> Result<(), AppError> {
-        match Self::of(path)? {
-            Self::Csv => Ok(()),
-            Self::Parquet => Err(AppError::Request(format!(
-                "{} ends in .parquet, but a table of bounds is a CSV file; choose a name that ends in .csv",
-                path.display()
-            ))),
-        }
-    }
-
-    /// The form that a file's ending stands for.
-    ///
-    /// # Errors
-    /// [`AppError::Request`] for another ending, with the names of the built-in tables.
-    pub fn of(path: &Path) -> Result<Self, AppError> {
-        match path.extension().and_then(|ending| ending.to_str()) {
-            Some("csv") => Ok(Self::Csv),
-            Some("parquet") => Ok(Self::Parquet),
-            _ => {
-                let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).chain([BRACKETS]).collect();
-                Err(AppError::Request(format!(
-                    "{} is neither a table file, which ends in .csv or .parquet, nor a built-in table, which are {}",
-                    path.display(),
-                    names.join(", ")
-                )))
-            }
-        }
-    }
+/// Form of a table file, by its ending.
+///
+/// # Errors
+/// [`AppError::Request`] for another ending, with the names of the built-in tables.
+pub fn form(path: &Path) -> Result<Form, AppError> {
+    Form::of(path).ok_or_else(|| {
+        let names: Vec<&str> = BUILT_IN.iter().map(|(name, _)| *name).chain([BRACKETS]).collect();
+        AppError::Request(format!(
+            "{} is neither a table file, which ends in .csv or .parquet, nor a built-in table, which are {}",
+            path.display(),
+            names.join(", ")
+        ))
+    })
 }

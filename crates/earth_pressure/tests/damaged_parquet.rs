@@ -12,7 +12,7 @@ use parquet::file::properties::{WriterProperties, WriterVersion};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 use soilctl_earth_pressure::ChenLiu;
-use soilctl_earth_pressure::table::{Cell, PredictionTable, read_parquet, write_parquet};
+use soilctl_earth_pressure::table::{Cell, Form, PredictionTable, read_parquet, write_table};
 
 fn table() -> PredictionTable {
     let axes = [vec![70.0, 85.0, 90.0], vec![30.0, 37.5], vec![0.0, 15.0, 20.0]];
@@ -95,7 +95,7 @@ fn refused(path: &Path, good: &[u8], places: usize) -> usize {
 fn one_wrong_byte_is_never_a_panic() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("t.parquet");
-    write_parquet(&table(), "Chen & Liu", &path).unwrap();
+    write_table(Form::Parquet, &table(), "Chen & Liu", &path).unwrap();
     let refused = refused(&path, &std::fs::read(&path).unwrap(), 300);
     assert!(refused > 100, "{refused} of 300 damaged files were noticed");
 }
@@ -104,7 +104,7 @@ fn one_wrong_byte_is_never_a_panic() {
 fn files_of_other_writers_are_read_and_their_damage_is_never_a_panic() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("t.parquet");
-    write_parquet(&table(), "Chen & Liu", &path).unwrap();
+    write_table(Form::Parquet, &table(), "Chen & Liu", &path).unwrap();
     for optional in [false, true] {
         for dictionary in [false, true] {
             for version in [WriterVersion::PARQUET_1_0, WriterVersion::PARQUET_2_0] {
@@ -124,7 +124,7 @@ fn files_of_other_writers_are_read_and_their_damage_is_never_a_panic() {
 fn a_cut_or_alien_file_is_an_error() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("t.parquet");
-    write_parquet(&table(), "Chen & Liu", &path).unwrap();
+    write_table(Form::Parquet, &table(), "Chen & Liu", &path).unwrap();
     let good = std::fs::read(&path).unwrap();
     for length in 0..good.len() {
         std::fs::write(&path, &good[..length]).unwrap();

@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 
 use soilctl_earth_pressure::table::{
-    Cell, CellStatus, MAX_NODES, PredictionTable, Quantity, read_csv, read_parquet, write_csv, write_parquet,
+    Cell, CellStatus, Form, MAX_NODES, PredictionTable, Quantity, read_csv, read_parquet, write_table,
 };
 use soilctl_earth_pressure::{ChenLiu, EarthPressureError};
 use tempfile::TempDir;
@@ -26,7 +26,7 @@ impl Csv {
     fn new() -> Self {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("t.csv");
-        write_csv(&table(), "Chen & Liu", &path).unwrap();
+        write_table(Form::Csv, &table(), "Chen & Liu", &path).unwrap();
         let lines = std::fs::read_to_string(&path).unwrap().lines().map(str::to_owned).collect();
         Self { _dir: dir, path, lines }
     }
@@ -157,7 +157,7 @@ fn bad_axes_are_named_without_being_printed() {
 fn bad_cells_of_a_parquet_file_are_named_with_their_row() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("t.parquet");
-    write_parquet(&table(), "Chen & Liu", &path).unwrap();
+    write_table(Form::Parquet, &table(), "Chen & Liu", &path).unwrap();
     let first_k = table().filled().next().unwrap().1.k_net.to_le_bytes();
     let mut bytes = std::fs::read(&path).unwrap();
     let place = bytes.windows(8).position(|w| w == first_k).expect("short pages are stored as they are");

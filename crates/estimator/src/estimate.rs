@@ -91,7 +91,8 @@ pub fn projections(setup: &Setup<'_>) -> Result<Projections, EstimatorError> {
     Ok(Projections {
         delta_density: Region::of_angle_and_density(pieces.iter().map(|p| (p.delta_strip(), p.shadow(1)))),
         phi_delta: Region::of_angles(pieces.iter().map(|p| (p.phi_strip(), p.base().to_vec()))),
-        volume: pieces.iter().map(Piece::volume).sum(),
+        // An empty sum is -0.
+        volume: pieces.iter().map(Piece::volume).sum::<f64>() + 0.0,
     })
 }
 

@@ -27,7 +27,7 @@ impl Column {
             Cell::Float(_) => Self::Floats(Vec::new()),
             Cell::Integer(_) => Self::Integers(Vec::new()),
             Cell::Flag(_) => Self::Flags(Vec::new()),
-            Cell::Text(_) => Self::Texts(Vec::new()),
+            Cell::Text(_) | Cell::Missing => Self::Texts(Vec::new()),
         }
     }
 
@@ -40,7 +40,7 @@ impl Column {
                 column.push(value);
             }
             (Self::Flags(column), &Cell::Flag(value)) => column.push(value),
-            (Self::Texts(column), Cell::Text(value)) => column.push(value.clone()),
+            (Self::Texts(column), Cell::Text(value)) => column.push(value.to_string()),
             _ => return false,
         }
         true

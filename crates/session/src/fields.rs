@@ -2,45 +2,11 @@
 
 use serde::Serialize;
 use serde::ser::{self, Serializer};
-
-/// One number, word or flag of a message.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
-    /// A float64, bit for bit.
-    Float(f64),
-    /// Any integer of a message.
-    Integer(i128),
-    /// A flag.
-    Flag(bool),
-    /// Text, or a list of variable length in one cell.
-    Text(String),
-}
-
-impl Cell {
-    /// Whether both are the same bit for bit.
-    #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Float(a), Self::Float(b)) => a.to_bits() == b.to_bits(),
-            _ => self == other,
-        }
-    }
-}
-
-impl std::fmt::Display for Cell {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Float(value) => write!(f, "{value}"),
-            Self::Integer(value) => write!(f, "{value}"),
-            Self::Flag(value) => write!(f, "{value}"),
-            Self::Text(text) => f.write_str(text),
-        }
-    }
-}
+use soilctl_columns::Cell;
 
 /// The cells of a message in order. Arrays of fixed length become one cell an element, `name_0` and so on; lists of
 /// variable length one cell.
-pub(crate) fn cells<T: Serialize>(message: &T) -> Vec<(String, Cell)> {
+pub(crate) fn cells<T: Serialize>(message: &T) -> Vec<(String, Cell<'static>)> {
     let mut walk = Walk { name: String::new(), cells: Vec::new() };
     // Nothing in a walk fails: messages hold none of the types that are refused.
     let _ = message.serialize(&mut walk);
@@ -49,11 +15,11 @@ pub(crate) fn cells<T: Serialize>(message: &T) -> Vec<(String, Cell)> {
 
 struct Walk {
     name: String,
-    cells: Vec<(String, Cell)>,
+    cells: Vec<(String, Cell<'static>)>,
 }
 
 impl Walk {
-    fn put(&mut self, cell: Cell) -> Result<(), std::fmt::Error> {
+    fn put(&mut self, cell: Cell<'static>) -> Result<(), std::fmt::Error> {
         self.cells.push((self.name.clone(), cell));
         Ok(())
     }
@@ -100,7 +66,7 @@ impl Elements<'_> {
             text += &cell.to_string();
             element = number;
         }
-        self.walk.put(Cell::Text(text))
+        self.walk.put(Cell::Text(text.into()))
     }
 }
 
@@ -144,7 +110,7 @@ impl<'a> Serializer for &'a mut Walk {
         serialize_u64: u64 => |v| Cell::Integer(i128::from(v)),
         serialize_f32: f32 => |v| Cell::Float(f64::from(v)),
         serialize_f64: f64 => Cell::Float,
-        serialize_str: &str => |v: &str| Cell::Text(v.to_owned()),
+        serialize_str: &str => |v: &str| Cell::Text(v.to_owned().into()),
     }
 
     refused! {
@@ -254,8 +220,8 @@ mod tests {
         };
         let cells = cells(&message);
         let find = |name: &str| cells.iter().find(|(key, _)| key == name).map(|(_, cell)| cell.clone());
-        assert_eq!(find("events"), Some(Cell::Text("homed 2 0.5 0; fault/tip_force 2 0.5 0".to_owned())));
-        assert_eq!(find("request_numbers"), Some(Cell::Text("1; NaN".to_owned())));
+        assert_eq!(find("events"), Some(Cell::Text("homed 2 0.5 0; fault/tip_force 2 0.5 0".into())));
+        assert_eq!(find("request_numbers"), Some(Cell::Text("1; NaN".into())));
         assert_eq!(find("motor_counts_4"), Some(Cell::Integer(0)));
         assert_eq!(find("motor_counts_5"), None);
     }

@@ -19,8 +19,7 @@ pub mod topics;
 mod write;
 
 pub use error::SessionError;
-pub use export::{Export, Row, TABLES, TableForm, export, export_until, table_rows};
-pub use fields::Cell;
+pub use export::{Export, Row, TABLES, export, export_until, table_rows};
 pub use info::{Info, TopicInfo, info, info_until};
 pub use keyframe::KEYFRAME_VERSION;
 pub use logger::{LogReport, Logger, Pace, Recorder};
@@ -28,4 +27,5 @@ pub use record::{KEYFRAME_STEPS, StepRecord, Truth};
 pub use recover::{Recovery, recover, recover_until};
 pub use replay::{Difference, Replay, replay, replay_until};
 pub use setup::{CONFIGURATION_RECORD, END_RECORD, FORMAT_VERSION, SESSION_RECORD, STROKE_RECORD, Setup};
+pub use soilctl_columns::{Cell, Form};
 pub use write::LogWriter;

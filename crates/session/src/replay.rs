@@ -2,9 +2,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use soilctl_columns::Cell;
 use soilctl_controller::{Params, State, step};
 
-use crate::fields::{Cell, cells};
+use crate::fields::cells;
 use crate::messages::{ControllerStep, Keyframe};
 use crate::read::{Ending, Item, RawMessage, scan_until};
 use crate::setup::{CONFIGURATION_RECORD, SESSION_RECORD};
@@ -45,9 +46,9 @@ pub struct Difference {
     /// Field of `/controller/step`, or `state` for a key frame.
     pub field: String,
     /// What the log says.
-    pub logged: Cell,
+    pub logged: Cell<'static>,
     /// What the replay gave.
-    pub replayed: Cell,
+    pub replayed: Cell<'static>,
 }
 
 /// Runs the controller again on the inputs of a log, from key frame `from` on (0 is the beginning), and compares every
@@ -141,7 +142,7 @@ impl<'a> Run<'a> {
                 let mine = Keyframe::new(frame.number, frame.step, state)?;
                 self.answer.keyframes += 1;
                 if mine != frame && self.answer.first_difference.is_none() {
-                    let text = |frame: &Keyframe| Cell::Text(format!("{} bytes", frame.state.len()));
+                    let text = |frame: &Keyframe| Cell::Text(format!("{} bytes", frame.state.len()).into());
                     self.answer.first_difference = Some(Difference {
                         step: frame.step,
                         tick: state.tick,

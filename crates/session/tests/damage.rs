@@ -12,8 +12,8 @@ use common::write_log;
 use proptest::prelude::*;
 use soilctl_session::read::{Item, scan, scan_from};
 use soilctl_session::{
-    SessionError, TableForm, export, export_until, info, info_until, recover, recover_until, replay,
-    replay_until, topics,
+    Form, SessionError, export, export_until, info, info_until, recover, recover_until, replay, replay_until,
+    topics,
 };
 
 const TICKS: u64 = 1600;
@@ -127,7 +127,7 @@ fn what_is_no_log_is_said_to_be_none() {
             info(&path).unwrap_err(),
             recover(&path, &dir.path().join("out.mcap")).unwrap_err(),
             replay(&path, 0).unwrap_err(),
-            export(&path, topics::STEP, &dir.path().join("out.csv"), TableForm::Csv).unwrap_err(),
+            export(&path, topics::STEP, &dir.path().join("out.csv"), Form::Csv).unwrap_err(),
         ] {
             assert!(matches!(error, SessionError::NotALog { .. }), "{error}");
             assert!(error.to_string().contains("damaged.mcap is not an MCAP file"), "{error}");
@@ -207,6 +207,6 @@ fn who_stops_has_no_answer_and_no_file() {
     stopped(info_until(&path, &stop).unwrap_err());
     stopped(replay_until(&path, 0, &stop).unwrap_err());
     stopped(recover_until(&path, &out, &stop).unwrap_err());
-    stopped(export_until(&path, topics::STEP, &out, TableForm::Csv, &stop).unwrap_err());
+    stopped(export_until(&path, topics::STEP, &out, Form::Csv, &stop).unwrap_err());
     assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1, "only the log");
 }

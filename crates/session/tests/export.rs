@@ -9,7 +9,7 @@ use std::path::Path;
 
 use mcap::records::MessageHeader;
 use soilctl_session::read::{Item, scan};
-use soilctl_session::{SessionError, TableForm, export, topics};
+use soilctl_session::{Form, SessionError, export, topics};
 
 /// A log with one good step and one that is none.
 fn half_good(good: &Path, out: &Path) {
@@ -41,7 +41,7 @@ fn a_malformed_message_leaves_no_part_of_a_table() {
     let (good, bad) = (dir.path().join("good.mcap"), dir.path().join("bad.mcap"));
     common::write_log(&good, 1, 5);
     half_good(&good, &bad);
-    for (name, form) in [("t.csv", TableForm::Csv), ("t.parquet", TableForm::Parquet)] {
+    for (name, form) in [("t.csv", Form::Csv), ("t.parquet", Form::Parquet)] {
         let out = dir.path().join(name);
         let error = export(&bad, topics::STEP, &out, form).unwrap_err();
         assert!(matches!(error, SessionError::Message { number: 1, .. }), "{error}");

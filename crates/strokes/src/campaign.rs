@@ -97,23 +97,22 @@ impl Campaign {
         match std::fs::read_to_string(&path) {
             Ok(text) => Self::from_json(&text, &file).map(Some),
             Err(problem) if problem.kind() == std::io::ErrorKind::NotFound => Ok(None),
-            Err(problem) => Err(StrokesError::File { file, problem: problem.to_string() }),
+            Err(problem) => Err(StrokesError::file(&file, &problem)),
         }
     }
 
-    /// A campaign from JSON text; `file` stands for it in messages. Unknown keys are ignored; `null` is as if the
-    /// key were left out.
+    /// A campaign from JSON text; `file` stands for it in messages. `null` is as if the key were left out.
     ///
     /// # Errors
     /// [`StrokesError::NotAnObject`] if the text is not a JSON object, [`StrokesError::BadKey`] if a value is of the
-    /// wrong type or outside its range.
+    /// wrong type or outside its range, [`StrokesError::UnknownKey`] if a key is none of those above.
     pub fn from_json(text: &str, file: &str) -> Result<Self, StrokesError> {
         let whole = Keys::parse(text, file)?;
         let inner = whole.object("instrument")?;
         let (usual, usual_inner) = (Self::default(), Instrument::default());
         let phi_independent_deg = whole.optional_angle("phi_independent_deg")?;
         let usual_sd = phi_independent_deg.map(|_| 1.0);
-        Ok(Self {
+        let campaign = Self {
             phi_independent_deg,
             phi_independent_sd: whole.optional_positive("phi_independent_sd")?.or(usual_sd),
             delta_sd_deg: whole.at_least_zero("delta_sd_deg", usual.delta_sd_deg)?,
@@ -134,7 +133,10 @@ impl Campaign {
                 encoder_step_m: inner.at_least_zero("encoder_step_m", usual_inner.encoder_step_m)?,
                 post_slope_sd: inner.at_least_zero("post_slope_sd", usual_inner.post_slope_sd)?,
             },
-        })
+        };
+        whole.refuse_unknown()?;
+        inner.refuse_unknown()?;
+        Ok(campaign)
     }
 
     /// Writes `campaign.json` in the folder of a stroke table.
@@ -143,10 +145,11 @@ impl Campaign {
     /// [`StrokesError::File`] if the file cannot be written.
     pub fn write_beside(&self, strokes_path: &Path) -> Result<(), StrokesError> {
         let path = path_beside(strokes_path);
-        let failed = |problem: String| StrokesError::File { file: path.display().to_string(), problem };
-        let text = serde_json::to_string_pretty(self).map_err(|problem| failed(problem.to_string()))?;
-        let text = text + "\n";
-        soilctl_jobs::write_atomically(&path, text.as_bytes()).map_err(|problem| failed(problem.to_string()))
+        let file = path.display().to_string();
+        let text =
+            serde_json::to_string_pretty(self).map_err(|problem| StrokesError::file(&file, &problem))?;
+        soilctl_jobs::write_atomically(&path, (text + "\n").as_bytes())
+            .map_err(|problem| StrokesError::file(&file, &problem))
     }
 }
 

@@ -1,3 +1,5 @@
+use std::cell::RefCell;
+
 use serde_json::{Map, Value};
 
 use crate::StrokesError;
@@ -12,6 +14,8 @@ pub(crate) struct Keys<'a> {
     file: &'a str,
     /// What stands before a key in messages.
     prefix: String,
+    /// The keys that were asked for: those that mean something.
+    known: RefCell<Vec<&'static str>>,
 }
 
 impl<'a> Keys<'a> {
@@ -20,14 +24,28 @@ impl<'a> Keys<'a> {
         // Editors on Windows put a byte-order mark in front.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         match serde_json::from_str(text).map_err(|problem| bad(problem.to_string()))? {
-            Value::Object(map) => Ok(Self { map, file, prefix: String::new() }),
+            Value::Object(map) => Ok(Self { map, file, prefix: String::new(), known: RefCell::default() }),
             other => Err(bad(format!("it is {}; put the keys in braces", shortened(&other.to_string())))),
         }
     }
 
     /// The value of a key; `null` counts as left out.
-    fn get(&self, key: &str) -> Option<&Value> {
+    fn get(&self, key: &'static str) -> Option<&Value> {
+        self.known.borrow_mut().push(key);
         self.map.get(key).filter(|value| !value.is_null())
+    }
+
+    /// Refuses a key that nothing has asked for: a misspelt one would otherwise be as if it were left out.
+    pub(crate) fn refuse_unknown(&self) -> Result<(), StrokesError> {
+        let known = self.known.borrow();
+        let Some(key) = self.map.keys().find(|key| !known.contains(&key.as_str())) else { return Ok(()) };
+        let nearest = known.iter().min_by_key(|other| strsim::damerau_levenshtein(key, other));
+        Err(StrokesError::UnknownKey {
+            file: self.file.into(),
+            key: format!("{}{}", self.prefix, shortened(key)),
+            nearest: format!("{}{}", self.prefix, nearest.copied().unwrap_or_default()),
+            known: known.join(", "),
+        })
     }
 
     fn bad(&self, key: &str, found: &Value, allowed: &'static str, default: String) -> StrokesError {
@@ -41,18 +59,18 @@ impl<'a> Keys<'a> {
     }
 
     /// The keys of an inner object; none if it is left out.
-    pub(crate) fn object(&self, key: &str) -> Result<Self, StrokesError> {
+    pub(crate) fn object(&self, key: &'static str) -> Result<Self, StrokesError> {
         let map = match self.get(key) {
             None => Map::new(),
             Some(Value::Object(map)) => map.clone(),
             Some(other) => return Err(self.bad(key, other, "an object in braces", "all defaults".into())),
         };
-        Ok(Self { map, file: self.file, prefix: format!("{key}.") })
+        Ok(Self { map, file: self.file, prefix: format!("{key}."), known: RefCell::default() })
     }
 
     fn number(
         &self,
-        key: &str,
+        key: &'static str,
         default: &str,
         allowed: &'static str,
         ok: impl Fn(f64) -> bool,
@@ -64,27 +82,27 @@ impl<'a> Keys<'a> {
         }
     }
 
-    pub(crate) fn optional_angle(&self, key: &str) -> Result<Option<f64>, StrokesError> {
+    pub(crate) fn optional_angle(&self, key: &'static str) -> Result<Option<f64>, StrokesError> {
         self.number(key, "unknown", "a number above 0 and below 90 (deg)", |x| x > 0.0 && x < 90.0)
     }
 
-    pub(crate) fn optional_positive(&self, key: &str) -> Result<Option<f64>, StrokesError> {
+    pub(crate) fn optional_positive(&self, key: &'static str) -> Result<Option<f64>, StrokesError> {
         self.number(key, "1", "a number above 0 (up to 1e12)", |x| x > 0.0 && x <= MOST)
     }
 
-    pub(crate) fn positive(&self, key: &str, default: f64) -> Result<f64, StrokesError> {
+    pub(crate) fn positive(&self, key: &'static str, default: f64) -> Result<f64, StrokesError> {
         let allowed = "a number above 0 (up to 1e12), in the unit of the key";
         let found = self.number(key, &default.to_string(), allowed, |x| x > 0.0 && x <= MOST)?;
         Ok(found.unwrap_or(default))
     }
 
-    pub(crate) fn at_least_zero(&self, key: &str, default: f64) -> Result<f64, StrokesError> {
+    pub(crate) fn at_least_zero(&self, key: &'static str, default: f64) -> Result<f64, StrokesError> {
         let allowed = "a number of at least 0 (up to 1e12), in the unit of the key";
         let found = self.number(key, &default.to_string(), allowed, |x| (0.0..=MOST).contains(&x))?;
         Ok(found.unwrap_or(default))
     }
 
-    pub(crate) fn bool(&self, key: &str, default: bool) -> Result<bool, StrokesError> {
+    pub(crate) fn bool(&self, key: &'static str, default: bool) -> Result<bool, StrokesError> {
         match self.get(key) {
             None => Ok(default),
             Some(Value::Bool(value)) => Ok(*value),
@@ -92,7 +110,7 @@ impl<'a> Keys<'a> {
         }
     }
 
-    pub(crate) fn text(&self, key: &str) -> Result<String, StrokesError> {
+    pub(crate) fn text(&self, key: &'static str) -> Result<String, StrokesError> {
         match self.get(key) {
             None => Ok(String::new()),
             Some(Value::String(value)) => Ok(value.clone()),

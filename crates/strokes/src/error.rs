@@ -32,26 +32,33 @@ pub enum StrokesError {
         problem: String,
     },
     /// Nothing in the file.
-    #[error(
-        "{file} is empty; it must start with a header that names at least alpha_deg, depth_m, width_m, force_n"
-    )]
+    #[error("{file} is empty; it must start with a header that names at least {columns}")]
     Empty {
         /// Name of the file.
         file: String,
-    },
-    /// Nothing in a file of traces.
-    #[error(
-        "{file} is empty; it must start with a header that names at least stroke_id, t_s, x_ext_m, force_n"
-    )]
-    EmptyTraces {
-        /// Name of the file.
-        file: String,
+        /// The columns that it needs, separated by commas.
+        columns: String,
     },
     /// A header without rows.
     #[error("{file} has a header but no strokes; add at least one row")]
     NoRows {
         /// Name of the file.
         file: String,
+    },
+    /// Two strokes of one name.
+    #[error(
+        "{file}, lines {first} and {second}: both strokes have the stroke_id {stroke_id:?}; give each stroke its own, or \
+         remove the row that is there twice"
+    )]
+    SameName {
+        /// Name of the file.
+        file: String,
+        /// The name.
+        stroke_id: String,
+        /// Line of the first one, from 1.
+        first: usize,
+        /// Line of the second one.
+        second: usize,
     },
     /// More than the reader takes.
     #[error("{file} has more than {limit}; split it into several files")]
@@ -210,4 +217,26 @@ pub enum StrokesError {
         /// The value taken when the key is left out.
         default: String,
     },
+    /// A key of a campaign description that nobody reads.
+    #[error(
+        "{file}, key {key} is none that means anything; the known key most like it is {nearest}; correct or remove it \
+         (known are {known})"
+    )]
+    UnknownKey {
+        /// Name of the file.
+        file: String,
+        /// The key; `instrument.` before it if it is inside of that object.
+        key: String,
+        /// The known key that is most like it.
+        nearest: String,
+        /// All known keys, separated by commas.
+        known: String,
+    },
+}
+
+impl StrokesError {
+    /// A problem with a file as the system words it.
+    pub(crate) fn file(file: &str, problem: &dyn fmt::Display) -> Self {
+        Self::File { file: file.into(), problem: problem.to_string() }
+    }
 }

@@ -1,33 +1,28 @@
 use csv::ByteRecord;
 
 use crate::StrokesError;
-use crate::cell::shortened;
-use crate::columns::{Column, NUMBERS};
+use crate::cell::{shortened, text_of};
 
 /// Number of columns listed in a message.
 const LISTED: usize = 40;
 
-/// The columns that a header names, without cells.
-pub(crate) fn parse(record: &ByteRecord, file: &str, line: usize) -> Result<Vec<Column>, StrokesError> {
-    let mut names = Vec::with_capacity(record.len());
-    for (i, bytes) in record.iter().enumerate() {
-        let name = std::str::from_utf8(bytes).map_err(|problem| StrokesError::NotUtf8 {
-            file: file.into(),
-            line,
-            cell: format!("the name of column {}", i + 1),
-            at: problem.valid_up_to() + 1,
-            byte: bytes.get(problem.valid_up_to()).copied().unwrap_or_default(),
-        })?;
-        names.push(name.trim());
-    }
-    refuse_duplicates(&names, file, line)?;
-    refuse_missing(&names, file)?;
-    Ok(names.into_iter().map(Column::new).collect())
+/// The names of the columns.
+pub(crate) fn names<'r>(
+    record: &'r ByteRecord,
+    file: &str,
+    line: usize,
+) -> Result<Vec<&'r str>, StrokesError> {
+    let name = |(i, bytes)| text_of(bytes, file, line, || format!("the name of column {}", i + 1));
+    record.iter().enumerate().map(|cell| name(cell).map(str::trim)).collect()
 }
 
-fn refuse_missing(names: &[&str], file: &str) -> Result<(), StrokesError> {
-    let missing = NUMBERS.iter().find(|column| column.required && !names.contains(&column.name));
-    let Some(column) = missing else { return Ok(()) };
+/// Refuses a header without one of the required columns.
+pub(crate) fn refuse_missing(
+    names: &[&str],
+    mut required: impl Iterator<Item = &'static str>,
+    file: &str,
+) -> Result<(), StrokesError> {
+    let Some(column) = required.find(|column| !names.contains(column)) else { return Ok(()) };
     let mut found = names.iter().take(LISTED).map(|name| shortened(name)).collect::<Vec<_>>().join(", ");
     if names.len() > LISTED {
         found += &format!(" and {} more", names.len() - LISTED);
@@ -37,12 +32,19 @@ fn refuse_missing(names: &[&str], file: &str) -> Result<(), StrokesError> {
         [one] if one.contains('\t') => " (cells seem to be separated by tabs; use commas)",
         _ => "; add it, with the unit of its name",
     };
-    Err(StrokesError::MissingColumn { file: file.into(), column: column.name, found, hint })
+    Err(StrokesError::MissingColumn { file: file.into(), column, found, hint })
 }
 
-fn refuse_duplicates(names: &[&str], file: &str, line: usize) -> Result<(), StrokesError> {
+/// Refuses two columns of one name, among those names that `counts`.
+pub(crate) fn refuse_duplicates(
+    names: &[&str],
+    counts: impl Fn(&str) -> bool,
+    file: &str,
+    line: usize,
+) -> Result<(), StrokesError> {
     // Sorted, because a hostile header may hold a million names.
-    let mut sorted: Vec<(&str, usize)> = names.iter().enumerate().map(|(i, name)| (*name, i)).collect();
+    let mut sorted: Vec<(&str, usize)> =
+        names.iter().enumerate().filter(|(_, name)| counts(name)).map(|(i, name)| (*name, i)).collect();
     sorted.sort_unstable();
     match sorted.windows(2).find(|pair| pair[0].0 == pair[1].0) {
         None => Ok(()),

@@ -1,11 +1,10 @@
 use std::io::{Chain, Read, Take};
 
 use csv::{ByteRecord, ReaderBuilder, Terminator};
+use soilctl_columns::Columns;
 
-use crate::cell::CellPlace;
-use crate::columns::{Column, NUMBERS};
+use crate::StrokesError;
 use crate::line_guard::LineGuard;
-use crate::{StrokesError, header};
 
 /// Most rows that a table may have. A number takes 8 bytes of memory.
 pub const MAX_ROWS: usize = 5_000_000;
@@ -13,20 +12,23 @@ pub const MAX_ROWS: usize = 5_000_000;
 /// Most bytes that are read from a file.
 pub const MAX_BYTES: u64 = 1 << 30;
 
-/// What the reader lets pass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct ReadOptions {
-    /// Whether `force_sd_n` may be 0, as in data made by a model.
-    pub allow_zero_sd: bool,
-}
-
 type Input<R> = Chain<LineGuard<Take<R>>, &'static [u8]>;
 
-/// Rows of a csv file with the line on which each one starts.
+/// The columns that every row needs.
+pub(crate) fn required<R: Columns>() -> impl Iterator<Item = &'static str> {
+    R::COLUMNS.iter().filter(|column| column.about.required).map(|column| column.about.name)
+}
+
+/// A csv file, row by row: a header first, then rows of as many cells.
 pub(crate) struct Records<'a, R> {
     reader: csv::Reader<Input<R>>,
-    pub(crate) record: ByteRecord,
+    record: ByteRecord,
     file: &'a str,
+    rows: usize,
+    /// Cells of the header.
+    width: usize,
+    /// Whether the header ends in CRLF.
+    crlf: bool,
 }
 
 impl<'a, R: Read> Records<'a, R> {
@@ -40,11 +42,46 @@ impl<'a, R: Read> Records<'a, R> {
             .terminator(Terminator::Any(b'\n'))
             .buffer_capacity(1 << 16)
             .from_reader(input);
-        Self { reader, record: ByteRecord::new(), file }
+        Self { reader, record: ByteRecord::new(), file, rows: 0, width: 0, crlf: false }
     }
 
-    /// Reads the next row that is not blank; its line, or `None` at the end.
-    pub(crate) fn next(&mut self) -> Result<Option<usize>, StrokesError> {
+    /// Reads the header; its line, and its cells. Without one the message names the columns that are `required`.
+    pub(crate) fn header(
+        &mut self,
+        required: impl Iterator<Item = &'static str>,
+    ) -> Result<(usize, &ByteRecord), StrokesError> {
+        let Some(line) = self.next()? else {
+            let columns = required.collect::<Vec<_>>().join(", ");
+            return Err(StrokesError::Empty { file: self.file.into(), columns });
+        };
+        self.width = self.record.len();
+        self.crlf = self.record.as_slice().ends_with(b"\r");
+        Ok((line, &self.record))
+    }
+
+    /// Reads the next row; its line, or `None` at the end.
+    pub(crate) fn row(&mut self) -> Result<Option<usize>, StrokesError> {
+        let Some(line) = self.next()? else { return Ok(None) };
+        let (file, found, expected) = (self.file, self.record.len(), self.width);
+        self.rows += 1;
+        if self.rows > MAX_ROWS {
+            return Err(StrokesError::TooLarge { file: file.into(), limit: format!("{MAX_ROWS} rows") });
+        }
+        if found != expected {
+            return Err(StrokesError::Ragged { file: file.into(), line, found, expected });
+        }
+        Ok(Some(line))
+    }
+
+    /// A cell of the row; empty where the row has none.
+    pub(crate) fn cell(&self, place: usize) -> &[u8] {
+        let cell = self.record.get(place).unwrap_or_default();
+        let last = place + 1 == self.width;
+        if self.crlf && last { cell.strip_suffix(b"\r").unwrap_or(cell) } else { cell }
+    }
+
+    /// Reads the next line that is not blank; its number, or `None` at the end.
+    fn next(&mut self) -> Result<Option<usize>, StrokesError> {
         loop {
             let before = self.reader.position().line();
             let more = self.reader.read_byte_record(&mut self.record).map_err(|problem| {
@@ -77,56 +114,4 @@ impl<'a, R: Read> Records<'a, R> {
         }
         Ok(())
     }
-}
-
-/// Columns with their cells, and the line of each row.
-pub(crate) fn read_columns<R: Read>(
-    input: R,
-    file: &str,
-    options: ReadOptions,
-) -> Result<(Vec<Column>, Vec<usize>), StrokesError> {
-    let mut records = Records::new(input, file);
-    let Some(line) = records.next()? else { return Err(StrokesError::Empty { file: file.into() }) };
-    let mut columns = header::parse(&records.record, file, line)?;
-    let crlf = records.record.as_slice().ends_with(b"\r");
-    let mut lines = Vec::new();
-    while let Some(line) = records.next()? {
-        if lines.len() == MAX_ROWS {
-            return Err(StrokesError::TooLarge { file: file.into(), limit: format!("{MAX_ROWS} rows") });
-        }
-        let (expected, found) = (columns.len(), records.record.len());
-        if found != expected {
-            return Err(StrokesError::Ragged { file: file.into(), line, found, expected });
-        }
-        for (i, (cell, column)) in records.record.iter().zip(&mut columns).enumerate() {
-            let last = i + 1 == expected;
-            let cell = if crlf && last { cell.strip_suffix(b"\r").unwrap_or(cell) } else { cell };
-            push(column, cell, file, line, options)?;
-        }
-        lines.push(line);
-    }
-    if lines.is_empty() {
-        return Err(StrokesError::NoRows { file: file.into() });
-    }
-    Ok((columns, lines))
-}
-
-fn push(
-    column: &mut Column,
-    cell: &[u8],
-    file: &str,
-    line: usize,
-    options: ReadOptions,
-) -> Result<(), StrokesError> {
-    match column {
-        Column::Number(index, values) => {
-            let place = CellPlace { file, line, column: NUMBERS[*index].name };
-            values.push(place.number(cell, *index, options.allow_zero_sd)?.unwrap_or(f64::NAN));
-        }
-        Column::Text(column) => {
-            let text = CellPlace { file, line, column: column.name() }.text(cell)?;
-            column.push(text);
-        }
-    }
-    Ok(())
 }

@@ -1,80 +1,89 @@
-/// One stroke. `None` means not measured.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct StrokeRow {
-    /// Line in the file, from 1 (the header is line 1).
-    pub line: usize,
-    /// Name of the stroke.
-    pub stroke_id: Option<String>,
-    /// Name of the preparation the stroke was made in.
-    pub batch: Option<String>,
-    /// Order within the batch.
-    pub order: Option<u32>,
-    /// Time of the stroke on the campaign clock, in s.
-    pub time_s: Option<f64>,
-    /// Tool angle, above 0 and below 180 deg.
-    pub alpha_deg: f64,
-    /// Vertical depth of the plate's lower edge below the surface, above 0 m.
-    pub depth_m: f64,
-    /// Width of the plate, above 0 m.
-    pub width_m: f64,
-    /// Speed of the plate in m/s.
-    pub speed_mps: Option<f64>,
-    /// Radius from the base axis at which the stroke was made, in m.
-    pub radius_m: Option<f64>,
-    /// Base angle at which the stroke was made, in deg.
-    pub base_deg: Option<f64>,
-    /// Edge distance to the nearest earlier stroke in this preparation, in m.
-    pub gap_prior_m: Option<f64>,
-    /// From the edge of the plate to the nearest wall, in m.
-    pub wall_m: Option<f64>,
-    /// Bulk density measured for the batch, in kg/m3.
-    pub density_kg_m3: Option<f64>,
-    /// Interface friction angle that the controller was set to, in deg.
-    pub delta_set_deg: Option<f64>,
-    /// Failure force: magnitude of the in-plane resultant, tare removed, above 0 N.
-    pub force_n: f64,
-    /// Standard deviation of the failure force in N.
-    pub force_sd_n: Option<f64>,
-    /// Free-air reading before the stroke, of the same sign as the force, in N.
-    pub tare_before_n: Option<f64>,
-    /// Free-air reading after the stroke, in N.
-    pub tare_after_n: Option<f64>,
-    /// Force from the motor torques minus that of the sensor, in N.
-    pub cmd_minus_force_n: Option<f64>,
-    /// Measured friction angle just before failure, in deg.
-    pub friction_angle_deg: Option<f64>,
-    /// Vertical drift of the tip, up positive, in m.
-    pub z_drift_m: Option<f64>,
-    /// Displacement at failure, compensated for flexion, in m.
-    pub displacement_at_failure_m: Option<f64>,
-    /// Slope after the break, `(dF/du) H/F`.
-    pub post_slope_norm: Option<f64>,
-    /// Force half a depth after failure over the failure force.
-    pub residual_ratio: Option<f64>,
-    /// Height of the heap before the stroke, above the datum, in m.
-    pub heap_height_m: Option<f64>,
-    /// Motor-side minus external position, in m.
-    pub motor_ext_gap_m: Option<f64>,
-    /// Smallest repeated encoder step, in m.
-    pub x_step_m: Option<f64>,
+//! The one table of the columns of `strokes.csv`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize, Serializer};
+use soilctl_columns::{Column, Columns, Kind, Range, Source, columns};
+
+columns! {
+    /// One stroke. `None` means not measured.
+    #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+    pub struct StrokeRow {
+        /// Line in the file, from 1 (the header is line 1).
+        #[serde(skip)]
+        pub line: usize,
+    } columns {
+        #[schemars(with = "String")]
+        stroke_id: Option<String>, "text", Range::Text,
+            "Name of the stroke; no other stroke of the table has it", [estimate predict diagnose], Logs;
+        batch: Option<String>, "text", Range::Text,
+            "Name of the preparation the stroke was made in", [estimate predict diagnose], Logs;
+        order: Option<u32>, "1", Range::Whole,
+            "Order within the preparation, from 1", [diagnose], Logs;
+        time_s: Option<f64>, "s", Range::Signed,
+            "Time of the stroke on the clock of the campaign", [estimate predict diagnose], Logs;
+        alpha_deg: f64, "deg", Range::Between0And(180.0),
+            "Tool angle, from the ground ahead to the plate", [estimate predict diagnose], Logs;
+        depth_m: f64, "m", Range::Positive,
+            "Vertical depth of the plate's lower edge below the surface where the soil failed", [estimate predict diagnose], Logs;
+        width_m: f64, "m", Range::Positive,
+            "Width of the plate", [estimate predict diagnose], Logs;
+        speed_mps: Option<f64>, "m/s", Range::AtLeastZero,
+            "Mean speed of the plate up to failure", [estimate predict diagnose], Logs;
+        radius_m: Option<f64>, "m", Range::AtLeastZero,
+            "Radius from the base axis at which the stroke was made", [estimate predict diagnose], Logs;
+        base_deg: Option<f64>, "deg", Range::Signed,
+            "Base angle at which the stroke was made", [estimate predict diagnose], Logs;
+        gap_prior_m: Option<f64>, "m", Range::AtLeastZero,
+            "Edge distance to the nearest earlier stroke in this preparation", [estimate predict diagnose], Logs;
+        wall_m: Option<f64>, "m", Range::AtLeastZero,
+            "From the edge of the plate to the nearest wall", [estimate predict diagnose], Logs;
+        density_kg_m3: Option<f64>, "kg/m3", Range::Positive,
+            "Bulk density weighed for the batch", [estimate predict diagnose], Logs;
+        delta_set_deg: Option<f64>, "deg", Range::From0Below(90.0),
+            "Interface friction angle that the controller was set to", [estimate predict diagnose], Logs;
+        force_n: f64, "N", Range::Positive,
+            "Failure force: magnitude of the in-plane resultant, tare removed", [estimate predict diagnose], Logs;
+        force_sd_n: Option<f64>, "N", Range::Deviation,
+            "Standard deviation of the failure force", [estimate diagnose], Logs;
+        tare_before_n: Option<f64>, "N", Range::Signed,
+            "Free-air reading before the stroke, along the force", [diagnose], Logs;
+        tare_after_n: Option<f64>, "N", Range::Signed,
+            "Free-air reading after the stroke, along the force", [diagnose], Logs;
+        cmd_minus_force_n: Option<f64>, "N", Range::Signed,
+            "Force from the motor torques minus that of the sensor, before failure", [diagnose], Logs;
+        friction_angle_deg: Option<f64>, "deg", Range::Signed,
+            "Measured friction angle just before failure", [diagnose], Logs;
+        z_drift_m: Option<f64>, "m", Range::Signed,
+            "Drift of the plate's lower edge up to failure, up positive", [diagnose], Logs;
+        displacement_at_failure_m: Option<f64>, "m", Range::Signed,
+            "Displacement at failure, compensated for flexion", [diagnose], Logs;
+        post_slope_norm: Option<f64>, "1", Range::Signed,
+            "Slope after the break, `(dF/du) H/F`", [diagnose], Logs;
+        residual_ratio: Option<f64>, "1", Range::Signed,
+            "Force half a depth after failure over the failure force", [diagnose], Logs;
+        #[schemars(skip)]
+        heap_height_m: Option<f64>, "m", Range::Signed,
+            "Height of the heap before the stroke, above the datum", [diagnose], Hand;
+        motor_ext_gap_m: Option<f64>, "m", Range::Signed,
+            "Motor-side minus external position before failure", [diagnose], Logs;
+        x_step_m: Option<f64>, "m", Range::AtLeastZero,
+            "Usual step of the external encoders at the plate", [diagnose], Logs;
+    }
 }
 
 impl StrokeRow {
-    /// A text cell by the name of its column.
-    pub(crate) fn text(&self, column: &str) -> Option<&str> {
-        match column {
-            "stroke_id" => self.stroke_id.as_deref(),
-            "batch" => self.batch.as_deref(),
-            _ => None,
-        }
+    /// Columns that logs tell, in the order of answers and of Parquet: first what every stroke has, then numbers that may be
+    /// missing.
+    pub fn logged() -> impl Iterator<Item = &'static Column<Self>> {
+        let may_be_missing = |column: &Column<Self>| column.about.kind == Kind::OptionalFloat;
+        let logged = || Self::COLUMNS.iter().filter(|column| column.about.source == Source::Logs);
+        logged().filter(move |c| !may_be_missing(c)).chain(logged().filter(move |c| may_be_missing(c)))
     }
+}
 
-    /// Sets a text cell; nothing happens if the column is unknown.
-    pub(crate) fn set_text(&mut self, column: &str, text: Option<&str>) {
-        match column {
-            "stroke_id" => self.stroke_id = text.map(str::to_owned),
-            "batch" => self.batch = text.map(str::to_owned),
-            _ => {}
-        }
+/// A stroke as answers have it: the columns of [`StrokeRow::logged`].
+impl Serialize for StrokeRow {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(Self::logged().map(|column| (column.about.name, (column.get)(self))))
     }
 }

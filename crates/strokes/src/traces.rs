@@ -1,42 +1,42 @@
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::Read;
+use std::io::{Read, Write};
+use std::iter::once;
 use std::path::Path;
 
-use csv::ByteRecord;
+use soilctl_columns::{Cell, Columns, Kind, Range, TableWriter, columns};
 
-use crate::cell::shortened;
-use crate::read::Records;
-use crate::{MAX_ROWS, Place, StrokesError};
+use crate::cell::CellPlace;
+use crate::read::{Records, required};
+use crate::{StrokesError, header};
 
-/// One sample of a recorded stroke. `None` means not recorded.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct TraceSample {
-    /// Time in s, on any clock; grows within a stroke.
-    pub t_s: f64,
-    /// Displacement along the stroke by the external encoders, without compensation, in m.
-    pub x_ext_m: f64,
-    /// The same by the motors' encoders, in m.
-    pub x_mtr_m: Option<f64>,
-    /// Magnitude of the force in the plane of travel, tare removed, in N.
-    pub force_n: f64,
-    /// Inclination of the force to the plate's normal, in deg.
-    pub friction_angle_deg: Option<f64>,
-    /// Height of the plate's lower edge, up positive, from any datum, in m.
-    pub z_m: Option<f64>,
+columns! {
+    /// One sample of a recorded stroke. `None` means not recorded.
+    #[derive(Debug, Clone, Copy, PartialEq, Default)]
+    pub struct TraceSample {} columns {
+        t_s: f64, "s", Range::Signed,
+            "Time, on any clock; grows within a stroke", [diagnose], Logs;
+        x_ext_m: f64, "m", Range::Signed,
+            "Displacement along the stroke by the external encoders, without compensation", [diagnose], Logs;
+        x_mtr_m: Option<f64>, "m", Range::Signed,
+            "The same by the motors' encoders", [diagnose], Logs;
+        force_n: f64, "N", Range::Signed,
+            "Magnitude of the force in the plane of travel, tare removed", [diagnose], Logs;
+        friction_angle_deg: Option<f64>, "deg", Range::Signed,
+            "Inclination of the force to the plate's normal", [diagnose], Logs;
+        z_m: Option<f64>, "m", Range::Signed,
+            "Height of the plate's lower edge, up positive, from any datum", [diagnose], Logs;
+    }
 }
+
+/// The column before those of [`TraceSample`].
+const ID: &str = "stroke_id";
 
 /// Traces of strokes, `traces.csv`, by the name of the stroke.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TraceTable {
     strokes: BTreeMap<String, Vec<TraceSample>>,
 }
-
-const COLUMNS: [&str; 7] = ["stroke_id", "t_s", "x_ext_m", "x_mtr_m", "force_n", "friction_angle_deg", "z_m"];
-/// Columns that may be left out, and whose cells may be empty.
-const OPTIONAL: [&str; 3] = ["x_mtr_m", "friction_angle_deg", "z_m"];
-/// Greatest magnitude of a number; a clock may count seconds from 1970.
-const MOST: f64 = 1e12;
 
 impl TraceTable {
     /// Reads `traces.csv`: a header, then one row a sample, those of a stroke in the order of time. The order of columns is
@@ -46,8 +46,7 @@ impl TraceTable {
     /// [`StrokesError`] with the line, the column, the offending text and what is allowed.
     pub fn read(path: &Path) -> Result<Self, StrokesError> {
         let name = path.display().to_string();
-        let file = File::open(path)
-            .map_err(|problem| StrokesError::File { file: name.clone(), problem: problem.to_string() })?;
+        let file = File::open(path).map_err(|problem| StrokesError::file(&name, &problem))?;
         Self::from_reader(file, &name)
     }
 
@@ -56,29 +55,44 @@ impl TraceTable {
     /// # Errors
     /// As [`TraceTable::read`].
     pub fn from_reader(input: impl Read, name: &str) -> Result<Self, StrokesError> {
+        let needed = || once(ID).chain(required::<TraceSample>());
         let mut records = Records::new(input, name);
-        let Some(line) = records.next()? else {
-            return Err(StrokesError::EmptyTraces { file: name.into() });
-        };
-        let header = Header::parse(&records.record, name, line)?;
+        let (line, first) = records.header(needed())?;
+        let names = header::names(first, name, line)?;
+        header::refuse_missing(&names, needed(), name)?;
+        let known = |column: &str| column == ID || TraceSample::column(column).is_some();
+        header::refuse_duplicates(&names, known, name, line)?;
+        let place = |wanted: &str| names.iter().position(|name| *name == wanted);
+        let id_place = place(ID).unwrap_or_default();
+        let places: Vec<_> = TraceSample::COLUMNS
+            .iter()
+            .filter_map(|column| Some((column, place(column.about.name)?)))
+            .collect();
         let mut strokes: BTreeMap<String, Vec<TraceSample>> = BTreeMap::new();
-        let mut rows = 0;
-        while let Some(line) = records.next()? {
-            rows += 1;
-            if rows > MAX_ROWS {
-                return Err(StrokesError::TooLarge { file: name.into(), limit: format!("{MAX_ROWS} rows") });
+        while let Some(line) = records.row()? {
+            let at = |column| CellPlace { file: name, line, column };
+            let id = at(ID).text(records.cell(id_place))?.trim();
+            if id.is_empty() {
+                let allowed = "the stroke_id of the stroke table".into();
+                return Err(StrokesError::EmptyCell { place: at(ID).owned(), allowed });
             }
-            let row = Row { record: &records.record, header: &header, file: name, line };
-            let (id, sample) = row.sample()?;
-            match strokes.get_mut(id) {
-                Some(samples) => {
-                    row.follows(samples.last(), &sample)?;
-                    samples.push(sample);
-                }
-                None => {
-                    strokes.insert(id.to_owned(), vec![sample]);
-                }
+            let mut sample = TraceSample::default();
+            for (column, place) in &places {
+                let value = at(column.about.name).number(records.cell(*place), &column.about, false)?;
+                (column.set)(&mut sample, value.map_or(Cell::Missing, Cell::Float));
             }
+            let Some(samples) = strokes.get_mut(id) else {
+                strokes.insert(id.to_owned(), vec![sample]);
+                continue;
+            };
+            if let Some(before) = samples.last().filter(|before| sample.t_s <= before.t_s) {
+                return Err(StrokesError::OutOfRange {
+                    place: at("t_s").owned(),
+                    text: sample.t_s.to_string(),
+                    allowed: format!("above the {} s of the sample before it in this stroke", before.t_s),
+                });
+            }
+            samples.push(sample);
         }
         Ok(Self { strokes })
     }
@@ -87,6 +101,31 @@ impl TraceTable {
     #[must_use]
     pub const fn new(strokes: BTreeMap<String, Vec<TraceSample>>) -> Self {
         Self { strokes }
+    }
+
+    /// The first line of `traces.csv`.
+    #[must_use]
+    pub fn header() -> String {
+        let names: Vec<&str> = TraceSample::COLUMNS.iter().map(|column| column.about.name).collect();
+        format!("{ID},{}\n", names.join(","))
+    }
+
+    /// Writes samples of a stroke as lines of `traces.csv`, below [`TraceTable::header`].
+    ///
+    /// # Errors
+    /// Whatever the writer says.
+    pub fn write_lines(
+        stroke_id: &str,
+        samples: impl IntoIterator<Item = TraceSample>,
+        output: impl Write + Send,
+    ) -> std::io::Result<()> {
+        let kinds = once(Kind::Text).chain(TraceSample::COLUMNS.iter().map(|column| column.about.kind));
+        let mut lines = TableWriter::continue_csv(output, kinds);
+        for sample in samples {
+            let cells = TraceSample::COLUMNS.iter().map(|column| (column.get)(&sample));
+            lines.row(once(Cell::Text(stroke_id.into())).chain(cells))?;
+        }
+        lines.finish()?.flush()
     }
 
     /// The samples of a stroke in the order of time; `None` if it has none.
@@ -105,127 +144,5 @@ impl TraceTable {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.strokes.is_empty()
-    }
-}
-
-/// Where the known columns are.
-struct Header {
-    places: [Option<usize>; COLUMNS.len()],
-    width: usize,
-}
-
-impl Header {
-    fn parse(record: &ByteRecord, file: &str, line: usize) -> Result<Self, StrokesError> {
-        let names: Vec<String> =
-            record.iter().map(|name| String::from_utf8_lossy(name).trim().to_owned()).collect();
-        let mut places = [None; COLUMNS.len()];
-        for (place, column) in places.iter_mut().zip(COLUMNS) {
-            let mut found = (0..names.len()).filter(|&i| names[i] == column);
-            *place = found.next();
-            if let (Some(first), Some(second)) = (*place, found.next()) {
-                return Err(StrokesError::DuplicateColumn {
-                    file: file.into(),
-                    line,
-                    column: column.into(),
-                    first: first + 1,
-                    second: second + 1,
-                });
-            }
-            if place.is_none() && !OPTIONAL.contains(&column) {
-                let found = names.iter().take(40).map(|name| shortened(name)).collect::<Vec<_>>().join(", ");
-                let hint = "; the columns of traces are stroke_id, t_s, x_ext_m, force_n and, if recorded, x_mtr_m, \
-                            friction_angle_deg, z_m";
-                return Err(StrokesError::MissingColumn { file: file.into(), column, found, hint });
-            }
-        }
-        Ok(Self { places, width: names.len() })
-    }
-}
-
-/// One line.
-struct Row<'a> {
-    record: &'a ByteRecord,
-    header: &'a Header,
-    file: &'a str,
-    line: usize,
-}
-
-impl<'a> Row<'a> {
-    fn sample(&self) -> Result<(&'a str, TraceSample), StrokesError> {
-        if self.record.len() != self.header.width {
-            return Err(StrokesError::Ragged {
-                file: self.file.into(),
-                line: self.line,
-                found: self.record.len(),
-                expected: self.header.width,
-            });
-        }
-        let id = self.text(0)?;
-        if id.is_empty() {
-            return Err(StrokesError::EmptyCell {
-                place: self.place(0),
-                allowed: "the stroke_id of the stroke table".into(),
-            });
-        }
-        let needed = |column: usize| -> Result<f64, StrokesError> {
-            self.number(column)?.ok_or_else(|| StrokesError::EmptyCell {
-                place: self.place(column),
-                allowed: "a finite number".into(),
-            })
-        };
-        let sample = TraceSample {
-            t_s: needed(1)?,
-            x_ext_m: needed(2)?,
-            x_mtr_m: self.number(3)?,
-            force_n: needed(4)?,
-            friction_angle_deg: self.number(5)?,
-            z_m: self.number(6)?,
-        };
-        Ok((id, sample))
-    }
-
-    fn follows(&self, before: Option<&TraceSample>, sample: &TraceSample) -> Result<(), StrokesError> {
-        match before {
-            Some(before) if sample.t_s <= before.t_s => Err(StrokesError::OutOfRange {
-                place: self.place(1),
-                text: sample.t_s.to_string(),
-                allowed: format!("above the {} s of the sample before it in this stroke", before.t_s),
-            }),
-            _ => Ok(()),
-        }
-    }
-
-    fn place(&self, column: usize) -> Place {
-        Place { file: self.file.into(), line: self.line, column: COLUMNS[column].into() }
-    }
-
-    fn text(&self, column: usize) -> Result<&'a str, StrokesError> {
-        let bytes = self.header.places[column].and_then(|i| self.record.get(i)).unwrap_or_default();
-        std::str::from_utf8(bytes).map(str::trim).map_err(|problem| {
-            let at = problem.valid_up_to();
-            StrokesError::NotUtf8 {
-                file: self.file.into(),
-                line: self.line,
-                cell: format!("column {}", COLUMNS[column]),
-                at: at + 1,
-                byte: bytes.get(at).copied().unwrap_or_default(),
-            }
-        })
-    }
-
-    fn number(&self, column: usize) -> Result<Option<f64>, StrokesError> {
-        let text = self.text(column)?;
-        if text.is_empty() {
-            return Ok(None);
-        }
-        let allowed = || format!("a finite number (magnitude up to {MOST:e})");
-        let Ok(value) = text.parse::<f64>() else {
-            let (place, text) = (self.place(column), shortened(text));
-            return Err(StrokesError::NotANumber { place, text, allowed: allowed() });
-        };
-        if value.is_finite() && value.abs() <= MOST {
-            return Ok(Some(value));
-        }
-        Err(StrokesError::OutOfRange { place: self.place(column), text: shortened(text), allowed: allowed() })
     }
 }

@@ -1,6 +1,6 @@
 //! Every way in which a stroke table can be wrong, and what the reader says about it.
 
-use soilctl_strokes::{ReadOptions, StrokeTable, StrokesError, Uncertainty, measurements};
+use soilctl_strokes::{ReadOptions, StrokeRow, StrokeTable, StrokesError, Uncertainty, measurements};
 
 const HEADER: &str = "alpha_deg,depth_m,width_m,force_n,force_sd_n,batch\n";
 
@@ -73,6 +73,27 @@ fn headers_are_checked() {
     refused("\n\r\n\n", &["s.csv is empty"]);
     refused("\u{feff}", &["s.csv is empty"]);
     refused("alpha_deg,depth_m,width_m,force_n\n", &["no strokes"]);
+}
+
+#[test]
+fn two_strokes_of_one_name_are_refused_with_both_lines() {
+    let header = "alpha_deg,depth_m,width_m,force_n,stroke_id\n";
+    refused(
+        &format!("{header}80,1,1,1,a\n\n80,1,1,2,b\n80,1,1,2,a\n"),
+        &["lines 2 and 5", "stroke_id \"a\""],
+    );
+    // Strokes without a name are not of one name.
+    assert!(read(&format!("{header}80,1,1,1,\n80,1,1,2,\n80,1,1,2,c\n")).is_ok());
+    let row = StrokeRow {
+        stroke_id: Some("s".into()),
+        alpha_deg: 80.0,
+        depth_m: 0.02,
+        width_m: 0.1,
+        force_n: 5.0,
+        ..StrokeRow::default()
+    };
+    let made = StrokeTable::new("s.csv", &[row.clone(), row]).unwrap_err().to_string();
+    assert!(made.contains("lines 2 and 3"), "{made}");
 }
 
 #[test]

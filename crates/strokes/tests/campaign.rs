@@ -4,7 +4,7 @@ use soilctl_strokes::Campaign;
 
 #[test]
 fn every_key_is_optional_and_unknown_ones_are_ignored() {
-    let campaign = Campaign::from_json("{\"weather\": \"dry\", \"design\": null}", "c.json").unwrap();
+    let campaign = Campaign::from_json("{\"design\": null}", "c.json").unwrap();
     assert_eq!(campaign, Campaign::default());
     assert_eq!(Campaign::from_json("\u{feff}{}", "c.json").unwrap(), Campaign::default());
 }
@@ -37,6 +37,25 @@ fn a_wrong_value_is_reported_with_its_key() {
         ("[1]", ["c.json is not a JSON object", "[1]", "braces"]),
         ("{\"design\": ", ["c.json is not a JSON object", "line 1", "column"]),
         ("{\"depth_sd_m\": NaN}", ["c.json is not a JSON object", "line 1", "column"]),
+    ] {
+        let message = Campaign::from_json(json, "c.json").unwrap_err().to_string();
+        for part in parts {
+            assert!(message.contains(part), "{part:?} is not in: {message}");
+        }
+    }
+}
+
+#[test]
+fn a_key_that_means_nothing_is_refused_with_the_nearest_one() {
+    for (json, parts) in [
+        (r#"{"delta_sd_dge": 2}"#, ["c.json, key delta_sd_dge", "most like it is delta_sd_deg"]),
+        (
+            r#"{"instrument": {"joint_stiffness": 1}}"#,
+            ["key instrument.joint_stiffness ", "is instrument.joint_stiffness_n_per_m"],
+        ),
+        // A key at the wrong level is misspelt, too, and `null` does not hide it.
+        (r#"{"tare_sd": null}"#, ["key tare_sd", "known are instrument, phi_independent_deg"]),
+        (r#"{"instrument": {"Z_sd": 0.1}}"#, ["key instrument.Z_sd", "is instrument.z_sd"]),
     ] {
         let message = Campaign::from_json(json, "c.json").unwrap_err().to_string();
         for part in parts {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 pub use answer::{Answer, Content, Topic, Written};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_session::{TableForm, export_until, info_until, recover_until, topics};
+use soilctl_session::{Form, export_until, info_until, recover_until, topics};
 
 use crate::{AppError, Interrupted, Watch};
 
@@ -81,15 +81,9 @@ fn work(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     })
 }
 
-fn form(out: &Path) -> Result<TableForm, AppError> {
-    match out.extension().and_then(|ending| ending.to_str()) {
-        Some("csv") => Ok(TableForm::Csv),
-        Some("parquet") => Ok(TableForm::Parquet),
-        _ => Err(AppError::Request(format!(
-            "--out is {}; the name must end in .csv or .parquet",
-            out.display()
-        ))),
-    }
+fn form(out: &Path) -> Result<Form, AppError> {
+    let refused = || format!("--out is {}; the name must end in .csv or .parquet", out.display());
+    Form::of(out).ok_or_else(|| AppError::Request(refused()))
 }
 
 /// A log must not be overwritten by what is made of it.

@@ -2,27 +2,9 @@ use std::path::Path;
 
 use csv::{ErrorKind, StringRecord};
 
-use super::sidecar::{Sidecar, file_error, write_both};
+use super::sidecar::{Sidecar, file_error};
 use super::{COLUMNS, Cell, CellStatus, MAX_NODES, Placed, PredictionTable};
 use crate::EarthPressureError;
-
-/// Writes a table as CSV (`alpha_deg, phi_deg, delta_deg, k_net, status`) with its sidecar. Numbers are written
-/// so that they read back to the same bits.
-///
-/// # Errors
-/// [`EarthPressureError::File`] if a file cannot be written.
-pub fn write_csv(table: &PredictionTable, source: &str, path: &Path) -> Result<(), EarthPressureError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(COLUMNS).map_err(|e| file_error(path, &e))?;
-    for ([alpha_deg, phi_deg, delta_deg], cell) in table.filled() {
-        // Debug keeps ".0", the shortest text that reads back as a number of the same kind and bits.
-        let numbers = [alpha_deg, phi_deg, delta_deg, cell.k_net].map(|x| format!("{x:?}"));
-        let fields = numbers.iter().map(String::as_str).chain([cell.status.word()]);
-        writer.write_record(fields).map_err(|e| file_error(path, &e))?;
-    }
-    let rows = writer.into_inner().map_err(|e| file_error(path, &e))?;
-    write_both(path, &rows, &Sidecar::of(table, source))
-}
 
 /// Reads a table and its sidecar. The columns may stand in any order and among others.
 ///

@@ -13,16 +13,19 @@ mod model;
 mod parquet_file;
 mod parquet_pages;
 mod sidecar;
+mod write;
 
 pub use bracket::{BracketRow, BracketRules, BracketTable};
 pub use bracket_file::{
     BRACKET_SCHEMA, BracketSidecar, is_bracket_file, parse_bracket, read_bracket, write_bracket,
 };
-pub use csv_file::{read_csv, write_csv};
+pub use csv_file::read_csv;
 pub use interpolate::{Lookup, TableSlice};
 pub use model::{BracketModel, TableModel};
-pub use parquet_file::{read_parquet, write_parquet};
+pub use parquet_file::read_parquet;
 pub use sidecar::{SIDECAR_SCHEMA, Sidecar, sidecar_path};
+pub use soilctl_columns::Form;
+pub use write::write_table;
 
 use serde::{Deserialize, Serialize};
 

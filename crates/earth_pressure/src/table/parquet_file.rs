@@ -1,60 +1,15 @@
 use std::fs::File;
 use std::path::Path;
-use std::sync::Arc;
 
-use parquet::basic::Compression;
-use parquet::data_type::{ByteArray, ByteArrayType, DoubleType};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::ParquetStatisticsPolicy;
-use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::serialized_reader::ReadOptionsBuilder;
-use parquet::file::writer::SerializedFileWriter;
-use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::SchemaDescriptor;
 
-use super::sidecar::{Sidecar, file_error, write_both};
+use super::sidecar::{Sidecar, file_error};
 use super::{COLUMNS, Cell, CellStatus, MAX_NODES, Placed, PredictionTable, parquet_pages};
 use crate::EarthPressureError;
-
-const SCHEMA: &str = "message prediction_table {
-    required double alpha_deg; required double phi_deg; required double delta_deg;
-    required double k_net; required binary status (UTF8);
-}";
-
-/// Writes a table as Parquet (the columns of the CSV form, Snappy) with its sidecar.
-///
-/// # Errors
-/// [`EarthPressureError::File`] if a file cannot be written.
-pub fn write_parquet(table: &PredictionTable, source: &str, path: &Path) -> Result<(), EarthPressureError> {
-    let columns = columns(table).map_err(|e| file_error(path, &e))?;
-    write_both(path, &columns, &Sidecar::of(table, source))
-}
-
-fn columns(table: &PredictionTable) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
-    let schema = Arc::new(parse_message_type(SCHEMA)?);
-    let properties = Arc::new(WriterProperties::builder().set_compression(Compression::SNAPPY).build());
-    let mut file = SerializedFileWriter::new(Vec::new(), schema, properties)?;
-    let mut group = file.next_row_group()?;
-    let rows: Vec<_> = table.filled().collect();
-    let numbers: [Vec<f64>; 4] = [
-        rows.iter().map(|(n, _)| n[0]).collect(),
-        rows.iter().map(|(n, _)| n[1]).collect(),
-        rows.iter().map(|(n, _)| n[2]).collect(),
-        rows.iter().map(|(_, c)| c.k_net).collect(),
-    ];
-    for column in &numbers {
-        let mut writer = group.next_column()?.ok_or("the schema has five columns")?;
-        writer.typed::<DoubleType>().write_batch(column, None, None)?;
-        writer.close()?;
-    }
-    let words: Vec<ByteArray> = rows.iter().map(|(_, c)| ByteArray::from(c.status.word())).collect();
-    let mut writer = group.next_column()?.ok_or("the schema has five columns")?;
-    writer.typed::<ByteArrayType>().write_batch(&words, None, None)?;
-    writer.close()?;
-    group.close()?;
-    Ok(file.into_inner()?)
-}
 
 /// Reads a table and its sidecar. The columns may stand in any order and among others.
 ///
@@ -124,7 +79,7 @@ fn places(schema: &SchemaDescriptor) -> Result<[usize; 5], String> {
 mod tests {
     use super::*;
     use crate::ChenLiu;
-    use crate::table::{read_csv, write_csv};
+    use crate::table::{Form, read_csv, write_table};
 
     #[test]
     fn both_formats_read_back_the_same_bits_and_notice_a_cut() {
@@ -132,8 +87,8 @@ mod tests {
         let table = PredictionTable::fill(&ChenLiu, axes).unwrap();
         let dir = tempfile::tempdir().unwrap();
         let (csv, parquet) = (dir.path().join("t.csv"), dir.path().join("t.parquet"));
-        write_csv(&table, "Chen & Liu", &csv).unwrap();
-        write_parquet(&table, "Chen & Liu", &parquet).unwrap();
+        write_table(Form::Csv, &table, "Chen & Liu", &csv).unwrap();
+        write_table(Form::Parquet, &table, "Chen & Liu", &parquet).unwrap();
         assert_eq!(read_csv(&csv).unwrap().0, table);
         assert_eq!(read_parquet(&parquet).unwrap().0, table);
 

@@ -8,7 +8,8 @@ use super::StrokeRecord;
 /// that of the campaign, and each log goes on where the one before it ended. How long the preparations between them took,
 /// such logs do not say. `failure_time_s` stays on the clock of the log.
 pub fn put_on_one_clock(strokes: &mut [StrokeRecord]) {
-    let mut logs: Vec<&mut [StrokeRecord]> = strokes.chunk_by_mut(|a, b| a.log == b.log).collect();
+    let mut logs: Vec<&mut [StrokeRecord]> =
+        strokes.chunk_by_mut(|a, b| a.failure.log == b.failure.log).collect();
     let mut spans: Vec<(f64, f64)> = logs.iter().filter_map(|log| span(log)).collect();
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     if spans.windows(2).all(|pair| pair[0].1 <= pair[1].0) {
@@ -18,7 +19,7 @@ pub fn put_on_one_clock(strokes: &mut [StrokeRecord]) {
     let mut elapsed_s = 0.0;
     for log in &mut logs {
         let Some((_, end_s)) = span(log) else { continue };
-        for time_s in log.iter_mut().filter_map(|stroke| stroke.time_s.as_mut()) {
+        for time_s in log.iter_mut().filter_map(|stroke| stroke.row.time_s.as_mut()) {
             *time_s += elapsed_s;
         }
         elapsed_s += end_s - first_s;
@@ -27,8 +28,11 @@ pub fn put_on_one_clock(strokes: &mut [StrokeRecord]) {
 
 /// First and last time in s that strokes of a log state; `None` if none does.
 fn span(log: &[StrokeRecord]) -> Option<(f64, f64)> {
-    let times =
-        || log.iter().flat_map(|stroke| [stroke.time_s, stroke.time_s.and(stroke.failure_time_s)]).flatten();
+    let of = |stroke: &StrokeRecord| {
+        let time_s = stroke.row.time_s;
+        [time_s, time_s.and(stroke.failure.failure_time_s)]
+    };
+    let times = || log.iter().flat_map(of).flatten();
     let first = times().reduce(f64::min)?;
     Some((first, times().fold(first, f64::max)))
 }
@@ -38,18 +42,19 @@ mod tests {
     use super::*;
 
     fn strokes(logs: &[(&str, &[f64])]) -> Vec<StrokeRecord> {
-        let stroke = |log: &str, time_s: f64| StrokeRecord {
-            log: log.into(),
-            time_s: Some(time_s),
-            failure_time_s: Some(time_s + 10.0),
-            ..StrokeRecord::default()
+        let stroke = |log: &str, time_s: f64| {
+            let mut stroke = StrokeRecord::default();
+            stroke.failure.log = log.into();
+            stroke.row.time_s = Some(time_s);
+            stroke.failure.failure_time_s = Some(time_s + 10.0);
+            stroke
         };
         logs.iter().flat_map(|(log, times)| times.iter().map(|t| stroke(log, *t))).collect()
     }
 
     fn times(mut strokes: Vec<StrokeRecord>) -> Vec<f64> {
         put_on_one_clock(&mut strokes);
-        strokes.iter().filter_map(|stroke| stroke.time_s).collect()
+        strokes.iter().filter_map(|stroke| stroke.row.time_s).collect()
     }
 
     #[test]

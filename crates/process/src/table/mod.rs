@@ -1,13 +1,10 @@
 //! Processed strokes as files: the stroke table with what it says of each failure, and traces.
 
 mod clock;
-mod csv_file;
-mod parquet_file;
+mod files;
 mod record;
-mod traces;
 
 pub use clock::put_on_one_clock;
-pub use csv_file::write_csv;
-pub use parquet_file::write_parquet;
-pub use record::StrokeRecord;
-pub use traces::{TRACES_HEADER, write_trace};
+pub use files::{write_table, write_trace};
+pub use record::{FailureRow, StrokeRecord};
+pub use soilctl_columns::Form;

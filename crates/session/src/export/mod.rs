@@ -1,15 +1,14 @@
 //! Topics of a log as tables.
 
-mod csv_file;
-mod parquet_file;
 mod rows;
 
+use std::fs::File;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use soilctl_columns::{Cell, ColumnsError, Form, TableWriter};
 use soilctl_jobs::Beside;
 
-use crate::fields::Cell;
 use crate::read::{Ending, Item, scan};
 use crate::{SessionError, topics};
 
@@ -23,15 +22,6 @@ pub const TABLES: [&str; 6] = [
     topics::TRUE_SOIL,
 ];
 
-/// Form of a table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum TableForm {
-    /// Text; numbers read back to the same bits.
-    Csv,
-    /// Parquet, compressed with Snappy.
-    Parquet,
-}
-
 /// What was exported.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Export {
@@ -44,20 +34,14 @@ pub struct Export {
 }
 
 /// A row of a table: the cells with the names of their columns.
-pub type Row = [(String, Cell)];
-
-/// Something that takes rows, all of the same columns.
-trait Table {
-    fn row(&mut self, row: &Row) -> Result<(), SessionError>;
-    fn finish(self: Box<Self>) -> Result<(), SessionError>;
-}
+pub type Row = [(String, Cell<'static>)];
 
 /// Writes the messages of `topic` as a table: one row a message, first its log time in s, then its fields.
 ///
 /// # Errors
 /// Those of [`table_rows`], and [`SessionError::File`] if the table cannot be written. After an error there is no table, and
 /// one that was there before is as it was.
-pub fn export(path: &Path, topic: &str, out: &Path, form: TableForm) -> Result<Export, SessionError> {
+pub fn export(path: &Path, topic: &str, out: &Path, form: Form) -> Result<Export, SessionError> {
     export_until(path, topic, out, form, &AtomicBool::new(false))
 }
 
@@ -69,7 +53,7 @@ pub fn export_until(
     path: &Path,
     topic: &str,
     out: &Path,
-    form: TableForm,
+    form: Form,
     stop: &AtomicBool,
 ) -> Result<Export, SessionError> {
     known(topic)?;
@@ -131,28 +115,26 @@ fn write(
     path: &Path,
     topic: &str,
     out: &Path,
-    form: TableForm,
+    form: Form,
     stop: &AtomicBool,
 ) -> Result<Export, SessionError> {
-    let mut table: Option<Box<dyn Table>> = None;
+    let failed = |problem: ColumnsError| SessionError::file(out, &problem);
+    let mut table: Option<TableWriter<File>> = None;
     let exported = table_rows(path, topic, &mut |row| -> Result<(), SessionError> {
         if stop.load(Ordering::Relaxed) {
             return Err(SessionError::Stopped);
         }
-        match &mut table {
-            Some(table) => table.row(row),
+        let table = match &mut table {
+            Some(table) => table,
             None => {
-                let mut first: Box<dyn Table> = match form {
-                    TableForm::Csv => Box::new(csv_file::CsvTable::create(out, row)?),
-                    TableForm::Parquet => Box::new(parquet_file::ParquetTable::create(out, row)?),
-                };
-                first.row(row)?;
-                table = Some(first);
-                Ok(())
+                let file = File::create(out).map_err(|problem| failed(problem.into()))?;
+                let columns = row.iter().map(|(name, cell)| (name, cell.kind()));
+                table.insert(TableWriter::new(form, file, "log", columns).map_err(failed)?)
             }
-        }
+        };
+        table.row(row.iter().map(|(_, cell)| cell)).map_err(failed)
     })?;
     // There is none only if there were no rows, which is an error already.
-    table.map_or(Ok(()), Table::finish)?;
+    table.map_or(Ok(()), |table| table.finish().map(|_| ()).map_err(failed))?;
     Ok(exported)
 }

@@ -1,4 +1,6 @@
-use crate::fields::{Cell, cells};
+use soilctl_columns::Cell;
+
+use crate::fields::cells;
 use crate::messages::{ControllerStep, JointState, SoilTruth, WrenchStamped};
 use crate::{cdr, topics};
 
@@ -6,7 +8,11 @@ use crate::{cdr, topics};
 ///
 /// # Errors
 /// In words, if it is not a message of the topic's type.
-pub(super) fn row(topic: &str, log_time_ns: u64, data: &[u8]) -> Result<Vec<(String, Cell)>, String> {
+pub(super) fn row(
+    topic: &str,
+    log_time_ns: u64,
+    data: &[u8],
+) -> Result<Vec<(String, Cell<'static>)>, String> {
     #[allow(clippy::cast_precision_loss, reason = "a hundredth of a tick after 285 years")]
     let time = Cell::Float(log_time_ns as f64 / 1e9);
     let mut row = vec![("time_s".to_owned(), time)];
@@ -20,7 +26,7 @@ pub(super) fn row(topic: &str, log_time_ns: u64, data: &[u8]) -> Result<Vec<(Str
 }
 
 /// Position, velocity and effort of each joint under its name; what a message leaves out is not a number.
-fn joint_state(message: &JointState, row: &mut Vec<(String, Cell)>) {
+fn joint_state(message: &JointState, row: &mut Vec<(String, Cell<'static>)>) {
     let parts =
         [("position", &message.position), ("velocity", &message.velocity), ("effort", &message.effort)];
     for (i, name) in message.name.iter().enumerate() {

@@ -74,22 +74,23 @@ fn fill(stroke: &mut EachStroke, index: usize, batch: &Batch<'_>) {
     }
     // The time of the failure, for that of the stroke is on the campaign's clock.
     let during = |time_s: f64| time_s > truth.start_s - SAME_S && time_s < truth.end_s + SAME_S;
-    let Some(found) = batch.strokes.iter().find(|found| found.failure_time_s.is_some_and(during)) else {
+    let Some(found) = batch.strokes.iter().find(|found| found.failure.failure_time_s.is_some_and(during))
+    else {
         let skipped = skipped(truth, batch.skipped);
         let reason = skipped.map_or("no stroke was found in the log", |skip| &skip.reason);
         stroke.why_none = Some(reason.to_owned());
         stroke.trace_id = skipped.and_then(|skip| skip.stroke_id.clone());
         return;
     };
-    stroke.stroke_id = Some(found.stroke_id.clone());
+    stroke.stroke_id.clone_from(&found.row.stroke_id);
     stroke.trace_id.clone_from(&stroke.stroke_id);
-    stroke.force_n = Some(found.force_n);
-    stroke.force_sd_n = found.force_sd_n;
-    stroke.found_at_s = found.failure_time_s;
-    stroke.measured_depth_m = Some(found.depth_m);
+    stroke.force_n = Some(found.row.force_n);
+    stroke.force_sd_n = found.row.force_sd_n;
+    stroke.found_at_s = found.failure.failure_time_s;
+    stroke.measured_depth_m = Some(found.row.depth_m);
     // At the same depth, that is: the plate goes on down, and the limit force grows with it.
-    stroke.limit_force_n = found.failure_time_s.and_then(|time_s| truth.limit_force_n(time_s));
-    stroke.error = stroke.limit_force_n.filter(|n| *n > 0.0).map(|n| found.force_n / n - 1.0);
+    stroke.limit_force_n = found.failure.failure_time_s.and_then(|time_s| truth.limit_force_n(time_s));
+    stroke.error = stroke.limit_force_n.filter(|n| *n > 0.0).map(|n| found.row.force_n / n - 1.0);
 }
 
 fn lost(number: usize, report: &BatchReport) -> String {

@@ -56,7 +56,9 @@ pub(super) fn all(
     }
     answer.delta_used_deg = Some(interval_deg);
     answer.strokes.used_for_phi =
-        mark(&mut answer.each, chosen.iter().map(|s| &s.stroke_id), |s| &mut s.used_for_phi);
+        mark(&mut answer.each, chosen.iter().filter_map(|s| s.row.stroke_id.as_ref()), |s| {
+            &mut s.used_for_phi
+        });
     let table = folder.file("measurements.csv");
     let campaign = Campaign::read_beside(&table)?.unwrap_or_default();
     region::measurements(&table, &chosen, interval_deg, &campaign)?;

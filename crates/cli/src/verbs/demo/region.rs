@@ -35,8 +35,10 @@ pub(super) fn chosen(strokes: &[StrokeRecord], delta_deg: [f64; 2]) -> Vec<&Stro
     let middle = f64::midpoint(delta_deg[0], delta_deg[1]);
     strokes
         .iter()
-        .filter(|stroke| stroke.delta_set_deg.is_some_and(|set| SET_DEG.contains(&(set - middle))))
-        .filter(|stroke| stroke.z_drift_m.is_none_or(|drift| drift.abs() < MOST_DRIFT * stroke.depth_m))
+        .filter(|stroke| stroke.row.delta_set_deg.is_some_and(|set| SET_DEG.contains(&(set - middle))))
+        .filter(|stroke| {
+            stroke.row.z_drift_m.is_none_or(|drift| drift.abs() < MOST_DRIFT * stroke.row.depth_m)
+        })
         .collect()
 }
 
@@ -51,10 +53,10 @@ pub(super) fn measurements(
     let rows: Vec<StrokeRow> = strokes
         .iter()
         .map(|stroke| {
-            let depth_m = stroke.depth_m;
-            let row = at_failure(stroke, stroke.force_n, delta_deg)?;
+            let depth_m = stroke.row.depth_m;
+            let row = at_failure(stroke, stroke.row.force_n, delta_deg)?;
             let share = together(&[
-                stroke.force_sd_n.unwrap_or(0.0) / stroke.force_n,
+                stroke.row.force_sd_n.unwrap_or(0.0) / stroke.row.force_n,
                 // The force goes with the square of the depth.
                 2.0 * campaign.depth_sd_m / depth_m,
                 campaign.density_sd_rel,
@@ -78,7 +80,7 @@ pub(super) fn true_measurements(
     let rows: Vec<StrokeRow> = strokes
         .iter()
         .filter_map(|stroke| {
-            let truth = each.iter().find(|one| one.stroke_id.as_ref() == Some(&stroke.stroke_id))?;
+            let truth = each.iter().find(|one| one.stroke_id == stroke.row.stroke_id)?;
             let (force_n, depth_m) = (truth.true_force_n?, truth.true_depth_m?);
             let row = at_failure(stroke, force_n, delta_deg);
             Some(row.map(|row| StrokeRow { depth_m, force_sd_n: Some(share * row.force_n), ..row }))
@@ -93,7 +95,7 @@ pub(super) fn true_measurements(
 /// A stroke with the force that `force_n` would have been at the tool angle it was asked for, and with the inclination of the force
 /// as the friction on the plate: less than the interface friction may be mobilised when the soil fails, never more.
 fn at_failure(stroke: &StrokeRecord, force_n: f64, delta_deg: [f64; 2]) -> Result<StrokeRow, CliError> {
-    let mut row = stroke.row();
+    let mut row = stroke.row.clone();
     row.delta_set_deg =
         row.friction_angle_deg.map(|angle| angle.clamp(0.0, delta_deg[1])).or(row.delta_set_deg);
     let factor = |alpha_deg: f64| {
@@ -105,7 +107,7 @@ fn at_failure(stroke: &StrokeRecord, force_n: f64, delta_deg: [f64; 2]) -> Resul
         };
         ChenLiu.predict(&case).map(|prediction| prediction.net.weight)
     };
-    let turned_deg = stroke.turned_deg.unwrap_or(0.0);
+    let turned_deg = stroke.failure.turned_deg.unwrap_or(0.0);
     row.force_n = force_n * factor(row.alpha_deg)? / factor(row.alpha_deg + turned_deg)?;
     Ok(row)
 }
@@ -180,20 +182,23 @@ pub(super) fn region(work: &Estimation, truth: &Truth) -> Region {
 
 #[cfg(test)]
 mod tests {
+    use soilctl_process::table::FailureRow;
+
     use super::*;
 
     fn stroke(turned_deg: f64, friction_angle_deg: f64, z_drift_m: f64) -> StrokeRecord {
-        StrokeRecord {
+        let row = StrokeRow {
             alpha_deg: 90.0,
             depth_m: 0.025,
             width_m: 0.127,
             force_n: 8.0,
             delta_set_deg: Some(22.0),
-            turned_deg: Some(turned_deg),
             friction_angle_deg: Some(friction_angle_deg),
             z_drift_m: Some(z_drift_m),
-            ..StrokeRecord::default()
-        }
+            ..StrokeRow::default()
+        };
+        let failure = FailureRow { turned_deg: Some(turned_deg), ..FailureRow::default() };
+        StrokeRecord { row, failure }
     }
 
     /// A steeper plate meets more soil, so one that turned back would have needed more force where it began.

@@ -176,7 +176,11 @@ fn compared(
         .map(|(report, truth)| Batch {
             report,
             truth,
-            strokes: processed.strokes.iter().filter(|stroke| stroke.log.ends_with(&report.log)).collect(),
+            strokes: processed
+                .strokes
+                .iter()
+                .filter(|stroke| stroke.failure.log.ends_with(&report.log))
+                .collect(),
             skipped: of(&report.log).map_or(&[] as &[Skipped], |entry| &entry.skipped),
         })
         .collect();

@@ -128,7 +128,7 @@ pub(super) const fn status(status: Status) -> &'static str {
 fn write_design(next: &NextExperiment, path: &Path) -> Result<(), CliError> {
     let table = StrokeTable::new("next_experiment.csv", &next.rows)?;
     let mut text = Vec::new();
-    table.to_writer(&mut text).map_err(|problem| failed(path, problem))?;
+    table.to_writer(&mut text)?;
     let text = String::from_utf8_lossy(&text);
     let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
     let Some(header) = lines.next() else { return Ok(()) };

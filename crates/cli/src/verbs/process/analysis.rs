@@ -46,20 +46,20 @@ pub(super) fn analyse(
 fn sweep(strokes: &[StrokeRecord]) -> Result<Friction, String> {
     let (mut used, mut names, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     for stroke in strokes {
-        match (stroke.delta_set_deg, stroke.lift_deg, stroke.lift_sd_deg) {
+        match (stroke.row.delta_set_deg, stroke.failure.lift_deg, stroke.failure.lift_sd_deg) {
             (Some(set_deg), Some(lift_deg), Some(lift_sd_deg)) => {
-                used.push(SweepStroke { alpha_deg: stroke.alpha_deg, set_deg, lift_deg, lift_sd_deg });
-                names.push(&stroke.stroke_id);
+                used.push(SweepStroke { alpha_deg: stroke.row.alpha_deg, set_deg, lift_deg, lift_sd_deg });
+                names.push(stroke.name());
             }
-            _ => left_out.push(stroke.stroke_id.clone()),
+            _ => left_out.push(stroke.name().to_owned()),
         }
     }
     let found = interface_friction(&used).map_err(|problem| problem.to_string())?;
-    left_out.extend(found.left_out.iter().map(|place| names[*place].clone()));
+    left_out.extend(found.left_out.iter().map(|place| names[*place].to_owned()));
     let mut significance = found.significance.iter();
     let lifts = used.iter().zip(&names).enumerate().filter(|(i, _)| !found.left_out.contains(i));
     let strokes = lifts.map(|(_, (stroke, name))| Lift {
-        stroke_id: (*name).clone(),
+        stroke_id: (*name).to_owned(),
         set_deg: stroke.set_deg,
         lift_deg: stroke.lift_deg,
         lift_sd_deg: stroke.lift_sd_deg,
@@ -78,7 +78,7 @@ fn sweep(strokes: &[StrokeRecord]) -> Result<Friction, String> {
 
 /// Tool angles, each once.
 fn angles(strokes: &[StrokeRecord]) -> Vec<f64> {
-    let mut all: Vec<f64> = strokes.iter().map(|s| s.alpha_deg).collect();
+    let mut all: Vec<f64> = strokes.iter().map(|s| s.row.alpha_deg).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
     all
@@ -89,8 +89,8 @@ fn depth_laws(strokes: &[StrokeRecord], campaign: &Campaign) -> Result<Vec<Law>,
     for alpha_deg in angles(strokes) {
         let points: Vec<DepthPoint> = strokes
             .iter()
-            .filter(|s| s.alpha_deg == alpha_deg)
-            .map(|s| DepthPoint { depth_m: s.depth_m, force_n: s.force_n })
+            .filter(|s| s.row.alpha_deg == alpha_deg)
+            .map(|s| DepthPoint { depth_m: s.row.depth_m, force_n: s.row.force_n })
             .collect();
         let (low, high) = points
             .iter()
@@ -119,11 +119,11 @@ fn statistics(
     let rows: Vec<CampaignStroke> = strokes
         .iter()
         .map(|s| CampaignStroke {
-            alpha_deg: s.alpha_deg,
-            depth_m: s.depth_m,
-            force_n: s.force_n,
-            radius_m: s.radius_m,
-            base_deg: s.base_deg,
+            alpha_deg: s.row.alpha_deg,
+            depth_m: s.row.depth_m,
+            force_n: s.row.force_n,
+            radius_m: s.row.radius_m,
+            base_deg: s.row.base_deg,
         })
         .collect();
     let found = campaign_statistics(&rows, args.slant)?;
@@ -136,7 +136,7 @@ fn statistics(
             mean_n: group.kept_mean_n,
             sd_n: group.kept_sd_n,
             coefficient_of_variation: group.coefficient_of_variation(),
-            outliers: group.outliers.iter().map(|place| strokes[*place].stroke_id.clone()).collect(),
+            outliers: group.outliers.iter().map(|place| strokes[*place].name().to_owned()).collect(),
             model_n: None,
             model_difference: None,
             matched_phi_deg: None,
@@ -176,14 +176,14 @@ fn compare(
             return Err(CliError::Usage(format!("{option} is {value} {unit}, allowed is above 0")));
         }
     }
-    let set: Vec<f64> = strokes.iter().filter_map(|s| s.delta_set_deg).collect();
+    let set: Vec<f64> = strokes.iter().filter_map(|s| s.row.delta_set_deg).collect();
     let mean_set = (!set.is_empty()).then(|| set.iter().sum::<f64>() / set.len() as f64);
     let delta_deg =
         args.delta.or(analysis.friction.as_ref().map(|f| f.delta_deg)).or(mean_set).ok_or_else(|| {
             CliError::Usage("--delta is missing: the strokes have neither a sweep nor set-points".into())
         })?;
     let model = model(&args.model)?;
-    let width_m = strokes.iter().map(|s| s.width_m).sum::<f64>() / strokes.len() as f64;
+    let width_m = strokes.iter().map(|s| s.row.width_m).sum::<f64>() / strokes.len() as f64;
     let scale = 0.5 * density_kg_m3 * args.gravity * args.slant * args.slant * width_m;
     for group in &mut analysis.groups {
         let force =

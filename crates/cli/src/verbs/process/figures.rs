@@ -74,11 +74,11 @@ pub(super) fn depth(analysis: &Analysis, strokes: &[StrokeRecord]) -> Result<Opt
         Axis::linear("F/H² (N/cm²)"),
     );
     for (color, law) in analysis.depth_laws.iter().enumerate() {
-        let of: Vec<&StrokeRecord> = strokes.iter().filter(|s| s.alpha_deg == law.alpha_deg).collect();
+        let of: Vec<&StrokeRecord> = strokes.iter().filter(|s| s.row.alpha_deg == law.alpha_deg).collect();
         let points: Vec<(f64, f64)> =
-            of.iter().map(|s| (s.depth_m * 1e3, per_square(s, s.force_n))).collect();
+            of.iter().map(|s| (s.row.depth_m * 1e3, per_square(s, s.row.force_n))).collect();
         let bars: Vec<(f64, f64)> =
-            of.iter().map(|s| per_square(s, s.force_sd_n.unwrap_or(0.0))).map(|sd| (sd, sd)).collect();
+            of.iter().map(|s| per_square(s, s.row.force_sd_n.unwrap_or(0.0))).map(|sd| (sd, sd)).collect();
         let name = format!("{:.0}°, n = {:.2}", law.alpha_deg, law.exponent);
         figure.push(Points::new(name, points.clone()).y_error(bars).color(color))?;
         let (low, high) = points
@@ -92,7 +92,7 @@ pub(super) fn depth(analysis: &Analysis, strokes: &[StrokeRecord]) -> Result<Opt
 
 /// A force over the square of the stroke's depth in N/cm2.
 fn per_square(stroke: &StrokeRecord, force_n: f64) -> f64 {
-    force_n / (stroke.depth_m * stroke.depth_m) * 1e-4
+    force_n / (stroke.row.depth_m * stroke.row.depth_m) * 1e-4
 }
 
 /// Forces at the nominal depth, means with their scatter, and the model.
@@ -106,15 +106,16 @@ pub(super) fn campaign(analysis: &Analysis, strokes: &[StrokeRecord]) -> Result<
         Axis::linear(format!("Force at a slant length of {:.1} mm (N)", analysis.slant_m * 1e3)),
     );
     let scaled = |s: &StrokeRecord| {
-        let nominal_m = analysis.slant_m * s.alpha_deg.to_radians().sin();
-        s.force_n * (nominal_m / s.depth_m).powi(2)
+        let nominal_m = analysis.slant_m * s.row.alpha_deg.to_radians().sin();
+        s.row.force_n * (nominal_m / s.row.depth_m).powi(2)
     };
-    let outlier = |s: &&StrokeRecord| analysis.groups.iter().any(|g| g.outliers.contains(&s.stroke_id));
+    let outlier =
+        |s: &&StrokeRecord| analysis.groups.iter().any(|g| g.outliers.iter().any(|name| name == s.name()));
     let (out, kept): (Vec<&StrokeRecord>, Vec<&StrokeRecord>) = strokes.iter().partition(outlier);
     for (name, of) in [("strokes", kept), ("outliers", out)] {
         if !of.is_empty() {
-            let points: Vec<(f64, f64)> = of.iter().map(|s| (s.alpha_deg, scaled(s))).collect();
-            let labels = of.iter().map(|s| s.stroke_id.clone());
+            let points: Vec<(f64, f64)> = of.iter().map(|s| (s.row.alpha_deg, scaled(s))).collect();
+            let labels = of.iter().map(|s| s.name().to_owned());
             figure.push(Points::new(name, points).labels(labels))?;
         }
     }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use soilctl_jobs::Shard;
 use soilctl_process::log::LogSettings;
+use soilctl_process::table::Form;
 
 use super::Args;
 use crate::args::read_text;
@@ -18,13 +19,6 @@ const MOST_LOGS: usize = 1_000_000;
 pub(super) struct Log {
     pub(super) path: PathBuf,
     pub(super) name: String,
-}
-
-/// Form of the stroke table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
-    Csv,
-    Parquet,
 }
 
 #[derive(Debug)]
@@ -127,14 +121,8 @@ fn named(paths: BTreeSet<PathBuf>) -> Vec<Log> {
 }
 
 fn form(path: &Path) -> Result<Form, CliError> {
-    match path.extension().and_then(|ending| ending.to_str()) {
-        Some("csv") => Ok(Form::Csv),
-        Some("parquet") => Ok(Form::Parquet),
-        _ => Err(CliError::Usage(format!(
-            "--out is {}; the name must end in .csv or .parquet",
-            path.display()
-        ))),
-    }
+    let refused = || format!("--out is {}; the name must end in .csv or .parquet", path.display());
+    Form::of(path).ok_or_else(|| CliError::Usage(refused()))
 }
 
 fn settings(args: &Args) -> Result<LogSettings, CliError> {

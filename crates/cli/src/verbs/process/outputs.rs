@@ -6,10 +6,10 @@ use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use soilctl_jobs::Beside;
-use soilctl_process::table::{TRACES_HEADER, write_csv, write_parquet};
-use soilctl_strokes::Campaign;
+use soilctl_process::table::write_table;
+use soilctl_strokes::{Campaign, TraceTable};
 
-use super::inputs::{Form, Inputs};
+use super::inputs::Inputs;
 use super::manifest::{self, Entry};
 use super::work::Done;
 use crate::error::CliError;
@@ -42,10 +42,7 @@ pub(super) fn write(inputs: &Inputs, done: &Done, campaign: &Campaign) -> Result
     let strokes = done.strokes();
     if !strokes.is_empty() {
         let mut bytes = Vec::new();
-        match form {
-            Form::Csv => write_csv(&strokes, &mut bytes)?,
-            Form::Parquet => write_parquet(&strokes, &mut bytes)?,
-        }
+        write_table(*form, &strokes, &mut bytes)?;
         save(out, &bytes)?;
         written.push(out.display().to_string());
         // A description that somebody wrote or `simulate` left is not replaced.
@@ -77,8 +74,9 @@ fn traces(
     let new = Beside::new(&path);
     let mut old = File::open(&path).ok();
     let mut file = BufWriter::new(File::create(new.path()).map_err(failed(&path))?);
-    file.write_all(TRACES_HEADER.as_bytes()).map_err(failed(&path))?;
-    let mut at = TRACES_HEADER.len() as u64;
+    let header = TraceTable::header();
+    file.write_all(header.as_bytes()).map_err(failed(&path))?;
+    let mut at = header.len() as u64;
     let mut placed = entries.clone();
     for (place, entry) in &mut placed {
         if entry.error.is_some() {

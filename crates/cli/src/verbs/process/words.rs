@@ -13,14 +13,14 @@ pub(super) fn text(answer: &ProcessAnswer) -> String {
         ];
         for stroke in &answer.strokes {
             rows.push(vec![
-                stroke.stroke_id.clone(),
-                number(stroke.alpha_deg),
-                format!("{:.2}", stroke.depth_m * 1e3),
-                format!("{:.3}", stroke.force_n),
-                stroke.force_sd_n.map_or("-".into(), |sd| format!("{sd:.3}")),
-                stroke.failure.clone(),
-                stroke.method.clone(),
-                stroke.flags.clone(),
+                stroke.name().to_owned(),
+                number(stroke.row.alpha_deg),
+                format!("{:.2}", stroke.row.depth_m * 1e3),
+                format!("{:.3}", stroke.row.force_n),
+                stroke.row.force_sd_n.map_or("-".into(), |sd| format!("{sd:.3}")),
+                stroke.failure.failure.clone(),
+                stroke.failure.method.clone(),
+                stroke.failure.flags.clone(),
             ]);
         }
         text += &columns(&rows);

@@ -7,7 +7,7 @@ use serde::Serialize;
 use soilctl_earth_pressure::table::{BracketRow, BracketTable};
 
 use super::answer::{Head, TableAnswer};
-use super::file::{Kind, read_brackets, write_brackets};
+use super::file::{for_brackets, read_brackets, write_brackets};
 use crate::error::CliError;
 use crate::text::{columns, number};
 
@@ -132,7 +132,7 @@ pub(super) fn show_text(cells: &[BracketCell]) -> String {
 
 /// Unites the files of shards.
 pub(super) fn merge(files: &[PathBuf], out: &Path) -> Result<TableAnswer, CliError> {
-    Kind::of_brackets(out)?;
+    for_brackets(out)?;
     let (mut rows, mut first) = (Vec::new(), None);
     for path in files {
         let (table, version) = read_brackets(path)?;

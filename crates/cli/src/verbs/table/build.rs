@@ -7,7 +7,7 @@ use soilctl_earth_pressure::{Case, ForceModel, model};
 
 use super::answer::{Head, TableAnswer};
 use super::bounds;
-use super::file::{Kind, write_table};
+use super::file::{form, write_table};
 use super::grid::{Grid, Nodes};
 use crate::error::CliError;
 use crate::output::Output;
@@ -89,7 +89,7 @@ pub(super) fn build(args: &Args, output: &Output) -> Result<TableAnswer, CliErro
         return Err(CliError::Usage("--out is missing: name the file for the table".into()));
     };
     // Before the work, not after it.
-    Kind::of(out)?;
+    form(out)?;
     let model = model(&args.model)?;
     let (table, first_refusal) = fill(model.as_ref(), axes, output)?;
     if table.is_empty() {

@@ -22,7 +22,7 @@ use store::Store;
 
 use super::answer::TableAnswer;
 use super::brackets::{NAME, SOURCE};
-use super::file::{Kind, read_brackets, write_brackets};
+use super::file::{for_brackets, read_brackets, write_brackets};
 use crate::error::CliError;
 use crate::output::Output;
 use crate::verbs::limits::positive;
@@ -109,7 +109,7 @@ pub(super) fn build(
     out: Option<&Path>,
     output: &Output,
 ) -> Result<TableAnswer, CliError> {
-    out.map(Kind::of_brackets).transpose()?;
+    out.map(for_brackets).transpose()?;
     let header = Header::new(args.rules(), axes, args.shard.map(|shard| shard.to_string()));
     let cases = cases::cases(&header.axes, args.shard);
     let store = args.store.as_deref().map(|folder| Store::new(folder, &header));
