@@ -23,9 +23,11 @@ pub mod shear;
 pub mod simulate;
 pub mod table_file;
 pub mod text;
+mod use_cases;
 mod watch;
 
 pub use answer::{Answer, Outcome, document, schema};
 pub use error::AppError;
 pub use finite::check as check_finite;
+pub use use_cases::{USE_CASES, UseCase};
 pub use watch::{Interrupted, Unwatched, Watch};
