@@ -16,8 +16,11 @@ pub struct UseCase {
     pub answer_id: &'static str,
     request: fn() -> Result<Value, AppError>,
     answer: fn() -> Result<Value, AppError>,
-    run: fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>,
+    run: Run,
 }
+
+/// Runs the request of a JSON object.
+type Run = fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>;
 
 impl UseCase {
     /// The JSON schema of its request: fields, units, ranges, defaults and what is required.

@@ -18,6 +18,7 @@ pub mod sequence;
 mod state;
 mod step;
 pub mod trajectory;
+mod tuning;
 mod validate;
 
 pub use commands::{Commands, Request, Tunable};
@@ -32,6 +33,7 @@ pub use params::{DEFAULT, Params, TICK_RATE_HZ, TICK_S};
 pub use plan::{MOST_STROKES, StrokePlan, StrokeSpec};
 pub use sensed::Sensed;
 pub use sequence::SequenceId;
-pub use state::{STATE_VERSION, State, Tuning};
+pub use state::{STATE_VERSION, State};
 pub use step::step;
 pub use trajectory::Trajectory;
+pub use tuning::Tuning;

@@ -1,13 +1,12 @@
 use serde::{Deserialize, Serialize};
 use soilctl_kinematics::{Joint, MotorTorques};
 
-use crate::config::StrokeLaw;
 use crate::estimate::Filters;
 use crate::events::EventKind;
 use crate::monitor::Monitors;
 use crate::sequence::Machine;
 use crate::trajectory::{Active, Ring, Setpoint, StrokeRun};
-use crate::{Events, Fault, FaultRecord, Finish, Mode, Params};
+use crate::{Events, Fault, FaultRecord, Finish, Mode, Params, Tuning};
 
 /// Version of [`State`]; a stored state of another version is not to be resumed.
 pub const STATE_VERSION: u32 = 5;
@@ -73,19 +72,6 @@ pub struct State {
     pub surface_z_m: f64,
     /// The walls found: +x, -x, +y, -y, as coordinates of the tip in m.
     pub walls_m: [Option<f64>; 4],
-}
-
-/// Values that may be changed during a run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Tuning {
-    /// Speed of moves as a fraction of the settings'.
-    pub speed_scale: f64,
-    /// `l_rate` in m/s.
-    pub lead_rate_m_s: f64,
-    /// Whether insertion accommodates.
-    pub accommodate: bool,
-    /// Law of strokes in sequences.
-    pub law: StrokeLaw,
 }
 
 impl State {

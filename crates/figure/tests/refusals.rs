@@ -149,3 +149,13 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn arrows_whose_heads_reach_below_zero_of_a_logarithmic_axis_are_drawn_without_heads() {
+    let points = [(422.055_725_604_602_46, 1e15), (1e100, 183.420_642_181_318_95)];
+    let mut figure = Figure::new("", Axis::log(""), Axis::log("y")).with_legend(Legend::Right);
+    figure.push(Line::new("l", points)).unwrap();
+    figure.push(Paths::new("", [points.to_vec()]).arrows()).unwrap();
+    let svg = figure.to_svg(Size::new(160, 160).unwrap()).unwrap();
+    assert!(!svg.contains("NaN"), "{svg}");
+}

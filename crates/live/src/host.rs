@@ -9,6 +9,7 @@ use soilctl_controller::{FaultRecord, Params, State, TICK_S};
 use soilctl_session::{LogReport, Logger, Pace, SessionError, Setup};
 
 use crate::clock::{SERVER_PRIORITY, fifo};
+use crate::ending::Ending;
 use crate::links::{Shared, links};
 use crate::protocol::{Configuration, Hello, PROTOCOL_VERSION, SafeForce};
 use crate::server::{Server, ServerReport, bind};
@@ -28,35 +29,6 @@ pub struct Session {
     pub real_time: bool,
     /// Ends after so many ticks. A simulated run without it stands still while nothing is to be done.
     pub most_ticks: Option<u64>,
-}
-
-/// Why a session ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ending {
-    /// Somebody asked for it.
-    Asked,
-    /// Its time is up.
-    TimeIsUp,
-    /// The log of a simulated run could not be written.
-    LogFailed,
-    /// The driver went away.
-    DriverGone,
-    /// The simulated arm left all bounds.
-    HardwareFailed,
-}
-
-impl Ending {
-    /// In words.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Asked => "asked to end",
-            Self::TimeIsUp => "the time is up",
-            Self::LogFailed => "the log could not be written",
-            Self::DriverGone => "the driver went away",
-            Self::HardwareFailed => "the simulated arm left all bounds",
-        }
-    }
 }
 
 /// How a session went.

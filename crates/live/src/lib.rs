@@ -3,6 +3,7 @@
 mod client;
 mod clock;
 pub mod driver;
+mod ending;
 mod error;
 mod host;
 mod links;
@@ -14,8 +15,9 @@ mod servo;
 mod timing;
 
 pub use client::{Client, Commander};
+pub use ending::Ending;
 pub use error::LiveError;
-pub use host::{Ending, Host, Report, Session, Stopper};
+pub use host::{Host, Report, Session, Stopper};
 pub use playback::{Playback, Played};
 pub use rig::Rig;
 pub use timing::{BIN_ENDS_US, Histogram, Timing};

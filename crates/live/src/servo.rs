@@ -6,7 +6,7 @@ use soilctl_plant::{Drive, Hardware};
 use soilctl_session::Recorder;
 
 use crate::clock::Clock;
-use crate::host::Ending;
+use crate::ending::Ending;
 use crate::links::{ServoEnds, Snapshot, What};
 use crate::timing::Timing;
 use crate::{LiveError, Rig};

@@ -3,18 +3,11 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use serde::Serialize;
 use soilctl_live::protocol::{ClientMessage, Problem, ServerMessage, parse_command, read_client_message};
 
 use crate::film::Player;
 use crate::live::Operator;
-use crate::messages::{PAGE_REQUESTS, PageMessage, PageRequest};
-
-/// A message as text. Numbers that are not finite become null.
-pub(crate) fn text<T: Serialize>(message: &T) -> String {
-    // Our messages have text keys only, so nothing can fail.
-    serde_json::to_string(message).unwrap_or_default()
-}
+use crate::messages::{PAGE_REQUESTS, PageMessage, PageRequest, text};
 
 /// What feeds one page.
 pub(crate) enum Feed {

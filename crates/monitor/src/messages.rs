@@ -3,6 +3,12 @@
 use serde::{Deserialize, Serialize};
 use soilctl_live::protocol::{Event, StateMessage};
 
+/// A message as text. Numbers that are not finite become null.
+pub(crate) fn text<T: Serialize>(message: &T) -> String {
+    // Our messages have text keys only, so nothing can fail.
+    serde_json::to_string(message).unwrap_or_default()
+}
+
 /// What the monitor adds to the messages of a session.
 #[derive(Debug, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]

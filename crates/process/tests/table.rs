@@ -49,7 +49,7 @@ fn json_has_every_column_that_logs_tell_and_reads_back() {
         ),
         "{text}"
     );
-    assert!(!text.contains("heap_height_m") && !text.contains("line"), "{text}");
+    assert!(!text.contains("heap_height_m") && !text.contains("\"line\""), "{text}");
     assert!(
         text.ends_with("\"method\":\"drop\",\"failure\":\"\",\"flags\":\"\",\"log\":\"a, b.mcap\"}"),
         "{text}"

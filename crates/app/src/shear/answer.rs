@@ -3,8 +3,6 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::at::AngleAt;
-use super::equivalent::StrokeAnswer;
 use super::raw_answer::RawAnswer;
 
 /// Friction angle against normal stress, soil by soil. Every angle outside the stresses of its curve is marked as
@@ -112,6 +110,107 @@ pub struct Constant {
     pub worst_residual_deg: f64,
     /// Lowest and highest fitted stress.
     pub stress_range_pa: [f64; 2],
+}
+
+/// The friction angle that a curve gives at a normal stress.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct AngleAt {
+    /// The normal stress asked for.
+    pub normal_stress_pa: f64,
+    /// The angle there.
+    pub friction_angle_deg: f64,
+    /// Whether the stress lies outside those that the curve was fitted to.
+    pub extrapolated: bool,
+    /// `power law` or `slope and floor`; `constant angle` if neither could be fitted.
+    pub curve: String,
+    /// Standard error of predicting one further test there from the scatter about the curve; null where there is no
+    /// theory for it. Extrapolated, the true error is larger.
+    pub standard_error_deg: Option<f64>,
+}
+
+/// Friction angles at the normal stresses of a stroke (Hong 2001, section 6.6.1).
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct StrokeAnswer {
+    /// The stroke.
+    pub inputs: Inputs,
+    /// One entry a point beside the plate and curve.
+    pub points: Vec<StrokePoint>,
+    /// What happens to the angles at another stress; only with such a stress.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub carried: Option<Vec<Carried>>,
+}
+
+/// A stroke of a plate in a level, cohesionless soil.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct Inputs {
+    /// Tool angle.
+    pub alpha_deg: f64,
+    /// Vertical depth of the lower edge.
+    pub depth_m: f64,
+    /// Width of the plate.
+    pub width_m: f64,
+    /// Bulk density.
+    pub density_kg_m3: f64,
+    /// Gravity.
+    pub gravity_m_s2: f64,
+    /// Interface friction angle.
+    pub delta_deg: f64,
+    /// Failure force.
+    pub force_n: f64,
+    /// Friction angle that the stresses were computed with; null if angle and stress were made consistent.
+    pub phi_deg: Option<f64>,
+}
+
+/// Stresses and angles at one point beside the plate.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct StrokePoint {
+    /// Depth of the point as a fraction of the plate's depth.
+    pub point_fraction: f64,
+    /// Depth of the point.
+    pub point_depth_m: f64,
+    /// Pressure of the plate at that depth, along the resultant.
+    pub plate_pressure_pa: f64,
+    /// The curve that the angles are read from.
+    pub curve: String,
+    /// `sigma_L`: normal stress on the failure surface far from the plate.
+    pub low_stress_pa: f64,
+    /// `sigma_U`: normal stress on the failure surface beside the plate.
+    pub high_stress_pa: f64,
+    /// Friction angle at `sigma_L`.
+    pub friction_at_low_stress_deg: f64,
+    /// Friction angle at `sigma_U`.
+    pub friction_at_high_stress_deg: f64,
+    /// Whether `sigma_L` lies outside the stresses of the curve.
+    pub low_extrapolated: bool,
+    /// Whether `sigma_U` lies outside the stresses of the curve.
+    pub high_extrapolated: bool,
+    /// Iterations until angle and stress agreed; 0 with a given angle.
+    pub iterations: usize,
+    /// What to keep in mind with these numbers.
+    pub note: String,
+}
+
+/// The shift of the friction angle from a stress of the stroke to another one (Hong 2001, section 6.7.3).
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Carried {
+    /// Depth of the point as a fraction of the plate's depth.
+    pub point_fraction: f64,
+    /// `sigma_L` or `sigma_U`.
+    pub from: String,
+    /// The curve: the one with a floor if it could be fitted, because a power law falls for ever.
+    pub curve: String,
+    /// Stress of the stroke.
+    pub measured_stress_pa: f64,
+    /// Stress at which the angle is to be used.
+    pub used_stress_pa: f64,
+    /// To be added to the angle of the stroke.
+    pub shift_deg: f64,
+    /// Whether the stress of the stroke lies outside those of the curve.
+    pub measured_extrapolated: bool,
+    /// Whether the stress of use lies outside those of the curve.
+    pub used_extrapolated: bool,
+    /// The same in words.
+    pub warning: String,
 }
 
 impl crate::Answer for Answer {

@@ -1,28 +1,11 @@
 //! Friction angles at the stresses asked for.
 
-use schemars::JsonSchema;
-use serde::Serialize;
 use soilctl_direct_shear::DirectShearError;
 
+use super::answer::AngleAt;
 use super::fits::Fitted;
 use crate::AppError;
 use crate::text::stress;
-
-/// The friction angle that a curve gives at a normal stress.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct AngleAt {
-    /// The normal stress asked for.
-    pub normal_stress_pa: f64,
-    /// The angle there.
-    pub friction_angle_deg: f64,
-    /// Whether the stress lies outside those that the curve was fitted to.
-    pub extrapolated: bool,
-    /// `power law` or `slope and floor`; `constant angle` if neither could be fitted.
-    pub curve: String,
-    /// Standard error of predicting one further test there from the scatter about the curve; null where there is no
-    /// theory for it. Extrapolated, the true error is larger.
-    pub standard_error_deg: Option<f64>,
-}
 
 /// The angles of every curve at every stress.
 pub(super) fn angles(

@@ -1,35 +1,10 @@
 //! What happens to the friction angle of a stroke at another normal stress.
 
-use schemars::JsonSchema;
-use serde::Serialize;
 use soilctl_direct_shear::{DirectShearError, StressShift, stress_shift};
 
-use super::equivalent::StrokePoint;
+use super::answer::{Carried, StrokePoint};
 use super::fits::Fitted;
 use crate::AppError;
-
-/// The shift of the friction angle from a stress of the stroke to another one (Hong 2001, section 6.7.3).
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct Carried {
-    /// Depth of the point as a fraction of the plate's depth.
-    pub point_fraction: f64,
-    /// `sigma_L` or `sigma_U`.
-    pub from: String,
-    /// The curve: the one with a floor if it could be fitted, because a power law falls for ever.
-    pub curve: String,
-    /// Stress of the stroke.
-    pub measured_stress_pa: f64,
-    /// Stress at which the angle is to be used.
-    pub used_stress_pa: f64,
-    /// To be added to the angle of the stroke.
-    pub shift_deg: f64,
-    /// Whether the stress of the stroke lies outside those of the curve.
-    pub measured_extrapolated: bool,
-    /// Whether the stress of use lies outside those of the curve.
-    pub used_extrapolated: bool,
-    /// The same in words.
-    pub warning: String,
-}
 
 /// The shifts of one curve from both stresses of every point; the largest one becomes a warning.
 pub(super) fn shifts(

@@ -11,10 +11,10 @@ mod raw_answer;
 mod request;
 mod stroke;
 
-pub use answer::{Answer, Constant, Point, PowerLaw, SlopeFloor, SoilAnswer};
-pub use at::AngleAt;
-pub use carry::Carried;
-pub use equivalent::{Inputs, StrokeAnswer, StrokePoint};
+pub use answer::{
+    AngleAt, Answer, Carried, Constant, Inputs, Point, PowerLaw, SlopeFloor, SoilAnswer, StrokeAnswer,
+    StrokePoint,
+};
 pub use fits::Fitted;
 use input::Input;
 pub use raw::RawRequest;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_direct_shear::{PointDepth, StrokeLoad};
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, Soil, Stroke};
 
-use super::equivalent::Inputs;
+use super::answer::Inputs;
 use crate::AppError;
 use crate::request::finite;
 

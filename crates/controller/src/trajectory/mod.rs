@@ -13,8 +13,7 @@ use soilctl_kinematics::{Joint, JointAngles, JointVelocities, TaskPose};
 
 use crate::config::StrokeLaw;
 use crate::estimate::Estimate;
-use crate::state::Tuning;
-use crate::{Finish, Params};
+use crate::{Finish, Params, Tuning};
 
 pub use ring::{RING_SIZE, Ring};
 pub use stroke::StrokeRun;

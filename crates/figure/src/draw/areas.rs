@@ -1,7 +1,8 @@
 //! Filled layers: bands, polygons, spans and maps of a value.
 
 use super::frame::Frame;
-use super::svg::{Pen, Px, Svg};
+use super::px::Px;
+use super::svg::{Pen, Svg};
 use crate::model::{Band, DataPoint, Polygons, Shades, Span};
 use crate::palette::{Dash, FILL_ALPHA, NEUTRAL, series};
 

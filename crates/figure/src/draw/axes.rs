@@ -2,7 +2,8 @@
 
 use super::fonts::{fit, width};
 use super::frame::{Frame, LABEL_EM, PAD, TICK_EM, TICK_GAP, crisp};
-use super::svg::{Pen, Px, Svg};
+use super::px::Px;
+use super::svg::{Pen, Svg};
 use super::words::{Anchor, Label};
 use crate::model::Figure;
 use crate::palette::{GRID, INK};

@@ -1,6 +1,6 @@
 //! Cutting lines and rings at the edges of a rectangle.
 
-use super::svg::Px;
+use super::px::Px;
 
 /// A rectangle on the page.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::clip::{self, Rect};
 use super::fonts::width;
-use super::svg::Px;
+use super::px::Px;
 use super::ticks::{Ticks, ticks};
 use crate::extent::{self, Extent};
 use crate::model::{DataPoint, Figure, Orientation, Scale};

@@ -12,6 +12,7 @@ mod legend;
 mod paths;
 mod png;
 mod points;
+mod px;
 mod svg;
 mod ticks;
 mod words;

@@ -12,10 +12,15 @@ pub(crate) fn draw_paths(paths: &Paths, frame: &Frame, svg: &mut Svg) {
     for part in &paths.parts {
         let mut points = frame.all(part);
         if let Some([left, tip, right]) = paths.head(part) {
-            // The line ends inside of the head, whose tip stays sharp.
-            points.pop();
-            points.push(frame.at(((left.0 + right.0) / 2.0, (left.1 + right.1) / 2.0)));
-            heads.push(frame.all(&[left, tip, right]));
+            let head = frame.all(&[left, tip, right]);
+            let neck = frame.at(((left.0 + right.0) / 2.0, (left.1 + right.1) / 2.0));
+            // On a logarithmic axis a head may reach below zero, where there is no place for it.
+            if head.iter().chain([&neck]).all(|place| place.0.is_finite() && place.1.is_finite()) {
+                // The line ends inside of the head, whose tip stays sharp.
+                points.pop();
+                points.push(neck);
+                heads.push(head);
+            }
         }
         lines.push(points);
     }

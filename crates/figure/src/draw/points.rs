@@ -1,7 +1,8 @@
 //! Single points: markers and their error bars.
 
 use super::frame::Frame;
-use super::svg::{Pen, Px, Svg};
+use super::px::Px;
+use super::svg::{Pen, Svg};
 use crate::model::Points;
 use crate::palette::{Marker, Rgb, series};
 

@@ -1,13 +1,11 @@
 //! The one writer of SVG: a page that shapes and words are added to.
 
 use super::fonts;
+use super::px::{Px, rounded};
 use super::words::{Label, Words};
 use crate::escape;
 use crate::model::Size;
 use crate::palette::{Dash, Hatch, PAPER, Rgb, faint, hex, series};
-
-/// A position on the page in px, y downwards.
-pub(crate) type Px = (f64, f64);
 
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy)]
@@ -155,10 +153,4 @@ impl Svg {
 /// Rings as lines that end where they begin.
 fn closed(rings: &[Vec<Px>]) -> Vec<Vec<Px>> {
     rings.iter().map(|ring| ring.iter().chain(ring.first()).copied().collect()).collect()
-}
-
-/// Hundredths of a px are finer than can be seen, also in print.
-pub(crate) fn rounded(px: f64) -> f64 {
-    // The sum turns a negative zero into zero.
-    (px * 100.0).round() / 100.0 + 0.0
 }

@@ -1,7 +1,7 @@
 //! Lines of text on a page.
 
 use super::fonts;
-use super::svg::{Px, rounded};
+use super::px::{Px, rounded};
 use crate::escape;
 use crate::palette::{INK, Rgb, hex};
 

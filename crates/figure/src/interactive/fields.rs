@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::traces::trace;
+use super::trace::trace;
 use crate::escape;
 use crate::model::{DataPoint, Paths, STEPS, Shades};
 use crate::palette::{NEUTRAL, PAPER, hex, series, shade};

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{dash, translucent};
+use super::trace::{dash, translucent};
 use crate::draw::REF_WIDTH;
 use crate::escape;
 use crate::extent;

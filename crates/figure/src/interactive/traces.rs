@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::fields::{paths_trace, shades_traces};
-use super::{dash, translucent};
+use super::trace::{dash, trace, translucent};
 use crate::escape;
 use crate::model::{Band, Figure, Layer, Line, Points, Polygons, Text, TextPlace};
 use crate::palette::{Dash, FILL_ALPHA, Hatch, INK, Marker, hex, series};
@@ -53,16 +53,6 @@ impl Hover {
             self.x, self.y
         )
     }
-}
-
-/// What all traces have in common.
-pub(super) fn trace(name: &str, mode: &str) -> Value {
-    json!({
-        "type": "scatter",
-        "mode": mode,
-        "name": escape::plotly(name),
-        "showlegend": !name.is_empty(),
-    })
 }
 
 fn line_trace(line: &Line, hover: &Hover) -> Value {

@@ -10,8 +10,7 @@ use std::sync::Arc;
 pub use self::bag::BagSettings;
 pub(crate) use self::player::Player;
 use crate::MonitorError;
-use crate::feed::text;
-use crate::messages::PageMessage;
+use crate::messages::{PageMessage, text};
 use soilctl_live::protocol::ServerMessage;
 
 /// What a player plays: states in the order of time.

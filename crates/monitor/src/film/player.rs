@@ -1,8 +1,7 @@
 use std::time::{Duration, Instant};
 
 use super::Reel;
-use crate::feed::text;
-use crate::messages::{PageMessage, PlayerState};
+use crate::messages::{PageMessage, PlayerState, text};
 
 /// Time between two states.
 const INTERVAL: Duration = Duration::from_millis(30);

@@ -4,8 +4,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use soilctl_live::Commander;
 use soilctl_live::protocol::{Command, Event, Problem, ServerMessage, StateMessage};
 
-use crate::feed::text;
-use crate::messages::{History, PageMessage};
+use crate::messages::{History, PageMessage, text};
 use crate::soil::Surface;
 
 /// Messages that wait for a page; what does not fit is left out and counted.

@@ -3,8 +3,8 @@ use std::sync::Arc;
 use soilctl_live::protocol::{ClientMessage, PROTOCOL_VERSION, Problem};
 
 use super::Hub;
-use crate::feed::{Rights, refuse, text};
-use crate::messages::PageMessage;
+use crate::feed::{Rights, refuse};
+use crate::messages::{PageMessage, text};
 use crate::soil::Known;
 
 /// A page at a session. Of states, surfaces and the link it takes the latest; the rest waits in its queue.

@@ -9,8 +9,7 @@ use soilctl_live::protocol::{Configuration, Event, Problem, ServerMessage};
 
 use super::Hub;
 use crate::MonitorError;
-use crate::feed::text;
-use crate::messages::PageMessage;
+use crate::messages::{PageMessage, text};
 use crate::scene::{SURFACE_FOUND, Scene};
 use crate::soil::Surface;
 

@@ -11,6 +11,7 @@ use super::guard::{Guard, is_own_origin};
 use super::head::{Bad, Head};
 use super::page::{page, policy};
 use super::response::{answer, words};
+use super::shared::Shared;
 use super::socket;
 use crate::MonitorError;
 use crate::feed::Feed;
@@ -23,37 +24,6 @@ const TURN: Duration = Duration::from_millis(8);
 const NAP: Duration = Duration::from_millis(5);
 /// Where the WebSocket is.
 const SOCKET_PATH: &str = "/socket";
-
-/// What all connections share.
-pub(crate) struct Shared {
-    pub(crate) guard: Guard,
-    /// The token that allows commands; none if they are off.
-    pub(crate) token: Option<Arc<str>>,
-    /// Makes the feed of a new page.
-    pub(crate) feed: Box<dyn Fn() -> Result<Feed, MonitorError> + Send + Sync>,
-    /// What a page is greeted with, beside its feed.
-    pub(crate) greeting: Vec<String>,
-    /// Takes notes for the operator.
-    pub(crate) note: Box<dyn Fn(&str) + Send + Sync>,
-    pub(crate) stop: Arc<AtomicBool>,
-    pub(crate) open: AtomicUsize,
-    pub(crate) pages: AtomicU64,
-    pub(crate) refused: AtomicU64,
-    pub(crate) dropped: AtomicU64,
-}
-
-impl Shared {
-    /// Counts and notes something refused.
-    pub(super) fn refuse(&self, peer: SocketAddr, what: &str) {
-        let count = self.refused.fetch_add(1, Ordering::Relaxed) + 1;
-        // Whoever floods the server shall not flood the notes.
-        if count <= 100 || count.is_power_of_two() {
-            // What came from outside may hold anything.
-            let what: String = what.chars().filter(|c| !c.is_control()).take(300).collect();
-            (self.note)(&format!("refused ({count}): {peer}: {what}"));
-        }
-    }
-}
 
 /// Accepts connections.
 pub(crate) struct Server {

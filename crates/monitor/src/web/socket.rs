@@ -10,9 +10,9 @@ use tungstenite::protocol::frame::coding::CloseCode;
 use tungstenite::protocol::{WebSocket, WebSocketConfig};
 use tungstenite::{Error, Message};
 
-use super::server::Shared;
-use crate::feed::{Feed, Rights, refuse, text};
-use crate::messages::PageMessage;
+use super::shared::Shared;
+use crate::feed::{Feed, Rights, refuse};
+use crate::messages::{PageMessage, text};
 
 /// Messages that are read before the page is told anything again.
 const ROUND: usize = 32;

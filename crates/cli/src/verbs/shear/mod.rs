@@ -1,5 +1,6 @@
 //! `soilctl shear`: the friction angle of direct-shear tests against normal stress.
 
+mod cells;
 mod stroke;
 mod words;
 

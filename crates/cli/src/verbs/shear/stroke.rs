@@ -3,7 +3,7 @@
 use soilctl_app::shear::StrokeAnswer;
 use soilctl_app::text::{columns, number, stress};
 
-use super::words::{angle_cell, header, stress_cells};
+use super::cells::{angle_cell, header, stress_cells};
 
 pub(super) fn stroke_text(stroke: &StrokeAnswer) -> String {
     let inputs = &stroke.inputs;

@@ -4,11 +4,9 @@ use soilctl_app::shear::{Answer, PowerLaw, RawAnswer, SlopeFloor, SoilAnswer};
 use soilctl_app::text::{columns, four_digits, stress};
 use soilctl_soil::units::pa_to_psi;
 
+use super::cells::{EXTRAPOLATED, angle_cell, header, stress_cells};
 use super::stroke::stroke_text;
 use crate::output::Words;
-
-/// Mark of an angle outside the stresses of its curve; room for it keeps columns straight.
-const EXTRAPOLATED: &str = "*";
 
 impl Words for Answer {
     fn text(&self) -> String {
@@ -33,24 +31,6 @@ fn text(answer: &Answer) -> String {
         text += &format!("warning: {warning}\n");
     }
     text.trim_end().to_owned() + "\n"
-}
-
-/// A stress in psi and in kPa, a cell each.
-pub(super) fn stress_cells(pa: f64) -> [String; 2] {
-    [four_digits(pa_to_psi(pa)), four_digits(pa / 1000.0)]
-}
-
-/// An angle with its mark, or a dash.
-pub(super) fn angle_cell(found: Option<(f64, bool)>) -> String {
-    found.map_or_else(
-        || "- ".into(),
-        |(deg, extrapolated)| format!("{deg:.1}{}", if extrapolated { EXTRAPOLATED } else { " " }),
-    )
-}
-
-/// Cells for a header whose columns end in a mark.
-pub(super) fn header(names: &[&str]) -> Vec<String> {
-    names.iter().map(|name| (*name).to_owned()).collect()
 }
 
 fn soil_text(soil: &SoilAnswer) -> String {

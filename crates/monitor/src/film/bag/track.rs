@@ -2,9 +2,8 @@ use std::sync::Arc;
 
 use soilctl_live::protocol::{Hello, PROTOCOL_VERSION, SafeForce};
 
-use crate::feed::text;
 use crate::film::{Reel, curve, halve, overview};
-use crate::messages::{History, LogMessage, PageMessage, PoseMessage, SceneMessage};
+use crate::messages::{History, LogMessage, PageMessage, PoseMessage, SceneMessage, text};
 
 /// States that are kept. When there are more, every second one goes, so that memory stays bounded.
 const MOST_MOMENTS: usize = 1 << 18;

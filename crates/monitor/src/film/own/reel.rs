@@ -4,9 +4,8 @@ use soilctl_live::protocol::ServerMessage;
 
 use super::track::Track;
 use crate::MonitorError;
-use crate::feed::text;
 use crate::film::{Reel, curve};
-use crate::messages::{History, PageMessage};
+use crate::messages::{History, PageMessage, text};
 use crate::soil::{Known, Surface};
 
 /// States of a log and the surface of the soil that goes with them.
