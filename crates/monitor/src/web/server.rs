@@ -1,20 +1,19 @@
 use std::io::ErrorKind;
 use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use tungstenite::handshake::derive_accept_key;
 use tungstenite::protocol::{Role, WebSocket};
 
-use super::guard::{Guard, is_own_origin};
+use super::guard::is_own_origin;
 use super::head::{Bad, Head};
 use super::page::{page, policy};
 use super::response::{answer, words};
 use super::shared::Shared;
 use super::socket;
 use crate::MonitorError;
-use crate::feed::Feed;
 
 /// Most connections at a time.
 const MOST_CONNECTIONS: usize = 64;
