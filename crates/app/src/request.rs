@@ -9,7 +9,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
-use soilctl_earth_pressure::Loads as SoilLoads;
+use soilctl_earth_pressure::{Loads as SoilLoads, MODEL_IDS};
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
 use crate::AppError;
@@ -160,6 +160,12 @@ impl Limits {
         ];
         ends.into_iter().flatten().collect::<Vec<_>>().join(" and ")
     }
+}
+
+/// The help of an option that names a force model.
+#[must_use]
+pub fn model_help() -> String {
+    format!("Force model: {}", MODEL_IDS.join(", "))
 }
 
 /// A number that is neither NaN nor infinite, from the command line.

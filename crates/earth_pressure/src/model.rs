@@ -1,9 +1,6 @@
 use soilctl_soil::{Angle, Interface, Plate, Provenance, Soil};
 
-use crate::{
-    Caquot, Case, ChenLiu, Coulomb, EarthPressureError, LoadFactors, Loads, LogSpiral, Prediction,
-    plate_bounds, thesis,
-};
+use crate::{Case, EarthPressureError, LoadFactors, Loads, Prediction};
 
 /// A model of the force at which a plate fails the soil.
 pub trait ForceModel: Send + Sync {
@@ -189,33 +186,6 @@ impl FailureSurface {
     pub fn extent(&self) -> f64 {
         self.points.last().map_or(0.0, |&(x, y)| (x - self.plate_top.0).hypot(y - self.plate_top.1))
     }
-}
-
-/// Ids of all models, in the order in which they are listed.
-pub const MODEL_IDS: [&str; 8] =
-    ["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"];
-
-/// The model with this id.
-///
-/// # Errors
-/// [`EarthPressureError::UnknownModel`] if there is none.
-pub fn model(id: &str) -> Result<Box<dyn ForceModel>, EarthPressureError> {
-    Ok(match id {
-        "coulomb" => Box::new(Coulomb),
-        "log-spiral" => Box::new(LogSpiral::CORRECT),
-        "log-spiral-thesis" => Box::new(LogSpiral::THESIS),
-        "caquot" => Box::new(Caquot::new()?),
-        "chen" => Box::new(ChenLiu),
-        "thesis-ub" => Box::new(thesis::upper_bound()?),
-        "thesis-lb" => Box::new(thesis::lower_bound()?),
-        "table" => Box::new(plate_bounds::bracket()?),
-        _ => {
-            return Err(EarthPressureError::UnknownModel {
-                name: id.to_owned(),
-                known: MODEL_IDS.join(", "),
-            });
-        }
-    })
 }
 
 /// Failure force in N of a model for a plate in a soil, with all loads, and the prediction behind it.

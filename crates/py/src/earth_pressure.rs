@@ -425,7 +425,7 @@ pub(crate) fn failure_surface<'py>(
     Ok(Some(shaped(py, found.points.into_iter().flat_map(|(x, y)| [x, y]).collect(), &shape)?))
 }
 
-pub(crate) const MODELS: [&str; 8] = MODEL_IDS;
+pub(crate) const MODELS: [&str; MODEL_IDS.len()] = MODEL_IDS;
 
 impl From<EarthPressureError> for Fail {
     fn from(problem: EarthPressureError) -> Self {

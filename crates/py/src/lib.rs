@@ -24,7 +24,7 @@ mod work;
 #[pyo3::pymodule]
 mod _native {
     #[pymodule_export]
-    const MODELS: [&str; 8] = crate::earth_pressure::MODELS;
+    const MODELS: [&str; crate::earth_pressure::MODELS.len()] = crate::earth_pressure::MODELS;
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]

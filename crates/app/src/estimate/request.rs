@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use soilctl_earth_pressure::MODEL_IDS;
 
 use crate::AppError;
-use crate::request::{Loads, NumberOrColumn, finite};
+use crate::request::{Loads, NumberOrColumn, finite, model_help};
 
 /// What a force's uncertainty means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, Deserialize, JsonSchema)]
@@ -26,8 +27,9 @@ pub struct Request {
     /// Stroke table (CSV)
     pub file: PathBuf,
 
-    /// Model: table (the bracket of bounds), thesis-ub, thesis-lb, chen, caquot, log-spiral, log-spiral-thesis, coulomb
-    #[arg(long, value_name = "NAME", default_value_t = Request::default().model)]
+    /// Force model; `table` is the bracket of proven bounds
+    #[arg(long, value_name = "NAME", default_value_t = Request::default().model, help = model_help())]
+    #[schemars(extend("enum" = MODEL_IDS))]
     pub model: String,
 
     /// A model file, such as the patch of `diagnose`: its effects are taken out of the measured forces first, at the

@@ -4,18 +4,19 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_earth_pressure::Loads as SoilLoads;
+use soilctl_earth_pressure::{Loads as SoilLoads, MODEL_IDS};
 use soilctl_soil::SoilError;
 
 use crate::AppError;
-use crate::request::{Loads, NumberOrColumn, finite};
+use crate::request::{Loads, NumberOrColumn, finite, model_help};
 
 /// Force and coefficients of a plate from a named model.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[serde(default)]
 pub struct Request {
-    /// Model: coulomb, log-spiral, log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table
-    #[arg(long, value_name = "NAME", default_value_t = Request::default().model)]
+    /// Force model
+    #[arg(long, value_name = "NAME", default_value_t = Request::default().model, help = model_help())]
+    #[schemars(extend("enum" = MODEL_IDS))]
     pub model: String,
 
     /// A table file (.csv or .parquet) as the model

@@ -6,12 +6,12 @@
 
 use soilctl_soil::Angle;
 
+use super::thesis::{Column, appendix_c};
 use crate::model::{ForceModel, ModelSlice, ValidRange};
 use crate::table::TableModel;
-use crate::thesis::{Column, appendix_c};
 use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
-const ACTIVE_CSV: &str = include_str!("../../../data/caquot_active_inferred.csv");
+const ACTIVE_CSV: &str = include_str!("../../../../data/caquot_active_inferred.csv");
 const RATIOS: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
 const ALPHA: (f64, f64, usize) = (70.0, 5.0, 7);
 const PHI: (f64, f64, usize) = (25.0, 5.0, 6);

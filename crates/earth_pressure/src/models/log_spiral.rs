@@ -18,7 +18,10 @@ use soilctl_soil::Angle;
 
 use crate::minimise::minimise;
 use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRange};
-use crate::{Caquot, Case, EarthPressureError, LoadFactors, Prediction, chen_liu};
+use crate::{Case, EarthPressureError, LoadFactors, Prediction};
+
+use super::caquot::Caquot;
+use super::chen_liu;
 
 /// Points of the first scan over the spiral's angle.
 const SCAN: usize = 24;

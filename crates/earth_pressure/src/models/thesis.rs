@@ -7,7 +7,7 @@
 use crate::EarthPressureError;
 use crate::table::{Cell, CellStatus, PredictionTable, Quantity, TableModel};
 
-const CSV: &str = include_str!("../../../data/appendix_c.csv");
+const CSV: &str = include_str!("../../../../data/appendix_c.csv");
 
 /// A column of Appendix C.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

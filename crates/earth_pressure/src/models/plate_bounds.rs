@@ -3,8 +3,8 @@
 use crate::EarthPressureError;
 use crate::table::{BracketModel, BracketTable, parse_bracket};
 
-const CSV: &str = include_str!("../../../data/plate_bounds.csv");
-const SIDECAR: &str = include_str!("../../../data/plate_bounds.csv.json");
+const CSV: &str = include_str!("../../../../data/plate_bounds.csv");
+const SIDECAR: &str = include_str!("../../../../data/plate_bounds.csv.json");
 
 /// Lower and upper bounds on the 287 sets of Appendix C, by finite-element limit analysis, each proven with interval
 /// arithmetic.

@@ -1,0 +1,53 @@
+//! The models, one a file, and the list of them.
+
+mod caquot;
+mod chen_liu;
+mod coulomb;
+mod log_spiral;
+mod plate_bounds;
+pub mod thesis;
+
+pub use caquot::Caquot;
+pub use chen_liu::ChenLiu;
+pub use coulomb::Coulomb;
+pub use log_spiral::LogSpiral;
+pub use plate_bounds::plate_bounds;
+
+use crate::{EarthPressureError, ForceModel};
+
+/// Makes a model.
+type Make = fn() -> Result<Box<dyn ForceModel>, EarthPressureError>;
+
+/// Id and maker of each model, in the order in which they are listed.
+const MODELS: &[(&str, Make)] = &[
+    ("coulomb", || Ok(Box::new(Coulomb))),
+    ("log-spiral", || Ok(Box::new(LogSpiral::CORRECT))),
+    ("log-spiral-thesis", || Ok(Box::new(LogSpiral::THESIS))),
+    ("caquot", || Ok(Box::new(Caquot::new()?))),
+    ("chen", || Ok(Box::new(ChenLiu))),
+    ("thesis-ub", || Ok(Box::new(thesis::upper_bound()?))),
+    ("thesis-lb", || Ok(Box::new(thesis::lower_bound()?))),
+    ("table", || Ok(Box::new(plate_bounds::bracket()?))),
+];
+
+/// Ids of all models.
+pub const MODEL_IDS: [&str; MODELS.len()] = {
+    let mut ids = [""; MODELS.len()];
+    let mut k = 0;
+    while k < ids.len() {
+        ids[k] = MODELS[k].0;
+        k += 1;
+    }
+    ids
+};
+
+/// The model with this id.
+///
+/// # Errors
+/// [`EarthPressureError::UnknownModel`] if there is none.
+pub fn model(id: &str) -> Result<Box<dyn ForceModel>, EarthPressureError> {
+    match MODELS.iter().find(|(name, _)| *name == id) {
+        Some((_, make)) => make(),
+        None => Err(EarthPressureError::UnknownModel { name: id.to_owned(), known: MODEL_IDS.join(", ") }),
+    }
+}
