@@ -1,4 +1,4 @@
-//! The whole chain against the truth: five campaigns in every test run, many seeds with `cargo xtask verify`.
+//! The whole chain against the truth: two campaigns in every test run, many seeds with `cargo xtask verify`.
 #![allow(
     clippy::print_stdout,
     clippy::unwrap_used,
@@ -146,9 +146,8 @@ fn found(campaigns: &[Campaign]) -> [usize; 2] {
 }
 
 #[test]
-fn five_campaigns_find_the_truth() {
-    let wanted: Vec<(&str, u32)> = (1..=5).zip(SOILS.into_iter().cycle()).map(|(k, s)| (s, k)).collect();
-    assert_eq!(found(&campaigns(&wanted, &[])), [5, 5]);
+fn two_campaigns_find_the_truth() {
+    assert_eq!(found(&campaigns(&[("ticino_rained", 1), ("nevada_fine", 3)], &[])), [2, 2]);
 }
 
 /// The friction angle, the interface friction, and how often a force is within 10 % and within its standard deviation.
