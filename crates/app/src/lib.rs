@@ -10,10 +10,13 @@
 
 mod answer;
 pub mod arm;
+pub mod bound;
+pub mod certify;
 mod error;
 pub mod estimate;
 pub mod files;
 mod finite;
+pub mod limits;
 pub mod log;
 pub mod predict;
 pub mod replay;
@@ -21,6 +24,8 @@ pub mod report;
 pub mod request;
 pub mod shear;
 pub mod simulate;
+pub mod solve;
+pub mod table;
 pub mod table_file;
 pub mod text;
 mod use_cases;

@@ -94,6 +94,18 @@ pub fn four_digits(value: f64) -> String {
     number_or_dash(format!("{value:.3e}").parse().ok())
 }
 
+/// A time for people.
+#[must_use]
+pub fn duration(seconds: f64) -> String {
+    let unit = |size: f64, name: &str| format!("about {:.1} {name}", seconds / size);
+    match seconds {
+        s if s < 90.0 => format!("about {seconds:.0} s"),
+        s if s < 5400.0 => unit(60.0, "min"),
+        s if s < 172_800.0 => unit(3600.0, "h"),
+        _ => unit(86_400.0, "days"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -144,5 +156,18 @@ mod tests {
     fn columns_are_as_wide_as_their_widest_cell() {
         let rows = [vec!["a".into(), "bb".into()], vec!["100".into(), "2".into()]];
         assert_eq!(columns(&rows), "  a  bb\n100   2\n");
+    }
+
+    #[test]
+    fn times_read_well() {
+        for (seconds, words) in [
+            (0.0, "about 0 s"),
+            (89.4, "about 89 s"),
+            (600.0, "about 10.0 min"),
+            (9000.0, "about 2.5 h"),
+            (1e6, "about 11.6 days"),
+        ] {
+            assert_eq!(duration(seconds), words);
+        }
     }
 }

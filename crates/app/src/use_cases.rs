@@ -4,13 +4,14 @@ use serde_json::Value;
 
 use crate::request::{self, Request};
 use crate::{
-    Answer, AppError, Outcome, Watch, answer, arm, document, estimate, predict, replay, shear, simulate,
+    Answer, AppError, Outcome, Watch, answer, arm, bound, certify, document, estimate, predict, replay,
+    shear, simulate, solve, table,
 };
 
 /// A use case whose request and answer are JSON documents.
 #[derive(Debug, Clone, Copy)]
 pub struct UseCase {
-    /// Its name, as in `soilctl NAME`.
+    /// Its name, as in `soilctl NAME`; `solve check` is `soilctl solve --check`.
     pub name: &'static str,
     /// Id of the schema of its answer.
     pub answer_id: &'static str,
@@ -77,6 +78,16 @@ fn answered<R: Request, A: Answer>(
 /// All use cases.
 pub const USE_CASES: &[UseCase] = &[
     use_case!("predict", crate::predict, predict::run),
+    use_case!("bound", crate::bound, |request, watch| Ok(bound::run(request, watch)?.answer)),
+    use_case!("solve", crate::solve, |request, watch| Ok(solve::run(request, watch)?.answer)),
+    use_case!("solve check", crate::solve::check, |request, watch| {
+        Ok(solve::check::run(request, watch)?.answer)
+    }),
+    use_case!("certify", crate::certify, |request, watch| Ok(certify::run(request, watch)?.answer)),
+    use_case!("table show", crate::table::show, table::show::run),
+    use_case!("table build", crate::table::build, table::build::run),
+    use_case!("table merge", crate::table::merge, table::merge::run),
+    use_case!("table check", crate::table::check, table::check::run),
     use_case!("estimate", crate::estimate, |request, watch| Ok(estimate::run(request, watch)?.answer)),
     use_case!("shear", crate::shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", crate::simulate, simulate::run),

@@ -23,6 +23,9 @@ pub trait Watch: Sync {
     /// So many more steps are done.
     fn advance(&self, steps: u64);
 
+    /// What the work is at, in a few words; shown where there is a place for it.
+    fn say(&self, _text: &str) {}
+
     /// The work that was begun has ended.
     fn end(&self);
 

@@ -1,10 +1,9 @@
-//! The command line: global options and the soil and tool options that every verb calls the same.
+//! The command line: global options, and those that several verbs call the same.
 
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
 pub(crate) use soilctl_app::request::finite;
-use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
 use crate::error::CliError;
 use crate::output::Format;
@@ -27,31 +26,6 @@ pub(crate) struct Cli {
 
     #[command(subcommand)]
     pub(crate) verb: Verb,
-}
-
-/// Loads on and properties of the soil, beside its friction and density.
-#[derive(Debug, Clone, Copy, clap::Args)]
-pub(crate) struct LoadArgs {
-    /// Cohesion of the soil (Pa), at least 0
-    #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) cohesion: f64,
-
-    /// Adhesion between soil and plate (Pa), at least 0
-    #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) adhesion: f64,
-
-    /// Vertical pressure on the surface, on both sides of the plate (Pa), at least 0
-    #[arg(long, value_name = "PA", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) surcharge: f64,
-
-    /// Gravity (m/s2), above 0
-    #[arg(long, value_name = "M/S2", default_value_t = STANDARD_GRAVITY_M_S2, value_parser = finite,
-          allow_negative_numbers = true)]
-    pub(crate) gravity: f64,
-
-    /// Slope of the surface (deg), positive when it rises ahead of the plate
-    #[arg(long, value_name = "DEG", default_value_t = 0.0, value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) beta: f64,
 }
 
 /// Where the joints, forces and links of a bag of another program are.

@@ -21,8 +21,8 @@ use crate::args::Cli;
 use crate::error::CliError;
 use crate::output::Output;
 pub use crate::progress::Progress;
-pub use crate::verbs::solve::units as problem_units;
 pub(crate) use soilctl_app::text;
+pub use soilctl_limit_analysis::results::problem_units;
 
 /// Runs the command line `args`, the program's name first; answers go to standard output, all else to standard error.
 ///

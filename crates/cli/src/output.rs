@@ -205,12 +205,6 @@ impl Output {
     pub(crate) fn bar(&self, steps: u64, name: &str) -> Bar {
         Bar::new(steps, name, self.quiet || !std::io::stderr().is_terminal(), Arc::clone(&self.progress))
     }
-
-    /// Where steps are counted for which there is no bar.
-    pub(crate) fn count(&self, steps: u64) -> Arc<Progress> {
-        self.progress.begin(steps);
-        Arc::clone(&self.progress)
-    }
 }
 
 impl Watch for Output {
@@ -224,6 +218,10 @@ impl Watch for Output {
 
     fn advance(&self, steps: u64) {
         self.with_bar(|bar| bar.iter().for_each(|bar| bar.inc(steps)));
+    }
+
+    fn say(&self, text: &str) {
+        self.with_bar(|bar| bar.iter().for_each(|bar| bar.say(text)));
     }
 
     fn end(&self) {

@@ -2,8 +2,12 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
+
+/// Between two pictures of a line that moves.
+const TICK: Duration = Duration::from_millis(100);
 
 /// Steps of the work that a verb is at: cells, strokes, logs. Any thread may look at any time.
 #[derive(Debug, Default)]
@@ -39,11 +43,16 @@ pub(crate) struct Bar {
 }
 
 impl Bar {
-    /// Steps called `name`.
+    /// Steps called `name`; if nobody knows how many there are, a line that says `name`.
     pub(crate) fn new(steps: u64, name: &str, hidden: bool, counted: Arc<Progress>) -> Self {
         counted.begin(steps);
         if hidden {
             return Self { shown: ProgressBar::hidden(), counted };
+        }
+        if steps == 0 {
+            let line = Self { shown: ProgressBar::new_spinner(), counted };
+            line.say(name);
+            return line;
         }
         let shown = ProgressBar::new(steps);
         let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {name}, {{eta}} left"));
@@ -53,6 +62,15 @@ impl Bar {
     pub(crate) fn inc(&self, steps: u64) {
         self.shown.inc(steps);
         self.counted.add(steps);
+    }
+
+    /// Shows a line of text in place of the bar.
+    pub(crate) fn say(&self, text: &str) {
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {
+            self.shown.set_style(style);
+        }
+        self.shown.set_message(text.to_owned());
+        self.shown.enable_steady_tick(TICK);
     }
 
     /// Writes beside the bar.

@@ -16,11 +16,13 @@ use crate::error::LimitError;
 use crate::program::{Cone, Program};
 
 /// How a solve ended. None of these proves anything: a certificate does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Status {
     /// To the accuracy asked for.
     Solved,
     /// To a lower accuracy.
+    #[serde(rename = "almost_solved")]
     Almost,
     /// The cones cannot all be met: in a lower bound, soil that fails under its own weight; in an upper bound, a
     /// structure that cannot move.

@@ -4,11 +4,15 @@
 //! figures, tables and sentences and need no network.
 
 pub mod arm;
+pub mod bound;
+pub mod certify;
 mod error;
 pub mod estimate;
+pub mod limits;
 pub mod predict;
 pub mod report;
 pub mod shear;
+pub mod solve;
 mod write;
 
 pub use error::PageError;

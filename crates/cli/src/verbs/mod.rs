@@ -1,5 +1,5 @@
-//! The verbs, one file each. A new verb is a module, a line in [`Verb`], a line in [`Verb::run`] and, if it answers in
-//! JSON, a line in `schemas.rs`.
+//! The verbs, one file each. A new verb is a module, a line in [`Verb`] and a line in [`Verb::run`]; what it does is a use
+//! case of `soilctl_app`, in whose list it stands.
 
 mod arm;
 mod bound;
@@ -21,7 +21,7 @@ mod run;
 mod schemas;
 mod shear;
 mod simulate;
-pub(crate) mod solve;
+mod solve;
 mod table;
 mod view;
 
@@ -75,7 +75,7 @@ pub(crate) enum Verb {
     Arm(arm::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
-    /// Writes the JSON schemas of all answers
+    /// Writes the JSON schemas of all requests and answers
     Schemas(schemas::Args),
 }
 

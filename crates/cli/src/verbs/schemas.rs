@@ -1,16 +1,16 @@
-//! `soilctl schemas DIR`: the JSON schemas of all answers, for the reference documentation.
+//! `soilctl schemas DIR`: the JSON schemas of all requests and answers, for the reference documentation.
 
 use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
-use soilctl_app::{Answer, arm, estimate, log, predict, replay, report, shear, simulate};
+use soilctl_app::{Answer, USE_CASES, log, report};
 use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{Outcome, bound, certify, demo, diagnose, monitor, process, run as run_verb, solve, table, view};
+use super::{Outcome, demo, diagnose, monitor, process, run as run_verb, view};
 use crate::error::CliError;
 
 #[derive(Debug, clap::Args)]
@@ -22,29 +22,22 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     std::fs::create_dir_all(&args.dir)
         .map_err(|problem| CliError::File { path: args.dir.display().to_string(), problem })?;
-    write::<predict::Answer>(&args.dir)?;
-    write::<bound::BoundAnswer>(&args.dir)?;
-    write::<solve::SolveAnswer>(&args.dir)?;
-    write::<solve::CheckAnswer>(&args.dir)?;
-    write::<certify::CertifyAnswer>(&args.dir)?;
-    write::<estimate::Answer>(&args.dir)?;
+    for case in USE_CASES {
+        save(&args.dir, case.answer_id, &case.answer()?)?;
+        let id = format!("soilctl.{}-request/1", case.name.replace(' ', "-"));
+        save(&args.dir, &id, &titled(case.request()?, &id))?;
+    }
     write::<diagnose::DiagnosisAnswer>(&args.dir)?;
     write::<diagnose::SelfTestAnswer>(&args.dir)?;
     write::<report::Answer>(&args.dir)?;
-    write::<shear::Answer>(&args.dir)?;
-    write::<simulate::Answer>(&args.dir)?;
     write::<demo::DemoAnswer>(&args.dir)?;
-    write::<table::TableAnswer>(&args.dir)?;
     write::<log::Answer>(&args.dir)?;
     write::<process::ProcessAnswer>(&args.dir)?;
-    write::<replay::Answer>(&args.dir)?;
     write_file::<Description>(&args.dir, PROBLEM_SCHEMA)?;
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
     write::<run_verb::RunAnswer>(&args.dir)?;
     write::<monitor::MonitorAnswer>(&args.dir)?;
     write::<view::ViewAnswer>(&args.dir)?;
-    write::<arm::skewing::Answer>(&args.dir)?;
-    write::<arm::urdf::Answer>(&args.dir)?;
     Ok(Outcome::Done)
 }
 
@@ -55,11 +48,16 @@ fn write<A: Answer + 'static>(dir: &Path) -> Result<(), CliError> {
 /// The schema of files that a verb reads.
 fn write_file<F: JsonSchema>(dir: &Path, id: &str) -> Result<(), CliError> {
     let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = serde_json::to_value(generator.into_root_schema_for::<F>())?;
+    let schema = serde_json::to_value(generator.into_root_schema_for::<F>())?;
+    save(dir, id, &titled(schema, id))
+}
+
+/// A schema with its id as the title.
+fn titled(mut schema: Value, id: &str) -> Value {
     if let Some(keys) = schema.as_object_mut() {
         keys.insert("title".into(), Value::from(id));
     }
-    save(dir, id, &schema)
+    schema
 }
 
 fn save(dir: &Path, id: &str, schema: &Value) -> Result<(), CliError> {

@@ -49,7 +49,7 @@ pub use jumps::Jump;
 pub use power::Power;
 pub use stress::{Principal, StressResults};
 pub use surface::{MOVING, Stretch};
-pub use units::Units;
+pub use units::{Units, problem_units};
 pub use vtu::write_vtu;
 pub use work::shear_work;
 

@@ -1,23 +1,13 @@
 //! `soilctl table`: shows, builds, extends, unites and checks prediction tables.
 
-mod answer;
-mod bounds;
-mod brackets;
-mod build;
-mod check;
-mod check_brackets;
-mod grid;
-mod show;
+mod words;
 
-use std::path::PathBuf;
-
-pub(crate) use answer::TableAnswer;
 use clap::Subcommand;
+use soilctl_app::table::{build, check, merge, show};
+use soilctl_app::{Answer as _, Outcome};
 
-use super::Outcome;
 use crate::error::CliError;
 use crate::output::Output;
-use soilctl_app::table_file as file;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
@@ -28,52 +18,28 @@ pub(crate) struct Args {
 #[derive(Debug, Subcommand)]
 enum Action {
     /// Prints a table
-    Show(Source),
+    Show(show::Request),
     /// Fills a table, with proven bounds or from another model; fills what is missing in one that is there
-    Build(build::Args),
+    #[command(
+        after_help = "Nodes at which the model has no answer (delta above phi among them) stay empty.\n\n\
+    Bounds take hours: each case goes to FILE.partial.jsonl as soon as it is solved, and the same command goes on from \
+    there, also after Ctrl-C (exit code 3) or a power cut. With --store a case goes there instead: any number of runs may share \
+    one, on any machines that see the folder, and one with --out makes the table of it. On a finished file, a larger grid fills only what is missing. \
+    Same options, same bytes: for any number of threads, interruptions or shards."
+    )]
+    Build(build::Request),
     /// Unites the tables of bounds that `build --shard` made
-    Merge(MergeArgs),
+    Merge(merge::Request),
     /// Checks a table; exit code 1 if a coefficient does not grow with alpha, phi or delta
-    Check(CheckArgs),
-}
-
-#[derive(Debug, clap::Args)]
-struct MergeArgs {
-    /// Files to unite, built by the same version with the same --max-gap and --max-elements
-    #[arg(value_name = "FILE", required = true)]
-    files: Vec<PathBuf>,
-
-    /// File to write (.csv)
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
-}
-
-#[derive(Debug, clap::Args)]
-struct CheckArgs {
-    #[command(flatten)]
-    source: Source,
-
-    /// With a table of bounds: another table of lower or upper bounds, whose errors it proves; may be repeated
-    #[arg(long, value_name = "FILE|NAME")]
-    against: Vec<String>,
-}
-
-/// Where a table comes from.
-#[derive(Debug, clap::Args)]
-struct Source {
-    /// A table file (.csv or .parquet, with its .json beside it) or a built-in table: appendix-c-coulomb,
-    /// appendix-c-log-spiral, appendix-c-chen, appendix-c-caquot, appendix-c-num-ub, appendix-c-num-lb,
-    /// plate-bounds
-    #[arg(value_name = "FILE|NAME")]
-    table: String,
+    Check(check::Request),
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let answer = match &args.action {
-        Action::Show(source) => show::show(&source.table)?,
-        Action::Build(build) => build::build(build, output)?,
-        Action::Merge(merge) => brackets::merge(&merge.files, &merge.out)?,
-        Action::Check(check) => check::check(&check.source.table, &check.against)?,
+        Action::Show(request) => show::run(request, output)?,
+        Action::Build(request) => build::run(request, output)?,
+        Action::Merge(request) => merge::run(request, output)?,
+        Action::Check(request) => check::run(request, output)?,
     };
     output.answer(&answer)?;
     Ok(answer.outcome())

@@ -1,0 +1,138 @@
+//! What `bound` answers.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_limit_analysis::{Bounds, Ended, Factorisation, StoppedBy};
+
+use super::{Request, ScaledPlate};
+use crate::Outcome;
+use crate::limits::{LevelAnswer, ResultsAnswer};
+
+/// Proven bounds on the net force coefficient of an embedded plate.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Answer {
+    /// Lower bound on the net coefficient per slant length, `2 F / (gamma L^2 w)`.
+    pub lower: f64,
+    /// Upper bound on it.
+    pub upper: f64,
+    /// `(U - L) / ((U + L) / 2)`.
+    pub gap: f64,
+    /// Whether both bounds are proven with interval arithmetic.
+    pub certified: bool,
+    /// Triangles of the mesh of the lower bound; each has three parts.
+    pub lower_elements: usize,
+    /// Triangles of the mesh of the upper bound.
+    pub upper_elements: usize,
+    /// What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does not.
+    pub lower_factorisation: Factorisation,
+    /// The same of the upper bound.
+    pub upper_factorisation: Factorisation,
+    /// Work spent in element steps: elements of meshes times steps of the solver on them.
+    pub work: u64,
+    /// Time spent in s.
+    pub seconds: f64,
+    /// Lower bound on the force in N; null without depth, width or density.
+    pub force_lower_n: Option<f64>,
+    /// Upper bound on the force in N; null likewise.
+    pub force_upper_n: Option<f64>,
+    /// Why the run ended.
+    pub ended: Ended,
+    /// What kind of limit that is. Only after `seconds` and `user` the same command may end elsewhere another time.
+    pub stopped_by: StoppedBy,
+    /// All levels, coarse to fine.
+    pub levels: Vec<LevelAnswer>,
+    /// How far the moving soil reaches along the surface ahead of the plate's top; in the unit of `results`.
+    pub wedge_ahead: f64,
+    /// The same behind it.
+    pub wedge_behind: f64,
+    /// What the fields behind the bounds show: x along the surface from the plate's top, y across it.
+    pub results: ResultsAnswer,
+    /// What was asked.
+    pub inputs: Inputs,
+    /// The gap asked for.
+    #[serde(skip)]
+    pub max_gap: f64,
+}
+
+/// The inputs.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Inputs {
+    /// Tool angle.
+    pub alpha_deg: f64,
+    /// Surface slope.
+    pub beta_deg: f64,
+    /// Friction angle of the soil.
+    pub phi_deg: f64,
+    /// Interface friction angle.
+    pub delta_deg: f64,
+    /// Cohesion.
+    pub cohesion_pa: f64,
+    /// Adhesion.
+    pub adhesion_pa: f64,
+    /// Surcharge.
+    pub surcharge_pa: f64,
+    /// Bulk density; null if not given.
+    pub density_kg_m3: Option<f64>,
+    /// Gravity.
+    pub gravity_m_s2: f64,
+    /// Vertical depth of the lower edge; null if not given.
+    pub depth_m: Option<f64>,
+    /// Width of the plate; null if not given.
+    pub width_m: Option<f64>,
+}
+
+impl Answer {
+    pub(super) fn new(
+        request: &Request,
+        scaled: &ScaledPlate,
+        bounds: &Bounds,
+        results: ResultsAnswer,
+    ) -> Self {
+        let [lower, upper] = scaled.coefficients(bounds);
+        let coefficient = upper / bounds.upper.value;
+        let levels = bounds.levels.iter().map(|level| LevelAnswer::new(level, coefficient)).collect();
+        let newtons = scaled.newtons();
+        Self {
+            lower,
+            upper,
+            gap: bounds.gap(),
+            certified: true,
+            lower_elements: bounds.lower.elements,
+            upper_elements: bounds.upper.elements,
+            lower_factorisation: bounds.lower.factorisation,
+            upper_factorisation: bounds.upper.factorisation,
+            work: bounds.work,
+            seconds: bounds.seconds,
+            force_lower_n: newtons.map(|n| n * lower),
+            force_upper_n: newtons.map(|n| n * upper),
+            ended: bounds.ended,
+            stopped_by: bounds.ended.stopped_by(),
+            levels,
+            wedge_ahead: results.reach(1.0),
+            wedge_behind: results.reach(-1.0),
+            results,
+            inputs: Inputs {
+                alpha_deg: request.alpha_deg,
+                beta_deg: request.loads.beta_deg,
+                phi_deg: request.phi_deg,
+                delta_deg: request.delta_deg,
+                cohesion_pa: request.loads.cohesion_pa,
+                adhesion_pa: request.loads.adhesion_pa,
+                surcharge_pa: request.loads.surcharge_pa,
+                density_kg_m3: request.density_kg_m3,
+                gravity_m_s2: request.loads.gravity_m_s2,
+                depth_m: request.depth_m,
+                width_m: request.width_m,
+            },
+            max_gap: request.budget.max_gap,
+        }
+    }
+}
+
+impl crate::Answer for Answer {
+    const SCHEMA: &'static str = "soilctl.bound/1";
+
+    fn outcome(&self) -> Outcome {
+        if self.gap <= self.max_gap { Outcome::Done } else { Outcome::Partial }
+    }
+}

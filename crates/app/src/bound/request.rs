@@ -1,0 +1,52 @@
+//! What bounds on a plate's force are asked.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::limits::Budget;
+use crate::request::{Loads, finite};
+
+/// Proven lower and upper bounds on a plate's force, by limit analysis.
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[serde(default)]
+pub struct Request {
+    /// Tool angle from the horizontal (deg), 10 to 170
+    #[arg(long = "alpha", value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
+    pub alpha_deg: f64,
+
+    /// Internal friction angle of the soil (deg), above 0 and below 70
+    #[arg(long = "phi", value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
+    pub phi_deg: f64,
+
+    /// Friction angle between soil and plate (deg), at most phi
+    #[arg(long = "delta", value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
+    pub delta_deg: f64,
+
+    /// Bulk density (kg/m3); needed for forces, and with cohesion, adhesion or surcharge
+    #[arg(long = "density", value_name = "KG/M3", value_parser = finite, allow_negative_numbers = true)]
+    pub density_kg_m3: Option<f64>,
+
+    /// Vertical depth of the plate's lower edge below the surface (m); likewise
+    #[arg(long = "depth", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
+    pub depth_m: Option<f64>,
+
+    /// Width of the plate (m); needed for forces
+    #[arg(long = "width", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
+    pub width_m: Option<f64>,
+
+    #[command(flatten)]
+    #[serde(flatten)]
+    #[allow(missing_docs)]
+    pub loads: Loads,
+
+    #[command(flatten)]
+    #[serde(flatten)]
+    #[allow(missing_docs)]
+    pub budget: Budget,
+
+    /// Saves the fields that prove the bounds, for `soilctl certify`
+    #[arg(long, value_name = "FILE")]
+    pub save: Option<PathBuf>,
+}

@@ -1,0 +1,136 @@
+//! Proves the bounds of a saved solution anew.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_certificate::{CertificateError, Solution, prove_lower, prove_upper};
+use soilctl_limit_analysis::results::Units;
+
+use crate::limits::Fields;
+use crate::{AppError, Outcome, Watch};
+
+/// Proves the bounds of a saved solution anew.
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[serde(default)]
+pub struct Request {
+    /// A solution saved with `soilctl bound --save`
+    pub file: PathBuf,
+}
+
+/// What a saved solution proves.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Answer {
+    /// Whether every claim in the file is proven.
+    pub certified: bool,
+    /// The lower bound; null if the file has none.
+    pub lower: Option<Checked>,
+    /// The upper bound; null if the file has none.
+    pub upper: Option<Checked>,
+    /// What the problem is, in the words of the file.
+    pub description: Option<String>,
+    /// Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
+    pub files: Vec<String>,
+}
+
+/// One bound.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Checked {
+    /// What the file claims.
+    pub claimed: f64,
+    /// What is proven, whatever is claimed; null if the field proves nothing.
+    pub proven: Option<f64>,
+    /// Whether the proof reaches the claim.
+    pub confirmed: bool,
+    /// Why the field proves nothing; null if it does.
+    pub refusal: Option<String>,
+}
+
+impl Checked {
+    fn new(claimed: f64, proof: Result<f64, CertificateError>, reaches: impl Fn(f64) -> bool) -> Self {
+        match proof {
+            Ok(proven) => Self { claimed, proven: Some(proven), confirmed: reaches(proven), refusal: None },
+            Err(why) => Self { claimed, proven: None, confirmed: false, refusal: Some(why.to_string()) },
+        }
+    }
+
+    /// The bound in a line that starts with its name.
+    #[must_use]
+    pub fn line(&self, name: &str) -> String {
+        let claimed = self.claimed;
+        match (self.proven, &self.refusal) {
+            (Some(proven), _) if self.confirmed => format!("{name}  {proven}  proven (claimed {claimed})\n"),
+            (Some(proven), _) => {
+                format!("{name}  {proven}  proven, but {claimed} is claimed: not confirmed\n")
+            }
+            (None, Some(why)) => format!("{name}  refused, {claimed} is not proven: {why}\n"),
+            (None, None) => String::new(),
+        }
+    }
+}
+
+impl crate::Answer for Answer {
+    const SCHEMA: &'static str = "soilctl.certify/1";
+
+    fn outcome(&self) -> Outcome {
+        if self.certified { Outcome::Done } else { Outcome::Negative }
+    }
+}
+
+/// The answer, and the solution.
+#[derive(Debug)]
+pub struct Certified {
+    /// The answer.
+    pub answer: Answer,
+    solution: Solution,
+}
+
+/// Proves what the solution claims.
+///
+/// # Errors
+/// [`AppError`] if the file cannot be read or claims nothing. A claim that is not proven is an answer.
+pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Certified, AppError> {
+    let solution = Solution::read(&request.file)?;
+    let statement = &solution.statement;
+    let lower = solution
+        .lower
+        .as_ref()
+        .map(|c| Checked::new(c.claimed, prove_lower(statement, &c.field), |proven| c.claimed <= proven));
+    let upper = solution
+        .upper
+        .as_ref()
+        .map(|c| Checked::new(c.claimed, prove_upper(statement, &c.field), |proven| c.claimed >= proven));
+    if lower.is_none() && upper.is_none() {
+        return Err(AppError::Request(format!(
+            "{} has neither a lower nor an upper bound; save one with `soilctl bound --save FILE`",
+            request.file.display()
+        )));
+    }
+    let certified = [&lower, &upper].into_iter().flatten().all(|c| c.confirmed);
+    let description = solution.scale.description.clone();
+    let answer = Answer { certified, lower, upper, description, files: Vec::new() };
+    Ok(Certified { answer, solution })
+}
+
+impl Certified {
+    /// The fields of the solution, in its own coordinates, in metres if it says how long one of its units is.
+    ///
+    /// # Errors
+    /// [`AppError`] if a field makes no sense.
+    pub fn fields(&self) -> Result<Fields, AppError> {
+        let (statement, scale) = (&self.solution.statement, &self.solution.scale);
+        // What follows tells about units.
+        let title = scale.description.as_ref().and_then(|d| d.split(';').next());
+        let known = scale.length_m.zip(scale.unit_weight_n_per_m3);
+        let (length, stress, names) =
+            known.map_or((1.0, 1.0, ["L", "γL"]), |(l, w)| (l, 1e-3 * l * w, ["m", "kPa"]));
+        let [length_name, stress_name] = names.map(str::to_owned);
+        let units = Units { origin: [0.0; 2], length, length_name, stress, stress_name };
+        Fields::new(
+            self.solution.upper.as_ref().map(|c| (statement, &c.field)),
+            self.solution.lower.as_ref().map(|c| (statement, &c.field)),
+            units,
+            title.unwrap_or_default().to_owned(),
+        )
+    }
+}

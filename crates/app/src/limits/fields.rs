@@ -1,0 +1,64 @@
+//! The fields behind bounds, to look at.
+
+use soilctl_certificate::{LowerField, Statement, UpperField};
+use soilctl_limit_analysis::results::{FlowResults, StressResults, Units, write_vtu};
+
+use crate::AppError;
+
+/// The fields behind bounds, in units that people know. At least one is there.
+#[derive(Debug)]
+pub struct Fields {
+    /// The flow behind the upper bound.
+    pub flow: Option<FlowResults>,
+    /// The stresses behind the lower bound.
+    pub stress: Option<StressResults>,
+    /// What lengths and stresses are shown in.
+    pub units: Units,
+    /// What the problem is, in a few words; may be empty.
+    pub title: String,
+}
+
+impl Fields {
+    /// The fields of a solution, each with its statement; for a factor of safety these differ in strength.
+    pub(crate) fn new(
+        upper: Option<(&Statement, &UpperField)>,
+        lower: Option<(&Statement, &LowerField)>,
+        units: Units,
+        title: String,
+    ) -> Result<Self, AppError> {
+        Ok(Self {
+            flow: upper.map(|(statement, field)| FlowResults::new(statement, field)).transpose()?,
+            stress: lower.map(|(statement, field)| StressResults::new(statement, field)).transpose()?,
+            units,
+            title,
+        })
+    }
+
+    /// The problem; that of both bounds has the same geometry.
+    ///
+    /// # Errors
+    /// [`AppError::Request`] if there is no field.
+    pub fn statement(&self) -> Result<&Statement, AppError> {
+        let flow = self.flow.as_ref().map(FlowResults::statement);
+        flow.or(self.stress.as_ref().map(StressResults::statement))
+            .ok_or_else(|| AppError::Request("the solution has no field, so there is nothing to show".into()))
+    }
+
+    /// Both fields as a document for ParaView (.vtu): velocities, stresses, dissipation, soil.
+    ///
+    /// # Errors
+    /// [`AppError`] if there is no field.
+    pub fn vtu(&self) -> Result<String, AppError> {
+        Ok(write_vtu(self.flow.as_ref(), self.stress.as_ref(), &self.units)?)
+    }
+
+    /// The mesh of the upper bound for gmsh (.msh).
+    ///
+    /// # Errors
+    /// [`AppError::Request`] if there is no upper bound.
+    pub fn msh(&self) -> Result<String, AppError> {
+        let none =
+            || AppError::Request("--mesh writes the mesh of the upper bound, and there is none".into());
+        Ok(self.flow.as_ref().ok_or_else(none)?.msh())
+    }
+}

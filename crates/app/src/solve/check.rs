@@ -1,0 +1,143 @@
+//! Reads a problem file and says what it was understood to mean; solves nothing.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_certificate::Linear;
+use soilctl_limit_analysis::{Described, Description, LimitError};
+
+use super::{Asked, BoundaryKind};
+use crate::{AppError, Watch};
+
+/// Reads a problem file and says what it was understood to mean.
+#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[serde(default)]
+pub struct Request {
+    /// Problem file, .toml or .json
+    pub file: PathBuf,
+}
+
+/// The answer, and the file in both forms.
+#[derive(Debug)]
+pub struct Checked {
+    /// The answer.
+    pub answer: Answer,
+    /// The file.
+    pub description: Description,
+    /// The same cut into regions, in the units of the solver.
+    pub described: Described,
+}
+
+/// Reads the file.
+///
+/// # Errors
+/// [`AppError`] if it cannot be read or makes no sense.
+pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Checked, AppError> {
+    let description = Description::read(&request.file).map_err(LimitError::from)?;
+    let described = description.described()?;
+    Ok(Checked { answer: Answer::new(&description, &described), description, described })
+}
+
+/// A problem file as it was understood.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Answer {
+    /// Title of the problem; null if it has none.
+    pub title: Option<String>,
+    /// What `solve` would bound.
+    pub quantity: Asked,
+    /// Unit of length of the solver in m.
+    pub length_m: f64,
+    /// Unit of stress of the solver in kPa.
+    pub stress_kpa: f64,
+    /// Regions of one soil after cutting.
+    pub regions: Vec<CheckedRegion>,
+    /// Total length of boundary with each condition.
+    pub boundaries: Vec<CheckedBoundary>,
+}
+
+/// A region after cutting.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct CheckedRegion {
+    /// Area in m2.
+    pub area_m2: f64,
+    /// Friction angle.
+    pub phi_deg: f64,
+    /// Least and greatest cohesion at its corners.
+    pub cohesion_kpa: [f64; 2],
+    /// Unit weight.
+    pub unit_weight_kn_m3: f64,
+    /// Least and greatest pore pressure at its corners.
+    pub pore_pressure_kpa: [f64; 2],
+}
+
+/// All boundary with one condition.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct CheckedBoundary {
+    /// The condition.
+    pub kind: BoundaryKind,
+    /// Its length, of both faces for plates.
+    pub length_m: f64,
+}
+
+impl Answer {
+    fn new(description: &Description, described: &Described) -> Self {
+        let s = &described.statement;
+        let (long, stress) = (described.length_m, described.stress_kpa);
+        let regions = s.regions.iter().map(|r| {
+            let (mut area, mut cohesion, mut pore) = (0.0, Span::default(), Span::default());
+            for used in r.loops.iter().flatten() {
+                let line = s.lines[used.line];
+                let (from, to) = if used.forward { (line.from, line.to) } else { (line.to, line.from) };
+                let [a, b] = [from, to].map(|p| s.points[p]);
+                area += 0.5 * (a[0] * b[1] - a[1] * b[0]) * long * long;
+                let at = |l: &Linear| stress * (l.at_origin + l.gradient[0] * a[0] + l.gradient[1] * a[1]);
+                cohesion.add(at(&r.material.cohesion));
+                pore.add(at(&r.material.pore_pressure));
+            }
+            CheckedRegion {
+                area_m2: area,
+                phi_deg: r.material.phi_deg,
+                cohesion_kpa: cohesion.ends(),
+                unit_weight_kn_m3: r.material.unit_weight * stress / long,
+                pore_pressure_kpa: pore.ends(),
+            }
+        });
+        let length = |kind: BoundaryKind| {
+            let sides = s.boundaries.iter().filter(|b| BoundaryKind::from(&b.condition) == kind);
+            let length = sides.map(|b| {
+                let [a, c] = [s.lines[b.line].from, s.lines[b.line].to].map(|p| s.points[p]);
+                (c[0] - a[0]).hypot(c[1] - a[1])
+            });
+            length.sum::<f64>() * long
+        };
+        let boundaries = BoundaryKind::ALL.map(|kind| CheckedBoundary { kind, length_m: length(kind) });
+        Self {
+            title: described.title.clone(),
+            quantity: Asked::of(description, described),
+            length_m: long,
+            stress_kpa: stress,
+            regions: regions.collect(),
+            boundaries: boundaries.into_iter().filter(|b| b.length_m > 0.0).collect(),
+        }
+    }
+}
+
+/// Least and greatest of some values.
+#[derive(Default)]
+struct Span(Option<[f64; 2]>);
+
+impl Span {
+    fn add(&mut self, value: f64) {
+        let [low, high] = self.0.unwrap_or([value; 2]);
+        self.0 = Some([low.min(value), high.max(value)]);
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        self.0.unwrap_or([0.0; 2])
+    }
+}
+
+impl crate::Answer for Answer {
+    const SCHEMA: &'static str = "soilctl.solve-check/1";
+}

@@ -1,0 +1,111 @@
+//! `soilctl solve FILE`: proven bounds for a problem that is described in a file.
+
+use std::path::Path;
+
+use soilctl_app::solve::{self, Answer, Asked, Request, check};
+use soilctl_app::text::{columns, number};
+use soilctl_app::{Answer as _, Outcome};
+use soilctl_figure::Size;
+use soilctl_pages::save_figure;
+
+use super::limits::{Show, level_table, results_text};
+use crate::error::CliError;
+use crate::output::{Output, Words};
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Both bounds are proven with interval arithmetic; the true value for rigid-plastic soil with \
+    associated flow lies between them. What the file says is in docs/problem-file.md, examples are in data/problems. \
+    Exit code 3: the budget ended before the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
+)]
+pub(crate) struct Args {
+    #[command(flatten)]
+    request: Request,
+
+    /// Only reads the file and says what it was understood to mean; --plot draws it (.svg, .png, .csv)
+    #[arg(long)]
+    check: bool,
+
+    #[command(flatten)]
+    show: Show,
+}
+
+pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    let file = &args.request.file;
+    if args.check {
+        let found = check::run(&check::Request { file: file.clone() }, output)?;
+        if let Some(path) = check_plot(args)? {
+            save_figure(&soilctl_pages::solve::drawing(&found)?, path, Size::default())?;
+        }
+        output.answer(&found.answer)?;
+        return Ok(Outcome::Done);
+    }
+    args.show.check()?;
+    let mut found = solve::run(&args.request, output)?;
+    found.answer.results.files =
+        args.show.write(&found.fields, || soilctl_pages::solve::page(&found, file), output)?;
+    output.answer(&found.answer)?;
+    Ok(found.answer.outcome())
+}
+
+/// Where --check draws to; files that need a solution are refused.
+fn check_plot(args: &Args) -> Result<Option<&Path>, CliError> {
+    let unsolved = args.request.save.as_ref().map(|_| "--save").or_else(|| args.show.of_a_solution());
+    match unsolved {
+        Some(option) => Err(CliError::Usage(format!(
+            "{option} needs a solution, and --check solves nothing; leave one of them out"
+        ))),
+        None => Ok(args.show.plot.as_deref()),
+    }
+}
+
+impl Words for Answer {
+    fn text(&self) -> String {
+        let mut text = self.title.as_ref().map_or_else(String::new, |t| format!("{t}\n"));
+        text += &format!(
+            "{}:\nlower  {}\nupper  {}\n",
+            self.quantity.words(),
+            number(self.lower),
+            number(self.upper)
+        );
+        if let Some(gap) = self.gap {
+            text += &format!("gap    {} %\n", number(100.0 * gap));
+        }
+        if self.quantity == Asked::ForceKnPerM && self.upper < 0.0 {
+            let [least, most] = [number(-self.upper), number(-self.lower)];
+            text += &format!("the soil pushes the structure on, with {least} to {most} kN/m\n");
+        }
+        text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
+        if self.trials.is_empty() {
+            return text + &level_table(&self.levels) + "\n" + &results_text(&self.results);
+        }
+        let mut rows = vec![["strength over", "times all that acts", ""].map(str::to_owned).to_vec()];
+        let known = |x: Option<f64>| x.map_or_else(|| "?".to_owned(), number);
+        for t in &self.trials {
+            rows.push(vec![number(t.factor), known(t.borne_lower), known(t.borne_upper)]);
+        }
+        text + &columns(&rows) + "\n" + &results_text(&self.results)
+    }
+}
+
+impl Words for check::Answer {
+    fn text(&self) -> String {
+        let mut text = self.title.as_ref().map_or_else(String::new, |t| format!("{t}\n"));
+        let [long, stress] = [number(self.length_m), number(self.stress_kpa)];
+        text += &format!("asked for: {}\nunits: {long} m, {stress} kPa\n\n", self.quantity.words());
+        let header = ["area m2", "phi deg", "cohesion kPa", "weight kN/m3", "pore pressure kPa"];
+        let mut rows = vec![header.map(str::to_owned).to_vec()];
+        let span = |[low, high]: [f64; 2]| {
+            if low == high { number(low) } else { format!("{} to {}", number(low), number(high)) }
+        };
+        for r in &self.regions {
+            let [c, u] = [r.cohesion_kpa, r.pore_pressure_kpa].map(span);
+            rows.push(vec![number(r.area_m2), number(r.phi_deg), c, number(r.unit_weight_kn_m3), u]);
+        }
+        text += &columns(&rows);
+        text += "\n";
+        let mut rows = vec![["boundary", "length m"].map(str::to_owned).to_vec()];
+        rows.extend(self.boundaries.iter().map(|b| vec![b.kind.name().to_owned(), number(b.length_m)]));
+        text + &columns(&rows)
+    }
+}

@@ -1,0 +1,62 @@
+//! The page of bounds on a plate's force.
+
+use soilctl_app::bound::{Answer, Bounded, Inputs};
+use soilctl_app::text::{number, rounded_down, rounded_up};
+use soilctl_figure::HtmlReport;
+
+use crate::PageError;
+use crate::limits::{self, Told, bounds_table, level_table, proven};
+
+/// The page of bounds on a plate's force.
+///
+/// # Errors
+/// [`PageError`] if a figure cannot be drawn.
+pub fn page(found: &Bounded) -> Result<HtmlReport, PageError> {
+    limits::page(&found.fields, told(&found.answer)?, &found.answer.results)
+}
+
+fn told(answer: &Answer) -> Result<Told, PageError> {
+    let mut bounds = bounds_table();
+    bounds.row([
+        "Net coefficient per slant length K = 2F/(γL²w)".into(),
+        number(answer.lower),
+        number(answer.upper),
+    ])?;
+    if let (Some(lower), Some(upper)) = (answer.force_lower_n, answer.force_upper_n) {
+        bounds.row(["Force (N)".into(), number(lower), number(upper)])?;
+    }
+    let (kind, text) = proven(Some(answer.gap), answer.max_gap, answer.ended);
+    let title = match (answer.force_lower_n, answer.force_upper_n) {
+        (Some(lower), Some(upper)) => {
+            format!("The force lies between {} and {} N", rounded_down(lower), rounded_up(upper))
+        }
+        _ => format!("K lies between {} and {}", rounded_down(answer.lower), rounded_up(answer.upper)),
+    };
+    Ok(Told {
+        kind: "Bounds on a plate's force",
+        subtitle: "An embedded plate is pushed through soil; what it bears just before the soil fails".into(),
+        verdict: (kind, title, text),
+        bounds,
+        given: given(&answer.inputs),
+        steps: level_table(&answer.levels)?,
+    })
+}
+
+fn given(i: &Inputs) -> Vec<(&'static str, String)> {
+    let known = |value: Option<f64>, unit: &str| {
+        value.map_or_else(|| "not given".into(), |value| format!("{} {unit}", number(value)))
+    };
+    vec![
+        ("Tool angle α", format!("{}°", number(i.alpha_deg))),
+        ("Slope of the surface β", format!("{}°", number(i.beta_deg))),
+        ("Friction angle φ", format!("{}°", number(i.phi_deg))),
+        ("Friction between soil and plate δ", format!("{}°", number(i.delta_deg))),
+        ("Cohesion", format!("{} Pa", number(i.cohesion_pa))),
+        ("Adhesion", format!("{} Pa", number(i.adhesion_pa))),
+        ("Surcharge", format!("{} Pa", number(i.surcharge_pa))),
+        ("Density", known(i.density_kg_m3, "kg/m³")),
+        ("Gravity", format!("{} m/s²", number(i.gravity_m_s2))),
+        ("Depth", known(i.depth_m, "m")),
+        ("Width", known(i.width_m, "m")),
+    ]
+}

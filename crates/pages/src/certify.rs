@@ -1,0 +1,50 @@
+//! The page of a saved solution.
+
+use soilctl_app::certify::{Answer, Certified, Checked};
+use soilctl_app::limits::{Fields, ResultsAnswer};
+use soilctl_app::text::number_or_dash;
+use soilctl_figure::{CalloutKind, HtmlReport};
+
+use crate::PageError;
+use crate::limits::{self, Told, bounds_table};
+
+/// The page of a saved solution, with its fields.
+///
+/// # Errors
+/// [`PageError`] if a figure cannot be drawn.
+pub fn page(found: &Certified, fields: &Fields) -> Result<HtmlReport, PageError> {
+    limits::page(fields, told(&found.answer)?, &ResultsAnswer::new(fields)?)
+}
+
+fn told(answer: &Answer) -> Result<Told, PageError> {
+    let mut bounds = bounds_table();
+    let row = |of: fn(&Checked) -> Option<f64>| {
+        [&answer.lower, &answer.upper].map(|c| number_or_dash(c.as_ref().and_then(of)))
+    };
+    let ([lower, upper], [claimed_lower, claimed_upper]) = (row(|c| c.proven), row(|c| Some(c.claimed)));
+    bounds.row(["Proven".to_owned(), lower, upper])?;
+    bounds.row(["Claimed".to_owned(), claimed_lower, claimed_upper])?;
+    let verdict = if answer.certified {
+        (
+            CalloutKind::Good,
+            "Every claim is proven",
+            "Each field was read from the file and checked anew with interval arithmetic.".to_owned(),
+        )
+    } else {
+        let lines = [("lower bound", &answer.lower), ("upper bound", &answer.upper)]
+            .map(|(name, c)| c.as_ref().filter(|c| !c.confirmed).map(|c| c.line(name).trim().to_owned()));
+        (
+            CalloutKind::Bad,
+            "Not every claim is proven",
+            lines.into_iter().flatten().collect::<Vec<_>>().join("; "),
+        )
+    };
+    Ok(Told {
+        kind: "Saved solution",
+        subtitle: answer.description.clone().unwrap_or_default(),
+        verdict: (verdict.0, verdict.1.to_owned(), verdict.2),
+        bounds,
+        given: Vec::new(),
+        steps: None,
+    })
+}

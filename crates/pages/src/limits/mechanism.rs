@@ -1,0 +1,158 @@
+//! The failure mechanism in motion: the mesh moved by the flow of the upper bound.
+
+use soilctl_app::limits::Fields;
+use soilctl_certificate::FlowPiece;
+use soilctl_figure::{Motion, MovingPoint};
+use soilctl_limit_analysis::results::{FlowResults, Point};
+
+use super::frame::{INK, Window, face_lines};
+use super::trails::{bits, trails};
+use crate::PageError;
+
+/// How far the fastest point goes in the end, over the greater side of what is shown.
+const FARTHEST: f64 = 0.09;
+/// Layers of soil, every other one in a tone, over the height of what is shown.
+const LAYERS: f64 = 11.0;
+/// Velocities are rounded to this part of the greatest one, so that neighbours that move alike do so to the last digit,
+/// and a jump that cannot be seen is none.
+const ROUNDED: f64 = 1.0 / 512.0;
+
+type Triangle = [MovingPoint; 3];
+
+/// The mesh, soil in layers like those of coloured sand behind glass, slip lines and structures. All velocities are the same
+/// number of times what they are.
+pub(super) fn mechanism(fields: &Fields, window: &Window) -> Result<Option<Motion>, PageError> {
+    let Some(flow) = &fields.flow else { return Ok(None) };
+    let top =
+        corner_velocities(flow).into_iter().flatten().map(|[x, y]| x.hypot(y)).fold(flow.speed(), f64::max);
+    let [wide, high] = [0, 1].map(|i| window.high[i] - window.low[i]);
+    let scale = if top > 0.0 { FARTHEST * wide.max(high) / top } else { 0.0 };
+    let step = ROUNDED * top.max(f64::MIN_POSITIVE);
+    let moving = |at: Point, v: Point| {
+        let [x, y] = v.map(|v| scale * step * (v / step).round());
+        let length = fields.units.length;
+        MovingPoint { at: fields.units.point(at).into(), by: (length * x, length * y) }
+    };
+    // Ground that heaves stays in view.
+    let window = window.with_room_above(scale * top);
+    let all = || flow.triangles().iter().zip(corner_velocities(flow));
+    let triangle = |(t, v): (&[Point; 3], [Point; 3])| [0, 1, 2].map(|k| moving(t[k], v[k]));
+    let triangles: Vec<Triangle> = all().filter(|(t, _)| window.shows(t)).map(triangle).collect();
+    // Also those out of view, so that no outline is where the view ends.
+    let rings: Vec<Vec<MovingPoint>> = all().map(|t| triangle(t).to_vec()).collect();
+
+    let mut motion = Motion::new(window.figure(fields, "Upper bound, how the soil fails")?);
+    motion.areas(&layers(
+        &triangles,
+        fields.units.point(window.high)[1],
+        fields.units.length * high / LAYERS,
+    ));
+    let faces = face_lines(fields.statement()?);
+    let velocity = flow.statement().objective.velocity();
+    let at_rest = |line: &[Point; 2]| line.map(|p| moving(p, [0.0; 2])).to_vec();
+    motion.lines(faces.iter().map(at_rest).collect(), 1.0, None);
+    motion.lines(
+        trails(triangles.iter(), |p: MovingPoint| bits([p.at.0, p.at.1, p.by.0, p.by.1])),
+        0.4,
+        None,
+    );
+    motion.outline(&rings, 1.2);
+    let moved = |line: &[Point; 2]| line.map(|p| moving(p, velocity)).to_vec();
+    motion.lines(faces.iter().map(moved).collect(), 3.5, Some(INK));
+    Ok(Some(motion))
+}
+
+/// Velocities at the corners of all triangles, in units of the structure's.
+fn corner_velocities(flow: &FlowResults) -> Vec<[Point; 3]> {
+    let of = |pieces: &Vec<FlowPiece>| match &pieces[..] {
+        // Three parts: the first corner of each is the one after that which it lies opposite to.
+        [a, b, c] => [c.control[0], a.control[0], b.control[0]],
+        parts => parts.first().map_or([[0.0; 2]; 3], |whole| [0, 1, 2].map(|k| whole.control[k])),
+    };
+    flow.pieces().iter().map(of).collect()
+}
+
+/// What of the triangles lies in every other layer, counted from `top` down.
+fn layers(triangles: &[Triangle], top: f64, height: f64) -> Vec<Vec<MovingPoint>> {
+    let mut parts = Vec::new();
+    for triangle in triangles {
+        let ends = triangle
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| [low.min(p.at.1), high.max(p.at.1)]);
+        let layer = |y: f64| ((top - y) / height).floor();
+        let (first, last) = (layer(ends[1]) as i64, layer(ends[0]) as i64);
+        for number in (first..=last).filter(|n| n.rem_euclid(2) == 0) {
+            let [upper, lower] = [number, number + 1].map(|n| top - height * n as f64);
+            let part = below(&below(triangle, upper, 1.0), lower, -1.0);
+            if part.len() > 2 {
+                parts.push(part);
+            }
+        }
+    }
+    parts
+}
+
+/// What of a convex polygon lies below a height, or, with `sign` -1, above it.
+fn below(ring: &[MovingPoint], height: f64, sign: f64) -> Vec<MovingPoint> {
+    let over = |p: &MovingPoint| sign * (p.at.1 - height);
+    let mut kept = Vec::with_capacity(ring.len() + 1);
+    for (i, a) in ring.iter().enumerate() {
+        let b = &ring[(i + 1) % ring.len()];
+        if over(a) <= 0.0 {
+            kept.push(*a);
+        }
+        if (over(a) < 0.0 && over(b) > 0.0) || (over(a) > 0.0 && over(b) < 0.0) {
+            kept.push(cut(a, b, height));
+        }
+    }
+    kept
+}
+
+/// The point of an edge at a height: the same to the last digit from both sides of the edge.
+fn cut(a: &MovingPoint, b: &MovingPoint, height: f64) -> MovingPoint {
+    let (a, b) = if a.at.1 < b.at.1 { (a, b) } else { (b, a) };
+    let part = (height - a.at.1) / (b.at.1 - a.at.1);
+    let between = |from: f64, to: f64| from + part * (to - from);
+    MovingPoint {
+        at: (between(a.at.0, b.at.0), height),
+        by: (between(a.by.0, b.by.0), between(a.by.1, b.by.1)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(ring: &[MovingPoint]) -> f64 {
+        let twice = |i: usize| {
+            let (a, b) = (ring[i].at, ring[(i + 1) % ring.len()].at);
+            a.0 * b.1 - b.0 * a.1
+        };
+        0.5 * (0..ring.len()).map(twice).sum::<f64>()
+    }
+
+    fn square() -> Vec<Triangle> {
+        let p = |x: f64, y: f64| MovingPoint { at: (x, y), by: (y, 2.0 * x) };
+        let (a, b, c, d) = (p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0), p(0.0, 1.0));
+        vec![[a, b, c], [a, c, d]]
+    }
+
+    #[test]
+    fn every_other_layer_is_half_of_the_soil() {
+        for count in [2.0, 4.0, 10.0] {
+            let parts = layers(&square(), 1.0, 1.0 / count);
+            let sum: f64 = parts.iter().map(|p| area(p)).sum();
+            assert!((sum - 0.5).abs() < 1e-12, "{count}: {sum}");
+        }
+    }
+
+    #[test]
+    fn cuts_move_like_what_they_lie_on() {
+        // The displacement is linear over the square, so it is the same function at every cut.
+        for part in layers(&square(), 1.0, 0.3) {
+            for p in part {
+                assert!((p.by.0 - p.at.1).abs() < 1e-12 && (p.by.1 - 2.0 * p.at.0).abs() < 1e-12, "{p:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Figures and pages of solutions of limit analysis.
+
+mod contact;
+mod field;
+mod frame;
+mod mechanism;
+mod page;
+mod plot;
+mod trails;
+
+pub(crate) use page::{Told, bounds_table, level_table, page, proven};
+pub use plot::{Kind, check, save};

@@ -1,0 +1,153 @@
+//! The page of a solution: bounds, the mechanism in motion, fields, contact stresses, and how it was computed.
+
+use soilctl_app::limits::{ContactAnswer, Fields, LevelAnswer, ResultsAnswer, SolveAnswer};
+use soilctl_app::text::{number, number_or_dash};
+use soilctl_figure::{Align, CalloutKind, HtmlReport, RichText, Table};
+use soilctl_limit_analysis::Ended;
+
+use super::plot::{self, Kind};
+use crate::PageError;
+
+/// What the page tells of a solution.
+pub(crate) struct Told {
+    /// What sort of problem it is, in a few words.
+    pub(crate) kind: &'static str,
+    /// The line under the title.
+    pub(crate) subtitle: String,
+    pub(crate) verdict: (CalloutKind, String, String),
+    /// The bounds and what follows from them, by name.
+    pub(crate) bounds: Table,
+    /// What was given, by name.
+    pub(crate) given: Vec<(&'static str, String)>,
+    /// How it was computed; no times, which are different each time.
+    pub(crate) steps: Option<Table>,
+}
+
+/// A table of bounds: what is bounded, lower and upper bound.
+pub(crate) fn bounds_table() -> Table {
+    let columns = [("", Align::Left), ("lower bound", Align::Right), ("upper bound", Align::Right)];
+    Table::new("Proven bounds", columns)
+}
+
+/// All levels as a table of a page; without times, which are different each time.
+pub(crate) fn level_table(levels: &[LevelAnswer]) -> Result<Option<Table>, PageError> {
+    if levels.is_empty() {
+        return Ok(None);
+    }
+    let columns = ["level", "elements", "upper bound", "elements", "lower bound"].map(|c| (c, Align::Right));
+    let mut table = Table::new("Meshes from coarse to fine, and what was proven on each", columns);
+    for (index, level) in levels.iter().enumerate() {
+        let two = |s: &SolveAnswer| [s.elements.to_string(), number_or_dash(s.proven)];
+        let [upper, lower] = [Some(&level.upper), level.lower.as_ref()]
+            .map(|s| s.map_or_else(|| ["-".to_owned(), "-".to_owned()], two));
+        table.row([(index + 1).to_string()].into_iter().chain(upper).chain(lower))?;
+    }
+    Ok(Some(table))
+}
+
+/// What the bounds are worth.
+pub(crate) fn proven(gap: Option<f64>, wanted: f64, ended: Ended) -> (CalloutKind, String) {
+    let proof = "Both bounds are proven with interval arithmetic; the true value for rigid-plastic soil with associated \
+                 flow lies between them.";
+    match gap {
+        Some(gap) if gap <= wanted => {
+            (CalloutKind::Good, format!("{proof} They are {} % apart.", number(round(100.0 * gap))))
+        }
+        Some(gap) => (
+            CalloutKind::Warning,
+            format!(
+                "{proof} They are {} % apart, where {} % was asked for: the run was {ended}.",
+                number(round(100.0 * gap)),
+                number(100.0 * wanted)
+            ),
+        ),
+        None => {
+            (CalloutKind::Warning, format!("{proof} They are on both sides of zero; the run was {ended}."))
+        }
+    }
+}
+
+/// Three digits.
+fn round(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+/// The page.
+pub(crate) fn page(fields: &Fields, told: Told, results: &ResultsAnswer) -> Result<HtmlReport, PageError> {
+    let title = if fields.title.is_empty() { told.kind } else { &fields.title };
+    let mut page = HtmlReport::new(title);
+    let (kind, headline, text) = told.verdict;
+    page.kind(told.kind).subtitle(told.subtitle).verdict(kind, headline, text).table(told.bounds);
+    page.heading("How the soil fails");
+    for kind in [Kind::Mechanism, Kind::Velocity, Kind::Dissipation] {
+        plot::add(&mut page, fields, kind)?;
+    }
+    moving_ground(&mut page, results);
+    if fields.stress.is_some() {
+        page.heading("Stresses");
+        for kind in [Kind::Stress, Kind::Contact] {
+            plot::add(&mut page, fields, kind)?;
+        }
+        contacts(&mut page, results)?;
+    }
+    if !told.given.is_empty() {
+        page.heading("What was given").definitions(told.given);
+    }
+    page.heading("How it was computed");
+    if let Some(steps) = told.steps {
+        page.table(steps);
+    }
+    page.paragraph(
+        RichText::new("The lower bound is a stress field that is in equilibrium and nowhere beyond yield, the upper bound a flow that \
+                       obeys the flow rule and whose power balance gives the load. Both are found by cone programming on meshes \
+                       that are refined where they differ most, and checked by ")
+            .code("soilctl certify")
+            .text(", which shares no code with the solver. Lines and velocities of the figures are of the last meshes; they show one of \
+                   many fields that prove the same bounds."),
+    );
+    Ok(page)
+}
+
+fn moving_ground(page: &mut HtmlReport, results: &ResultsAnswer) {
+    let unit = &results.length_unit;
+    let stretches: Vec<String> = results
+        .moving_ground
+        .iter()
+        .map(|s| [s.from[0], s.to[0]])
+        .map(|[a, b]| format!("x = {} to {} {unit}", number(round(a)), number(round(b))))
+        .collect();
+    if !stretches.is_empty() {
+        page.paragraph(format!("The ground moves at {}.", stretches.join(", and at ")));
+    }
+}
+
+fn contacts(page: &mut HtmlReport, results: &ResultsAnswer) -> Result<(), PageError> {
+    let (length, stress) = (&results.length_unit, &results.stress_unit);
+    if results.contacts.is_empty() {
+        return Ok(());
+    }
+    let columns = [
+        ("face".to_owned(), Align::Left),
+        (format!("length ({length})"), Align::Right),
+        (format!("pressure ({stress}·{length})"), Align::Right),
+        (format!("shear ({stress}·{length})"), Align::Right),
+        (format!("centre from the upper end ({length})"), Align::Right),
+        (format!("greatest pressure ({stress})"), Align::Right),
+    ];
+    let mut table = Table::new("Resultants of the contact stresses, per unit width", columns);
+    let cell = |x: f64| number(round(x));
+    for ContactAnswer { face, length, normal_force, shear_force, centre, greatest_pressure } in
+        &results.contacts
+    {
+        table.row([
+            face.clone(),
+            cell(*length),
+            cell(*normal_force),
+            cell(*shear_force),
+            centre.map_or_else(|| "–".into(), cell),
+            cell(*greatest_pressure),
+        ])?;
+    }
+    page.table(table);
+    Ok(())
+}

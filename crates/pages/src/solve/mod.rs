@@ -1,0 +1,59 @@
+//! The page of a problem, and the drawing of its file.
+
+mod drawing;
+
+use std::path::Path;
+
+pub use drawing::drawing;
+use soilctl_app::solve::{Answer, Asked, Solved, TrialAnswer};
+use soilctl_app::text::{number, number_or_dash, rounded_down, rounded_up, sentence_case};
+use soilctl_figure::{Align, HtmlReport, Table};
+
+use crate::PageError;
+use crate::limits::{self, Told, bounds_table, level_table, proven};
+
+/// The page of bounds on what a problem file asks for.
+///
+/// # Errors
+/// [`PageError`] if a figure cannot be drawn.
+pub fn page(found: &Solved, file: &Path) -> Result<HtmlReport, PageError> {
+    limits::page(&found.fields, told(&found.answer, file)?, &found.answer.results)
+}
+
+fn told(answer: &Answer, file: &Path) -> Result<Told, PageError> {
+    let what = sentence_case(answer.quantity.words());
+    let mut bounds = bounds_table();
+    bounds.row([what.clone(), number(answer.lower), number(answer.upper)])?;
+    let (kind, text) = proven(answer.gap, answer.max_gap, answer.ended);
+    let short = what.split(" (").next().unwrap_or(&what).split(',').next().unwrap_or(&what).to_owned();
+    let unit = if answer.quantity == Asked::ForceKnPerM { " kN/m" } else { "" };
+    let title =
+        format!("{short}: between {} and {}{unit}", rounded_down(answer.lower), rounded_up(answer.upper));
+    let name = file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    Ok(Told {
+        kind: "Bounds on a collapse load",
+        subtitle: format!("{name}: {}", answer.quantity.words()),
+        verdict: (kind, title, text),
+        bounds,
+        given: Vec::new(),
+        steps: if answer.trials.is_empty() {
+            level_table(&answer.levels)?
+        } else {
+            Some(trial_table(&answer.trials)?)
+        },
+    })
+}
+
+fn trial_table(trials: &[TrialAnswer]) -> Result<Table, PageError> {
+    let columns = ["strength divided by", "bears at least", "bears at most"].map(|c| (c, Align::Right));
+    let mut table =
+        Table::new("Factors that were tried, and what the soil then bears of all that acts", columns);
+    for trial in trials {
+        table.row([
+            number(trial.factor),
+            number_or_dash(trial.borne_lower),
+            number_or_dash(trial.borne_upper),
+        ])?;
+    }
+    Ok(table)
+}
