@@ -8,6 +8,7 @@ use soilctl_direct_shear::DirectShearError;
 use soilctl_earth_pressure::EarthPressureError;
 use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
+use soilctl_jobs::JobsError;
 use soilctl_kinematics::KinematicsError;
 use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_process::ProcessError;
@@ -75,6 +76,9 @@ pub enum AppError {
     /// Settings of the controller.
     #[error(transparent)]
     Controller(#[from] ControllerError),
+    /// Work of another run, a store or a journal.
+    #[error(transparent)]
+    Jobs(#[from] JobsError),
     /// A simulated campaign.
     #[error(transparent)]
     Campaign(#[from] CampaignError),
@@ -128,6 +132,7 @@ impl AppError {
                     SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
                 )
                 | Self::Campaign(CampaignError::File { .. })
+                | Self::Jobs(JobsError::File { .. } | JobsError::NoResult { .. } | JobsError::Damaged { .. })
         )
     }
 }

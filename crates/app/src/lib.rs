@@ -10,12 +10,15 @@
 
 mod answer;
 pub mod arm;
+pub mod demo;
+pub mod diagnose;
 mod error;
 pub mod estimate;
 pub mod files;
 mod finite;
 pub mod log;
 pub mod predict;
+pub mod process;
 pub mod replay;
 pub mod report;
 pub mod request;
@@ -23,6 +26,7 @@ pub mod shear;
 pub mod simulate;
 pub mod table_file;
 pub mod text;
+pub mod topics;
 mod use_cases;
 mod watch;
 

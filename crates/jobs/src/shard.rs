@@ -1,9 +1,14 @@
 use std::str::FromStr;
 
+use serde::{Deserialize, Serialize};
+
 use crate::JobsError;
 
 /// A share of work that several processes do (Slurm arrays, GNU parallel): every N-th piece, starting with the I-th.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+///
+/// In text, and in JSON, it is `I/N`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub struct Shard {
     /// 1 to `of`.
     number: usize,
@@ -33,6 +38,20 @@ impl FromStr for Shard {
             (1 <= number && number <= of).then_some(Self { number, of })
         });
         parsed.ok_or(JobsError::Shard)
+    }
+}
+
+impl TryFrom<String> for Shard {
+    type Error = JobsError;
+
+    fn try_from(text: String) -> Result<Self, JobsError> {
+        text.parse()
+    }
+}
+
+impl From<Shard> for String {
+    fn from(shard: Shard) -> Self {
+        shard.to_string()
     }
 }
 

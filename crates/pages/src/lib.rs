@@ -4,9 +4,12 @@
 //! figures, tables and sentences and need no network.
 
 pub mod arm;
+pub mod demo;
+pub mod diagnose;
 mod error;
 pub mod estimate;
 pub mod predict;
+pub mod process;
 pub mod report;
 pub mod shear;
 mod write;

@@ -5,12 +5,14 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
-use soilctl_app::{Answer, arm, estimate, log, predict, replay, report, shear, simulate};
+use soilctl_app::{
+    Answer, arm, demo, diagnose, estimate, log, predict, process, replay, report, shear, simulate,
+};
 use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{Outcome, bound, certify, demo, diagnose, monitor, process, run as run_verb, solve, table, view};
+use super::{Outcome, bound, certify, monitor, run as run_verb, solve, table, view};
 use crate::error::CliError;
 
 #[derive(Debug, clap::Args)]
@@ -28,15 +30,15 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<solve::CheckAnswer>(&args.dir)?;
     write::<certify::CertifyAnswer>(&args.dir)?;
     write::<estimate::Answer>(&args.dir)?;
-    write::<diagnose::DiagnosisAnswer>(&args.dir)?;
-    write::<diagnose::SelfTestAnswer>(&args.dir)?;
+    write::<diagnose::Answer>(&args.dir)?;
+    write::<diagnose::self_test::Answer>(&args.dir)?;
     write::<report::Answer>(&args.dir)?;
     write::<shear::Answer>(&args.dir)?;
     write::<simulate::Answer>(&args.dir)?;
-    write::<demo::DemoAnswer>(&args.dir)?;
+    write::<demo::Answer>(&args.dir)?;
     write::<table::TableAnswer>(&args.dir)?;
     write::<log::Answer>(&args.dir)?;
-    write::<process::ProcessAnswer>(&args.dir)?;
+    write::<process::Answer>(&args.dir)?;
     write::<replay::Answer>(&args.dir)?;
     write_file::<Description>(&args.dir, PROBLEM_SCHEMA)?;
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
@@ -65,5 +67,5 @@ fn write_file<F: JsonSchema>(dir: &Path, id: &str) -> Result<(), CliError> {
 fn save(dir: &Path, id: &str, schema: &Value) -> Result<(), CliError> {
     let path = dir.join(id.replace('/', ".") + ".json");
     let text = serde_json::to_string_pretty(schema)? + "\n";
-    process::save(&path, text.as_bytes())
+    Ok(soilctl_app::files::save(&path, text.as_bytes())?)
 }

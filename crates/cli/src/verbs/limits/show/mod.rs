@@ -159,5 +159,5 @@ impl Show {
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-    crate::verbs::process::save(path, bytes)
+    Ok(soilctl_app::files::save(path, bytes)?)
 }
