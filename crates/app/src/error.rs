@@ -76,12 +76,12 @@ pub enum AppError {
     /// Settings of the controller.
     #[error(transparent)]
     Controller(#[from] ControllerError),
-    /// A simulated campaign.
-    #[error(transparent)]
-    Campaign(#[from] CampaignError),
     /// Work of another run, a store or a journal.
     #[error(transparent)]
     Jobs(#[from] JobsError),
+    /// A simulated campaign.
+    #[error(transparent)]
+    Campaign(#[from] CampaignError),
     /// A diagnosis.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use crate::AppError;
 
-fn failed(path: &Path) -> impl Fn(std::io::Error) -> AppError + use<'_> {
+/// What a problem with a file is called.
+pub(crate) fn failed(path: &Path) -> impl Fn(std::io::Error) -> AppError + use<'_> {
     move |problem| AppError::File { path: path.display().to_string(), problem }
 }
 

@@ -52,6 +52,18 @@ pub fn number_or_dash(value: Option<f64>) -> String {
     value.map_or_else(|| "-".into(), number)
 }
 
+/// A range, or a dash where there is none.
+#[must_use]
+pub fn range(value: Option<[f64; 2]>, digits: usize) -> String {
+    value.map_or_else(|| "-".into(), |[low, high]| format!("{low:.digits$} to {high:.digits$}"))
+}
+
+/// Yes or no.
+#[must_use]
+pub const fn yes(value: bool) -> &'static str {
+    if value { "yes" } else { "no" }
+}
+
 /// With a capital letter at the beginning.
 #[must_use]
 pub fn sentence_case(text: &str) -> String {

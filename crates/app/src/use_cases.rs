@@ -4,8 +4,8 @@ use serde_json::Value;
 
 use crate::request::{self, Request};
 use crate::{
-    Answer, AppError, Outcome, Watch, answer, arm, bound, certify, document, estimate, predict, replay,
-    shear, simulate, solve, table,
+    Answer, AppError, Outcome, Watch, answer, arm, bound, certify, demo, diagnose, document, estimate,
+    predict, process, replay, shear, simulate, solve, table,
 };
 
 /// A use case whose request and answer are JSON documents.
@@ -91,6 +91,10 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("estimate", crate::estimate, |request, watch| Ok(estimate::run(request, watch)?.answer)),
     use_case!("shear", crate::shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", crate::simulate, simulate::run),
+    use_case!("process", crate::process, process::run),
+    use_case!("diagnose", crate::diagnose, |request, watch| Ok(diagnose::run(request, watch)?.answer)),
+    use_case!("diagnose self-test", crate::diagnose::self_test, diagnose::self_test::run),
+    use_case!("demo", crate::demo, |request, watch| Ok(demo::run(request, watch)?.answer)),
     use_case!("replay", crate::replay, replay::run),
     use_case!("arm skewing", crate::arm::skewing, |request, watch| {
         Ok(arm::skewing::run(request, watch)?.answer)

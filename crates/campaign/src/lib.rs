@@ -12,7 +12,7 @@ mod truth;
 
 pub use error::CampaignError;
 pub use journal::BatchReport;
-pub use plan::{Plan, file};
+pub use plan::{Plan, demonstration, file};
 pub use run::{Notice, Options, Report, logged_truth, simulate};
 pub use soilctl_plant::{SoilPreset, presets};
 pub use truth::{BatchTruth, StrokeTruth, TrueFailure, read_truth};

@@ -1,11 +1,8 @@
 //! The command line: global options, and those that several verbs call the same.
 
-use std::path::{Path, PathBuf};
-
 use clap::Parser;
 pub(crate) use soilctl_app::request::finite;
 
-use crate::error::CliError;
 use crate::output::Format;
 use crate::verbs::Verb;
 
@@ -26,43 +23,6 @@ pub(crate) struct Cli {
 
     #[command(subcommand)]
     pub(crate) verb: Verb,
-}
-
-/// Where the joints, forces and links of a bag of another program are.
-#[derive(Debug, Clone, Default, clap::Args)]
-pub(crate) struct TopicArgs {
-    /// Topic of the joint states [default: /joint_states, or the only one]
-    #[arg(long, value_name = "TOPIC")]
-    pub(crate) joint_topic: Option<String>,
-
-    /// Topic of the wrenches of soil on plate [default: /wrench, or the only one]
-    #[arg(long, value_name = "TOPIC")]
-    pub(crate) wrench_topic: Option<String>,
-
-    /// URDF of the arm [default: the one in the bag]
-    #[arg(long, value_name = "FILE")]
-    pub(crate) urdf: Option<PathBuf>,
-
-    /// Link of the wrenches [default: the frame in their headers]
-    #[arg(long, value_name = "LINK")]
-    pub(crate) sensor_frame: Option<String>,
-
-    /// Height of the soil in the URDF's root frame (m)
-    #[arg(long, value_name = "M", value_parser = finite, allow_negative_numbers = true)]
-    pub(crate) surface_z: Option<f64>,
-}
-
-impl TopicArgs {
-    /// The text of the URDF that was given.
-    pub(crate) fn urdf_text(&self) -> Result<Option<String>, CliError> {
-        self.urdf.as_deref().map(read_text).transpose()
-    }
-}
-
-/// A text file that an option names.
-pub(crate) fn read_text(path: &Path) -> Result<String, CliError> {
-    std::fs::read_to_string(path)
-        .map_err(|problem| CliError::File { path: path.display().to_string(), problem })
 }
 
 #[cfg(test)]

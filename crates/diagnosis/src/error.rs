@@ -1,3 +1,4 @@
+use soilctl_columns::ColumnsError;
 use soilctl_earth_pressure::EarthPressureError;
 use soilctl_effects::EffectsError;
 use thiserror::Error;
@@ -12,6 +13,9 @@ pub enum DiagnosisError {
     /// A force model.
     #[error(transparent)]
     Model(#[from] EarthPressureError),
+    /// A table that could not be written.
+    #[error(transparent)]
+    Table(#[from] ColumnsError),
     /// No strokes.
     #[error("{file} has no strokes; a diagnosis needs at least one")]
     NoStrokes {

@@ -24,6 +24,19 @@ pub enum Testable {
     NotVaried,
 }
 
+impl Testable {
+    /// In words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Yes => "yes",
+            Self::IfLarge => "if large",
+            Self::Absorbed => "absorbed by phi, density and delta",
+            Self::NotVaried => "not testable with this design",
+        }
+    }
+}
+
 /// Expected signal of an effect in a design.
 #[derive(Debug, Clone)]
 pub struct Expected {

@@ -23,6 +23,21 @@ pub enum Status {
     NotTestable,
 }
 
+impl Status {
+    /// As answers and model files have it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Named => "named",
+            Self::Ambiguous => "ambiguous",
+            Self::Provisional => "provisional",
+            Self::Unknown => "unknown",
+            Self::NotTestable => "not_testable",
+        }
+    }
+}
+
 /// Sets within this ln Bayes factor of the best are equivalent: odds of 7 to 1 at most, where "positive" evidence begins at 3 to 1 (Kass &
 /// Raftery 1995). So are those within this part of it more, for formulas are not nature's, unless a reading denies them. Empirical.
 const EQUIVALENT: f64 = 2.0;

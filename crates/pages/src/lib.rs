@@ -6,10 +6,13 @@
 pub mod arm;
 pub mod bound;
 pub mod certify;
+pub mod demo;
+pub mod diagnose;
 mod error;
 pub mod estimate;
 pub mod limits;
 pub mod predict;
+pub mod process;
 pub mod report;
 pub mod shear;
 pub mod solve;

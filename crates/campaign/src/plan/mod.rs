@@ -1,5 +1,6 @@
 //! What is to be done: a plan file, read and checked.
 
+mod demonstration;
 pub mod file;
 mod live;
 mod logged;
@@ -15,6 +16,8 @@ use soilctl_plant::{PlantParams, SoilPreset};
 
 use crate::CampaignError;
 use file::{PlanFile, SoilEntry};
+
+pub use demonstration::demonstration;
 
 /// A campaign, complete and checked: every stroke can be reached, soil and model go together.
 #[derive(Debug, Clone, PartialEq)]

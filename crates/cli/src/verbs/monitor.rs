@@ -10,11 +10,12 @@ use std::time::Duration;
 use schemars::JsonSchema;
 use serde::Serialize;
 use signal_hook::consts::{SIGINT, SIGTERM};
+use soilctl_app::topics::Topics;
 use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
 use tempfile::NamedTempFile;
 
 use super::Outcome;
-use crate::args::{TopicArgs, finite};
+use crate::args::finite;
 use crate::error::CliError;
 use crate::output::{Output, Words};
 
@@ -63,7 +64,7 @@ pub(crate) struct Args {
 #[command(next_help_heading = "Logs of other programs")]
 struct BagArgs {
     #[command(flatten)]
-    topics: TopicArgs,
+    topics: Topics,
 
     /// Link whose origin is marked [default: plate_tip, or the link behind most joints]
     #[arg(long, value_name = "LINK")]
@@ -78,7 +79,7 @@ impl BagArgs {
             wrench_topic: self.topics.wrench_topic.clone(),
             end_link: self.plate_frame.clone(),
             sensor_link: self.topics.sensor_frame.clone(),
-            surface_z_m: self.topics.surface_z,
+            surface_z_m: self.topics.surface_z_m,
         })
     }
 }

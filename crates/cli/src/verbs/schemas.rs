@@ -10,7 +10,7 @@ use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{Outcome, demo, diagnose, monitor, process, run as run_verb, view};
+use super::{Outcome, monitor, run as run_verb, view};
 use crate::error::CliError;
 
 #[derive(Debug, clap::Args)]
@@ -27,12 +27,8 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
         let id = format!("soilctl.{}-request/1", case.name.replace(' ', "-"));
         save(&args.dir, &id, &titled(case.request()?, &id))?;
     }
-    write::<diagnose::DiagnosisAnswer>(&args.dir)?;
-    write::<diagnose::SelfTestAnswer>(&args.dir)?;
     write::<report::Answer>(&args.dir)?;
-    write::<demo::DemoAnswer>(&args.dir)?;
     write::<log::Answer>(&args.dir)?;
-    write::<process::ProcessAnswer>(&args.dir)?;
     write_file::<Description>(&args.dir, PROBLEM_SCHEMA)?;
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
     write::<run_verb::RunAnswer>(&args.dir)?;
@@ -63,5 +59,5 @@ fn titled(mut schema: Value, id: &str) -> Value {
 fn save(dir: &Path, id: &str, schema: &Value) -> Result<(), CliError> {
     let path = dir.join(id.replace('/', ".") + ".json");
     let text = serde_json::to_string_pretty(schema)? + "\n";
-    process::save(&path, text.as_bytes())
+    Ok(soilctl_app::files::save(&path, text.as_bytes())?)
 }

@@ -3,11 +3,13 @@
 mod course;
 mod derive;
 mod phase;
+mod recorded;
 mod step;
 
 use std::collections::BTreeMap;
 
 pub use course::{Course, courses, typical_course};
+pub use recorded::{AddedTraces, RecordedTraces};
 use soilctl_effects::Channel;
 use soilctl_strokes::{StrokeRow, TraceTable};
 
@@ -21,6 +23,15 @@ pub enum Phase {
 }
 
 impl Phase {
+    /// As answers have it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Loading => "loading",
+            Self::After => "after",
+        }
+    }
+
     /// In words, for people.
     #[must_use]
     pub const fn words(self) -> &'static str {

@@ -1,5 +1,6 @@
 //! Processed strokes as files: the stroke table with what it says of each failure, and traces.
 
+mod at_failure;
 mod clock;
 mod files;
 mod record;

@@ -1,9 +1,17 @@
 //! The answer for people.
 
-use super::answer::ProcessAnswer;
-use crate::text::{columns, number};
+use soilctl_app::process::Answer;
+use soilctl_app::text::{columns, number};
 
-pub(super) fn text(answer: &ProcessAnswer) -> String {
+use crate::output::Words;
+
+impl Words for Answer {
+    fn text(&self) -> String {
+        text(self)
+    }
+}
+
+fn text(answer: &Answer) -> String {
     let mut text = String::new();
     if !answer.strokes.is_empty() {
         let mut rows = vec![
@@ -53,7 +61,7 @@ pub(super) fn text(answer: &ProcessAnswer) -> String {
     text
 }
 
-fn analysis(answer: &ProcessAnswer) -> String {
+fn analysis(answer: &Answer) -> String {
     let found = &answer.analysis;
     let mut text = String::new();
     if let Some(friction) = &found.friction {

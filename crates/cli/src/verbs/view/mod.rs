@@ -52,7 +52,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     spinner.finish_and_clear();
     let recording = recording?;
     if let Some(path) = &args.foxglove_layout {
-        super::process::save(path, FOXGLOVE_LAYOUT.as_bytes())?;
+        soilctl_app::files::save(path, FOXGLOVE_LAYOUT.as_bytes())?;
     }
     for damage in &recording.damage {
         output.note(&format!("damaged: {damage}"));

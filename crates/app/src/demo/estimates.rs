@@ -1,0 +1,119 @@
+//! The estimates of a demonstration, beside the truth.
+
+use std::path::Path;
+
+use soilctl_campaign::Plan;
+use soilctl_process::table::StrokeRecord;
+use soilctl_strokes::{Campaign, StrokeRow, StrokeTable};
+
+use super::answer::{Answer, EachStroke};
+use super::delta;
+use super::folder::Folder;
+use super::region::{self, Known};
+use crate::estimate::Estimation;
+use crate::files::save;
+use crate::{AppError, document};
+
+/// The estimate with the density unknown.
+pub(super) const DENSITY_UNKNOWN: &str = "density unknown";
+/// The one with the density that was weighed.
+pub(super) const DENSITY_WEIGHED: &str = "density weighed";
+/// The one from the true forces.
+pub const TRUE_FORCES: &str = "true forces";
+
+/// An estimate, or why there is none.
+pub struct Estimated {
+    /// Its name.
+    pub name: &'static str,
+    /// The estimate, or in words why there is none.
+    pub work: Result<Estimation, String>,
+}
+
+/// Marks strokes by their names; says how many.
+pub(super) fn mark<'a>(
+    each: &mut [EachStroke],
+    names: impl Iterator<Item = &'a String>,
+    field: fn(&mut EachStroke) -> &mut bool,
+) -> usize {
+    let names: Vec<&String> = names.collect();
+    let mut count = 0;
+    for stroke in each {
+        if stroke.stroke_id.as_ref().is_some_and(|id| names.contains(&id)) {
+            *field(stroke) = true;
+            count += 1;
+        }
+    }
+    count
+}
+
+fn write(path: &Path, rows: &[StrokeRow]) -> Result<(), AppError> {
+    Ok(StrokeTable::new(&path.display().to_string(), rows)?.write(path)?)
+}
+
+/// Friction angle and density, with the density unknown and as weighed, and from the true forces.
+pub(super) fn all(
+    answer: &mut Answer,
+    folder: &Folder,
+    plan: &Plan,
+    strokes: &[StrokeRecord],
+    density_kg_m3: Option<f64>,
+) -> Result<Vec<Estimated>, AppError> {
+    let interval_deg = delta::interval_deg(answer.delta.as_ref(), answer.delta_guess_deg);
+    let chosen: Vec<&StrokeRecord> =
+        strokes.iter().filter(|stroke| stroke.failed_as_modelled(interval_deg)).collect();
+    if chosen.is_empty() {
+        answer.no_estimate = Some("no stroke near the interface friction has a failure force".into());
+        return Ok(Vec::new());
+    }
+    answer.delta_used_deg = Some(interval_deg);
+    answer.strokes.used_for_phi =
+        mark(&mut answer.each, chosen.iter().filter_map(|s| s.row.stroke_id.as_ref()), |s| {
+            &mut s.used_for_phi
+        });
+    let table = folder.file("measurements.csv");
+    let campaign = Campaign::read_beside(&table)?.unwrap_or_default();
+    let rows = chosen.iter().map(|stroke| stroke.at_failure(interval_deg, &campaign));
+    write(&table, &rows.collect::<Result<Vec<_>, _>>()?)?;
+    answer.files.measurements = Some(table.display().to_string());
+    let known = |measurements| Known {
+        measurements,
+        model: &answer.model,
+        cohesion_pa: plan.soil().cohesion_pa,
+        gravity_m_s2: plan.soil().gravity_m_s2,
+        density_sd_rel: campaign.density_sd_rel,
+    };
+    let mut wanted = vec![(DENSITY_UNKNOWN, Some("estimate.json"), known(&table).request(None))];
+    wanted.extend(density_kg_m3.map(|density| {
+        (DENSITY_WEIGHED, Some("estimate_weighed.json"), known(&table).request(Some(density)))
+    }));
+    let true_table = folder.file("measurements_true.csv");
+    let true_rows = chosen.iter().filter_map(|stroke| {
+        let truth = answer.each.iter().find(|one| one.stroke_id == stroke.row.stroke_id)?;
+        Some(stroke.in_truth(truth.true_force_n?, truth.true_depth_m?, interval_deg, &campaign))
+    });
+    let true_rows = true_rows.collect::<Result<Vec<_>, _>>()?;
+    if !true_rows.is_empty() {
+        write(&true_table, &true_rows)?;
+        wanted.push((TRUE_FORCES, None, known(&true_table).request(None)));
+    }
+    let mut all = Vec::new();
+    for (name, file, request) in wanted {
+        let work = region::estimate(&request)?;
+        let found = work.as_ref().ok().map(|work| region::region(work, &answer.truth));
+        if let (Some(file), Ok(work)) = (file, &work) {
+            let path = folder.file(file);
+            save(&path, document(&work.answer)?.as_bytes())?;
+            answer.files.estimates.push(path.display().to_string());
+        }
+        if let Err(problem) = &work {
+            answer.no_estimate.get_or_insert_with(|| format!("{name}: {problem}"));
+        }
+        match name {
+            DENSITY_UNKNOWN => answer.density_unknown = found,
+            DENSITY_WEIGHED => answer.density_weighed = found,
+            _ => answer.true_forces = found,
+        }
+        all.push(Estimated { name, work });
+    }
+    Ok(all)
+}

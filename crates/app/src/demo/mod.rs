@@ -1,0 +1,17 @@
+//! A simulated campaign from the soil to the estimate, compared with the truth.
+
+mod answer;
+mod compare;
+mod delta;
+mod estimates;
+mod folder;
+mod recovered;
+mod region;
+mod request;
+mod steps;
+
+pub use answer::{Answer, Delta, EachStroke, Files, Forces, Region, StrokeCount, Truth};
+pub use estimates::{Estimated, TRUE_FORCES};
+pub use region::SIGMA;
+pub use request::Request;
+pub use steps::{Demonstration, Work, run};

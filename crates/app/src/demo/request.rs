@@ -1,0 +1,66 @@
+//! What can be asked of a demonstration.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_campaign::{SoilPreset, presets};
+
+use crate::AppError;
+
+/// A simulated campaign from the soil to the estimate, compared with the truth.
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[serde(default)]
+#[group(skip)]
+pub struct Request {
+    /// The soil: ticino_rained, ticino_loose, nevada_fine, glass_beads, or mars_drift, mars_crusty, mars_blocky,
+    /// mars_pathfinder under the gravity of Mars
+    #[arg(long, value_name = "NAME", default_value_t = Request::default().soil)]
+    pub soil: String,
+
+    /// Folder for all files; made if it is not there, otherwise it must be empty or hold this demonstration [default: demo/SOIL]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+
+    /// Seed of noise and scatter
+    #[arg(long, value_name = "N", default_value_t = Request::default().seed)]
+    pub seed: u64,
+
+    /// Batches and logs at a time; results are the same for any number [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    #[schemars(range(min = 1, max = 1024))]
+    pub threads: Option<u32>,
+
+    /// Force model of the simulated soil and of the estimate [default: table, or chen for soils that it does not cover]
+    #[arg(long, value_name = "NAME")]
+    pub model: Option<String>,
+
+    /// Four strokes instead of sixteen: every step in a quarter of the time, but too few to tell much
+    #[arg(long)]
+    pub quick: bool,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self { soil: "ticino_rained".into(), out: None, seed: 1, threads: None, model: None, quick: false }
+    }
+}
+
+/// Friction angles that the table of certified bounds covers, in deg.
+const TABLE_PHI_DEG: std::ops::RangeInclusive<f64> = 25.0..=50.0;
+
+impl Request {
+    /// The soil of that name.
+    pub(super) fn soil(&self) -> Result<SoilPreset, AppError> {
+        presets().into_iter().find(|soil| soil.name == self.soil).ok_or_else(|| {
+            let known: Vec<String> = presets().into_iter().map(|soil| soil.name).collect();
+            AppError::Request(format!("--soil is {}; it must be one of {}", self.soil, known.join(", ")))
+        })
+    }
+
+    /// The force model: the table knows no cohesion.
+    pub(super) fn model(&self, soil: &SoilPreset) -> String {
+        let covered = soil.cohesion_pa == 0.0 && TABLE_PHI_DEG.contains(&soil.phi_deg);
+        self.model.clone().unwrap_or_else(|| if covered { "table" } else { "chen" }.to_owned())
+    }
+}

@@ -1,0 +1,278 @@
+//! What a diagnosis answers.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_diagnosis::{Data, Diagnosis};
+use soilctl_effects::EffectId;
+
+use super::Against;
+use super::files::Written;
+use crate::text::measured;
+
+/// Where model and measurement disagree, which effect is missing, and the gap after it is added.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Answer {
+    /// none, named, ambiguous, provisional, unknown or not_testable; only `named` is firm.
+    pub status: String,
+    /// Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
+    pub effects: Vec<EffectAnswer>,
+    /// What the data do not tell apart, best first; ids of effects, or `unknown:<covariate>`.
+    pub equivalence_set: Vec<String>,
+    /// How far model and measurement are apart.
+    pub gap: GapAnswer,
+    /// The gap of forces and of each column, on batches that were left out, forces first; empty with fewer than two batches.
+    /// `gap.csv` has it along each condition.
+    pub gap_by_channel: Vec<ChannelGapAnswer>,
+    /// Disagreements of the recalibrated baseline that are more than chance.
+    #[serde(rename = "where")]
+    pub located: Vec<WhereAnswer>,
+    /// The follow-up that would tell most; null if nothing on the menu would.
+    pub next_experiment: Option<NextAnswer>,
+    /// Model file for `--model-file`.
+    pub patch: String,
+    /// HTML page; null if none was made.
+    pub report: Option<String>,
+    /// The force model without effects.
+    pub model: String,
+    /// The model file that the campaign was held against; null without one.
+    pub model_file: Option<String>,
+    /// Effects of that file, which were taken as known; `patch` has them before those that were found.
+    pub known_effects: Vec<String>,
+    /// Strokes.
+    pub strokes: usize,
+    /// Strokes whose trace was used.
+    pub traces: usize,
+    /// Recalibrated friction angle with the effects, deg.
+    pub phi_deg: f64,
+    /// Recalibrated density with the effects, kg/m3.
+    pub density_kg_m3: f64,
+    /// Scatter of ln force of one stroke about the baseline.
+    pub scatter: f64,
+    /// What the design could show of each effect, before the forces were looked at.
+    pub testability: Vec<TestabilityAnswer>,
+}
+
+/// One effect.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct EffectAnswer {
+    /// Id in the catalogue.
+    #[schemars(with = "String")]
+    pub id: EffectId,
+    /// Parameters by name.
+    pub parameters: BTreeMap<String, ParameterAnswer>,
+    /// ln Bayes factor over the explanation without it.
+    pub log_bayes_factor: f64,
+}
+
+/// A parameter.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ParameterAnswer {
+    /// Value; for a choice among force models, its index.
+    pub value: f64,
+    /// Standard deviation.
+    pub sd: f64,
+    /// Unit, `1` for a number without.
+    pub unit: String,
+}
+
+impl ParameterAnswer {
+    /// With as many digits as it is known to.
+    #[must_use]
+    pub fn text(&self) -> String {
+        measured(self.value, self.sd, &self.unit)
+    }
+}
+
+/// Root mean squares of ln force; chi-square and log density are of batches that were left out.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct GapAnswer {
+    /// Without effects.
+    pub before: f64,
+    /// With effects.
+    pub after: f64,
+    /// Without effects, each batch predicted from the others; null with fewer than two batches.
+    pub heldout_before: Option<f64>,
+    /// With effects, each batch predicted from the others.
+    pub heldout_after: Option<f64>,
+    /// chi-square a stroke without effects.
+    pub chi2_per_n_before: Option<f64>,
+    /// chi-square a stroke with effects.
+    pub chi2_per_n_after: Option<f64>,
+    /// Gain in expected log predictive density.
+    pub delta_elpd: Option<f64>,
+    /// Its standard error.
+    pub delta_elpd_se: Option<f64>,
+}
+
+/// The gap of a column, in standard deviations of the prediction with effects.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ChannelGapAnswer {
+    /// Column of the stroke table, or of the traces.
+    pub channel: String,
+    /// Readings.
+    pub readings: usize,
+    /// Normalised root mean square without effects; the square is chi-square a reading.
+    pub before: f64,
+    /// The same with effects.
+    pub after: f64,
+    /// Gain in log predictive density, summed over readings.
+    pub delta_elpd: f64,
+    /// Its standard error.
+    pub delta_elpd_se: f64,
+}
+
+/// One disagreement.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct WhereAnswer {
+    /// Column of the stroke table, or of the traces.
+    pub channel: String,
+    /// Phase of the stroke, for readings of traces: loading or after; null for the column itself.
+    pub phase: Option<String>,
+    /// Covariate; `all` if all strokes are off what a simulated arm reads.
+    pub covariate: String,
+    /// Probability of as much by chance, adjusted for the number of tests.
+    pub p_adjusted: f64,
+}
+
+/// The next experiment.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct NextAnswer {
+    /// What to do and why.
+    pub text: String,
+    /// File with the strokes to make.
+    pub design_csv: String,
+    /// Chance that it settles the question.
+    pub power: f64,
+}
+
+/// What the design could show of an effect.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct TestabilityAnswer {
+    /// Id of the effect.
+    pub id: String,
+    /// Expected squared signal-to-noise ratio at a typical amplitude.
+    pub lambda: f64,
+    /// The same at the largest plausible amplitude.
+    pub lambda_largest: f64,
+    /// yes, if large, absorbed by soil and interface, or not varied by the design.
+    pub verdict: String,
+}
+
+impl Answer {
+    pub(super) fn new(
+        against: &Against,
+        data: &Data,
+        d: &Diagnosis,
+        traces: usize,
+        written: &Written,
+    ) -> Self {
+        let gap = &d.comparison.gap;
+        Self {
+            status: d.status.name().into(),
+            effects: d
+                .effects
+                .iter()
+                .map(|found| EffectAnswer {
+                    id: found.id,
+                    parameters: found
+                        .parameters()
+                        .into_iter()
+                        .map(|(name, p)| (name, ParameterAnswer { value: p.value, sd: p.sd, unit: p.unit }))
+                        .collect(),
+                    log_bayes_factor: found.log_bayes_factor,
+                })
+                .collect(),
+            equivalence_set: d.equivalence_set.iter().map(ToString::to_string).collect(),
+            gap: GapAnswer {
+                before: gap.before,
+                after: gap.after,
+                heldout_before: gap.heldout_before,
+                heldout_after: gap.heldout_after,
+                chi2_per_n_before: gap.chi2_per_n_before,
+                chi2_per_n_after: gap.chi2_per_n_after,
+                delta_elpd: gap.delta_elpd,
+                delta_elpd_se: gap.delta_elpd_se,
+            },
+            gap_by_channel: d
+                .comparison
+                .parts
+                .iter()
+                .filter(|part| part.covariate.is_none())
+                .map(|part| ChannelGapAnswer {
+                    channel: part.channel.into(),
+                    readings: part.readings,
+                    before: part.before,
+                    after: part.after,
+                    delta_elpd: part.delta_elpd,
+                    delta_elpd_se: part.delta_elpd_se,
+                })
+                .collect(),
+            located: d
+                .located
+                .iter()
+                .map(|w| WhereAnswer {
+                    channel: w.channel.clone(),
+                    phase: w.phase.map(|phase| phase.name().into()),
+                    covariate: w.covariate.clone(),
+                    p_adjusted: w.p_adjusted,
+                })
+                .collect(),
+            next_experiment: d.next.as_ref().zip(written.next.as_ref()).map(|(next, path)| NextAnswer {
+                text: next.text.clone(),
+                design_csv: path.display().to_string(),
+                power: next.power,
+            }),
+            patch: written.patch.display().to_string(),
+            report: None,
+            model: against.model.clone(),
+            model_file: against.file.as_ref().map(|(path, _)| path.clone()),
+            known_effects: against.known().iter().map(|known| known.id.to_string()).collect(),
+            strokes: data.len(),
+            traces,
+            phi_deg: d.comparison.soil_after.phi_deg,
+            density_kg_m3: d.comparison.soil_after.density_kg_m3,
+            scatter: d.scatter,
+            testability: d
+                .expected
+                .iter()
+                .map(|of| TestabilityAnswer {
+                    id: of.id.to_string(),
+                    lambda: of.lambda,
+                    lambda_largest: of.lambda_largest,
+                    verdict: of.testable.words().into(),
+                })
+                .collect(),
+        }
+    }
+
+    /// The outcome in a sentence.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let names = self.equivalence_set.join(", ");
+        match self.status.as_str() {
+            "none" if !self.known_effects.is_empty() => {
+                format!(
+                    "beside {}, nothing is missing that these strokes could show",
+                    self.known_effects.join(", ")
+                )
+            }
+            "none" => "nothing is missing that these strokes could show".into(),
+            "named" => {
+                let told = |e: &EffectAnswer| format!("{} ({})", e.id, e.id.title());
+                format!("missing: {}", self.effects.iter().map(told).collect::<Vec<_>>().join(" and "))
+            }
+            "ambiguous" => format!("something is missing; these explain it about equally well: {names}"),
+            "provisional" => {
+                format!("something is missing, and a shape without a name explains it as well: {names}")
+            }
+            "unknown" => format!("something is missing that is not in the catalogue: {names}"),
+            _ => "these strokes cannot tell any effect from the soil itself; see the next experiment".into(),
+        }
+    }
+}
+
+impl crate::Answer for Answer {
+    const SCHEMA: &'static str = "soilctl.diagnose/1";
+}

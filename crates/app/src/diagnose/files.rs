@@ -1,0 +1,47 @@
+//! Files of a diagnosis: model file, predictions, gap, next experiment.
+
+use std::path::{Path, PathBuf};
+
+use soilctl_diagnosis::{Data, Diagnosis};
+use soilctl_effects::Loaded;
+use soilctl_jobs::fnv1a;
+
+use super::Against;
+use crate::AppError;
+use crate::files::{failed, save};
+
+/// Where things were written.
+pub(super) struct Written {
+    pub(super) patch: PathBuf,
+    pub(super) next: Option<PathBuf>,
+}
+
+/// Writes all files but the page into a folder.
+pub(super) fn write(
+    against: &Against,
+    data: &Data,
+    diagnosis: &Diagnosis,
+    strokes: &Path,
+    out: &Path,
+) -> Result<Written, AppError> {
+    std::fs::create_dir_all(out).map_err(failed(out))?;
+    let comparison = &diagnosis.comparison;
+    let hash = fnv1a(&std::fs::read(strokes).map_err(failed(strokes))?);
+    let file = diagnosis.model_file(data, &against.model, against.known(), hash);
+    let patch = out.join("patch.json");
+    file.write(&patch)?;
+    let name = patch.display().to_string();
+    let before = Loaded::new(comparison.without_effects(&file, against.known().len()), &name)?;
+    let after = Loaded::new(file, &name)?;
+    save(&out.join("predictions.csv"), &comparison.predictions_csv(data, &before, &after)?)?;
+    save(&out.join("gap.csv"), &comparison.gap_csv()?)?;
+    let next = match &diagnosis.next {
+        Some(next) => {
+            let path = out.join("next_experiment.csv");
+            save(&path, &next.design_csv()?)?;
+            Some(path)
+        }
+        None => None,
+    };
+    Ok(Written { patch, next })
+}

@@ -1,0 +1,152 @@
+//! The same commands on the simulated arm: what it reads without the effects, and with those that were found.
+
+use std::path::{Path, PathBuf};
+
+use soilctl_campaign::{CampaignError, Options, Plan};
+use soilctl_diagnosis::{Course, Data, Diagnosis, RecordedTraces};
+use soilctl_effects::ModelFile;
+use soilctl_jobs::fnv1a;
+use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
+
+use super::Against;
+use crate::files::failed;
+use crate::simulate::cores;
+use crate::{AppError, Watch, process, simulate};
+
+/// Noise of the campaign that is simulated again must not be that of the first one.
+const OTHER_NOISE: u64 = 0x5eed;
+
+/// The campaign on the simulated arm, without effects and with those that were found.
+#[derive(Default)]
+pub struct Simulated {
+    /// Without the effects that were found.
+    pub before: Option<Resimulated>,
+    /// With them.
+    pub after: Option<Resimulated>,
+}
+
+/// A campaign that was simulated again.
+pub struct Resimulated {
+    /// What its logs gave.
+    pub data: Data,
+    /// Courses of the force, by stroke of `data`.
+    courses: Vec<Option<Course>>,
+}
+
+impl Resimulated {
+    /// Course and failure force in N of the stroke with a name; `None` if it was not made.
+    #[must_use]
+    pub fn stroke(&self, stroke_id: &str) -> Option<(&Course, f64)> {
+        let place = self.data.rows.iter().position(|row| row.stroke_id.as_deref() == Some(stroke_id))?;
+        Some((self.courses.get(place)?.as_ref()?, self.data.rows[place].force_n))
+    }
+}
+
+/// What is simulated again, and where its files go.
+pub(super) struct Again<'a> {
+    log: PathBuf,
+    out: &'a Path,
+    watch: &'a dyn Watch,
+}
+
+impl<'a> Again<'a> {
+    /// The campaign of the logs in a folder.
+    pub(super) fn of(logs: &Path, out: &'a Path, watch: &'a dyn Watch) -> Result<Self, AppError> {
+        Ok(Self { log: first_log(logs)?, out, watch })
+    }
+
+    /// Simulates without the effects that were found; whether the simulated arm has effects that are known.
+    pub(super) fn before(
+        &self,
+        against: &Against,
+        data: &Data,
+        diagnosis: &Diagnosis,
+        simulated: &mut Simulated,
+    ) -> Result<bool, AppError> {
+        let file = model_file(against, data, diagnosis);
+        let mut plain = diagnosis.comparison.without_effects(&file, against.known().len());
+        let with =
+            if plain.effects.is_empty() { "without effects" } else { "with the effects that are known" };
+        self.watch.note(&format!("the same commands on the simulated arm, {with}"));
+        simulated.before = loop {
+            match self.simulate(&plain, &data.campaign) {
+                // What is known and cannot be simulated is left out there.
+                Err(AppError::Campaign(ref problem @ CampaignError::Effect { effect, .. })) => {
+                    self.watch.note(&problem.to_string());
+                    plain.effects.retain(|known| known.id != effect);
+                }
+                found => break found?,
+            }
+        };
+        Ok(!plain.effects.is_empty())
+    }
+
+    /// Simulates with the effects that were found, if there are any.
+    pub(super) fn after(
+        &self,
+        against: &Against,
+        data: &Data,
+        diagnosis: &Diagnosis,
+        simulated: &mut Simulated,
+    ) -> Result<(), AppError> {
+        if diagnosis.effects.is_empty() {
+            return Ok(());
+        }
+        self.watch.note("the same commands on the simulated arm, with the effects");
+        match self.simulate(&model_file(against, data, diagnosis), &data.campaign) {
+            Ok(after) => simulated.after = after,
+            // An effect that the simulated arm cannot show stays named.
+            Err(AppError::Campaign(problem @ CampaignError::Effect { .. })) => {
+                self.watch.note(&problem.to_string());
+            }
+            Err(problem) => return Err(problem),
+        }
+        Ok(())
+    }
+
+    /// Runs the plan of the log with soil and effects of a model file, in a folder of its own: what is there of the same run is
+    /// used. `None` if it was stopped, or no stroke has a failure force.
+    fn simulate(&self, file: &ModelFile, campaign: &Campaign) -> Result<Option<Resimulated>, AppError> {
+        let (plan, seed) = Plan::from_log(&self.log)?;
+        let text = serde_json::to_string(file)?;
+        let folder = self.out.join("resimulated").join(fnv1a(text.as_bytes()));
+        let options = Options { out: &folder, seed: seed ^ OTHER_NOISE, threads: cores() };
+        let name = folder.display().to_string();
+        let simulated = simulate::campaign(&plan, Some((file, name.as_str())), &options, self.watch)?;
+        if !simulated.complete {
+            return Ok(None);
+        }
+        let strokes = folder.join("strokes.csv");
+        let processed = process::run(&process::Request::of_folder(&folder, &strokes), self.watch)?;
+        if processed.stopped || processed.strokes.is_empty() {
+            return Ok(None);
+        }
+        let table = StrokeTable::read(&strokes, ReadOptions { allow_zero_sd: false })?;
+        let mut data = Data::new(table.name(), table.rows().collect(), campaign.clone())?;
+        data.tare_taken_off();
+        let courses = RecordedTraces::read(&folder.join("traces.csv"), &table)?.add_to(&mut data).courses;
+        Ok(Some(Resimulated { data, courses }))
+    }
+}
+
+/// The model file of a diagnosis before it is written: of no stroke table.
+fn model_file(against: &Against, data: &Data, diagnosis: &Diagnosis) -> ModelFile {
+    diagnosis.model_file(data, &against.model, against.known(), fnv1a(&[]))
+}
+
+/// The first log of a folder, by name.
+fn first_log(folder: &Path) -> Result<PathBuf, AppError> {
+    let mut logs = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
+        let path = entry.map_err(failed(folder))?.path();
+        if path.extension().is_some_and(|ending| ending == "mcap") {
+            logs.push(path);
+        }
+    }
+    logs.into_iter().min().ok_or_else(|| {
+        AppError::Request(format!(
+            "there is no .mcap file in {}; give the folder of the campaign's logs with --resimulate",
+            folder.display()
+        ))
+    })
+}

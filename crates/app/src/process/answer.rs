@@ -1,0 +1,121 @@
+//! What is answered of logs.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_process::table::StrokeRecord;
+
+use super::findings::Analysis;
+use super::manifest::{Entry, Skipped};
+use super::work::Done;
+use crate::Outcome;
+
+/// Strokes of logs.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Answer {
+    /// Strokes with a failure force, in the order of the logs.
+    pub strokes: Vec<StrokeRecord>,
+    /// What became of each log.
+    pub logs: Vec<LogOutcome>,
+    /// Logs that were taken over from an earlier run, since they are as they were.
+    pub reused: usize,
+    /// Whether the work was stopped before the last log.
+    pub stopped: bool,
+    /// What the strokes say together.
+    pub analysis: Analysis,
+    /// Files that were written.
+    pub written: Vec<String>,
+    /// Whether only a share of the logs was read.
+    #[serde(skip)]
+    pub(super) is_share: bool,
+}
+
+/// What became of a log.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct LogOutcome {
+    /// The file.
+    pub log: String,
+    /// What its strokes are named after.
+    #[serde(skip)]
+    pub name: String,
+    /// `done` or `failed`.
+    pub status: &'static str,
+    /// Why nothing could be made of it; null if something could.
+    pub error: Option<String>,
+    /// Whether soilctl wrote it.
+    pub own: bool,
+    /// Strokes with a failure force.
+    pub strokes: usize,
+    /// What gave none, and why.
+    pub skipped: Vec<Skipped>,
+    /// Damaged parts, which were left out.
+    pub damage: Vec<String>,
+    /// Messages that could not be used.
+    pub unusable: Vec<String>,
+}
+
+impl LogOutcome {
+    fn of(entry: Entry) -> Self {
+        Self {
+            log: entry.log,
+            name: entry.name,
+            status: if entry.error.is_some() { "failed" } else { "done" },
+            error: entry.error,
+            own: entry.own,
+            strokes: entry.strokes.len(),
+            skipped: entry.skipped,
+            damage: entry.damage,
+            unusable: entry.unusable,
+        }
+    }
+}
+
+impl Answer {
+    pub(super) fn new(
+        done: Done,
+        strokes: Vec<StrokeRecord>,
+        analysis: Analysis,
+        written: Vec<String>,
+        is_share: bool,
+    ) -> Self {
+        let Done { entries, reused, stopped } = done;
+        let logs = entries.into_values().map(LogOutcome::of).collect();
+        Self { strokes, logs, reused, stopped, analysis, written, is_share }
+    }
+
+    /// Whether something was left out: the work was stopped, or a log is bad or damaged.
+    #[must_use]
+    pub fn is_partial(&self) -> bool {
+        self.stopped || self.logs.iter().any(|log| log.error.is_some() || !log.damage.is_empty())
+    }
+
+    /// Why no log can be used; `None` if one can, or if the work was stopped before the last.
+    pub(super) fn refusal(&self) -> Option<String> {
+        let mut problems = self.logs.iter().map(|log| Some(bad_log(&log.log, log.error.as_ref()?)));
+        let first = problems.next()??;
+        if self.stopped || problems.any(|problem| problem.is_none()) {
+            return None;
+        }
+        Some(match self.logs.len() {
+            1 => first,
+            logs => format!("none of {logs} logs can be used; the first: {first}"),
+        })
+    }
+}
+
+impl crate::Answer for Answer {
+    const SCHEMA: &'static str = "soilctl.process/1";
+
+    fn outcome(&self) -> Outcome {
+        match () {
+            () if self.is_partial() => Outcome::Partial,
+            // A share without a stroke says nothing of the whole.
+            () if self.strokes.is_empty() && !self.is_share => Outcome::Negative,
+            () => Outcome::Done,
+        }
+    }
+}
+
+/// What is wrong with a log, with its name once.
+pub(super) fn bad_log(log: &str, problem: &str) -> String {
+    if problem.starts_with(log) { problem.to_owned() } else { format!("{log}: {problem}") }
+}

@@ -1,0 +1,76 @@
+//! One log: its strokes, and their traces into a file of its own.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use soilctl_process::ProcessError;
+use soilctl_process::log::{Found, NoStroke, read_log};
+use soilctl_process::table::{StrokeRecord, write_trace};
+
+use super::inputs::{Inputs, Log};
+use super::manifest::{Entry, Skipped};
+use crate::AppError;
+use crate::files::failed;
+
+/// Processes a log; `None` if it was stopped. `traces` is where its traces go.
+pub(super) fn process(
+    inputs: &Inputs,
+    log: &Log,
+    traces: Option<&Path>,
+    stop: &AtomicBool,
+) -> Result<Option<Entry>, AppError> {
+    let mut entry = Entry::of(log);
+    let mut trace_file = match traces {
+        Some(path) => Some(BufWriter::new(File::create(path).map_err(failed(path))?)),
+        None => None,
+    };
+    let mut broken = Ok(());
+    let mut number = 0;
+    let summary = read_log(&log.path, &inputs.settings, stop, &mut |found| match found {
+        Found::Nothing(nothing) => entry.skipped.push(skipped(nothing)),
+        Found::Stroke(stroke) => {
+            number += 1;
+            let stroke_id = format!("{}-{number}", log.name);
+            match StrokeRecord::new(&stroke, stroke_id.clone(), log.path.display().to_string()) {
+                Ok(record) => entry.strokes.push(record),
+                Err(reason) => entry.skipped.push(Skipped {
+                    stroke_id: Some(stroke_id.clone()),
+                    from_s: stroke.start_s,
+                    to_s: stroke.end_s,
+                    outcome: reason.name().to_owned(),
+                    reason: reason.to_string(),
+                }),
+            }
+            if let Some(file) = &mut trace_file
+                && broken.is_ok()
+            {
+                broken = write_trace(&stroke, &stroke_id, inputs.trace_rate_hz, file);
+            }
+        }
+    });
+    if let Some(mut file) = trace_file {
+        broken = broken.and_then(|()| file.flush());
+        broken.map_err(failed(traces.unwrap_or(Path::new(""))))?;
+    }
+    match summary {
+        Ok(summary) => {
+            entry.own = summary.own;
+            entry.damage = summary.damage;
+            entry.unusable = summary.unusable;
+        }
+        Err(ProcessError::Stopped) => return Ok(None),
+        Err(problem) => {
+            entry.strokes.clear();
+            entry.skipped.clear();
+            entry.error = Some(problem.to_string());
+        }
+    }
+    Ok(Some(entry))
+}
+
+fn skipped(nothing: NoStroke) -> Skipped {
+    let NoStroke { from_s, to_s, reason } = nothing;
+    Skipped { stroke_id: None, from_s, to_s, outcome: "no_stroke".into(), reason }
+}
