@@ -4,8 +4,11 @@ use serde_json::Value;
 
 use crate::request::{self, Request};
 use crate::{
-    Answer, AppError, Outcome, Watch, answer, arm, document, estimate, predict, replay, shear, simulate,
+    Answer, AppError, Outcome, Watch, answer, arm, document, estimate, log, predict, replay, shear, simulate,
 };
+
+/// Runs the JSON of a request; how it ended, and the JSON of the answer.
+type Run = fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>;
 
 /// A use case whose request and answer are JSON documents.
 #[derive(Debug, Clone, Copy)]
@@ -16,7 +19,7 @@ pub struct UseCase {
     pub answer_id: &'static str,
     request: fn() -> Result<Value, AppError>,
     answer: fn() -> Result<Value, AppError>,
-    run: fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>,
+    run: Run,
 }
 
 impl UseCase {
@@ -77,6 +80,10 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("estimate", crate::estimate, |request, watch| Ok(estimate::run(request, watch)?.answer)),
     use_case!("shear", crate::shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", crate::simulate, simulate::run),
+    use_case!("log info", crate::log::info, log::info::run),
+    use_case!("log doctor", crate::log::doctor, log::doctor::run),
+    use_case!("log recover", crate::log::recover, log::recover::run),
+    use_case!("log export", crate::log::export, log::export::run),
     use_case!("replay", crate::replay, replay::run),
     use_case!("arm skewing", crate::arm::skewing, |request, watch| {
         Ok(arm::skewing::run(request, watch)?.answer)

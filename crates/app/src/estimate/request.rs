@@ -6,8 +6,8 @@ use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::AppError;
 use crate::request::{Loads, NumberOrColumn, finite};
+use crate::{AppError, TableSource};
 
 /// What a force's uncertainty means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, Deserialize, JsonSchema)]
@@ -24,7 +24,8 @@ pub enum Uncertainty {
 #[serde(default)]
 pub struct Request {
     /// Stroke table (CSV)
-    pub file: PathBuf,
+    #[arg(value_hint = clap::ValueHint::AnyPath)]
+    pub file: TableSource,
 
     /// Model: table (the bracket of bounds), thesis-ub, thesis-lb, chen, caquot, log-spiral, log-spiral-thesis, coulomb
     #[arg(long, value_name = "NAME", default_value_t = Request::default().model)]
@@ -113,7 +114,7 @@ pub struct Request {
 impl Default for Request {
     fn default() -> Self {
         Self {
-            file: PathBuf::new(),
+            file: TableSource::default(),
             model: "table".into(),
             model_file: None,
             delta_deg: NumberOrColumn::Column,

@@ -1,0 +1,318 @@
+"""Writes what follows from the compiled module: `use_cases.py` from the JSON schemas of the use cases, and the docstrings of `_native.pyi`.
+
+    python crates/py/generate.py
+
+It takes the compiled module of the package that is installed for this Python. A test says if a file is out of date.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib.machinery
+import importlib.util
+import inspect
+import json
+import keyword
+import re
+import sys
+import textwrap
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+PACKAGE = Path(__file__).resolve().parent / "python" / "soilctl"
+WIDTH = 116
+HEAD = '''"""Every use case as a function: its request as keyword arguments, its answer as an object with attributes.
+
+Arguments and attributes have their units in their names. An answer can also be read as a mapping, ``answer["key"]``, with the keys of
+the JSON answer of the command line.
+"""
+
+# Made by crates/py/generate.py from the schemas of the use cases.
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from ._progress import Progress
+from ._record import Answer, Record
+from ._run import run
+from ._table import PathLike, Table
+'''
+RAISES = {
+    "InputError": "If a value makes no sense, is missing or outside its range; the message names it.",
+    "FileError": "If a file cannot be read or written.",
+}
+
+
+def native() -> ModuleType:
+    """The compiled module, without the package around it, which may be older than this."""
+    package = importlib.util.find_spec("soilctl")
+    folders = list(package.submodule_search_locations or []) if package else []
+    found = importlib.machinery.PathFinder.find_spec("_native", folders)
+    if found is None or found.loader is None:
+        sys.exit("the package soilctl is not installed for this Python")
+    spec = importlib.util.spec_from_file_location("soilctl._native", found.origin)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+# Types and functions of the use cases.
+
+
+def use_cases(schemas: list[tuple[str, str, str, str]]) -> str:
+    """The text of `use_cases.py`."""
+    records: dict[str, str] = {}
+    functions, names = [], []
+    for name, answer_id, request, answer in schemas:
+        prefix = camel(answer_id.removeprefix("soilctl.").partition("/")[0])
+        kind = f"{prefix}Answer"
+        # Several use cases may have the same form of answer.
+        if kind not in records:
+            records |= answer_records(prefix, json.loads(answer))
+        functions.append(function(name, json.loads(request), kind))
+        names.append(name.replace(" ", "_").replace("-", "_"))
+    listed = "".join(f'    "{name}",\n' for name in sorted([*records, *names]))
+    return "\n".join([HEAD, f"__all__ = [\n{listed}]\n", *records.values(), *functions])
+
+
+def camel(words: str) -> str:
+    return "".join(word[:1].upper() + word[1:] for word in re.split(r"[-_ ]", words))
+
+
+def answer_records(prefix: str, schema: dict[str, Any]) -> dict[str, str]:
+    """Classes of an answer and of all records in it, by name."""
+    definitions = schema.get("$defs", {})
+    enums = {name: one for name, one in definitions.items() if "oneOf" in one or "enum" in one}
+    scope = Scope(prefix, enums)
+    found = {}
+    for name, one in definitions.items():
+        if name not in enums:
+            found[scope.record(name)] = record(scope.record(name), "Record", one, scope)
+    whole = united(schema, definitions)
+    whole["properties"] = dict(sorted(whole["properties"].items(), key=lambda pair: pair[0] not in ("schema", "version")))
+    found[f"{prefix}Answer"] = record(f"{prefix}Answer", "Answer", whole, scope)
+    return found
+
+
+def united(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
+    """An answer of several forms as one, in which what is not in all forms may be missing."""
+    forms = [definitions[one["$ref"].rsplit("/", 1)[-1]] if "$ref" in one else one for one in schema.get("oneOf", [])]
+    properties: dict[str, Any] = dict(schema.get("properties", {}))
+    required = list(schema.get("required", []))
+    for key in {key: None for form in forms for key in form["properties"]}:
+        kinds = [form["properties"][key] for form in forms if key in form["properties"]]
+        unique = [one for index, one in enumerate(kinds) if not any(same_type(one, other) for other in kinds[:index])]
+        described = {"description": kinds[0].get("description", "")}
+        properties[key] = kinds[0] if len(unique) == 1 else {"anyOf": unique, **described}
+        if all(key in form.get("required", []) for form in forms):
+            required.append(key)
+    return {**schema, "properties": properties, "required": required}
+
+
+def same_type(one: dict[str, Any], other: dict[str, Any]) -> bool:
+    return {**one, "description": ""} == {**other, "description": ""}
+
+
+class Scope:
+    """Names of the records and enums of one answer."""
+
+    def __init__(self, prefix: str, enums: dict[str, Any]) -> None:
+        self.prefix = prefix
+        self.enums = enums
+
+    def record(self, name: str) -> str:
+        return self.prefix + name.removeprefix(self.prefix).removesuffix("Answer")
+
+    def type(self, schema: dict[str, Any]) -> str:
+        """The Python type of values of a schema."""
+        if "$ref" in schema:
+            name = schema["$ref"].rsplit("/", 1)[-1]
+            return self.type(self.enums[name]) if name in self.enums else self.record(name)
+        for key in ("anyOf", "oneOf"):
+            if key in schema:
+                return union(self.type(one) for one in schema[key])
+        if "const" in schema:
+            return f"Literal[{json.dumps(schema['const'])}]"
+        if "enum" in schema:
+            return f"Literal[{', '.join(map(json.dumps, schema['enum']))}]"
+        kinds = schema.get("type", "any")
+        return union(self.plain(kind, schema) for kind in (kinds if isinstance(kinds, list) else [kinds]))
+
+    def plain(self, kind: str, schema: dict[str, Any]) -> str:
+        if kind == "array":
+            return f"list[{self.type(schema.get('items', {}))}]"
+        if kind == "object" and isinstance(schema.get("additionalProperties"), dict):
+            return f"dict[str, {self.type(schema['additionalProperties'])}]"
+        names = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None", "object": "dict[str, Any]"}
+        return names.get(kind, "Any")
+
+
+def union(kinds: Any) -> str:
+    unique = list(dict.fromkeys(kinds))
+    literals = [kind.removeprefix("Literal[").removesuffix("]") for kind in unique if kind.startswith("Literal[")]
+    others = [kind for kind in unique if not kind.startswith("Literal[")]
+    joined = ([f"Literal[{', '.join(literals)}]"] if literals else []) + sorted(others, key="None".__eq__)
+    return " | ".join(joined)
+
+
+def optional(kind: str) -> str:
+    return kind if kind == "None" or kind.endswith("| None") else f"{kind} | None"
+
+
+def record(name: str, base: str, schema: dict[str, Any], scope: Scope) -> str:
+    """A class of an answer."""
+    required = schema.get("required", [])
+    # Those with defaults follow those without.
+    properties = sorted(schema.get("properties", {}).items(), key=lambda pair: pair[0] not in required)
+    lines = []
+    for key, about in properties:
+        kind = scope.type(about)
+        default = ""
+        if key not in required:
+            kind, default = optional(kind), " = None"
+        attribute = key + "_" if keyword.iskeyword(key) else key
+        if attribute != key:
+            metadata = f'metadata={{"key": {json.dumps(key)}}}'
+            default = f" = field(default=None, {metadata})" if default else f" = field({metadata})"
+        lines.append(f"    {attribute}: {kind}{default}\n" + docstring(sentences(about) or "See its type.", 4))
+    summary = sentences(schema) or "Part of an answer."
+    return f"\n@dataclass(frozen=True, repr=False, eq=False)\nclass {name}({base}):\n{docstring(summary, 4)}\n" + "".join(lines)
+
+
+def function(name: str, schema: dict[str, Any], answer: str) -> str:
+    """A function that runs a use case."""
+    scope = Scope("", {key: one for key, one in schema.get("$defs", {}).items()})
+    required = schema.get("required", [])
+    first = [(key, schema["properties"][key]) for key in required]
+    # By what is needed most: what a schema has first is what it is about.
+    others = [(key, about) for key, about in schema["properties"].items() if key not in required]
+    head, told, tables = [], [], []
+    for key, about in first + others:
+        kind, is_table = parameter_type(about, scope)
+        tables += [key] * is_table
+        default = "" if key in required else f" = {default_of(about)}"
+        if default == " = None":
+            kind = optional(kind)
+        head.append(f"    {key}: {kind}{default},\n")
+        told.append(described(key, [sentences(about), limits(about)]))
+    at = len(required)
+    signature = "".join([*head[:at], "    *,\n", *head[at:], "    progress: Progress = None,\n"])
+    told.append(described("progress", ["Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm."]))
+    text = sentences(schema) + "\n\nArgs:\n" + "\n".join(told)
+    text += f"\n\nReturns:\n    The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part."
+    text += "\n\nRaises:\n" + "\n".join(described(kind, [when]) for kind, when in RAISES.items())
+    listed = "".join(f"{json.dumps(key)}, " for key in tables).rstrip()
+    given = f"run({json.dumps(name)}, locals(), {answer}" + (f", tables=({listed}))" if tables else ")")
+    called = name.replace(" ", "_").replace("-", "_")
+    return f"\ndef {called}(\n{signature}) -> {answer}:\n{docstring(text, 4)}    return {given}\n"
+
+
+def parameter_type(about: dict[str, Any], scope: Scope) -> tuple[str, bool]:
+    """The type of an argument, and whether it may be a table in memory."""
+    forms = about.get("anyOf", [])
+    if any("csv" in one.get("properties", {}) for one in forms):
+        return "Table", True
+    kind = scope.type(about).replace("list[", "Sequence[")
+    return (kind.replace("str", "PathLike") if about.get("format") == "path" else kind), False
+
+
+def default_of(about: dict[str, Any]) -> str:
+    default = about.get("default")
+    if isinstance(default, list):
+        return repr(tuple(default))
+    return json.dumps(default) if isinstance(default, str) else repr(default)
+
+
+def limits(about: dict[str, Any]) -> str:
+    """The range of a number in words, unless its description tells it."""
+    of = about.get("items", about)
+    words = {"minimum": "at least", "exclusiveMinimum": "above", "maximum": "at most", "exclusiveMaximum": "below"}
+    ends = [f"{word} {of[end]:g}" for end, word in words.items() if end in of]
+    sentence = " and ".join(ends)
+    return f"{sentence[:1].upper()}{sentence[1:]}." if sentence else ""
+
+
+def sentences(about: dict[str, Any]) -> str:
+    """A description as sentences."""
+    text = " ".join(about.get("description", "").split())
+    text = re.sub(r" ?\[default: [^]]*\]", "", text)
+    text = re.sub(r"(?<!`)`([^`]+)`(?!`)", r"``\1``", text).replace("\\", "\\\\")
+    return text if not text or text.endswith((".", "!", "?")) else text + "."
+
+
+def described(name: str, parts: list[str]) -> str:
+    text = " ".join(part for part in parts if part) or "See the command line."
+    return textwrap.fill(f"{name}: {text}", WIDTH - 4, initial_indent="    ", subsequent_indent="        ", break_long_words=False, break_on_hyphens=False)
+
+
+def docstring(text: str, indent: int) -> str:
+    """A docstring, with lines of a single paragraph filled."""
+    space = " " * indent
+    first, _, rest = text.partition("\n")
+    lines = textwrap.wrap(first, WIDTH - indent - 3, break_long_words=False, break_on_hyphens=False) or [""]
+    lines += rest.split("\n") if rest else []
+    if len(lines) == 1 and len(lines[0]) + indent + 6 <= WIDTH:
+        return f'{space}"""{lines[0]}"""\n'
+    body = "".join(f"{space}{line}".rstrip() + "\n" for line in lines[1:])
+    return f'{space}"""{lines[0]}\n{body}{space}"""\n'
+
+
+# Docstrings of the stub.
+
+
+def stub(text: str, module: ModuleType) -> str:
+    """The text of `_native.pyi` with the docstrings of the compiled module."""
+    lines = text.split("\n")
+    places = [(node, owner) for owner, node in definitions(ast.parse(text))]
+    # From the end, so that lines before keep their numbers.
+    for node, owner in sorted(places, key=lambda place: -place[0].lineno):
+        thing = getattr(getattr(module, owner) if owner else module, node.name, None)
+        told = inspect.getdoc(thing) if thing is not None and not node.name.startswith("__") else None
+        set_docstring(lines, node, told)
+    return "\n".join(lines)
+
+
+def definitions(tree: ast.Module) -> Any:
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            yield None, node
+            yield from ((node.name, one) for one in node.body if isinstance(one, ast.FunctionDef))
+        elif isinstance(node, ast.FunctionDef):
+            yield None, node
+
+
+def set_docstring(lines: list[str], node: ast.ClassDef | ast.FunctionDef, told: str | None) -> None:
+    """Replaces the docstring of a definition; that of a function is all of its body."""
+    first = node.body[0]
+    has_one = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant) and isinstance(first.value.value, str)
+    indent = node.col_offset + 4
+    new = docstring(told.replace("\\", "\\\\"), indent).rstrip("\n").split("\n") if told else []
+    if isinstance(node, ast.ClassDef):
+        end = first.end_lineno if has_one else first.lineno - 1 - len(getattr(first, "decorator_list", []))
+        lines[node.lineno : end] = new
+        return
+    start, end = first.lineno - 1, first.end_lineno
+    if has_one:
+        lines[start - 1] += "" if new else " ..."
+        lines[start:end] = new
+    elif new:
+        head = lines[start][: first.col_offset].rstrip()
+        lines[start:end] = [head, *new]
+
+
+def files(module: ModuleType) -> dict[Path, str]:
+    """The files by path, as they should be."""
+    path = PACKAGE / "_native.pyi"
+    return {
+        PACKAGE / "use_cases.py": use_cases(module.use_case_schemas()),
+        path: stub(path.read_text(encoding="utf-8"), module),
+    }
+
+
+if __name__ == "__main__":
+    for path, text in files(native()).items():
+        path.write_text(text, encoding="utf-8")
