@@ -152,15 +152,12 @@ class Scope:
 
 
 def union(kinds: Any) -> str:
-    unique = list(dict.fromkeys(kinds))
+    # A union of unions is one; a bar within brackets is of what is inside.
+    unique = list(dict.fromkeys(part for kind in kinds for part in re.split(r" \| (?![^\[]*\])", kind)))
     literals = [kind.removeprefix("Literal[").removesuffix("]") for kind in unique if kind.startswith("Literal[")]
     others = [kind for kind in unique if not kind.startswith("Literal[")]
     joined = ([f"Literal[{', '.join(literals)}]"] if literals else []) + sorted(others, key="None".__eq__)
     return " | ".join(joined)
-
-
-def optional(kind: str) -> str:
-    return kind if kind == "None" or kind.endswith("| None") else f"{kind} | None"
 
 
 def record(name: str, base: str, schema: dict[str, Any], scope: Scope) -> str:
@@ -173,13 +170,14 @@ def record(name: str, base: str, schema: dict[str, Any], scope: Scope) -> str:
         kind = scope.type(about)
         default = ""
         if key not in required:
-            kind, default = optional(kind), " = None"
+            kind, default = union([kind, "None"]), " = None"
         attribute = key + "_" if keyword.iskeyword(key) else key
         if attribute != key:
             metadata = f'metadata={{"key": {json.dumps(key)}}}'
             default = f" = field(default=None, {metadata})" if default else f" = field({metadata})"
         lines.append(f"    {attribute}: {kind}{default}\n" + docstring(sentences(about) or "See its type.", 4))
-    summary = sentences(schema) or "Part of an answer."
+    told = [described(key + "_" * keyword.iskeyword(key), [sentences(about) or "See its type."]) for key, about in properties]
+    summary = "\n".join([sentences(schema) or "Part of an answer.", "\nAttributes:", *told])
     return f"\n@dataclass(frozen=True, repr=False, eq=False)\nclass {name}({base}):\n{docstring(summary, 4)}\n" + "".join(lines)
 
 
@@ -196,7 +194,7 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
         tables += [key] * is_table
         default = "" if key in required else f" = {default_of(about)}"
         if default == " = None":
-            kind = optional(kind)
+            kind = union([kind, "None"])
         head.append(f"    {key}: {kind}{default},\n")
         told.append(described(key, [sentences(about), limits(about)]))
     at = len(required)
@@ -213,11 +211,14 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
 
 def parameter_type(about: dict[str, Any], scope: Scope) -> tuple[str, bool]:
     """The type of an argument, and whether it may be a table in memory."""
-    forms = about.get("anyOf", [])
-    if any("csv" in one.get("properties", {}) for one in forms):
+    if is_table(about):
         return "Table", True
     kind = scope.type(about).replace("list[", "Sequence[")
     return (kind.replace("str", "PathLike") if about.get("format") == "path" else kind), False
+
+
+def is_table(about: dict[str, Any]) -> bool:
+    return "csv" in about.get("properties", {}) or any(map(is_table, about.get("anyOf", [])))
 
 
 def default_of(about: dict[str, Any]) -> str:

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ._native import run_use_case
-from ._progress import told
+from ._progress import callback
 from ._record import Answer, of_json
 from ._table import to_csv
 from .errors import InputError, InputTypeError
@@ -29,8 +29,8 @@ def run(name: str, arguments: Mapping[str, Any], kind: type[_Answer], tables: tu
             request[key] = {"csv": to_csv(key, value)}
         else:
             request[key] = _plain(key, value)
-    with told(arguments["progress"], "steps") as tell:
-        exit_code, answer = run_use_case(name, json.dumps(request), tell)
+    with callback(arguments["progress"], "steps") as report:
+        exit_code, answer = run_use_case(name, json.dumps(request), report)
     return of_json(kind, {**json.loads(answer), "exit_code": exit_code})
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from . import use_cases
 from ._native import Certificate, Solution, answer_command
-from ._progress import Progress, told
+from ._progress import Progress, callback
 from ._record import table
 from ._table import PathLike, Table
 from .errors import InputError, InputTypeError
@@ -43,8 +43,8 @@ def answer(*words: object, progress: Progress = None) -> dict[str, Any]:
         FileError: If a file cannot be read or written.
     """
     line = ["soilctl", *(os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words)]
-    with told(progress, "steps") as tell:
-        exit_code, text = answer_command(line, tell)
+    with callback(progress, "steps") as report:
+        exit_code, text = answer_command(line, report)
     found: dict[str, Any] = json.loads(text) if text else {}
     return CommandAnswer(found, exit_code=exit_code)
 
@@ -91,7 +91,7 @@ def shear(
         FileError: If the file cannot be read.
     """
     names = [soils] if isinstance(soils, str) else list(soils)
-    return use_cases.shear(points, soil=names, stress_pa=_numbers("stress_pa", stress_pa), fit_limit_pa=fit_limit_pa)
+    return use_cases.shear(file=points, soil=names, stress_pa=_numbers("stress_pa", stress_pa), fit_limit_pa=fit_limit_pa)
 
 
 def _numbers(name: str, value: float | Iterable[float]) -> list[float]:
