@@ -67,16 +67,24 @@ def use_cases(schemas: list[tuple[str, str, str, str]]) -> str:
     """The text of `use_cases.py`."""
     records: dict[str, str] = {}
     functions, names = [], []
+    users: dict[str, list[str]] = {}
+    for name, answer_id, _, _ in schemas:
+        users.setdefault(answer_id, []).append(f"``{function_name(name)}``")
     for name, answer_id, request, answer in schemas:
         prefix = camel(answer_id.removeprefix("soilctl.").partition("/")[0])
         kind = f"{prefix}Answer"
         # Several use cases may have the same form of answer.
         if kind not in records:
-            records |= answer_records(prefix, json.loads(answer))
+            summary = f"The answer of {', '.join(users[answer_id])}."
+            records |= answer_records(prefix, {**json.loads(answer), "description": summary})
         functions.append(function(name, json.loads(request), kind))
-        names.append(name.replace(" ", "_").replace("-", "_"))
+        names.append(function_name(name))
     listed = "".join(f'    "{name}",\n' for name in sorted([*records, *names]))
     return "\n".join([HEAD, f"__all__ = [\n{listed}]\n", *records.values(), *functions])
+
+
+def function_name(name: str) -> str:
+    return name.replace(" ", "_").replace("-", "_")
 
 
 def camel(words: str) -> str:
@@ -100,7 +108,11 @@ def answer_records(prefix: str, schema: dict[str, Any]) -> dict[str, str]:
 
 def united(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
     """An answer of several forms as one, in which what is not in all forms may be missing."""
-    forms = [definitions[one["$ref"].rsplit("/", 1)[-1]] if "$ref" in one else one for one in schema.get("oneOf", [])]
+    forms = []
+    for form in schema.get("oneOf", []):
+        of = definitions[form["$ref"].rsplit("/", 1)[-1]] if "$ref" in form else {}
+        own = {**of.get("properties", {}), **form.get("properties", {})}
+        forms.append({"properties": own, "required": [*of.get("required", []), *form.get("required", [])]})
     properties: dict[str, Any] = dict(schema.get("properties", {}))
     required = list(schema.get("required", []))
     for key in {key: None for form in forms for key in form["properties"]}:
@@ -186,8 +198,8 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
     scope = Scope("", {key: one for key, one in schema.get("$defs", {}).items()})
     required = schema.get("required", [])
     first = [(key, schema["properties"][key]) for key in required]
-    # By what is needed most: what a schema has first is what it is about.
-    others = [(key, about) for key, about in schema["properties"].items() if key not in required]
+    others = [(key, schema["properties"][key]) for key in schema["propertyOrder"] if key not in required]
+    names = list(schema["properties"])
     head, told, tables = [], [], []
     for key, about in first + others:
         kind, is_table = parameter_type(about, scope)
@@ -196,16 +208,16 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
         if default == " = None":
             kind = union([kind, "None"])
         head.append(f"    {key}: {kind}{default},\n")
-        told.append(described(key, [sentences(about), limits(about)]))
+        told.append(described(key, [in_python(sentences(about), names), limits(about)]))
     at = len(required)
     signature = "".join([*head[:at], "    *,\n", *head[at:], "    progress: Progress = None,\n"])
     told.append(described("progress", ["Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm."]))
-    text = sentences(schema) + "\n\nArgs:\n" + "\n".join(told)
+    text = in_python(sentences(schema), names) + "\n\nArgs:\n" + "\n".join(told)
     text += f"\n\nReturns:\n    The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part."
     text += "\n\nRaises:\n" + "\n".join(described(kind, [when]) for kind, when in RAISES.items())
     listed = "".join(f"{json.dumps(key)}, " for key in tables).rstrip()
-    given = f"run({json.dumps(name)}, locals(), {answer}" + (f", tables=({listed}))" if tables else ")")
-    called = name.replace(" ", "_").replace("-", "_")
+    called = function_name(name)
+    given = f"run({json.dumps(name)}, {called}, locals(), {answer}" + (f", tables=({listed}))" if tables else ")")
     return f"\ndef {called}(\n{signature}) -> {answer}:\n{docstring(text, 4)}    return {given}\n"
 
 
@@ -243,6 +255,18 @@ def sentences(about: dict[str, Any]) -> str:
     text = re.sub(r" ?\[default: [^]]*\]", "", text)
     text = re.sub(r"(?<!`)`([^`]+)`(?!`)", r"``\1``", text).replace("\\", "\\\\")
     return text if not text or text.endswith((".", "!", "?")) else text + "."
+
+
+def in_python(text: str, names: list[str]) -> str:
+    """A description with arguments in place of options of the command line."""
+    text = re.sub(r" \(may be repeated(, or a list with commas)?\)|; may be repeated, or a list with commas|; a list with commas", "", text)
+
+    def named(option: re.Match[str]) -> str:
+        word = option[1].replace("-", "_")
+        fitting = [name for name in names if re.fullmatch(rf"{word}(_(deg|m|m2|n|pa|hz|s|kg_m3|m_s2))?", name)]
+        return f"``{fitting[0]}``" if fitting else option[0]
+
+    return re.sub(r"--([a-z][a-z-]*)", named, text)
 
 
 def described(name: str, parts: list[str]) -> str:

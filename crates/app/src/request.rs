@@ -19,7 +19,8 @@ pub trait Request: Serialize + DeserializeOwned + JsonSchema + clap::Args + Defa
 
 impl<R: Serialize + DeserializeOwned + JsonSchema + clap::Args + Default> Request for R {}
 
-/// The JSON schema of a request, with defaults, ranges, what is required, and which texts are paths.
+/// The JSON schema of a request, with defaults, ranges, what is required, which texts are paths, and in `propertyOrder` the order in
+/// which its fields are declared.
 ///
 /// # Errors
 /// [`AppError::Json`] if the schema cannot be put into JSON.
@@ -27,8 +28,10 @@ pub fn schema<R: Request>() -> Result<Value, AppError> {
     let generator = SchemaSettings::draft2020_12().into_generator();
     let mut schema = serde_json::to_value(generator.into_root_schema_for::<R>())?;
     let required: Vec<String> = required::<R>();
+    let mut order = Vec::new();
     for argument in R::augment_args(clap::Command::new("request")).get_arguments() {
         let key = argument.get_id().as_str();
+        order.push(key.to_owned());
         let property = schema.get_mut("properties").and_then(|properties| properties.get_mut(key));
         let Some(property) = property.and_then(Value::as_object_mut) else { continue };
         if argument.is_required_set() {
@@ -40,6 +43,7 @@ pub fn schema<R: Request>() -> Result<Value, AppError> {
     }
     if let Some(keys) = schema.as_object_mut() {
         keys.insert("required".into(), required.into());
+        keys.insert("propertyOrder".into(), order.into());
         keys.insert("additionalProperties".into(), false.into());
     }
     Ok(schema)

@@ -167,6 +167,8 @@ def test_strokes_in_memory_are_diagnosed(tmp_path):
     assert found["strokes"] == len(strokes) and (tmp_path / "out" / "patch.json").exists()
     assert list(found["predictions"].index) == list(strokes.index)
     assert (found["predictions"].force_after_n > 0).all()
+    again = soilctl.predict(strokes, model_file=tmp_path / "out" / "patch.json")
+    np.testing.assert_allclose(again.force_n, found["predictions"].force_after_n, rtol=1e-12)
     with pytest.raises(soilctl.InputTypeError, match="columns by name"):
         soilctl.diagnose([1.0])
 

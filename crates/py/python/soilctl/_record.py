@@ -56,13 +56,13 @@ def _key(field: Field[Any]) -> str:
     return str(field.metadata.get("key", field.name))
 
 
-@cache
-def _fields(kind: type[Any]) -> dict[str, Field[Any]]:
+def _fields_of(kind: type[Any]) -> dict[str, Field[Any]]:
     """Fields by key; the exit code comes last."""
     ordered = sorted(fields(kind), key=lambda field: field.name == "exit_code")
     return {_key(field): field for field in ordered}
 
 
+_fields = cache(_fields_of)
 _hints = cache(get_type_hints)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
 import numpy as np
@@ -19,11 +19,19 @@ from .errors import InputError, InputTypeError
 _Answer = TypeVar("_Answer", bound=Answer)
 
 
-def run(name: str, arguments: Mapping[str, Any], kind: type[_Answer], tables: tuple[str, ...] = ()) -> _Answer:
-    """Runs a use case. What is None is left out; ``tables`` are the arguments that may be columns in memory."""
+def run(
+    name: str,
+    function: Callable[..., _Answer],
+    arguments: Mapping[str, Any],
+    kind: type[_Answer],
+    tables: tuple[str, ...] = (),
+) -> _Answer:
+    """Runs a use case for the function of it. ``tables`` are the arguments that may be columns in memory."""
+    # What is not given is left out, since it may exclude something else that is.
+    defaults: dict[str, Any] = getattr(function, "__kwdefaults__", {})
     request = {}
     for key, value in arguments.items():
-        if key == "progress" or value is None:
+        if key == "progress" or value is None or (key in defaults and value is defaults[key]):
             continue
         if key in tables and not isinstance(value, (str, os.PathLike)):
             request[key] = {"csv": to_csv(key, value)}

@@ -209,7 +209,7 @@ class PredictStrokePrediction(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class PredictAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``predict``.
 
     Attributes:
         schema: Id of this schema.
@@ -497,7 +497,7 @@ class EstimateSection(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class EstimateAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``estimate``.
 
     Attributes:
         schema: Id of this schema.
@@ -985,7 +985,7 @@ class ShearStrokePoint(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ShearAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``shear``.
 
     Attributes:
         schema: Id of this schema.
@@ -1039,7 +1039,7 @@ class SimulateBatchReport(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class SimulateAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``simulate``.
 
     Attributes:
         schema: Id of this schema.
@@ -1150,7 +1150,7 @@ class LogWritten(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class LogAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``log_info``, ``log_doctor``, ``log_recover``, ``log_export``.
 
     Attributes:
         schema: Id of this schema.
@@ -1207,7 +1207,7 @@ class ReplayFirstDifference(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ReplayAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``replay``.
 
     Attributes:
         schema: Id of this schema.
@@ -1264,7 +1264,7 @@ class ArmSkewingRow(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ArmSkewingAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``arm_skewing``.
 
     Attributes:
         schema: Id of this schema.
@@ -1294,7 +1294,7 @@ class ArmSkewingAnswer(Answer):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ArmUrdfAnswer(Answer):
-    """An answer with what every JSON document starts with.
+    """The answer of ``arm_urdf``.
 
     Attributes:
         schema: Id of this schema.
@@ -1312,42 +1312,42 @@ class ArmUrdfAnswer(Answer):
 
 def predict(
     *,
-    adhesion_pa: float = 0.0,
+    model: str = "chen",
+    model_table: PathLike | None = None,
     alpha_deg: float | None = None,
-    beta_deg: float = 0.0,
-    cohesion_pa: float = 0.0,
+    model_file: PathLike | None = None,
+    phi_deg: float | None = None,
     delta_deg: Literal["column"] | float | None = None,
     density_kg_m3: Literal["column"] | float | None = None,
     depth_m: float | None = None,
-    gravity_m_s2: float = 9.80665,
-    model: str = "chen",
-    model_file: PathLike | None = None,
-    model_table: PathLike | None = None,
-    phi_deg: float | None = None,
-    strokes: Table | None = None,
-    surcharge_pa: float = 0.0,
     width_m: float | None = None,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
+    gravity_m_s2: float = 9.80665,
+    beta_deg: float = 0.0,
+    strokes: Table | None = None,
     progress: Progress = None,
 ) -> PredictAnswer:
     """Force and coefficients of a plate from a named model.
 
     Args:
-        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
-        alpha_deg: Tool angle from the horizontal (deg).
-        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
-        cohesion_pa: Cohesion of the soil (Pa), at least 0.
-        delta_deg: Friction angle between soil and plate (deg), or ``column`` for delta_set_deg of --strokes.
-        density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of --strokes.
-        depth_m: Vertical depth of the plate's lower edge below the surface (m).
-        gravity_m_s2: Gravity (m/s2), above 0.
         model: Model: coulomb, log-spiral, log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table.
-        model_file: A model file, such as the patch of ``diagnose``: force model, soil and effects; --phi, --delta
-            and --density replace its values.
         model_table: A table file (.csv or .parquet) as the model.
+        alpha_deg: Tool angle from the horizontal (deg).
+        model_file: A model file, such as the patch of ``diagnose``: force model, soil and effects; ``phi_deg``,
+            ``delta_deg`` and ``density_kg_m3`` replace its values.
         phi_deg: Internal friction angle of the soil (deg).
-        strokes: A stroke table: one prediction a row, with alpha, depth and width from the file.
-        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        delta_deg: Friction angle between soil and plate (deg), or ``column`` for delta_set_deg of ``strokes``.
+        density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of ``strokes``.
+        depth_m: Vertical depth of the plate's lower edge below the surface (m).
         width_m: Width of the plate (m).
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        strokes: A stroke table: one prediction a row, with alpha, depth and width from the file.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
@@ -1357,34 +1357,34 @@ def predict(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("predict", locals(), PredictAnswer, tables=("strokes",))
+    return run("predict", predict, locals(), PredictAnswer, tables=("strokes",))
 
 
 def estimate(
     file: Table,
     delta_deg: Literal["column"] | float,
     *,
-    adhesion_pa: float = 0.0,
-    adjust_high_angles: float = 0.0,
-    beta_deg: float = 0.0,
-    cohesion_pa: float = 0.0,
-    compare: bool = False,
+    model: str = "table",
+    model_file: PathLike | None = None,
     delta_tol_deg: float = 1.0,
     density_kg_m3: Literal["column"] | float | None = None,
     density_tol: float = 0.04,
-    exact: bool = False,
-    force_limit_n: float | None = None,
+    sigma: float | None = None,
+    uncertainty: Literal["sigma", "bounds"] = "sigma",
+    adjust_high_angles: float = 0.0,
+    phi_range_deg: Sequence[Any] | None = None,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
     gravity_m_s2: float = 9.80665,
-    model: str = "table",
-    model_file: PathLike | None = None,
+    beta_deg: float = 0.0,
+    sections_deg: Sequence[float] = (),
+    next_strokes: bool = False,
     next_alpha_deg: Sequence[float] = (40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0),
     next_depth_m: Sequence[float] = (),
-    next_strokes: bool = False,
-    phi_range_deg: Sequence[Any] | None = None,
-    sections_deg: Sequence[float] = (),
-    sigma: float | None = None,
-    surcharge_pa: float = 0.0,
-    uncertainty: Literal["sigma", "bounds"] = "sigma",
+    force_limit_n: float | None = None,
+    exact: bool = False,
+    compare: bool = False,
     progress: Progress = None,
 ) -> EstimateAnswer:
     """Every soil that could have produced the measured forces.
@@ -1392,31 +1392,31 @@ def estimate(
     Args:
         file: Stroke table (CSV).
         delta_deg: Friction angle between soil and plate (deg), or ``column`` for delta_set_deg of the table.
-        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
-        adjust_high_angles: Allow that forces at tool angles of 90 deg and more were read low by up to this
-            fraction, because friction was not fully mobilised when failure was read (0.1 in Hong 2001, section
-            7.5.1). At least 0.
-        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
-        cohesion_pa: Cohesion of the soil (Pa), at least 0.
-        compare: Also run what one would otherwise use, downhill simplex and Levenberg-Marquardt from many starts.
-        delta_tol_deg: Half width of what is known of delta (deg). At least 0.
-        density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of the table; left out: unknown.
-        density_tol: Relative half width of what is known of the density. At least 0 and below 1.
-        exact: Take the forces as exact: contour lines instead of bands.
-        force_limit_n: Greatest force the arm can exert (N); dearer strokes are left out.
-        gravity_m_s2: Gravity (m/s2), above 0.
         model: Model: table (the bracket of bounds), thesis-ub, thesis-lb, chen, caquot, log-spiral,
             log-spiral-thesis, coulomb.
         model_file: A model file, such as the patch of ``diagnose``: its effects are taken out of the measured
             forces first, at the soil of the file.
+        delta_tol_deg: Half width of what is known of delta (deg). At least 0.
+        density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of the table; left out: unknown.
+        density_tol: Relative half width of what is known of the density. At least 0 and below 1.
+        sigma: Standard deviations that a band reaches on either side of the force. Above 0.
+        uncertainty: What the uncertainty of a force means.
+        adjust_high_angles: Allow that forces at tool angles of 90 deg and more were read low by up to this
+            fraction, because friction was not fully mobilised when failure was read (0.1 in Hong 2001, section
+            7.5.1). At least 0.
+        phi_range_deg: Friction angles to search (deg), LOW:HIGH.
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        sections_deg: Values of delta at which sections are shown (deg); default: the ends and the middle.
+        next_strokes: Rank the next strokes by how much they would shrink the region.
         next_alpha_deg: Tool angles to consider for the next stroke (deg).
         next_depth_m: Depths to consider for the next stroke (m); default: the depths of the table.
-        next_strokes: Rank the next strokes by how much they would shrink the region.
-        phi_range_deg: Friction angles to search (deg), LOW:HIGH.
-        sections_deg: Values of delta at which sections are shown (deg); default: the ends and the middle.
-        sigma: Standard deviations that a band reaches on either side of the force. Above 0.
-        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
-        uncertainty: What the uncertainty of a force means.
+        force_limit_n: Greatest force the arm can exert (N); dearer strokes are left out.
+        exact: Take the forces as exact: contour lines instead of bands.
+        compare: Also run what one would otherwise use, downhill simplex and Levenberg-Marquardt from many starts.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
@@ -1426,64 +1426,63 @@ def estimate(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("estimate", locals(), EstimateAnswer, tables=("file",))
+    return run("estimate", estimate, locals(), EstimateAnswer, tables=("file",))
 
 
 def shear(
     *,
-    alpha_deg: float | None = None,
-    bias_n: float = 0.0,
+    file: Table | None = None,
+    soil: Sequence[str] = (),
+    fit_limit_pa: float | None = None,
+    stress_pa: Sequence[float] = (),
+    raw: PathLike | None = None,
+    friction_loop: PathLike | None = None,
+    soil_name: str | None = None,
     box_area_m2: float = 0.00356,
     box_gravity_m_s2: float = 9.80665,
-    carry_to_pa: float | None = None,
-    delta_deg: float | None = None,
-    density_kg_m3: float | None = None,
-    depth_m: float | None = None,
-    file: Table | None = None,
-    fit_limit_pa: float | None = None,
-    force_n: float | None = None,
-    friction_loop: PathLike | None = None,
-    gravity_m_s2: float = 9.80665,
-    keep: int = 3,
+    bias_n: float = 0.0,
     low_load_limit_pa: float | None = None,
+    keep: int = 3,
+    alpha_deg: float | None = None,
+    depth_m: float | None = None,
+    width_m: float | None = None,
+    density_kg_m3: float | None = None,
+    gravity_m_s2: float = 9.80665,
+    delta_deg: float | None = None,
+    force_n: float | None = None,
     phi_deg: float | None = None,
     point_fraction: Sequence[float] = (0.5, 0.6667),
-    raw: PathLike | None = None,
-    soil: Sequence[str] = (),
-    soil_name: str | None = None,
-    stress_pa: Sequence[float] = (),
-    width_m: float | None = None,
+    carry_to_pa: float | None = None,
     progress: Progress = None,
 ) -> ShearAnswer:
     """The friction angle of direct-shear tests against normal stress.
 
     Args:
-        alpha_deg: Tool angle from the horizontal (deg); --alpha, --depth, --width, --density, --delta and --force
-            go together.
-        bias_n: Reading of the load cell without load (N), subtracted from every shear force.
-        box_area_m2: Area of the shear plane (m2).
-        box_gravity_m_s2: Gravity where the box stands (m/s2).
-        carry_to_pa: Warns of the shift when the friction angle of the stroke is used at this normal stress (Pa).
-        delta_deg: Friction angle between soil and plate (deg).
-        density_kg_m3: Bulk density (kg/m3).
-        depth_m: Vertical depth of the plate's lower edge below the surface (m).
         file: Table of friction angles against normal stress.
+        soil: Only this soil of FILE.
         fit_limit_pa: The power law is fitted to the loads below this normal stress (Pa); 2.5 psi = 17237 Pa if not
             given. Above 0.
-        force_n: Failure force of the stroke (N).
+        stress_pa: Gives the friction angle at this normal stress (Pa).
+        raw: Raw records instead of FILE: run_id, load_kg, displacement_mm, shear_force_n, vertical_mm (optional).
         friction_loop: Record of the empty box in both directions: displacement_mm, shear_force_n, direction.
-        gravity_m_s2: Gravity at the stroke (m/s2).
-        keep: Of more runs than this at a load, the closest ones are kept. At least 0.
+        soil_name: Name of the soil in the raw records.
+        box_area_m2: Area of the shear plane (m2).
+        box_gravity_m_s2: Gravity where the box stands (m/s2).
+        bias_n: Reading of the load cell without load (N), subtracted from every shear force.
         low_load_limit_pa: Forces are smoothed below this normal stress (Pa); 2.5 psi = 17237 Pa if not given.
+        keep: Of more runs than this at a load, the closest ones are kept. At least 0.
+        alpha_deg: Tool angle from the horizontal (deg); ``alpha_deg``, ``depth_m``, ``width_m``, ``density_kg_m3``,
+            ``delta_deg`` and ``force_n`` go together.
+        depth_m: Vertical depth of the plate's lower edge below the surface (m).
+        width_m: Width of the plate (m).
+        density_kg_m3: Bulk density (kg/m3).
+        gravity_m_s2: Gravity at the stroke (m/s2).
+        delta_deg: Friction angle between soil and plate (deg).
+        force_n: Failure force of the stroke (N).
         phi_deg: Friction angle to compute the stresses with (deg); if not given, angle and stress are made
             consistent.
-        point_fraction: Depth of the point considered as a fraction of the plate's depth (may be repeated, or a list
-            with commas).
-        raw: Raw records instead of FILE: run_id, load_kg, displacement_mm, shear_force_n, vertical_mm (optional).
-        soil: Only this soil of FILE (may be repeated).
-        soil_name: Name of the soil in the raw records.
-        stress_pa: Gives the friction angle at this normal stress (Pa; may be repeated, or a list with commas).
-        width_m: Width of the plate (m).
+        point_fraction: Depth of the point considered as a fraction of the plate's depth.
+        carry_to_pa: Warns of the shift when the friction angle of the stroke is used at this normal stress (Pa).
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
@@ -1493,16 +1492,16 @@ def shear(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("shear", locals(), ShearAnswer, tables=("file",))
+    return run("shear", shear, locals(), ShearAnswer, tables=("file",))
 
 
 def simulate(
     file: PathLike,
     out: PathLike,
     *,
-    model_file: PathLike | None = None,
     seed: int | None = None,
     threads: int | None = None,
+    model_file: PathLike | None = None,
     progress: Progress = None,
 ) -> SimulateAnswer:
     """Runs a campaign on the simulated arm and soil, a log for each batch.
@@ -1510,9 +1509,9 @@ def simulate(
     Args:
         file: A campaign plan (.toml).
         out: Folder for the logs; made if it is not there.
-        model_file: Model file whose soil, force model and effects replace those of the plan.
         seed: Seed of noise and scatter. At least 0.
         threads: Batches that run at a time; results are the same for any number. At least 1 and at most 1024.
+        model_file: Model file whose soil, force model and effects replace those of the plan.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
@@ -1522,7 +1521,7 @@ def simulate(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("simulate", locals(), SimulateAnswer)
+    return run("simulate", simulate, locals(), SimulateAnswer)
 
 
 def log_info(
@@ -1543,7 +1542,7 @@ def log_info(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("log info", locals(), LogAnswer)
+    return run("log info", log_info, locals(), LogAnswer)
 
 
 def log_doctor(
@@ -1564,7 +1563,7 @@ def log_doctor(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("log doctor", locals(), LogAnswer)
+    return run("log doctor", log_doctor, locals(), LogAnswer)
 
 
 def log_recover(
@@ -1587,7 +1586,7 @@ def log_recover(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("log recover", locals(), LogAnswer)
+    return run("log recover", log_recover, locals(), LogAnswer)
 
 
 def log_export(
@@ -1613,7 +1612,7 @@ def log_export(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("log export", locals(), LogAnswer)
+    return run("log export", log_export, locals(), LogAnswer)
 
 
 def replay(
@@ -1637,26 +1636,26 @@ def replay(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("replay", locals(), ReplayAnswer)
+    return run("replay", replay, locals(), ReplayAnswer)
 
 
 def arm_skewing(
     *,
-    alpha_deg: float = 90.0,
     arm: PathLike | None = None,
     controller: PathLike | None = None,
-    height_m: float = -0.3175,
     radius_m: Sequence[float] = (0.2032, 0.3048, 0.4318),
+    height_m: float = -0.3175,
+    alpha_deg: float = 90.0,
     progress: Progress = None,
 ) -> ArmSkewingAnswer:
     """Directions of the tip's force against the errors that it answers.
 
     Args:
-        alpha_deg: Tool angle (deg).
         arm: Arm file (.toml).
         controller: Settings of the controller (.toml).
+        radius_m: Radii of the tip (m); 8, 12 and 17 in if not given.
         height_m: Height of the tip over the base (m).
-        radius_m: Radii of the tip (m; a list with commas); 8, 12 and 17 in if not given.
+        alpha_deg: Tool angle (deg).
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
@@ -1666,7 +1665,7 @@ def arm_skewing(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("arm skewing", locals(), ArmSkewingAnswer)
+    return run("arm skewing", arm_skewing, locals(), ArmSkewingAnswer)
 
 
 def arm_urdf(
@@ -1687,4 +1686,4 @@ def arm_urdf(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("arm urdf", locals(), ArmUrdfAnswer)
+    return run("arm urdf", arm_urdf, locals(), ArmUrdfAnswer)
