@@ -4,7 +4,7 @@ Arguments and attributes have their units in their names. An answer can also be 
 the JSON answer of the command line.
 """
 
-# Made by crates/py/generate.py from the schemas of the use cases.
+# Made by crates/py/generate from the schemas of the use cases.
 
 from __future__ import annotations
 

@@ -1,34 +1,21 @@
-"""Writes what follows from the compiled module: `use_cases.py` from the JSON schemas of the use cases, and the docstrings of `_native.pyi`.
-
-    python crates/py/generate.py
-
-It takes the compiled module of the package that is installed for this Python. A test says if a file is out of date.
-"""
+"""Types and functions of the use cases, from their JSON schemas."""
 
 from __future__ import annotations
 
-import ast
-import importlib.machinery
-import importlib.util
-import inspect
 import json
 import keyword
 import re
-import sys
-import textwrap
-from pathlib import Path
-from types import ModuleType
 from typing import Any
 
-PACKAGE = Path(__file__).resolve().parent / "python" / "soilctl"
-WIDTH = 116
+from docstrings import described, docstring
+
 HEAD = '''"""Every use case as a function: its request as keyword arguments, its answer as an object with attributes.
 
 Arguments and attributes have their units in their names. An answer can also be read as a mapping, ``answer["key"]``, with the keys of
 the JSON answer of the command line.
 """
 
-# Made by crates/py/generate.py from the schemas of the use cases.
+# Made by crates/py/generate from the schemas of the use cases.
 
 from __future__ import annotations
 
@@ -45,22 +32,6 @@ RAISES = {
     "InputError": "If a value makes no sense, is missing or outside its range; the message names it.",
     "FileError": "If a file cannot be read or written.",
 }
-
-
-def native() -> ModuleType:
-    """The compiled module, without the package around it, which may be older than this."""
-    package = importlib.util.find_spec("soilctl")
-    folders = list(package.submodule_search_locations or []) if package else []
-    found = importlib.machinery.PathFinder.find_spec("_native", folders)
-    if found is None or found.loader is None:
-        sys.exit("the package soilctl is not installed for this Python")
-    spec = importlib.util.spec_from_file_location("soilctl._native", found.origin)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-# Types and functions of the use cases.
 
 
 def use_cases(schemas: list[tuple[str, str, str, str]]) -> str:
@@ -267,77 +238,3 @@ def in_python(text: str, names: list[str]) -> str:
         return f"``{fitting[0]}``" if fitting else option[0]
 
     return re.sub(r"--([a-z][a-z-]*)", named, text)
-
-
-def described(name: str, parts: list[str]) -> str:
-    text = " ".join(part for part in parts if part) or "See the command line."
-    return textwrap.fill(f"{name}: {text}", WIDTH - 4, initial_indent="    ", subsequent_indent="        ", break_long_words=False, break_on_hyphens=False)
-
-
-def docstring(text: str, indent: int) -> str:
-    """A docstring, with lines of a single paragraph filled."""
-    space = " " * indent
-    first, _, rest = text.partition("\n")
-    lines = textwrap.wrap(first, WIDTH - indent - 3, break_long_words=False, break_on_hyphens=False) or [""]
-    lines += rest.split("\n") if rest else []
-    if len(lines) == 1 and len(lines[0]) + indent + 6 <= WIDTH:
-        return f'{space}"""{lines[0]}"""\n'
-    body = "".join(f"{space}{line}".rstrip() + "\n" for line in lines[1:])
-    return f'{space}"""{lines[0]}\n{body}{space}"""\n'
-
-
-# Docstrings of the stub.
-
-
-def stub(text: str, module: ModuleType) -> str:
-    """The text of `_native.pyi` with the docstrings of the compiled module."""
-    lines = text.split("\n")
-    places = [(node, owner) for owner, node in definitions(ast.parse(text))]
-    # From the end, so that lines before keep their numbers.
-    for node, owner in sorted(places, key=lambda place: -place[0].lineno):
-        thing = getattr(getattr(module, owner) if owner else module, node.name, None)
-        told = inspect.getdoc(thing) if thing is not None and not node.name.startswith("__") else None
-        set_docstring(lines, node, told)
-    return "\n".join(lines)
-
-
-def definitions(tree: ast.Module) -> Any:
-    for node in tree.body:
-        if isinstance(node, ast.ClassDef):
-            yield None, node
-            yield from ((node.name, one) for one in node.body if isinstance(one, ast.FunctionDef))
-        elif isinstance(node, ast.FunctionDef):
-            yield None, node
-
-
-def set_docstring(lines: list[str], node: ast.ClassDef | ast.FunctionDef, told: str | None) -> None:
-    """Replaces the docstring of a definition; that of a function is all of its body."""
-    first = node.body[0]
-    has_one = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant) and isinstance(first.value.value, str)
-    indent = node.col_offset + 4
-    new = docstring(told.replace("\\", "\\\\"), indent).rstrip("\n").split("\n") if told else []
-    if isinstance(node, ast.ClassDef):
-        end = first.end_lineno if has_one else first.lineno - 1 - len(getattr(first, "decorator_list", []))
-        lines[node.lineno : end] = new
-        return
-    start, end = first.lineno - 1, first.end_lineno
-    if has_one:
-        lines[start - 1] += "" if new else " ..."
-        lines[start:end] = new
-    elif new:
-        head = lines[start][: first.col_offset].rstrip()
-        lines[start:end] = [head, *new]
-
-
-def files(module: ModuleType) -> dict[Path, str]:
-    """The files by path, as they should be."""
-    path = PACKAGE / "_native.pyi"
-    return {
-        PACKAGE / "use_cases.py": use_cases(module.use_case_schemas()),
-        path: stub(path.read_text(encoding="utf-8"), module),
-    }
-
-
-if __name__ == "__main__":
-    for path, text in files(native()).items():
-        path.write_text(text, encoding="utf-8")
