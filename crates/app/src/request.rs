@@ -19,7 +19,8 @@ pub trait Request: Serialize + DeserializeOwned + JsonSchema + clap::Args + Defa
 
 impl<R: Serialize + DeserializeOwned + JsonSchema + clap::Args + Default> Request for R {}
 
-/// The JSON schema of a request, with defaults, ranges and what is required.
+/// The JSON schema of a request, with defaults, ranges, what is required, which texts are paths, and in `propertyOrder` the order in
+/// which its fields are declared.
 ///
 /// # Errors
 /// [`AppError::Json`] if the schema cannot be put into JSON.
@@ -27,15 +28,22 @@ pub fn schema<R: Request>() -> Result<Value, AppError> {
     let generator = SchemaSettings::draft2020_12().into_generator();
     let mut schema = serde_json::to_value(generator.into_root_schema_for::<R>())?;
     let required: Vec<String> = required::<R>();
-    if let Some(properties) = schema.pointer_mut("/properties").and_then(Value::as_object_mut) {
-        for key in &required {
-            if let Some(property) = properties.get_mut(key).and_then(Value::as_object_mut) {
-                property.remove("default");
-            }
+    let mut order = Vec::new();
+    for argument in R::augment_args(clap::Command::new("request")).get_arguments() {
+        let key = argument.get_id().as_str();
+        order.push(key.to_owned());
+        let property = schema.get_mut("properties").and_then(|properties| properties.get_mut(key));
+        let Some(property) = property.and_then(Value::as_object_mut) else { continue };
+        if argument.is_required_set() {
+            property.remove("default");
+        }
+        if argument.get_value_hint() == clap::ValueHint::AnyPath {
+            property.insert("format".into(), "path".into());
         }
     }
     if let Some(keys) = schema.as_object_mut() {
         keys.insert("required".into(), required.into());
+        keys.insert("propertyOrder".into(), order.into());
         keys.insert("additionalProperties".into(), false.into());
     }
     Ok(schema)
@@ -65,6 +73,8 @@ pub fn from_json<R: Request>(text: &str) -> Result<R, AppError> {
         return Err(AppError::Request(format!("{key} is missing")));
     }
     excluded::<R>(&given)?;
+    // Before they are read, since a number outside the range of its type would be refused without a word about the range.
+    in_range(&known, |key| given.get(key))?;
     let request: R = serde_json::from_value(Value::Object(given))?;
     check(&request)?;
     Ok(request)
@@ -89,10 +99,16 @@ fn excluded<R: Request>(given: &Map<String, Value>) -> Result<(), AppError> {
 /// # Errors
 /// [`AppError::OutOfRange`] for the first that is outside.
 pub fn check<R: Request>(request: &R) -> Result<(), AppError> {
-    let schema = schema::<R>()?;
     let values = serde_json::to_value(request)?;
-    for (key, property) in properties(&schema) {
-        let value = &values[key];
+    in_range(&properties(&schema::<R>()?), |key| values.get(key))
+}
+
+fn in_range<'v>(
+    properties: &BTreeMap<&str, &Value>,
+    value_of: impl Fn(&str) -> Option<&'v Value>,
+) -> Result<(), AppError> {
+    for (&key, property) in properties {
+        let Some(value) = value_of(key) else { continue };
         let limits = Limits::of(property);
         let numbers = value.as_array().map_or(std::slice::from_ref(value), Vec::as_slice);
         for number in numbers.iter().filter_map(Value::as_f64) {
@@ -140,8 +156,9 @@ impl Limits {
     fn of(property: &Value) -> Self {
         let numbers = if property["items"].is_object() { &property["items"] } else { property };
         let of = |key: &str| numbers[key].as_f64();
-        let (least, above) = (of("minimum"), of("exclusiveMinimum"));
-        Self { least, above, most: of("maximum"), below: of("exclusiveMaximum") }
+        // The greatest number of the type is a limit as well.
+        let most = of("maximum").or_else(|| (numbers["format"] == "uint32").then_some(f64::from(u32::MAX)));
+        Self { least: of("minimum"), above: of("exclusiveMinimum"), most, below: of("exclusiveMaximum") }
     }
 
     fn allow(&self, number: f64) -> bool {
@@ -312,6 +329,9 @@ mod tests {
         #[arg(long)]
         #[schemars(inner(range(min = 0.0)))]
         depths_m: Vec<f64>,
+        /// Whole.
+        #[arg(long)]
+        count: Option<u32>,
         /// Not beside the list.
         #[arg(long, conflicts_with = "depths_m")]
         depth_m: Option<f64>,
@@ -326,6 +346,7 @@ mod tests {
                 delta: NumberOrColumn::Column,
                 width_m: 0.1,
                 depths_m: Vec::new(),
+                count: None,
                 depth_m: None,
                 loads: Loads::default(),
             }
@@ -352,6 +373,7 @@ mod tests {
             (r#"{"delta": 20, "width_m": 0}"#, "width_m is 0 m; it must be above 0 m and at most 10 m"),
             (r#"{"delta": 20, "depths_m": [1, -1]}"#, "depths_m is -1 m; it must be at least 0 m"),
             (r#"{"delta": 20, "depths_m": [1], "depth_m": 2}"#, "exclude each other"),
+            (r#"{"delta": 20, "count": -1}"#, "count is -1; it must be at least 0 and at most 4294967295"),
             ("[]", "expected"),
         ] {
             let problem = from_json::<Sample>(text).unwrap_err().to_string();

@@ -4,9 +4,12 @@ use serde_json::Value;
 
 use crate::request::{self, Request};
 use crate::{
-    Answer, AppError, Outcome, Watch, answer, arm, bound, certify, demo, diagnose, document, estimate,
+    Answer, AppError, Outcome, Watch, answer, arm, bound, certify, demo, diagnose, document, estimate, log,
     predict, process, replay, shear, simulate, solve, table,
 };
+
+/// Runs the JSON of a request; how it ended, and the JSON of the answer.
+type Run = fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>;
 
 /// A use case whose request and answer are JSON documents.
 #[derive(Debug, Clone, Copy)]
@@ -19,9 +22,6 @@ pub struct UseCase {
     answer: fn() -> Result<Value, AppError>,
     run: Run,
 }
-
-/// Runs the request of a JSON object.
-type Run = fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>;
 
 impl UseCase {
     /// The JSON schema of its request: fields, units, ranges, defaults and what is required.
@@ -95,6 +95,10 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("diagnose", crate::diagnose, |request, watch| Ok(diagnose::run(request, watch)?.answer)),
     use_case!("diagnose self-test", crate::diagnose::self_test, diagnose::self_test::run),
     use_case!("demo", crate::demo, |request, watch| Ok(demo::run(request, watch)?.answer)),
+    use_case!("log info", crate::log::info, log::info::run),
+    use_case!("log doctor", crate::log::doctor, log::doctor::run),
+    use_case!("log recover", crate::log::recover, log::recover::run),
+    use_case!("log export", crate::log::export, log::export::run),
     use_case!("replay", crate::replay, replay::run),
     use_case!("arm skewing", crate::arm::skewing, |request, watch| {
         Ok(arm::skewing::run(request, watch)?.answer)

@@ -163,9 +163,9 @@ impl Bracket {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let (py, own) = (slf.py(), slf.get());
-        let told = (own.lower, own.upper, &own.quantity, &own.unit, own.ended(), own.seconds, own.work);
+        let summary = (own.lower, own.upper, &own.quantity, &own.unit, own.ended(), own.seconds, own.work);
         let solutions: Vec<_> = own.solutions(py)?.items().iter().collect();
-        let args = (told, own.force_n, own.elements, solutions).into_pyobject(py)?;
+        let args = (summary, own.force_n, own.elements, solutions).into_pyobject(py)?;
         Ok((maker(py, "_restore_bracket")?, args))
     }
 
@@ -203,12 +203,12 @@ impl Bracket {
 #[pyfunction]
 #[pyo3(name = "_restore_bracket")]
 pub(crate) fn restore_bracket(
-    told: (f64, f64, String, String, String, f64, u64),
+    summary: (f64, f64, String, String, String, f64, u64),
     force_n: Option<(f64, f64)>,
     elements: (usize, usize),
     solutions: Vec<(String, Py<Solution>)>,
 ) -> Answer<Bracket> {
-    let (lower, upper, quantity, unit, ended, seconds, work) = told;
+    let (lower, upper, quantity, unit, ended, seconds, work) = summary;
     let ended = Ended::ALL
         .into_iter()
         .find(|one| one.name() == ended)
@@ -226,7 +226,7 @@ pub(crate) fn restore_bracket(
     Ok(Bracket { lower, upper, quantity, unit, ended, work, seconds, force_n, elements, proofs, origin_m })
 }
 
-/// One level of meshes, as ``progress`` is told about it.
+/// One level of meshes, as ``progress`` gets it.
 #[pyclass(module = "soilctl", frozen, get_all)]
 pub(crate) struct Progress {
     /// Triangles of the level's mesh.

@@ -1,15 +1,13 @@
 //! The command line, in this process.
 
-use std::cell::Cell;
 use std::ffi::OsString;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use pyo3::prelude::*;
 use soilctl_cli::{Progress, Refused};
 
 use crate::error::{Answer, Fail, file, input};
-use crate::patient::patiently;
+use crate::progress::with_progress;
 
 impl From<Refused> for Fail {
     fn from(problem: Refused) -> Self {
@@ -35,31 +33,9 @@ pub(crate) fn answer_command(
     args: Vec<OsString>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> Answer<(u8, String)> {
-    let stop = Arc::new(AtomicBool::new(false));
     let counted = Arc::new(Progress::default());
-    let (flag, far) = (Arc::clone(&stop), Arc::clone(&counted));
-    let told = Cell::new((0, 0));
-    let tell = || {
-        let now = counted.get();
-        match progress {
-            // Nothing is said twice.
-            Some(progress) if told.replace(now) != now => progress.call1(now).map(|_| ()),
-            _ => Ok(()),
-        }
-    };
-    let done = patiently(
-        py,
-        move |_: &dyn Fn(())| soilctl_cli::answer(args, flag, far),
-        || stop.store(true, Ordering::Relaxed),
-        |()| Ok(()),
-        &tell,
-    )?;
-    match (done.answer, done.raised) {
-        (_, Some(raised)) => Err(Fail(raised)),
-        (answer, None) => {
-            let answered = answer?;
-            tell()?;
-            Ok((answered.exit_code, answered.json))
-        }
-    }
+    let counting = Arc::clone(&counted);
+    let answered =
+        with_progress(py, progress, || counted.get(), move |stop| soilctl_cli::answer(args, stop, counting))?;
+    Ok((answered.exit_code, answered.json))
 }

@@ -6,8 +6,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use soilctl_earth_pressure::{ChenLiu, EarthPressureError, ForceModel, Loads};
 use soilctl_estimator::{
-    Conflict, Estimate as Found, EstimatorError, Fit, Observation, Setup, StrokeMenu, agreement_factor,
-    bands, best_fit, conflict, estimate as find, next_strokes, section,
+    Conflict, Estimate as ConsistentSoils, EstimatorError, Fit, Observation, Setup, StrokeMenu,
+    agreement_factor, bands, best_fit, conflict, estimate as find, next_strokes, section,
 };
 use soilctl_soil::{Angle, Plate};
 
@@ -15,7 +15,7 @@ use crate::array::{Array, Column, common_shape, interval, interval_or_none};
 use crate::copies::maker;
 use crate::earth_pressure::known;
 use crate::error::{Answer, Fail, input, no_answer};
-use crate::patient::stoppable;
+use crate::interruptible::stoppable;
 use crate::region::{boundary_table, geojson, html, svg};
 use crate::watched::Watched;
 
@@ -61,7 +61,7 @@ impl Known {
 #[pyclass(module = "soilctl", frozen)]
 pub(crate) struct Estimate {
     known: Known,
-    found: Found,
+    found: ConsistentSoils,
     conflict: Conflict,
     fit: Option<Fit>,
 }

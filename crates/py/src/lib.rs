@@ -10,13 +10,15 @@ mod copies;
 mod earth_pressure;
 mod error;
 mod estimator;
+mod interruptible;
 mod jobs;
 mod kinematics;
 mod limit_analysis;
-mod patient;
 mod plant;
+mod progress;
 mod region;
 mod session;
+mod use_cases;
 mod watched;
 mod work;
 
@@ -46,5 +48,7 @@ mod _native {
     #[pymodule_export]
     use crate::plant::{Plant, Sensed, restore_sensed, soil_names};
     #[pymodule_export]
-    use crate::session::{log_info, log_recover, log_table, replay};
+    use crate::session::{log_info, log_recover, log_table};
+    #[pymodule_export]
+    use crate::use_cases::{run_use_case, use_case_schemas};
 }

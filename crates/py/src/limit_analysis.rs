@@ -20,7 +20,7 @@ use crate::array::{whole, whole_or_none};
 use crate::bracket::{Bracket, Progress, Proofs};
 use crate::earth_pressure::beyond;
 use crate::error::{Answer, Fail, file_at, input, kinds, no_answer};
-use crate::patient::patiently;
+use crate::interruptible::run_interruptible;
 
 /// Stands in for a size that was not given, so that the others are checked all the same.
 const ANY: f64 = 1.0;
@@ -104,7 +104,7 @@ fn run<B: Send>(
         );
         return Err(Fail(kinds::InputTypeError::new_err(message)));
     }
-    let ran = patiently(
+    let ended = run_interruptible(
         py,
         |report: &dyn Fn(Progress)| work(&options, report),
         || stop.store(true, Ordering::Relaxed),
@@ -117,11 +117,11 @@ fn run<B: Send>(
     if let Some(bar) = &bar {
         bar.call_method0("close")?;
     }
-    let done = ran?;
-    match done.raised {
-        None => Ok(bracket(&done.answer?)),
+    let ended = ended?;
+    match ended.raised {
+        None => Ok(bracket(&ended.answer?)),
         Some(raised) if raised.is_instance_of::<PyKeyboardInterrupt>(py) => {
-            let best = done.answer.ok().map(|found| bracket(&found));
+            let best = ended.answer.ok().map(|found| bracket(&found));
             Err(Fail(kinds::Interrupted::new_err(("interrupted; the best bounds so far are in .best", best))))
         }
         Some(raised) => Err(Fail(raised)),

@@ -1,4 +1,4 @@
-//! Logs: what is in them, saving what can be saved, and running the controller again.
+//! Logs: what is in them, and saving what can be saved.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,11 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use soilctl_session::{Cell, SessionError, info_until, recover_until, replay_until, table_rows};
+use soilctl_session::{Cell, SessionError, info_until, recover_until, table_rows};
 
-use crate::array::{shaped, whole};
+use crate::array::shaped;
 use crate::error::{Answer, Fail, file, file_at, input, no_answer};
-use crate::patient::stoppable;
+use crate::interruptible::stoppable;
 
 /// Columns of a table, each of one type.
 enum Column {
@@ -162,51 +162,6 @@ pub(crate) fn log_recover(py: Python<'_>, path: PathBuf, out: PathBuf) -> Answer
     dict.set_item("messages", saved.messages)?;
     dict.set_item("steps", saved.steps)?;
     dict.set_item("damage", saved.ending.damage)?;
-    Ok(dict)
-}
-
-/// Runs the controller again on the inputs of a log, and compares every bit of every output. Ctrl-C ends it.
-///
-/// Args:
-///     path: The log (.mcap).
-///     from_keyframe: Where to begin; 0 is the beginning, there is one every 500 steps.
-///
-/// Returns:
-///     A dict with ``identical``, ``steps``, ``different_steps``, ``skipped_steps``, ``keyframes``, ``first_difference``
-///     (None, or a dict of ``step``, ``tick``, ``field``, ``logged``, ``replayed``) and ``damage``.
-///
-/// Raises:
-///     FileError: If it cannot be read.
-///     NoAnswerError: If it lacks what is needed, such as that key frame.
-///     InputError: If it was written by another program.
-#[pyfunction]
-#[pyo3(signature = (path, *, from_keyframe = 0))]
-pub(crate) fn replay(
-    py: Python<'_>,
-    path: PathBuf,
-    #[pyo3(from_py_with = whole)] from_keyframe: u32,
-) -> Answer<Bound<'_, PyDict>> {
-    let found = stoppable(py, |stop| replay_until(&path, from_keyframe, stop))?;
-    let first = match &found.first_difference {
-        None => None,
-        Some(difference) => {
-            let entry = PyDict::new(py);
-            entry.set_item("step", difference.step)?;
-            entry.set_item("tick", difference.tick)?;
-            entry.set_item("field", &difference.field)?;
-            entry.set_item("logged", difference.logged.to_string())?;
-            entry.set_item("replayed", difference.replayed.to_string())?;
-            Some(entry)
-        }
-    };
-    let dict = PyDict::new(py);
-    dict.set_item("identical", found.is_identical())?;
-    dict.set_item("steps", found.steps)?;
-    dict.set_item("different_steps", found.different_steps)?;
-    dict.set_item("skipped_steps", found.skipped_steps)?;
-    dict.set_item("keyframes", found.keyframes)?;
-    dict.set_item("first_difference", first)?;
-    dict.set_item("damage", found.ending.damage)?;
     Ok(dict)
 }
 

@@ -18,7 +18,10 @@ def run(*words, cwd):
 
 
 def test_the_stubs_are_what_is_there(tmp_path):
-    run("-m", "mypy.stubtest", "soilctl", "--mypy-config-file", str(SETTINGS), cwd=tmp_path)
+    # They show the arguments for arrays, and are typed for tables as well.
+    (tmp_path / "allowed").write_text(r"soilctl(\._strokes)?\.(predict|estimate)" + "\n")
+    words = ["--mypy-config-file", str(SETTINGS), "--allowlist", "allowed"]
+    run("-m", "mypy.stubtest", "soilctl", *words, cwd=tmp_path)
 
 
 def test_the_package_is_typed(tmp_path):

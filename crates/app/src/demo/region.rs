@@ -27,7 +27,7 @@ impl Known<'_> {
     /// What an estimate is asked, with the density as weighed in kg/m3 or unknown.
     pub(super) fn request(&self, weighed_kg_m3: Option<f64>) -> estimate::Request {
         estimate::Request {
-            file: self.measurements.to_owned(),
+            file: self.measurements.into(),
             model: self.model.to_owned(),
             delta_deg: NumberOrColumn::Column,
             delta_tol_deg: INCLINATION_DEG,

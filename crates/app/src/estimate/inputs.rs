@@ -34,13 +34,13 @@ impl Inputs {
     /// Reads the table and what is known beside it. Exact data need no standard deviations.
     pub(super) fn read(request: &Request, exact: bool) -> Result<Self, AppError> {
         request.deviations()?;
-        let mut table = StrokeTable::read(&request.file, ReadOptions { allow_zero_sd: exact })?;
+        let mut table = request.file.strokes(ReadOptions { allow_zero_sd: exact })?;
         if let Some(path) = &request.model_file {
             table = without_effects(&table, &Loaded::read(path)?)?;
         }
         let wanted = if exact { Deviations::ExactAllowed } else { Deviations::Required };
         let measurements = measurements(&table, wanted)?;
-        let campaign = Campaign::read_beside(&request.file)?.unwrap_or_default();
+        let campaign = request.file.campaign()?;
         let mut warnings = Vec::new();
         let (low, high) = spread(request, request.delta_deg, "delta", &measurements, |m| m.delta_set_deg)?;
         let mut delta_deg = (low - request.delta_tol_deg, high + request.delta_tol_deg);
@@ -141,11 +141,11 @@ fn spread(
             AppError::Request(format!(
                 "{}, line {}: --{option} column needs a value in every row of that column; fill the cell or give \
                  a number",
-                request.file.display(),
+                request.file.name(),
                 m.lines.first().copied().unwrap_or_default()
             ))
         })?;
         ends = Some(ends.map_or((value, value), |(low, high)| (low.min(value), high.max(value))));
     }
-    ends.ok_or_else(|| AppError::Request(format!("{} has no rows", request.file.display())))
+    ends.ok_or_else(|| AppError::Request(format!("{} has no rows", request.file.name())))
 }

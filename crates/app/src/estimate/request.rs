@@ -7,8 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::MODEL_IDS;
 
-use crate::AppError;
 use crate::request::{Loads, NumberOrColumn, finite, model_help};
+use crate::{AppError, TableSource};
 
 /// What a force's uncertainty means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, Deserialize, JsonSchema)]
@@ -25,7 +25,8 @@ pub enum Uncertainty {
 #[serde(default)]
 pub struct Request {
     /// Stroke table (CSV)
-    pub file: PathBuf,
+    #[arg(value_hint = clap::ValueHint::AnyPath)]
+    pub file: TableSource,
 
     /// Force model; `table` is the bracket of proven bounds
     #[arg(long, value_name = "NAME", default_value_t = Request::default().model, help = model_help())]
@@ -115,7 +116,7 @@ pub struct Request {
 impl Default for Request {
     fn default() -> Self {
         Self {
-            file: PathBuf::new(),
+            file: TableSource::default(),
             model: "table".into(),
             model_file: None,
             delta_deg: NumberOrColumn::Column,

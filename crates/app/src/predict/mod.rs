@@ -23,7 +23,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Answer, AppError> {
         return patched::predict(request, path);
     }
     match (&request.strokes, request.alpha_deg) {
-        (Some(path), _) => strokes::predict(request, path),
+        (Some(table), _) => strokes::predict(request, table),
         (None, Some(alpha)) => single::predict(request, alpha),
         (None, None) => Err(AppError::Request("give --alpha DEG or --strokes FILE".into())),
     }

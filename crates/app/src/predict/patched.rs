@@ -5,7 +5,7 @@ use std::path::Path;
 use soilctl_earth_pressure::model;
 use soilctl_effects::{Loaded, ModelFile};
 use soilctl_soil::Angle;
-use soilctl_strokes::{ReadOptions, StrokeRow, StrokeTable};
+use soilctl_strokes::{ReadOptions, StrokeRow};
 
 use super::Request;
 use super::answer::{Answer, Inputs, StrokePrediction};
@@ -33,7 +33,7 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
     let (strokes, force_n, k_net) =
         match (&request.strokes, request.alpha_deg, request.depth_m, request.width_m) {
             (Some(table), ..) => {
-                let table = StrokeTable::read(table, ReadOptions { allow_zero_sd: true })?;
+                let table = table.strokes(ReadOptions { allow_zero_sd: true })?;
                 let rows =
                     table.rows().map(|row| stroke(&loaded, seen(&row))).collect::<Result<Vec<_>, _>>()?;
                 (Some(rows), None, None)

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::{Loads as SoilLoads, MODEL_IDS};
 use soilctl_soil::SoilError;
 
-use crate::AppError;
 use crate::request::{Loads, NumberOrColumn, finite, model_help};
+use crate::{AppError, TableSource};
 
 /// Force and coefficients of a plate from a named model.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -68,8 +68,8 @@ pub struct Request {
     pub loads: Loads,
 
     /// A stroke table: one prediction a row, with alpha, depth and width from the file
-    #[arg(long, value_name = "FILE")]
-    pub strokes: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::AnyPath)]
+    pub strokes: Option<TableSource>,
 }
 
 impl Default for Request {

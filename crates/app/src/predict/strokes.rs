@@ -1,22 +1,21 @@
 //! One prediction for every row of a stroke table.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use soilctl_earth_pressure::{Case, Loads, Prediction as ModelPrediction, check_loads};
 use soilctl_soil::{Angle, Interface, Plate, Soil};
-use soilctl_strokes::{ReadOptions, StrokeRow, StrokeTable};
+use soilctl_strokes::{ReadOptions, StrokeRow};
 
 use super::Request;
 use super::answer::{Answer, StrokePrediction};
 use super::chosen::Chosen;
 use super::single::inputs;
-use crate::AppError;
 use crate::request::NumberOrColumn;
+use crate::{AppError, TableSource};
 
-pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError> {
+pub(super) fn predict(request: &Request, table: &TableSource) -> Result<Answer, AppError> {
     // Measured forces are only shown beside the predicted ones, so their uncertainty does not matter.
-    let table = StrokeTable::read(path, ReadOptions { allow_zero_sd: true })?;
+    let table = table.strokes(ReadOptions { allow_zero_sd: true })?;
     let loads = request.checked_loads()?;
     let chosen = Chosen::of(request)?;
     let mut predictor =

@@ -12,7 +12,7 @@ pub use budget::{ErrorBudget, ErrorSource};
 pub use shear::{ShearComparison, ShearRange};
 
 use crate::estimate::{self, Estimation};
-use crate::{AppError, Outcome, Watch};
+use crate::{AppError, Outcome, TableSource, Watch};
 
 /// One page with the estimate, its figures and what they mean.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -118,7 +118,8 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Report, AppError> {
 }
 
 /// Name of the data set: its folder if the file is called like every stroke table, else the file.
-fn name_of(file: &Path) -> String {
+fn name_of(table: &TableSource) -> String {
+    let Some(file) = table.path() else { return table.name() };
     let stem = file.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     let folder = file.parent().and_then(|p| p.file_name()).map(|s| s.to_string_lossy().into_owned());
     match folder {

@@ -1,6 +1,6 @@
 //! Where the shear points come from: a table of angles, or raw records.
 
-use soilctl_direct_shear::{ShearSeries, read_shear_points};
+use soilctl_direct_shear::ShearSeries;
 
 use super::Request;
 use super::raw::Evaluated;
@@ -21,11 +21,11 @@ pub(super) fn read(request: &Request) -> Result<Input, AppError> {
         let series = vec![evaluated.analysis.series(request.raw.soil_name.clone())?];
         return Ok(Input { name: path.display().to_string(), series, raw: Some(evaluated) });
     }
-    let Some(path) = &request.file else {
+    let Some(table) = &request.file else {
         return Err(AppError::Request("give FILE or --raw RUNS.csv".into()));
     };
-    let name = path.display().to_string();
-    let series = chosen(read_shear_points(path)?, &request.soil, &name)?;
+    let name = table.name();
+    let series = chosen(table.shear_points()?, &request.soil, &name)?;
     Ok(Input { name, series, raw: None })
 }
 

@@ -1,13 +1,12 @@
 //! What is asked of direct-shear tests.
 
-use std::path::PathBuf;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_direct_shear::LogLogFit;
 use soilctl_soil::units;
 
 use super::{RawRequest, StrokeRequest};
+use crate::TableSource;
 use crate::request::finite;
 
 /// The friction angle of direct-shear tests against normal stress.
@@ -15,8 +14,9 @@ use crate::request::finite;
 #[serde(default)]
 pub struct Request {
     /// Table of friction angles against normal stress
-    #[arg(value_name = "FILE", required_unless_present = "raw", conflicts_with = "raw")]
-    pub file: Option<PathBuf>,
+    #[arg(value_name = "FILE", required_unless_present = "raw", conflicts_with = "raw",
+          value_hint = clap::ValueHint::AnyPath)]
+    pub file: Option<TableSource>,
 
     /// Only this soil of FILE (may be repeated)
     #[arg(long, value_name = "NAME", conflicts_with = "raw")]

@@ -1,6 +1,6 @@
 //! `soilctl log`: what is in a log, whether it is well, saving what can be saved, and tables.
 
-use soilctl_app::log::{self, Answer, Content, Request};
+use soilctl_app::log::{Answer, Content, doctor, export, info, recover};
 use soilctl_app::text::{columns, number};
 use soilctl_app::{Answer as _, Outcome};
 
@@ -14,11 +14,24 @@ use crate::output::{Output, Words};
 )]
 pub(crate) struct Args {
     #[command(subcommand)]
-    request: Request,
+    action: Action,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Action {
+    Info(info::Request),
+    Doctor(doctor::Request),
+    Recover(recover::Request),
+    Export(export::Request),
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
-    let answer = log::run(&args.request, output)?;
+    let answer = match &args.action {
+        Action::Info(request) => info::run(request, output),
+        Action::Doctor(request) => doctor::run(request, output),
+        Action::Recover(request) => recover::run(request, output),
+        Action::Export(request) => export::run(request, output),
+    }?;
     output.answer(&answer)?;
     Ok(answer.outcome())
 }

@@ -67,14 +67,13 @@ pub(super) fn hermite(h: f64, (y0, m0): (f64, f64), (y1, m1): (f64, f64), t: f64
         + (t3 - t2) * h * m1
 }
 
-/// Cubic on the cell a-b at fraction t, with the slopes of [`slope`] from the nodes around it.
+/// Slopes by [`slope`] at both ends of the cell a-b, from the nodes around it.
 #[inline]
-pub(super) fn monotone_cubic(before: Option<Knot>, a: Knot, b: Knot, after: Option<Knot>, t: f64) -> f64 {
+pub(super) fn cell_slopes(before: Option<Knot>, a: Knot, b: Knot, after: Option<Knot>) -> (f64, f64) {
     let middle = Some((b.0 - a.0, secant(a, b)));
     let left = before.map(|p| (a.0 - p.0, secant(p, a)));
     let right = after.map(|p| (p.0 - b.0, secant(b, p)));
-    let slopes = (slope(left, middle, right), slope(middle, right, left));
-    hermite(b.0 - a.0, (a.1, slopes.0), (b.1, slopes.1), t)
+    (slope(left, middle, right), slope(middle, right, left))
 }
 
 /// `t (1 - t)` times this bounds what linear interpolation in a cell may miss.

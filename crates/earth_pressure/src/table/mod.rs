@@ -20,7 +20,6 @@ pub use bracket_file::{
     BRACKET_SCHEMA, BracketSidecar, is_bracket_file, parse_bracket, read_bracket, write_bracket,
 };
 pub use csv_file::read_csv;
-pub use interpolate::{Lookup, TableSlice};
 pub use model::{BracketModel, TableModel};
 pub use parquet_file::read_parquet;
 pub use sidecar::{SIDECAR_SCHEMA, Sidecar, sidecar_path};

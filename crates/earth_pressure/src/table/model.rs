@@ -1,6 +1,7 @@
 use soilctl_soil::{Angle, Provenance, SlantCoefficient};
 
-use super::{PredictionTable, TableSlice};
+use super::PredictionTable;
+use super::interpolate::{Interpolator, TableSlice};
 use crate::model::{ForceModel, ModelSlice, NetFactors, ValidRange};
 use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
@@ -11,20 +12,20 @@ const INTERPOLATED: &str = "interpolated in the table; see the margin";
 pub struct TableModel {
     id: &'static str,
     reference: &'static str,
-    table: PredictionTable,
+    table: Interpolator,
 }
 
 impl TableModel {
     /// A model with an id and a reference of its own.
     #[must_use]
-    pub const fn new(id: &'static str, reference: &'static str, table: PredictionTable) -> Self {
-        Self { id, reference, table }
+    pub fn new(id: &'static str, reference: &'static str, table: PredictionTable) -> Self {
+        Self { id, reference, table: Interpolator::new(table) }
     }
 
     /// The table behind the model.
     #[must_use]
     pub const fn table(&self) -> &PredictionTable {
-        &self.table
+        self.table.table()
     }
 }
 
@@ -38,7 +39,7 @@ impl ForceModel for TableModel {
     }
 
     fn valid_range(&self) -> ValidRange {
-        range_of(&self.table)
+        range_of(self.table.table())
     }
 
     fn interpolates(&self) -> bool {
@@ -47,10 +48,8 @@ impl ForceModel for TableModel {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(self.id, case)?;
-        let look = self
-            .table
-            .slice(case.tool_angle.degrees())?
-            .lookup(case.friction.degrees(), case.interface.degrees())?;
+        let section = self.table.at(case.tool_angle.degrees())?;
+        let look = section.lookup(case.friction.degrees(), case.interface.degrees())?;
         Ok(prediction(look.k_net, (look.k_net, look.k_net), look.margin))
     }
 
@@ -64,9 +63,9 @@ impl ForceModel for TableModel {
     }
 }
 
-struct PointSlice(TableSlice);
+struct PointSlice<'a>(TableSlice<'a>);
 
-impl ModelSlice for PointSlice {
+impl ModelSlice for PointSlice<'_> {
     fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<NetFactors, EarthPressureError> {
         let k = self.0.lookup(phi_deg, delta_deg)?.k_net;
         Ok(NetFactors {
@@ -83,20 +82,20 @@ impl ModelSlice for PointSlice {
 pub struct BracketModel {
     id: &'static str,
     reference: &'static str,
-    lower: PredictionTable,
-    upper: PredictionTable,
+    lower: Interpolator,
+    upper: Interpolator,
 }
 
 impl BracketModel {
     /// A bracket from two tables.
     #[must_use]
-    pub const fn new(
+    pub fn new(
         id: &'static str,
         reference: &'static str,
         lower: PredictionTable,
         upper: PredictionTable,
     ) -> Self {
-        Self { id, reference, lower, upper }
+        Self { id, reference, lower: Interpolator::new(lower), upper: Interpolator::new(upper) }
     }
 }
 
@@ -110,11 +109,11 @@ impl ForceModel for BracketModel {
     }
 
     fn provenance(&self) -> Provenance {
-        Provenance { lower: self.lower.name().into(), upper: self.upper.name().into() }
+        Provenance { lower: self.lower.table().name().into(), upper: self.upper.table().name().into() }
     }
 
     fn valid_range(&self) -> ValidRange {
-        let (a, b) = (range_of(&self.lower), range_of(&self.upper));
+        let (a, b) = (range_of(self.lower.table()), range_of(self.upper.table()));
         let inner = |x: (f64, f64), y: (f64, f64)| (x.0.max(y.0), x.1.min(y.1));
         ValidRange {
             alpha_deg: inner(a.alpha_deg, b.alpha_deg),
@@ -131,9 +130,9 @@ impl ForceModel for BracketModel {
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(self.id, case)?;
         let alpha = case.tool_angle.degrees();
-        let slices = (self.lower.slice(alpha)?, self.upper.slice(alpha)?);
+        let sections = (self.lower.at(alpha)?, self.upper.at(alpha)?);
         let (phi, delta) = (case.friction.degrees(), case.interface.degrees());
-        let (low, high) = (slices.0.lookup(phi, delta)?, slices.1.lookup(phi, delta)?);
+        let (low, high) = (sections.0.lookup(phi, delta)?, sections.1.lookup(phi, delta)?);
         let ends = (low.k_net * (-low.margin).exp(), high.k_net * high.margin.exp());
         Ok(prediction((ends.0 * ends.1).sqrt(), ends, low.margin.max(high.margin)))
     }
@@ -149,12 +148,12 @@ impl ForceModel for BracketModel {
     }
 }
 
-struct BracketSlice {
-    lower: TableSlice,
-    upper: TableSlice,
+struct BracketSlice<'a> {
+    lower: TableSlice<'a>,
+    upper: TableSlice<'a>,
 }
 
-impl ModelSlice for BracketSlice {
+impl ModelSlice for BracketSlice<'_> {
     fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<NetFactors, EarthPressureError> {
         let low = self.lower.lookup(phi_deg, delta_deg)?;
         let high = self.upper.lookup(phi_deg, delta_deg)?;

@@ -6,6 +6,7 @@ arrays. Errors are those of :mod:`soilctl.errors`.
 
 from __future__ import annotations
 
+from . import use_cases
 from ._native import (
     MODELS,
     VERSION as _VERSION,
@@ -19,20 +20,18 @@ from ._native import (
     Sensed,
     Solution,
     bound,
-    estimate,
     failure_surface,
     log_info,
     log_recover,
     log_table,
-    predict,
-    replay,
     soil_names,
     solve,
     valid_range,
 )
 from ._store import Store
+from ._strokes import diagnose, estimate, predict
 from ._sweep import Failure, SweepResult, sweep
-from ._verbs import answer, certify, diagnose, process, shear, simulate
+from ._verbs import answer, certify, process, replay, shear, simulate
 from .errors import (
     FileError,
     InputError,
@@ -94,5 +93,6 @@ __all__ = [
     "simulate",
     "solve",
     "sweep",
+    "use_cases",
     "valid_range",
 ]

@@ -11,7 +11,7 @@ Progress = Callable[[int, int], object] | bool | None
 
 
 @contextmanager
-def told(progress: Progress, unit: str) -> Iterator[Callable[[int, int], object] | None]:
+def callback(progress: Progress, unit: str) -> Iterator[Callable[[int, int], object] | None]:
     """The callback that stands behind ``progress``, for the length of the work."""
     if progress is not True:
         yield progress or None

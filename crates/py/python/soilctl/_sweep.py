@@ -23,7 +23,7 @@ from types import ModuleType
 from typing import Any, overload
 
 from ._canonical import decode, encode
-from ._progress import Progress, told
+from ._progress import Progress, callback
 from ._store import Store
 from .errors import InputError, InputTypeError, SweepError
 
@@ -210,8 +210,8 @@ def sweep(
     for index, key in enumerate(keys):
         first.setdefault(key, index)
     todo = {key: plain[index] for key, index in first.items() if not shelf.has(key)}
-    with told(progress, "cells") as tell:
-        run = _Run(function, name, version, shelf, len(first) - len(todo), len(first), tell)
+    with callback(progress, "cells") as report:
+        run = _Run(function, name, version, shelf, len(first) - len(todo), len(first), report)
         if todo:
             run.go(todo, executor)
     failures = [

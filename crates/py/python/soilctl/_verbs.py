@@ -1,43 +1,26 @@
-"""The answers of the command line, as dicts."""
+"""What the command line does, as functions."""
 
 from __future__ import annotations
 
-import csv
 import json
 import operator
 import os
-import tempfile
 from collections.abc import Iterable, Mapping
-from html import escape
 from numbers import Real
-from pathlib import Path
 from typing import Any
 
+from . import use_cases
 from ._native import Certificate, Solution, answer_command
-from ._progress import Progress, told
+from ._progress import Progress, callback
+from ._record import table
+from ._table import PathLike, Table
 from .errors import InputError, InputTypeError
 
-_Path = str | os.PathLike[str]
-
-#: Most characters of a value in a notebook.
-_SHOWN = 200
-
-
-class Answer(dict[str, Any]):
+class CommandAnswer(dict[str, Any]):
     """An answer of the command line: a dict that a notebook shows as a table, with links to the pages that were written."""
 
     def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><th>{escape(str(key))}</th><td>{_shown(value)}</td></tr>" for key, value in self.items())
-        return f"<table>{rows}</table>"
-
-
-def _shown(value: object) -> str:
-    if isinstance(value, list) and value and all(isinstance(part, str) for part in value):
-        return "<br>".join(map(_shown, value))
-    if isinstance(value, str) and value.endswith(".html"):
-        return f'<a href="{escape(value)}">{escape(value)}</a>'
-    text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=str)
-    return escape(text if len(text) <= _SHOWN else text[:_SHOWN] + " ...")
+        return table(self)
 
 
 def answer(*words: object, progress: Progress = None) -> dict[str, Any]:
@@ -60,13 +43,13 @@ def answer(*words: object, progress: Progress = None) -> dict[str, Any]:
         FileError: If a file cannot be read or written.
     """
     line = ["soilctl", *(os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words)]
-    with told(progress, "steps") as tell:
-        exit_code, text = answer_command(line, tell)
+    with callback(progress, "steps") as report:
+        exit_code, text = answer_command(line, report)
     found: dict[str, Any] = json.loads(text) if text else {}
-    return Answer(found, exit_code=exit_code)
+    return CommandAnswer(found, exit_code=exit_code)
 
 
-def certify(solution: Solution | _Path) -> Certificate:
+def certify(solution: Solution | PathLike) -> Certificate:
     """Proves the bounds of a saved solution anew, with interval arithmetic and without the solver.
 
     Args:
@@ -79,84 +62,36 @@ def certify(solution: Solution | _Path) -> Certificate:
     return (solution if isinstance(solution, Solution) else Solution.read(solution)).certify()
 
 
-def diagnose(
-    folder: _Path,
-    *,
-    model: str | None = None,
-    model_file: _Path | None = None,
-    traces: _Path | None = None,
-    resimulate: _Path | None = None,
-    out: _Path | None = None,
-) -> dict[str, Any]:
-    """Where model and measurement disagree, which effect is missing, and the gap after it is added.
-
-    Args:
-        folder: Holds ``strokes.csv`` and, beside it, ``campaign.json`` and ``traces.csv``.
-        model: Force model without effects, one of ``soilctl.MODELS``; ``table`` by default.
-        model_file: A model file instead of ``model``, such as the patch of an earlier diagnosis: its force model, and its effects
-            as known ones, which are held as they are and not looked for.
-        traces: Traces of the strokes; by default ``traces.csv`` in ``folder``, if it is there.
-        resimulate: Folder with the campaign's logs: runs it again on the simulated arm, without and with what is found, and
-            compares the traces. Takes some seconds a stroke.
-        out: Folder for ``patch.json``, ``predictions.csv``, ``gap.csv``, ``next_experiment.csv`` and ``report.html``; by default
-            ``diagnosis`` in ``folder``.
-
-    Returns:
-        The answer of ``soilctl diagnose``.
-
-    Raises:
-        InputError: If the table has errors; the message names file and line. Also if both a model and a model file are given.
-        FileError: If a file cannot be read or written.
-    """
-    against = [*_option("--model", model), *_option("--model-file", model_file)]
-    named = [*against, *_option("--traces", traces), *_option("--resimulate", resimulate), *_option("--out", out)]
-    return answer("diagnose", folder, *named)
+def diagnose(folder: PathLike, **options: object) -> dict[str, Any]:
+    """Of a campaign in a folder, as :func:`soilctl.diagnose`."""
+    return answer("diagnose", folder, *_options({"--" + name.replace("_", "-"): value for name, value in options.items()}))
 
 
 def shear(
-    points: _Path | Mapping[str, Iterable[Any]],
+    points: Table,
     *,
     soils: str | Iterable[str] = (),
     stress_pa: float | Iterable[float] = (),
     fit_limit_pa: float | None = None,
-) -> dict[str, Any]:
+) -> use_cases.ShearAnswer:
     """The friction angle of direct-shear tests against normal stress: a power law, a slope on a floor, a constant.
 
+    :func:`soilctl.use_cases.shear` takes raw records and strokes as well.
+
     Args:
-        points: A CSV file, or columns (a dict of sequences of one length, or a ``pandas.DataFrame``) with the names
+        points: A CSV file, or columns (a dict of sequences of one length, or a DataFrame) with the names
             ``friction_angle_deg``, ``normal_stress_pa`` or ``normal_stress_psi`` and, if there are several, ``soil``.
         soils: Only this one, or these; all if there are none.
         stress_pa: Normal stress, or several, at which the angle is asked for.
         fit_limit_pa: The power law is fitted to the loads below; 17237 if not given.
-
-    Returns:
-        The answer of ``soilctl shear``.
 
     Raises:
         InputError: If the points make no sense, or columns differ in length.
         InputTypeError: If points are neither a path nor columns, or stresses no numbers.
         FileError: If the file cannot be read.
     """
-    words: list[object] = [*_option("--fit-limit", fit_limit_pa)]
-    for soil in [soils] if isinstance(soils, str) else soils:
-        words += ["--soil", soil]
-    for stress in _numbers("stress_pa", stress_pa):
-        words += ["--stress", stress]
-    if isinstance(points, (str, os.PathLike)):
-        return answer("shear", points, *words)
-    if not isinstance(points, Mapping) and not hasattr(points, "columns"):
-        raise InputTypeError(f"points is of type {type(points).__name__}; it must be a path or columns by name")
-    columns = {str(name): list(points[name]) for name in points}
-    lengths = {name: len(column) for name, column in columns.items()}
-    if len(set(lengths.values())) > 1:
-        raise InputError(f"columns differ in length: {lengths}")
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "points.csv")
-        with path.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(columns)
-            writer.writerows(zip(*columns.values(), strict=True))
-        return answer("shear", path, *words)
+    names = [soils] if isinstance(soils, str) else list(soils)
+    return use_cases.shear(file=points, soil=names, stress_pa=_numbers("stress_pa", stress_pa), fit_limit_pa=fit_limit_pa)
 
 
 def _numbers(name: str, value: float | Iterable[float]) -> list[float]:
@@ -172,14 +107,14 @@ def _numbers(name: str, value: float | Iterable[float]) -> list[float]:
 
 
 def simulate(
-    plan: _Path,
+    plan: PathLike,
     *,
-    out: _Path,
+    out: PathLike,
     seed: int | None = None,
     threads: int | None = None,
-    model_file: _Path | None = None,
+    model_file: PathLike | None = None,
     progress: Progress = None,
-) -> dict[str, Any]:
+) -> use_cases.SimulateAnswer:
     """Runs a campaign on the simulated arm and soil, a log for each batch.
 
     Batches that are there already are not run again, so that the same call goes on after Ctrl-C. The same plan and seed
@@ -193,24 +128,35 @@ def simulate(
         model_file: Replaces soil, force model and effects of the plan.
         progress: Called with the number of strokes that are made and of all, or True for a bar of tqdm.
 
-    Returns:
-        The answer of ``soilctl simulate``.
-
     Raises:
         InputError: If the plan makes no sense; the message says where.
         FileError: If a file cannot be read or written.
     """
-    options = {"--out": out, "--seed": seed, "--threads": threads, "--model-file": model_file}
-    return answer("simulate", plan, *_options(options), progress=progress)
+    return use_cases.simulate(plan, out, seed=seed, threads=threads, model_file=model_file, progress=progress)
+
+
+def replay(path: PathLike, *, from_keyframe: int = 0) -> use_cases.ReplayAnswer:
+    """Runs the controller again on the inputs of a log, and compares every bit of every output. Ctrl-C ends it.
+
+    Args:
+        path: The log (.mcap).
+        from_keyframe: Where to begin; 0 is the beginning, there is one every 500 steps.
+
+    Raises:
+        FileError: If it cannot be read.
+        NoAnswerError: If it lacks what is needed, such as that key frame.
+        InputError: If it was written by another program.
+    """
+    return use_cases.replay(path, from_keyframe=from_keyframe)
 
 
 def process(
-    logs: _Path | Iterable[_Path],
+    logs: PathLike | Iterable[PathLike],
     *,
-    out: _Path | None = None,
+    out: PathLike | None = None,
     threads: int | None = None,
     shard: tuple[int, int] | None = None,
-    report: _Path | None = None,
+    report: PathLike | None = None,
     options: Iterable[object] = (),
     progress: Progress = None,
 ) -> dict[str, Any]:

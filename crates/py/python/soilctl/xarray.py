@@ -11,6 +11,7 @@ import xarray
 
 from ._native import log_table as _columns
 from ._native import predict as _predict
+from ._units import attributes
 from .errors import InputError, InputTypeError
 
 if TYPE_CHECKING:
@@ -30,7 +31,8 @@ def predict(model: str = "chen", **arguments: Any) -> xarray.Dataset:
             with the name of the argument, and a number holds everywhere.
 
     Returns:
-        ``coefficient``, ``lower``, ``upper`` and, with density, depth and width, ``force_n`` and its ends, over all the axes.
+        ``coefficient``, ``lower``, ``upper`` and, with density, depth and width, ``force_n`` and its ends, over all the axes. All of
+        them have ``units`` and ``long_name``.
 
     Raises:
         InputTypeError: If an array of several axes has no names for them.
@@ -41,9 +43,15 @@ def predict(model: str = "chen", **arguments: Any) -> xarray.Dataset:
     found = _predict(model, **{name: array.values for name, array in zip(given, full, strict=True)})
     values = found.to_dict()
     values.pop("model")
-    unit = {True: {"units": "N"}, False: {"units": "1"}}
-    variables = {key: (full[0].dims, value, unit[key.endswith("_n")]) for key, value in values.items()}
-    return xarray.Dataset(variables, full[0].coords, {"model": found.model, "reference": found.reference})
+    variables = {key: (full[0].dims, value) for key, value in values.items()}
+    return _described(xarray.Dataset(variables, full[0].coords, {"model": found.model, "reference": found.reference}))
+
+
+def _described(found: xarray.Dataset) -> xarray.Dataset:
+    """The same with ``units`` and ``long_name`` of all that has none."""
+    for name, variable in found.variables.items():
+        variable.attrs = {**attributes(str(name)), **variable.attrs}
+    return found
 
 
 def _named(name: str, value: Any) -> xarray.DataArray:
@@ -79,7 +87,7 @@ def log_table(path: str | os.PathLike[str], topic: str = "/controller/step") -> 
             variables[name] = (("time_s", f"{name}_index"), np.column_stack(columns))
         else:
             variables[name] = (("time_s",), np.asarray(columns[0]))
-    return xarray.Dataset(variables, {"time_s": ("time_s", time, {"units": "s"})}, {"topic": topic})
+    return _described(xarray.Dataset(variables, {"time_s": ("time_s", time)}, {"topic": topic}))
 
 
 def of_sweep(done: SweepResult) -> xarray.Dataset:
@@ -111,7 +119,7 @@ def of_sweep(done: SweepResult) -> xarray.Dataset:
             if place.dtype == float and array.dtype.kind not in "biuf":
                 raise InputError(f"{key} of cell {index} is no number, earlier ones are")
             place[at] = array if array.ndim else value
-    return xarray.Dataset(variables, axes)
+    return _described(xarray.Dataset(variables, axes))
 
 
 def _parameters(index: int, cell: dict[str, Any], names: list[str]) -> dict[str, Any]:

@@ -9,71 +9,71 @@ use pyo3::prelude::*;
 use crate::error::{Answer, Fail, kinds};
 
 /// Between two looks at Ctrl-C.
-const LOOK: Duration = Duration::from_millis(50);
+const INTERVAL: Duration = Duration::from_millis(50);
 
 /// What came of the work, and the exception that ended it early.
-pub(crate) struct Done<T> {
+pub(crate) struct Ended<T> {
     pub(crate) answer: T,
     pub(crate) raised: Option<PyErr>,
 }
 
-enum Word<T, R> {
+enum Message<T, R> {
     Report(R),
-    Done(T),
+    Answer(T),
 }
 
-/// [`patiently`] for work that reports nothing and gives an answer of no use if it is stopped.
+/// [`run_interruptible`] for work that reports nothing and gives an answer of no use if it is stopped.
 pub(crate) fn stoppable<T: Send, E: Send + Into<Fail>>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> Result<T, E> + Send,
 ) -> Answer<T> {
     let stop = AtomicBool::new(false);
     let end = || stop.store(true, Ordering::Relaxed);
-    let done = patiently(py, |_: &dyn Fn(())| work(&stop), end, |()| Ok(()), || Ok(()))?;
+    let done = run_interruptible(py, |_: &dyn Fn(())| work(&stop), end, |()| Ok(()), || Ok(()))?;
     match done.raised {
         Some(raised) => Err(Fail(raised)),
         None => done.answer.map_err(Into::into),
     }
 }
 
-/// Runs `work`, and hands what it reports to `hear`; every now and then it calls `look`. If one of them raises, or at Ctrl-C,
+/// Runs `work`, and hands what it reports to `on_report`; every now and then it calls `on_look`. If one of them raises, or at Ctrl-C,
 /// `stop` is called, which must make the work end soon with what it has.
-pub(crate) fn patiently<T: Send, R: Send>(
+pub(crate) fn run_interruptible<T: Send, R: Send>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Fn(R)) -> T + Send,
     stop: impl Fn(),
-    mut hear: impl FnMut(R) -> PyResult<()>,
-    mut look: impl FnMut() -> PyResult<()>,
-) -> Answer<Done<T>> {
-    let (send, receive) = channel::<Word<T, R>>();
+    mut on_report: impl FnMut(R) -> PyResult<()>,
+    mut on_look: impl FnMut() -> PyResult<()>,
+) -> Answer<Ended<T>> {
+    let (send, receive) = channel::<Message<T, R>>();
     std::thread::scope(|scope| {
         let worker = scope.spawn(move || {
             // Nobody listens any more only if the other side panicked.
-            let report = |report: R| drop(send.send(Word::Report(report)));
+            let report = |report: R| drop(send.send(Message::Report(report)));
             let answer = work(&report);
-            drop(send.send(Word::Done(answer)));
+            drop(send.send(Message::Answer(answer)));
         });
         let mut raised = None;
         // A receiver may move between threads but not be shared, which is all that waiting needs.
         let receive = std::sync::Mutex::new(receive);
         loop {
-            let word = py.detach(|| match receive.lock() {
-                Ok(receive) => receive.recv_timeout(LOOK),
+            let message = py.detach(|| match receive.lock() {
+                Ok(receive) => receive.recv_timeout(INTERVAL),
                 Err(_) => Err(RecvTimeoutError::Disconnected),
             });
-            let result = match word {
-                Ok(Word::Done(answer)) => return Ok(Done { answer, raised }),
-                Ok(Word::Report(report)) if raised.is_none() => hear(report),
-                Ok(Word::Report(_)) => Ok(()),
+            let result = match message {
+                Ok(Message::Answer(answer)) => return Ok(Ended { answer, raised }),
+                Ok(Message::Report(report)) if raised.is_none() => on_report(report),
+                Ok(Message::Report(_)) => Ok(()),
                 Err(RecvTimeoutError::Timeout) if raised.is_none() => {
-                    py.check_signals().and_then(|()| look())
+                    py.check_signals().and_then(|()| on_look())
                 }
                 Err(RecvTimeoutError::Timeout) => py.check_signals(),
                 Err(RecvTimeoutError::Disconnected) => {
                     // It panicked, which must not end the interpreter; joining keeps the panic from going on.
                     drop(worker.join());
-                    let message = "the computation ended without an answer; please report this";
-                    return Err(Fail(kinds::SimulationError::new_err(message)));
+                    let problem = "the computation ended without an answer; please report this";
+                    return Err(Fail(kinds::SimulationError::new_err(problem)));
                 }
             };
             if let Err(problem) = result
