@@ -8,6 +8,9 @@ use crate::{
     shear, simulate, solve, table,
 };
 
+/// What runs a request in JSON.
+type Run = fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>;
+
 /// A use case whose request and answer are JSON documents.
 #[derive(Debug, Clone, Copy)]
 pub struct UseCase {
@@ -17,7 +20,7 @@ pub struct UseCase {
     pub answer_id: &'static str,
     request: fn() -> Result<Value, AppError>,
     answer: fn() -> Result<Value, AppError>,
-    run: fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>,
+    run: Run,
 }
 
 impl UseCase {
