@@ -105,7 +105,7 @@ def python():
 
 def schemas(folder):
     """The top of every JSON schema."""
-    parts = ["# JSON schemas\n", "One of every answer and file that is JSON. A field that may be absent or null says so.\n"]
+    parts = ["# JSON schemas\n", "One of every request, answer and file that is JSON. A field that may be absent or null says so.\n"]
     for path in sorted(folder.glob("*.json")):
         schema = json.loads(path.read_text(encoding="utf-8"))
         parts.append(f"## {path.stem}\n\n[{path.name}](../schemas/{path.name}). {schema.get('description', '')}\n")

@@ -1,7 +1,6 @@
 use clap::{Command, CommandFactory};
 use soilctl_app::AppError;
 use soilctl_campaign::CampaignError;
-use soilctl_certificate::CertificateError;
 use soilctl_controller::ControllerError;
 use soilctl_diagnosis::DiagnosisError;
 use soilctl_direct_shear::DirectShearError;
@@ -11,7 +10,6 @@ use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
 use soilctl_jobs::JobsError;
 use soilctl_kinematics::KinematicsError;
-use soilctl_limit_analysis::{DescriptionError, LimitError};
 use soilctl_live::LiveError;
 use soilctl_monitor::MonitorError;
 use soilctl_pages::PageError;
@@ -51,12 +49,6 @@ pub(crate) enum CliError {
     /// An estimate.
     #[error(transparent)]
     Estimator(#[from] EstimatorError),
-    /// Limit analysis.
-    #[error(transparent)]
-    Limit(#[from] LimitError),
-    /// A saved solution.
-    #[error(transparent)]
-    Certificate(#[from] CertificateError),
     /// A log.
     #[error(transparent)]
     Session(#[from] SessionError),
@@ -133,11 +125,6 @@ impl CliError {
                 | Self::Strokes(StrokesError::File { .. })
                 | Self::DirectShear(DirectShearError::Io { .. })
                 | Self::Effects(EffectsError::File { .. })
-                | Self::Limit(
-                    LimitError::Description(DescriptionError::File { .. })
-                        | LimitError::Certificate(CertificateError::File { .. })
-                )
-                | Self::Certificate(CertificateError::File { .. })
                 | Self::Session(
                     SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
                 )

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::table::PredictionTable;
 
 pub use super::Answer;
-use super::{Head, Violation, check_brackets, show};
+use super::{Head, Source, Violation, check_brackets};
 use crate::table_file::{AnyTable, find_table};
 use crate::{AppError, Watch};
 
@@ -16,7 +16,7 @@ pub struct Request {
     #[command(flatten)]
     #[serde(flatten)]
     #[allow(missing_docs)]
-    pub source: show::Request,
+    pub source: Source,
 
     /// With a table of bounds: another table of lower or upper bounds, whose errors it proves; may be repeated
     #[arg(long, value_name = "FILE|NAME")]

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 pub use super::Answer;
 use super::brackets::{BracketCell, Gaps};
-use super::{Head, TableCell};
+use super::{Head, Source, TableCell};
 use crate::table_file::{AnyTable, find_table};
 use crate::{AppError, Watch};
 
@@ -13,11 +13,10 @@ use crate::{AppError, Watch};
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[serde(default)]
 pub struct Request {
-    /// A table file (.csv or .parquet, with its .json beside it) or a built-in table: appendix-c-coulomb,
-    /// appendix-c-log-spiral, appendix-c-chen, appendix-c-caquot, appendix-c-num-ub, appendix-c-num-lb,
-    /// plate-bounds
-    #[arg(value_name = "FILE|NAME")]
-    pub table: String,
+    #[command(flatten)]
+    #[serde(flatten)]
+    #[allow(missing_docs)]
+    pub source: Source,
 }
 
 /// Finds the table.
@@ -25,7 +24,7 @@ pub struct Request {
 /// # Errors
 /// [`AppError`] if there is no such table, or its file makes no sense.
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Answer, AppError> {
-    let (table, source) = match find_table(&request.table)? {
+    let (table, source) = match find_table(&request.source.table)? {
         AnyTable::Brackets(table) => {
             let cells = table.rows().iter().map(BracketCell::of).collect();
             return Ok(Answer::ShowBrackets {

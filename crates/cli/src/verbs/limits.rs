@@ -144,6 +144,7 @@ pub(crate) fn results_text(results: &ResultsAnswer) -> String {
     }
     text
 }
+
 /// Four digits: these numbers are not proven.
 fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)

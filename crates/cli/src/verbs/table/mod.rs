@@ -27,7 +27,7 @@ enum Action {
     one, on any machines that see the folder, and one with --out makes the table of it. On a finished file, a larger grid fills only what is missing. \
     Same options, same bytes: for any number of threads, interruptions or shards."
     )]
-    Build(build::Request),
+    Build(Box<build::Request>),
     /// Unites the tables of bounds that `build --shard` made
     Merge(merge::Request),
     /// Checks a table; exit code 1 if a coefficient does not grow with alpha, phi or delta
