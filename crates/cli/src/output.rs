@@ -163,6 +163,11 @@ impl Output {
         self.format == Format::Json
     }
 
+    /// Whether notes are kept from the user.
+    pub(crate) const fn is_quiet(&self) -> bool {
+        self.quiet
+    }
+
     /// Tells the user something beside the answer.
     pub(crate) fn note(&self, text: &str) {
         self.notes().note(text);
