@@ -67,6 +67,14 @@ pub enum AppError {
     /// A log.
     #[error(transparent)]
     Session(#[from] SessionError),
+    /// None of several logs can be used; a note has told of each.
+    #[error("none of {logs} logs can be used; the first: {first}")]
+    NoLog {
+        /// How many there are.
+        logs: usize,
+        /// What is wrong with the first.
+        first: String,
+    },
     /// Recorded strokes.
     #[error(transparent)]
     Process(#[from] ProcessError),

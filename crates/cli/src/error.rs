@@ -2,22 +2,15 @@ use clap::{Command, CommandFactory};
 use soilctl_app::AppError;
 use soilctl_campaign::CampaignError;
 use soilctl_controller::ControllerError;
-use soilctl_diagnosis::DiagnosisError;
-use soilctl_direct_shear::DirectShearError;
 use soilctl_earth_pressure::EarthPressureError;
-use soilctl_effects::EffectsError;
-use soilctl_estimator::EstimatorError;
 use soilctl_figure::FigureError;
 use soilctl_jobs::JobsError;
-use soilctl_kinematics::KinematicsError;
 use soilctl_live::LiveError;
 use soilctl_monitor::MonitorError;
 use soilctl_pages::PageError;
-use soilctl_process::ProcessError;
 use soilctl_recording::RecordingError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
-use soilctl_strokes::StrokesError;
 use thiserror::Error;
 
 use crate::args::Cli;
@@ -40,21 +33,9 @@ pub(crate) enum CliError {
     /// A soil, an interface or a plate.
     #[error(transparent)]
     Soil(#[from] SoilError),
-    /// A stroke table.
-    #[error(transparent)]
-    Strokes(#[from] StrokesError),
-    /// Direct shear.
-    #[error(transparent)]
-    DirectShear(#[from] DirectShearError),
-    /// An estimate.
-    #[error(transparent)]
-    Estimator(#[from] EstimatorError),
     /// A log.
     #[error(transparent)]
     Session(#[from] SessionError),
-    /// Recorded strokes.
-    #[error(transparent)]
-    Process(#[from] ProcessError),
     /// A live session, or the operator's end of one.
     #[error(transparent)]
     Live(#[from] LiveError),
@@ -64,9 +45,6 @@ pub(crate) enum CliError {
     /// A recording for a viewer.
     #[error(transparent)]
     Recording(#[from] RecordingError),
-    /// An arm.
-    #[error(transparent)]
-    Kinematics(#[from] KinematicsError),
     /// Settings of the controller.
     #[error(transparent)]
     Controller(#[from] ControllerError),
@@ -76,12 +54,6 @@ pub(crate) enum CliError {
     /// Work of another run, a store or a journal.
     #[error(transparent)]
     Jobs(#[from] JobsError),
-    /// A diagnosis.
-    #[error(transparent)]
-    Diagnosis(#[from] DiagnosisError),
-    /// Effects and model files.
-    #[error(transparent)]
-    Effects(#[from] EffectsError),
     /// A figure.
     #[error(transparent)]
     Figure(#[from] FigureError),
@@ -122,9 +94,6 @@ impl CliError {
             self,
             Self::File { .. }
                 | Self::EarthPressure(EarthPressureError::File { .. })
-                | Self::Strokes(StrokesError::File { .. })
-                | Self::DirectShear(DirectShearError::Io { .. })
-                | Self::Effects(EffectsError::File { .. })
                 | Self::Session(
                     SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
                 )

@@ -111,30 +111,6 @@ impl Output {
         }
     }
 
-    /// A flag that is set when the user wants long work to end with what there is.
-    pub(crate) fn interrupt(&self) -> Arc<AtomicBool> {
-        self.interrupt_keeping(true)
-    }
-
-    /// The same for work that may have nothing to keep: then signals just end the program.
-    pub(crate) fn interrupt_keeping(&self, something: bool) -> Arc<AtomicBool> {
-        match &self.host {
-            Host::Program if something => {
-                let stop = self.stop.get_or_init(|| {
-                    let stop = Arc::new(AtomicBool::new(false));
-                    for signal in [SIGINT, SIGTERM] {
-                        // If the handler cannot be set, the signal ends the program.
-                        let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
-                    }
-                    stop
-                });
-                Arc::clone(stop)
-            }
-            Host::Program => Arc::new(AtomicBool::new(false)),
-            Host::Library { stop, .. } => Arc::clone(stop),
-        }
-    }
-
     /// Writes the one answer of this run.
     pub(crate) fn answer<A: Words>(&mut self, answer: &A) -> Result<(), CliError> {
         let text = match self.format {
@@ -161,6 +137,11 @@ impl Output {
     /// Whether answers are for programs.
     pub(crate) fn is_json(&self) -> bool {
         self.format == Format::Json
+    }
+
+    /// Whether notes are kept from the user.
+    pub(crate) const fn is_quiet(&self) -> bool {
+        self.quiet
     }
 
     /// Tells the user something beside the answer.
@@ -204,7 +185,22 @@ impl Output {
 
 impl Watch for Output {
     fn stop(&self, interrupted: Interrupted) -> Arc<AtomicBool> {
-        self.interrupt_keeping(interrupted == Interrupted::KeepsResults)
+        match &self.host {
+            Host::Program if interrupted == Interrupted::KeepsResults => {
+                let stop = self.stop.get_or_init(|| {
+                    let stop = Arc::new(AtomicBool::new(false));
+                    for signal in [SIGINT, SIGTERM] {
+                        // If the handler cannot be set, the signal ends the program.
+                        let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
+                    }
+                    stop
+                });
+                Arc::clone(stop)
+            }
+            // There is nothing to keep: a signal just ends the program.
+            Host::Program => Arc::new(AtomicBool::new(false)),
+            Host::Library { stop, .. } => Arc::clone(stop),
+        }
     }
 
     fn begin(&self, steps: u64, name: &str) {

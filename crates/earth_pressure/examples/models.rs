@@ -2,6 +2,7 @@
 
 use soilctl_earth_pressure::{Case, MODEL_IDS, model};
 
+#[allow(clippy::print_stdout, reason = "an example")]
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (phi_deg, delta_deg) = (38.0, 20.0);
     let angles_deg = [70.0, 80.0, 90.0, 100.0];

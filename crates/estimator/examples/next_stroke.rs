@@ -9,6 +9,7 @@ const DEPTH_M: f64 = 0.0254;
 /// Uncertainty of a force.
 const RELATIVE: f64 = 0.05;
 
+#[allow(clippy::print_stdout, reason = "an example")]
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (phi_deg, delta_deg, density_kg_m3) = (38.0, 22.0, 1550.0);
     let table = model("table")?;

@@ -7,7 +7,7 @@ use soilctl_process::table::StrokeRecord;
 use super::findings::Analysis;
 use super::manifest::{Entry, Skipped};
 use super::work::Done;
-use crate::Outcome;
+use crate::{AppError, Outcome};
 
 /// Strokes of logs.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -89,15 +89,15 @@ impl Answer {
     }
 
     /// Why no log can be used; `None` if one can, or if the work was stopped before the last.
-    pub(super) fn refusal(&self) -> Option<String> {
+    pub(super) fn refusal(&self) -> Option<AppError> {
         let mut problems = self.logs.iter().map(|log| Some(bad_log(&log.log, log.error.as_ref()?)));
         let first = problems.next()??;
         if self.stopped || problems.any(|problem| problem.is_none()) {
             return None;
         }
         Some(match self.logs.len() {
-            1 => first,
-            logs => format!("none of {logs} logs can be used; the first: {first}"),
+            1 => AppError::Request(first),
+            logs => AppError::NoLog { logs, first },
         })
     }
 }

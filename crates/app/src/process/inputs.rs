@@ -10,6 +10,7 @@ use soilctl_process::table::Form;
 use super::request::{Bag, Request};
 use super::windows::windows;
 use crate::AppError;
+use crate::files::failed;
 use crate::simulate::cores;
 
 /// Most logs of one run.
@@ -68,12 +69,11 @@ impl Inputs {
 
 /// Every `.mcap` below a folder.
 fn collect(folder: &Path, paths: &mut BTreeSet<PathBuf>) -> Result<(), AppError> {
-    let failed = |problem| AppError::File { path: folder.display().to_string(), problem };
-    for entry in std::fs::read_dir(folder).map_err(failed)? {
-        let entry = entry.map_err(failed)?;
+    for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
+        let entry = entry.map_err(failed(folder))?;
         let path = entry.path();
         // Links to folders are not followed, so that a ring of them cannot catch us.
-        if entry.file_type().map_err(failed)?.is_dir() {
+        if entry.file_type().map_err(failed(folder))?.is_dir() {
             collect(&path, paths)?;
         } else if path.extension().is_some_and(|ending| ending == "mcap") {
             paths.insert(path);

@@ -38,7 +38,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     };
     let answer = Answer::new(done, strokes, analysis, written, inputs.shard.is_some());
     if let Some(refusal) = answer.refusal() {
-        return Err(AppError::Request(refusal));
+        return Err(refusal);
     }
     if answer.stopped {
         let (done, all) = (answer.logs.len(), inputs.own().count());

@@ -3,7 +3,6 @@
 mod self_test;
 mod words;
 
-use clap::builder::ArgPredicate;
 use soilctl_app::diagnose::{self, Request};
 use soilctl_app::{Answer as _, Outcome};
 
@@ -16,7 +15,7 @@ use crate::output::Output;
     after_help = "Writes patch.json (the model file), predictions.csv, gap.csv, next_experiment.csv and report.html into --out.",
     // Hidden campaigns are in no folder; the name that stands for theirs is never used.
     mut_arg("dir", |dir| dir.required(false).required_unless_present("self_test").conflicts_with("self_test")
-        .default_value_if("self_test", ArgPredicate::IsPresent, "hidden campaigns")),
+        .default_value_if("self_test", "true", "hidden campaigns")),
     mut_arg("model_file", |file| file.conflicts_with("self_test")),
     mut_arg("traces", |traces| traces.conflicts_with("self_test")),
     mut_arg("resimulate", |logs| logs.conflicts_with("self_test")),

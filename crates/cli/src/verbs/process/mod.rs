@@ -5,7 +5,7 @@ mod words;
 use std::path::PathBuf;
 
 use soilctl_app::process::{self, Request};
-use soilctl_app::{Answer as _, Outcome};
+use soilctl_app::{Answer as _, AppError, Outcome};
 use soilctl_pages::process::{Kind, figure, page};
 
 use super::pages::{self, FigureFiles};
@@ -45,7 +45,13 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
-    let mut answer = process::run(&args.request, output)?;
+    let mut answer = match process::run(&args.request, output) {
+        // Notes have said what is wrong with each.
+        Err(AppError::NoLog { logs, .. }) if !output.is_quiet() => {
+            return Err(CliError::Usage(format!("none of {logs} logs can be used")));
+        }
+        answer => answer?,
+    };
     if let (Some(path), Some(kind)) = (&args.plot, args.plot_kind) {
         let figure = figure(kind, &answer.analysis, &answer.strokes)?;
         save_figure(&figure, path, soilctl_figure::Size::default())?;
