@@ -151,3 +151,23 @@ fn fill(
     watch.end();
     Ok((table, first_refusal))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::request::from_json;
+
+    #[test]
+    fn nodes_and_shards_are_written_in_json_as_in_options() {
+        let text =
+            r#"{"grid": "wide", "alpha_deg": "70:80:5", "shard": "1/2", "out": "t.csv", "max_gap": 0.1}"#;
+        let request: Request = from_json(text).unwrap();
+        assert_eq!(request.axes()[0], [70.0, 75.0, 80.0]);
+        assert_eq!(request.axes()[2].len(), 12);
+        let written = serde_json::to_value(&request).unwrap();
+        assert_eq!((&written["alpha_deg"], &written["shard"]), (&"70:80:5".into(), &"1/2".into()));
+        for wrong in [r#"{"alpha_deg": "70"}"#, r#"{"shard": "3/2"}"#, r#"{"max_elements": 10}"#] {
+            assert!(from_json::<Request>(wrong).is_err(), "{wrong}");
+        }
+    }
+}
