@@ -1,7 +1,8 @@
 """How fast a vectorised prediction is: `python benchmark_predict.py`. Nothing is asserted but that the answers agree.
 
 Coulomb's coefficient at a million points: by soilctl, by its closed form in numpy, by the same in a Python loop, and by
-one call of soilctl a point. Then Chen & Liu's, the default, whose mechanism has to be searched: by soilctl and in a Python loop.
+one call of soilctl a point. Then Chen & Liu's, the default, whose mechanism has to be searched: by soilctl and in a Python loop; and
+the brackets of the table.
 The least of several runs of each counts, in turn, since others may use the machine.
 """
 
@@ -86,6 +87,10 @@ def main():
         a, p, d = (values[:points] for values in (alpha, phi, delta))
         return soilctl.predict("chen", tool_angle_deg=a, friction_angle_deg=p, interface_friction_deg=d).coefficient
 
+    def looked_up():
+        a, p, d = (values[:LOOPED] for values in (70 + 0.75 * (alpha - 60), phi, delta))
+        return soilctl.predict("table", tool_angle_deg=a, friction_angle_deg=p, interface_friction_deg=d).coefficient
+
     def searched():
         return [chen_liu(*angles) for angles in zip(*(values[:SEARCHED] for values in part), strict=True)]
 
@@ -101,6 +106,8 @@ def main():
             ("calls", called, CALLED),
             ("chen", lambda: chen(LOOPED), LOOPED),
             ("its loop", searched, SEARCHED),
+            # Tables begin at 70 degrees.
+            ("table", looked_up, LOOPED),
         )
         for name, work, points in works:
             wall, cpu = time.perf_counter(), time.process_time()
@@ -112,7 +119,7 @@ def main():
     for index, kind in enumerate(("wall", "processor")):
         ns = {name: taken[index] for name, taken in least.items()}
         ratios = [f"{name} {ns[name] / ns['soilctl']:.2f}" for name in ("numpy", "loop", "calls")]
-        print(f"{kind} time over soilctl's: {', '.join(ratios)}; chen's loop over chen {ns['its loop'] / ns['chen']:.0f}")
+        print(f"{kind} time over soilctl's: {', '.join(ratios)}; chen's loop over chen {ns['its loop'] / ns['chen']:.0f}, table over chen {ns['table'] / ns['chen']:.2f}")
 
 
 if __name__ == "__main__":
