@@ -12,6 +12,8 @@ mod interpolate;
 mod model;
 mod parquet_file;
 mod parquet_pages;
+mod place;
+mod section;
 mod sidecar;
 mod write;
 

@@ -1,7 +1,8 @@
 use soilctl_soil::{Angle, Provenance, SlantCoefficient};
 
 use super::PredictionTable;
-use super::interpolate::{Interpolator, TableSlice};
+use super::interpolate::Interpolator;
+use super::section::TableSlice;
 use crate::model::{ForceModel, ModelSlice, NetFactors, ValidRange};
 use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
