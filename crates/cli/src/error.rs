@@ -1,4 +1,4 @@
-use clap::{Command, CommandFactory};
+use clap::Command;
 use soilctl_app::AppError;
 use soilctl_campaign::CampaignError;
 use soilctl_controller::ControllerError;
@@ -12,8 +12,6 @@ use soilctl_recording::RecordingError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
 use thiserror::Error;
-
-use crate::args::Cli;
 
 /// Why a verb gave no answer.
 #[derive(Debug, Error)]
@@ -74,11 +72,11 @@ pub(crate) enum CliError {
 }
 
 impl CliError {
-    /// The same with values called as the command line calls them.
-    pub(crate) fn in_options(self) -> Self {
+    /// The same with values called as the command line `whole` calls them.
+    pub(crate) fn in_options(self, whole: &Command) -> Self {
         match self {
             Self::App(AppError::OutOfRange { key, value, allowed }) => {
-                let option = option_of(&Cli::command(), &key);
+                let option = option_of(whole, &key);
                 Self::App(AppError::OutOfRange { key: option.unwrap_or(key), value, allowed })
             }
             other => other,

@@ -15,14 +15,11 @@ use std::io::Write;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 
 use crate::args::Cli;
-use crate::error::CliError;
 use crate::output::Output;
 pub use crate::progress::Progress;
-pub(crate) use soilctl_app::text;
-pub use soilctl_limit_analysis::results::problem_units;
 
 /// Runs the command line `args`, the program's name first; answers go to standard output, all else to standard error.
 ///
@@ -46,11 +43,11 @@ fn exit_code(args: impl IntoIterator<Item = OsString>) -> u8 {
         }
     };
     let mut output = Output::new(cli.format, cli.quiet).of_command(command::line(&args));
-    match cli.verb.run(&mut output) {
+    match cli.verb.run(Cli::command, &mut output) {
         Ok(outcome) => outcome.exit_code(),
         Err(error) if error.is_broken_pipe() => 0,
         Err(error) => {
-            output.error(&error.in_options());
+            output.error(&error.in_options(&Cli::command()));
             2
         }
     }
@@ -96,12 +93,13 @@ pub fn answer(
         ));
     }
     let mut output = Output::kept(stop, progress).of_command(command::line(&args));
-    let outcome = cli.verb.run(&mut output).map_err(CliError::in_options).map_err(|error| {
-        match error.is_of_a_file() {
-            true => Refused::File(error.to_string()),
-            false => Refused::Input(error.to_string()),
-        }
-    })?;
+    let outcome =
+        cli.verb.run(Cli::command, &mut output).map_err(|error| error.in_options(&Cli::command())).map_err(
+            |error| match error.is_of_a_file() {
+                true => Refused::File(error.to_string()),
+                false => Refused::Input(error.to_string()),
+            },
+        )?;
     let json = String::from_utf8_lossy(&output.into_kept()).into_owned();
     Ok(Answered { exit_code: outcome.exit_code(), json })
 }

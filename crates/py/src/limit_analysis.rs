@@ -8,8 +8,8 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping};
 use soilctl_certificate::{LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
-use soilctl_cli::problem_units;
 use soilctl_limit_analysis::describe::{Aim, Quantity};
+use soilctl_limit_analysis::results::problem_units;
 use soilctl_limit_analysis::{
     Bound as Proven, Bounds, Description, DescriptionError, EmbeddedPlate, Factorisation, LimitError,
     Options, Problem, SafetyBounds, bound as solve_bounds, factor_of_safety,

@@ -1,10 +1,15 @@
 //! All use cases of `soilctl_app`, by name and in JSON; `python/soilctl/use_cases.py` makes typed functions of them.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use pyo3::prelude::*;
-use soilctl_app::{AppError, Interrupted, USE_CASES, Watch};
+use soilctl_app::request::from_json;
+use soilctl_app::{
+    Answer as _, AppError, Interrupted, Outcome, USE_CASES, Watch, diagnose, document, process,
+};
+use soilctl_pages::PageError;
 
 use crate::error::{Answer, Fail, file, file_at, input, kinds};
 use crate::progress::with_progress;
@@ -15,16 +20,18 @@ use crate::progress::with_progress;
 ///     name: Its name, such as ``shear`` or ``log info``.
 ///     request: A JSON object with the fields of its request; those that are left out have their defaults.
 ///     progress: Called with the number of steps that are done and of all.
+///     page: Of ``process`` the HTML page to write. A diagnosis writes its page whatever is said here.
 ///
 /// Returns:
 ///     The exit code of the command line, 0 done, 1 done and the answer is negative, 3 done in part; and the answer in JSON.
 #[pyfunction]
-#[pyo3(signature = (name, request, progress = None))]
+#[pyo3(signature = (name, request, progress = None, page = None))]
 pub(crate) fn run_use_case(
     py: Python<'_>,
     name: &str,
     request: &str,
     progress: Option<&Bound<'_, PyAny>>,
+    page: Option<PathBuf>,
 ) -> Answer<(u8, String)> {
     let Some(use_case) = USE_CASES.iter().find(|one| one.name == name) else {
         let names: Vec<&str> = USE_CASES.iter().map(|one| one.name).collect();
@@ -35,9 +42,40 @@ pub(crate) fn run_use_case(
         py,
         progress,
         || steps.get(),
-        |stop| use_case.run(request, &PythonWatch { stop, steps: &steps }),
+        |stop| {
+            let watch = PythonWatch { stop, steps: &steps };
+            match (name, &page) {
+                ("diagnose", _) => diagnose_with_page(request, &watch),
+                ("process", Some(page)) => process_with_page(request, page, &watch),
+                _ => Ok(use_case.run(request, &watch)?),
+            }
+        },
     )?;
     Ok((outcome.exit_code(), json))
+}
+
+/// A diagnosis with its page, which is written beside the model file.
+fn diagnose_with_page(request: &str, watch: &dyn Watch) -> Result<(Outcome, String), PageError> {
+    let mut found = diagnose::run(&from_json(request)?, watch)?;
+    soilctl_pages::diagnose::write(&mut found, None, "")?;
+    Ok((found.answer.outcome(), document(&found.answer)?))
+}
+
+/// Processed logs with their page.
+fn process_with_page(request: &str, page: &Path, watch: &dyn Watch) -> Result<(Outcome, String), PageError> {
+    let mut answer = process::run(&from_json(request)?, watch)?;
+    let written = soilctl_pages::write(&mut soilctl_pages::process::page(&answer)?, Some(page), None, "")?;
+    answer.written.extend(written);
+    Ok((answer.outcome(), document(&answer)?))
+}
+
+impl From<PageError> for Fail {
+    fn from(problem: PageError) -> Self {
+        match problem {
+            PageError::App(problem) => problem.into(),
+            problem => input(problem),
+        }
+    }
 }
 
 /// Names, ids and JSON schemas of all use cases, from which typed functions are generated.

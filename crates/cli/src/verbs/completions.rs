@@ -1,10 +1,8 @@
 //! `soilctl completions SHELL`.
 
-use clap::CommandFactory;
 use clap_complete::Shell;
+use soilctl_app::Outcome;
 
-use super::Outcome;
-use crate::args::Cli;
 use crate::error::CliError;
 use crate::output::Output;
 
@@ -14,9 +12,9 @@ pub(crate) struct Args {
     shell: Shell,
 }
 
-pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+pub(crate) fn run(args: &Args, mut whole: clap::Command, output: &mut Output) -> Result<Outcome, CliError> {
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut Cli::command(), "soilctl", &mut script);
+    clap_complete::generate(args.shell, &mut whole, "soilctl", &mut script);
     output.raw(&script)?;
     Ok(Outcome::Done)
 }

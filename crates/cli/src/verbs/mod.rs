@@ -26,8 +26,7 @@ mod table;
 mod view;
 
 use clap::Subcommand;
-pub(crate) use soilctl_app::Outcome;
-pub(crate) use soilctl_pages::save_figure;
+use soilctl_app::Outcome;
 
 use crate::error::CliError;
 use crate::output::Output;
@@ -85,7 +84,8 @@ impl Verb {
         !matches!(self, Self::Run(_) | Self::Console(_) | Self::Completions(_))
     }
 
-    pub(crate) fn run(self, output: &mut Output) -> Result<Outcome, CliError> {
+    /// Carries it out. `whole` is the command line that it is a verb of.
+    pub(crate) fn run(self, whole: fn() -> clap::Command, output: &mut Output) -> Result<Outcome, CliError> {
         match self {
             Self::Predict(args) => predict::run(&args, output),
             Self::Bound(args) => bound::run(&args, output),
@@ -106,7 +106,7 @@ impl Verb {
             Self::Monitor(args) => monitor::run(&args, output),
             Self::View(args) => view::run(&args, output),
             Self::Arm(args) => arm::run(&args, output),
-            Self::Completions(args) => completions::run(&args, output),
+            Self::Completions(args) => completions::run(&args, whole(), output),
             Self::Schemas(args) => schemas::run(&args),
         }
     }

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
-use soilctl_app::{Answer, USE_CASES, log, report};
+use soilctl_app::{Answer, Outcome, USE_CASES, log, report};
 use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{Outcome, monitor, run as run_verb, view};
+use super::{monitor, run as run_verb, view};
 use crate::error::CliError;
 
 #[derive(Debug, clap::Args)]

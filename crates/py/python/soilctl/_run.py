@@ -13,7 +13,7 @@ import numpy as np
 from ._native import run_use_case
 from ._progress import callback
 from ._record import Answer, of_json
-from ._table import to_csv
+from ._table import PathLike, to_csv
 from .errors import InputError, InputTypeError
 
 _Answer = TypeVar("_Answer", bound=Answer)
@@ -25,8 +25,10 @@ def run(
     arguments: Mapping[str, Any],
     kind: type[_Answer],
     tables: tuple[str, ...] = (),
+    page: PathLike | None = None,
 ) -> _Answer:
-    """Runs a use case for the function of it. ``tables`` are the arguments that may be columns in memory."""
+    """Runs a use case for the function of it. ``tables`` are the arguments that may be columns in memory; ``page``, which no request
+    has, is a page to write."""
     # What is not given is left out, since it may exclude something else that is.
     defaults: dict[str, Any] = getattr(function, "__kwdefaults__", {})
     request = {}
@@ -38,7 +40,7 @@ def run(
         else:
             request[key] = _plain(key, value)
     with callback(arguments["progress"], "steps") as report:
-        exit_code, answer = run_use_case(name, json.dumps(request), report)
+        exit_code, answer = run_use_case(name, json.dumps(request), report, page)
     return of_json(kind, {**json.loads(answer), "exit_code": exit_code})
 
 

@@ -7,13 +7,14 @@ import inspect
 import os
 import tempfile
 from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, Literal, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native, _verbs, use_cases
+from . import _native, use_cases
 from ._native import Estimate, Prediction
 from ._table import PathLike, TableInMemory, columns, is_table, like, to_csv
 
@@ -158,6 +159,14 @@ def estimate(*arguments: Any, **options: Any) -> Any:
     return _native.estimate(*arguments, **options)
 
 
+@dataclass(frozen=True, repr=False, eq=False)
+class StrokesDiagnosis(use_cases.DiagnoseAnswer):
+    """The diagnosis of a table in memory."""
+
+    predictions: Any = None
+    """A table of the same kind with the same index: the force of each stroke before and after what was found is added, in N."""
+
+
 def diagnose(
     folder: PathLike | TableInMemory,
     *,
@@ -166,7 +175,7 @@ def diagnose(
     traces: PathLike | None = None,
     resimulate: PathLike | None = None,
     out: PathLike | None = None,
-) -> dict[str, Any]:
+) -> use_cases.DiagnoseAnswer:
     """Where model and measurement disagree, which effect is missing, and the gap after it is added.
 
     Args:
@@ -182,26 +191,28 @@ def diagnose(
             ``diagnosis`` in the folder. Of a table in memory nothing is written by default.
 
     Returns:
-        The answer of ``soilctl diagnose``. Of a table in memory it has the key ``predictions`` too, a table of the same kind with the
-        same index: the force of each stroke before and after what was found is added, in N.
+        The answer. Of a table in memory it has ``predictions`` too, a table of the same kind with the same index: the force of each
+        stroke before and after what was found is added, in N.
 
     Raises:
         InputError: If the table has errors; the message names file and line. Also if both a model and a model file are given.
         FileError: If a file cannot be read or written.
     """
-    options = {"model": model, "model_file": model_file, "traces": traces, "resimulate": resimulate}
+    options: dict[str, Any] = {"model_file": model_file, "traces": traces, "resimulate": resimulate}
+    if model is not None:
+        options["model"] = model
     if isinstance(folder, (str, os.PathLike)):
-        return _verbs.diagnose(folder, **options, out=out)
+        return use_cases.diagnose(folder, **options, out=out)
     # A diagnosis reads a folder.
     with tempfile.TemporaryDirectory() as place:
         Path(place, "strokes.csv").write_text(to_csv("strokes", folder), encoding="utf-8")
         written = Path(place, "diagnosis") if out is None else Path(out)
-        answer = _verbs.diagnose(place, **options, out=written)
+        answer = use_cases.diagnose(place, **options, out=written)
         with Path(written, "predictions.csv").open(newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
     if out is None:
         # They are gone.
-        answer.update({"patch": None, "report": None})
+        answer = replace(answer, patch="", report=None)
     names = ("force_before_n", "force_after_n")
-    answer["predictions"] = like(folder, {name: np.array([float(row[name]) for row in rows]) for name in names})
-    return answer
+    predictions = like(folder, {name: np.array([float(row[name]) for row in rows]) for name in names})
+    return StrokesDiagnosis(**{one.name: getattr(answer, one.name) for one in fields(answer)}, predictions=predictions)

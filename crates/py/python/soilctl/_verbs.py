@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import operator
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from numbers import Real
 from typing import Any
 
@@ -13,6 +13,7 @@ from . import use_cases
 from ._native import Certificate, Solution, answer_command
 from ._progress import Progress, callback
 from ._record import table
+from ._run import run
 from ._table import PathLike, Table
 from .errors import InputError, InputTypeError
 
@@ -60,11 +61,6 @@ def certify(solution: Solution | PathLike) -> Certificate:
         InputError: If it is no solution.
     """
     return (solution if isinstance(solution, Solution) else Solution.read(solution)).certify()
-
-
-def diagnose(folder: PathLike, **options: object) -> dict[str, Any]:
-    """Of a campaign in a folder, as :func:`soilctl.diagnose`."""
-    return answer("diagnose", folder, *_options({"--" + name.replace("_", "-"): value for name, value in options.items()}))
 
 
 def shear(
@@ -154,36 +150,36 @@ def process(
     logs: PathLike | Iterable[PathLike],
     *,
     out: PathLike | None = None,
-    threads: int | None = None,
     shard: tuple[int, int] | None = None,
     report: PathLike | None = None,
-    options: Iterable[object] = (),
     progress: Progress = None,
-) -> dict[str, Any]:
+    **request: Any,
+) -> use_cases.ProcessAnswer:
     """Failure forces of the strokes in logs, and what they say together.
 
     Args:
         logs: A log (.mcap), a folder with logs, or several.
         out: Stroke table to write (.csv or .parquet), with which the same call reads only what is new.
-        threads: Logs that are read at a time; all cores if not given.
         shard: ``(i, n)``: reads only each n-th log, starting with the i-th, and writes no table. The shards may run at the same time
             in any executor or on other machines, if they see the same folder; the same call without ``shard`` then takes what they
             have read, and its files are the same bytes as without them.
         report: One HTML page to write.
-        options: Further words of the command line, such as ``["--urdf", "arm.urdf", "--surface-z", -0.33]``.
         progress: Called with the number of logs that are done and of all, or True for a bar of tqdm.
-
-    Returns:
-        The answer of ``soilctl process``.
+        request: All other arguments of :func:`soilctl.use_cases.process`, such as ``threads``, and for bags of other programs
+            ``urdf``, ``surface_z_m`` and ``width_m``.
 
     Raises:
-        InputError: If no log can be used, or an option makes no sense.
+        InputError: If no log can be used, or a value makes no sense.
         InputTypeError: If ``shard`` is no pair of whole numbers.
         FileError: If a file cannot be read or written.
     """
     paths = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
-    named = {"--out": out, "--threads": threads, "--shard": _shard(shard), "--report": report}
-    return answer("process", *paths, *_options(named), *options, progress=progress)
+    known = use_cases.process.__kwdefaults__
+    for name in request:
+        if name not in known:
+            raise InputTypeError(f"{name} is unknown; known are {', '.join(known)}")
+    arguments = {**request, "logs": paths, "out": out, "shard": _shard(shard), "progress": progress}
+    return run("process", use_cases.process, arguments, use_cases.ProcessAnswer, page=report)
 
 
 def _shard(shard: tuple[int, int] | None) -> str | None:
@@ -196,11 +192,3 @@ def _shard(shard: tuple[int, int] | None) -> str | None:
     if not 1 <= part <= parts:
         raise InputError(f"shard is {shard!r}; it must be (i, n), two whole numbers with 1 <= i <= n")
     return f"{part}/{parts}"
-
-
-def _options(values: Mapping[str, object]) -> Iterable[object]:
-    return (word for name, value in values.items() for word in _option(name, value))
-
-
-def _option(name: str, value: object) -> tuple[object, ...]:
-    return () if value is None else (name, value)

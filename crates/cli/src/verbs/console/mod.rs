@@ -6,10 +6,10 @@ mod live;
 mod panel;
 mod play;
 
+use soilctl_app::Outcome;
 use std::io::{BufRead, IsTerminal};
 use std::path::PathBuf;
 
-use super::Outcome;
 use crate::args::finite;
 use crate::error::CliError;
 use crate::output::Output;

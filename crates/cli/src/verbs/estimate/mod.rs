@@ -27,7 +27,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let found = estimate::run(&args.request, output)?;
     if let Some(path) = &args.plot {
-        super::save_figure(&figure(&found, args.plot_kind)?, path, soilctl_figure::Size::default())?;
+        soilctl_pages::save_figure(&figure(&found, args.plot_kind)?, path, soilctl_figure::Size::default())?;
     }
     output.answer(&found.answer)?;
     Ok(found.answer.outcome())

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 use soilctl_app::process::{self, Request};
 use soilctl_app::{Answer as _, AppError, Outcome};
 use soilctl_pages::process::{Kind, figure, page};
+use soilctl_pages::save_figure;
 
 use super::pages::{self, FigureFiles};
-use super::save_figure;
 use crate::error::CliError;
 use crate::output::Output;
 

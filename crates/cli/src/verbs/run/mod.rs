@@ -2,6 +2,7 @@
 
 mod answer;
 
+use soilctl_app::Outcome;
 use std::fs::File;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,7 +17,6 @@ use soilctl_live::{Host, Rig, Session};
 
 pub(crate) use answer::RunAnswer;
 
-use super::Outcome;
 use crate::args::finite;
 use crate::error::CliError;
 use crate::output::Output;

@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_recording::Recording;
 
 use crate::output::Words;
-use crate::text::{columns, number};
+use soilctl_app::text::{columns, number};
 
 /// What was made of a log.
 #[derive(Debug, Serialize, JsonSchema)]

@@ -3,12 +3,12 @@
 mod answer;
 mod viewer;
 
+use soilctl_app::Outcome;
 use std::path::{Path, PathBuf};
 
 pub(crate) use answer::ViewAnswer;
 use soilctl_recording::{FOXGLOVE_LAYOUT, record};
 
-use super::Outcome;
 use crate::error::CliError;
 use crate::output::Output;
 
