@@ -919,6 +919,7 @@ def run_use_case(
         name: Its name, such as ``shear`` or ``log info``.
         request: A JSON object with the fields of its request; those that are left out have their defaults.
         progress: Called with the number of steps that are done and of all.
+        page: Of ``process`` the HTML page to write. A diagnosis writes its page whatever is said here.
 
     Returns:
         The exit code of the command line, 0 done, 1 done and the answer is negative, 3 done in part; and the answer in JSON.

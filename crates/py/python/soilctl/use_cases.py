@@ -21,6 +21,33 @@ __all__ = [
     "ArmSkewingAnswer",
     "ArmSkewingRow",
     "ArmUrdfAnswer",
+    "BoundAnswer",
+    "BoundContact",
+    "BoundInputs",
+    "BoundLevel",
+    "BoundResults",
+    "BoundSolve",
+    "BoundStretch",
+    "CertifyAnswer",
+    "CertifyChecked",
+    "DemoAnswer",
+    "DemoDelta",
+    "DemoEachStroke",
+    "DemoFiles",
+    "DemoForces",
+    "DemoRegion",
+    "DemoStrokeCount",
+    "DemoTruth",
+    "DiagnoseAnswer",
+    "DiagnoseChannelGap",
+    "DiagnoseEffect",
+    "DiagnoseGap",
+    "DiagnoseNext",
+    "DiagnoseParameter",
+    "DiagnoseSelfTestAnswer",
+    "DiagnoseSelfTestRate",
+    "DiagnoseTestability",
+    "DiagnoseWhere",
     "EstimateAnswer",
     "EstimateCentre",
     "EstimateContourSection",
@@ -42,6 +69,18 @@ __all__ = [
     "PredictRange",
     "PredictSensitivity",
     "PredictStrokePrediction",
+    "ProcessAnalysis",
+    "ProcessAnswer",
+    "ProcessComparison",
+    "ProcessEffect",
+    "ProcessFriction",
+    "ProcessGroup",
+    "ProcessLaw",
+    "ProcessLift",
+    "ProcessLogOutcome",
+    "ProcessRubbing",
+    "ProcessSkipped",
+    "ProcessStrokeRecord",
     "ReplayAnswer",
     "ReplayFirstDifference",
     "ShearAngleAt",
@@ -60,17 +99,50 @@ __all__ = [
     "ShearStrokePoint",
     "SimulateAnswer",
     "SimulateBatchReport",
+    "Solve",
+    "SolveAnswer",
+    "SolveCheckAnswer",
+    "SolveCheckCheckedBoundary",
+    "SolveCheckCheckedRegion",
+    "SolveContact",
+    "SolveLevel",
+    "SolveResults",
+    "SolveStretch",
+    "SolveTrial",
+    "TableAnswer",
+    "TableBracketCell",
+    "TableBracketFindings",
+    "TableBuiltBounds",
+    "TableCell",
+    "TableContradiction",
+    "TableEmptyNode",
+    "TableGaps",
+    "TableHead",
+    "TablePlan",
+    "TableViolation",
     "arm_skewing",
     "arm_urdf",
+    "bound",
+    "certify",
+    "demo",
+    "diagnose",
+    "diagnose_self_test",
     "estimate",
     "log_doctor",
     "log_export",
     "log_info",
     "log_recover",
     "predict",
+    "process",
     "replay",
     "shear",
     "simulate",
+    "solve",
+    "solve_check",
+    "table_build",
+    "table_check",
+    "table_merge",
+    "table_show",
 ]
 
 
@@ -273,6 +345,936 @@ class PredictAnswer(Answer):
     """Upper end of the bracket on ``k_net``; only for the model ``table``."""
     strokes: list[PredictStrokePrediction] | None = None
     """One prediction a stroke; only with a stroke table."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BoundContact(Record):
+    """Contact stresses along a face.
+
+    Attributes:
+        centre: Distance of the pressure's resultant from the upper end, along the face; null if there is none.
+        face: ``front``, ``back`` or ``side`` as seen along the structure's motion, ``around`` for a buried
+            structure; numbered if there are several.
+        greatest_pressure: Greatest pressure.
+        length: Length of the face.
+        normal_force: Resultant of the pressure, per unit width.
+        shear_force: Resultant of the shear stress on the soil, per unit width; positive downwards along the face,
+            from its upper end.
+    """
+
+    centre: float | None
+    """Distance of the pressure's resultant from the upper end, along the face; null if there is none."""
+    face: str
+    """``front``, ``back`` or ``side`` as seen along the structure's motion, ``around`` for a buried structure;
+    numbered if there are several.
+    """
+    greatest_pressure: float
+    """Greatest pressure."""
+    length: float
+    """Length of the face."""
+    normal_force: float
+    """Resultant of the pressure, per unit width."""
+    shear_force: float
+    """Resultant of the shear stress on the soil, per unit width; positive downwards along the face, from its upper
+    end.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BoundInputs(Record):
+    """The inputs.
+
+    Attributes:
+        adhesion_pa: Adhesion.
+        alpha_deg: Tool angle.
+        beta_deg: Surface slope.
+        cohesion_pa: Cohesion.
+        delta_deg: Interface friction angle.
+        density_kg_m3: Bulk density; null if not given.
+        depth_m: Vertical depth of the lower edge; null if not given.
+        gravity_m_s2: Gravity.
+        phi_deg: Friction angle of the soil.
+        surcharge_pa: Surcharge.
+        width_m: Width of the plate; null if not given.
+    """
+
+    adhesion_pa: float
+    """Adhesion."""
+    alpha_deg: float
+    """Tool angle."""
+    beta_deg: float
+    """Surface slope."""
+    cohesion_pa: float
+    """Cohesion."""
+    delta_deg: float
+    """Interface friction angle."""
+    density_kg_m3: float | None
+    """Bulk density; null if not given."""
+    depth_m: float | None
+    """Vertical depth of the lower edge; null if not given."""
+    gravity_m_s2: float
+    """Gravity."""
+    phi_deg: float
+    """Friction angle of the soil."""
+    surcharge_pa: float
+    """Surcharge."""
+    width_m: float | None
+    """Width of the plate; null if not given."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BoundLevel(Record):
+    """One level of meshes.
+
+    Attributes:
+        identity_error: Gap of the two programs less the sum of its shares over all elements, relative to the upper
+            bound; null without both bounds.
+        lower: The lower bound on this level's mesh or one before; null if none was solved.
+        upper: The upper bound on this level's mesh.
+    """
+
+    identity_error: float | None
+    """Gap of the two programs less the sum of its shares over all elements, relative to the upper bound; null
+    without both bounds.
+    """
+    lower: BoundSolve | None
+    """The lower bound on this level's mesh or one before; null if none was solved."""
+    upper: BoundSolve
+    """The upper bound on this level's mesh."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BoundResults(Record):
+    """What the fields behind the bounds show.
+
+    Attributes:
+        contacts: The faces of structures, with the resultants of the lower bound's contact stresses.
+        files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
+        length_unit: Unit of lengths: ``m``, or ``L`` for slant lengths of the plate.
+        moving: The fraction of the speed from which on soil is said to move.
+        moving_ground: Stretches of the ground that move in the upper bound's flow, by ascending x: at least at
+            ``moving`` times the speed of the structure, or, if none moves, the greatest speed.
+        stress_unit: Unit of stresses: ``kPa``, or ``γL`` for unit weight times slant length. Forces per width have
+            this times the unit of length.
+    """
+
+    contacts: list[BoundContact]
+    """The faces of structures, with the resultants of the lower bound's contact stresses."""
+    files: list[str]
+    """Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given."""
+    length_unit: str
+    """Unit of lengths: ``m``, or ``L`` for slant lengths of the plate."""
+    moving: float
+    """The fraction of the speed from which on soil is said to move."""
+    moving_ground: list[BoundStretch]
+    """Stretches of the ground that move in the upper bound's flow, by ascending x: at least at ``moving`` times the
+    speed of the structure, or, if none moves, the greatest speed.
+    """
+    stress_unit: str
+    """Unit of stresses: ``kPa``, or ``γL`` for unit weight times slant length. Forces per width have this times the
+    unit of length.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BoundSolve(Record):
+    """One solve.
+
+    Attributes:
+        elements: Triangles.
+        iterations: Steps of the solver.
+        proof_seconds: Time for repair and proof in s.
+        proven: What was proven, in the units of the answer; null if nothing was.
+        seconds: Time in the solver in s.
+        status: How the solver ended; proves nothing.
+    """
+
+    elements: int
+    """Triangles."""
+    iterations: int
+    """Steps of the solver."""
+    proof_seconds: float
+    """Time for repair and proof in s."""
+    proven: float | None
+    """What was proven, in the units of the answer; null if nothing was."""
+    seconds: float
+    """Time in the solver in s."""
+    status: Literal["solved", "almost_solved", "infeasible", "unbounded", "stopped", "failed"]
+    """How the solver ended; proves nothing."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BoundStretch(Record):
+    """A stretch of ground, from its end at lesser x to that at greater x.
+
+    Attributes:
+        from_: First end, x and y.
+        to: Last end, x and y.
+    """
+
+    from_: list[float] = field(metadata={"key": "from"})
+    """First end, x and y."""
+    to: list[float]
+    """Last end, x and y."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class BoundAnswer(Answer):
+    """The answer of ``bound``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        certified: Whether both bounds are proven with interval arithmetic.
+        ended: Why the run ended.
+        force_lower_n: Lower bound on the force in N; null without depth, width or density.
+        force_upper_n: Upper bound on the force in N; null likewise.
+        gap: ``(U - L) / ((U + L) / 2)``.
+        inputs: What was asked.
+        levels: All levels, coarse to fine.
+        lower: Lower bound on the net coefficient per slant length, ``2 F / (gamma L^2 w)``.
+        lower_elements: Triangles of the mesh of the lower bound; each has three parts.
+        lower_factorisation: What factorised the solver's systems behind the lower bound; its digits may depend on
+            that, its proof does not.
+        results: What the fields behind the bounds show: x along the surface from the plate's top, y across it.
+        seconds: Time spent in s.
+        stopped_by: What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end
+            elsewhere another time.
+        upper: Upper bound on it.
+        upper_elements: Triangles of the mesh of the upper bound.
+        upper_factorisation: The same of the upper bound.
+        wedge_ahead: How far the moving soil reaches along the surface ahead of the plate's top; in the unit of
+            ``results``.
+        wedge_behind: The same behind it.
+        work: Work spent in element steps: elements of meshes times steps of the solver on them.
+    """
+
+    schema: Literal["soilctl.bound/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    certified: bool
+    """Whether both bounds are proven with interval arithmetic."""
+    ended: Literal["gap", "time", "elements", "work", "memory", "stopped"]
+    """Why the run ended."""
+    force_lower_n: float | None
+    """Lower bound on the force in N; null without depth, width or density."""
+    force_upper_n: float | None
+    """Upper bound on the force in N; null likewise."""
+    gap: float
+    """``(U - L) / ((U + L) / 2)``."""
+    inputs: BoundInputs
+    """What was asked."""
+    levels: list[BoundLevel]
+    """All levels, coarse to fine."""
+    lower: float
+    """Lower bound on the net coefficient per slant length, ``2 F / (gamma L^2 w)``."""
+    lower_elements: int
+    """Triangles of the mesh of the lower bound; each has three parts."""
+    lower_factorisation: Literal["qdldl", "faer"]
+    """What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does
+    not.
+    """
+    results: BoundResults
+    """What the fields behind the bounds show: x along the surface from the plate's top, y across it."""
+    seconds: float
+    """Time spent in s."""
+    stopped_by: Literal["goal", "work", "memory", "seconds", "user"]
+    """What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end elsewhere another
+    time.
+    """
+    upper: float
+    """Upper bound on it."""
+    upper_elements: int
+    """Triangles of the mesh of the upper bound."""
+    upper_factorisation: Literal["qdldl", "faer"]
+    """The same of the upper bound."""
+    wedge_ahead: float
+    """How far the moving soil reaches along the surface ahead of the plate's top; in the unit of ``results``."""
+    wedge_behind: float
+    """The same behind it."""
+    work: int
+    """Work spent in element steps: elements of meshes times steps of the solver on them."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveContact(Record):
+    """Contact stresses along a face.
+
+    Attributes:
+        centre: Distance of the pressure's resultant from the upper end, along the face; null if there is none.
+        face: ``front``, ``back`` or ``side`` as seen along the structure's motion, ``around`` for a buried
+            structure; numbered if there are several.
+        greatest_pressure: Greatest pressure.
+        length: Length of the face.
+        normal_force: Resultant of the pressure, per unit width.
+        shear_force: Resultant of the shear stress on the soil, per unit width; positive downwards along the face,
+            from its upper end.
+    """
+
+    centre: float | None
+    """Distance of the pressure's resultant from the upper end, along the face; null if there is none."""
+    face: str
+    """``front``, ``back`` or ``side`` as seen along the structure's motion, ``around`` for a buried structure;
+    numbered if there are several.
+    """
+    greatest_pressure: float
+    """Greatest pressure."""
+    length: float
+    """Length of the face."""
+    normal_force: float
+    """Resultant of the pressure, per unit width."""
+    shear_force: float
+    """Resultant of the shear stress on the soil, per unit width; positive downwards along the face, from its upper
+    end.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveLevel(Record):
+    """One level of meshes.
+
+    Attributes:
+        identity_error: Gap of the two programs less the sum of its shares over all elements, relative to the upper
+            bound; null without both bounds.
+        lower: The lower bound on this level's mesh or one before; null if none was solved.
+        upper: The upper bound on this level's mesh.
+    """
+
+    identity_error: float | None
+    """Gap of the two programs less the sum of its shares over all elements, relative to the upper bound; null
+    without both bounds.
+    """
+    lower: Solve | None
+    """The lower bound on this level's mesh or one before; null if none was solved."""
+    upper: Solve
+    """The upper bound on this level's mesh."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveResults(Record):
+    """What the fields behind the bounds show.
+
+    Attributes:
+        contacts: The faces of structures, with the resultants of the lower bound's contact stresses.
+        files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
+        length_unit: Unit of lengths: ``m``, or ``L`` for slant lengths of the plate.
+        moving: The fraction of the speed from which on soil is said to move.
+        moving_ground: Stretches of the ground that move in the upper bound's flow, by ascending x: at least at
+            ``moving`` times the speed of the structure, or, if none moves, the greatest speed.
+        stress_unit: Unit of stresses: ``kPa``, or ``γL`` for unit weight times slant length. Forces per width have
+            this times the unit of length.
+    """
+
+    contacts: list[SolveContact]
+    """The faces of structures, with the resultants of the lower bound's contact stresses."""
+    files: list[str]
+    """Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given."""
+    length_unit: str
+    """Unit of lengths: ``m``, or ``L`` for slant lengths of the plate."""
+    moving: float
+    """The fraction of the speed from which on soil is said to move."""
+    moving_ground: list[SolveStretch]
+    """Stretches of the ground that move in the upper bound's flow, by ascending x: at least at ``moving`` times the
+    speed of the structure, or, if none moves, the greatest speed.
+    """
+    stress_unit: str
+    """Unit of stresses: ``kPa``, or ``γL`` for unit weight times slant length. Forces per width have this times the
+    unit of length.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Solve(Record):
+    """One solve.
+
+    Attributes:
+        elements: Triangles.
+        iterations: Steps of the solver.
+        proof_seconds: Time for repair and proof in s.
+        proven: What was proven, in the units of the answer; null if nothing was.
+        seconds: Time in the solver in s.
+        status: How the solver ended; proves nothing.
+    """
+
+    elements: int
+    """Triangles."""
+    iterations: int
+    """Steps of the solver."""
+    proof_seconds: float
+    """Time for repair and proof in s."""
+    proven: float | None
+    """What was proven, in the units of the answer; null if nothing was."""
+    seconds: float
+    """Time in the solver in s."""
+    status: Literal["solved", "almost_solved", "infeasible", "unbounded", "stopped", "failed"]
+    """How the solver ended; proves nothing."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveStretch(Record):
+    """A stretch of ground, from its end at lesser x to that at greater x.
+
+    Attributes:
+        from_: First end, x and y.
+        to: Last end, x and y.
+    """
+
+    from_: list[float] = field(metadata={"key": "from"})
+    """First end, x and y."""
+    to: list[float]
+    """Last end, x and y."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveTrial(Record):
+    """A factor that strength was divided by, and bounds on the factor on all that acts that the soil then bears.
+
+    Attributes:
+        borne_lower: Lower bound on that; null if none is proven.
+        borne_upper: Upper bound on it; null likewise.
+        factor: The factor.
+    """
+
+    borne_lower: float | None
+    """Lower bound on that; null if none is proven."""
+    borne_upper: float | None
+    """Upper bound on it; null likewise."""
+    factor: float
+    """The factor."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveAnswer(Answer):
+    """The answer of ``solve``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        certified: Whether both bounds are proven with interval arithmetic.
+        ended: Why the run ended.
+        gap: ``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero.
+        levels: All levels, coarse to fine; empty for a factor of safety.
+        lower: Lower bound. A force is negative where the soil pushes the structure on.
+        lower_elements: Triangles of the mesh of the lower bound; each has three parts.
+        lower_factorisation: What factorised the solver's systems behind the lower bound; its digits may depend on
+            that, its proof does not.
+        quantity: What is bounded.
+        results: What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety
+            are of soil whose strength is divided by its bounds.
+        seconds: Time spent in s.
+        stopped_by: What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end
+            elsewhere another time.
+        title: Title of the problem; null if it has none.
+        trials: For a factor of safety, all factors that were tried; else empty.
+        upper: Upper bound.
+        upper_elements: Triangles of the mesh of the upper bound.
+        upper_factorisation: The same of the upper bound.
+        work: Work spent in element steps: elements of meshes times steps of the solver on them.
+    """
+
+    schema: Literal["soilctl.solve/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    certified: bool
+    """Whether both bounds are proven with interval arithmetic."""
+    ended: Literal["gap", "time", "elements", "work", "memory", "stopped"]
+    """Why the run ended."""
+    gap: float | None
+    """``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero."""
+    levels: list[SolveLevel]
+    """All levels, coarse to fine; empty for a factor of safety."""
+    lower: float
+    """Lower bound. A force is negative where the soil pushes the structure on."""
+    lower_elements: int
+    """Triangles of the mesh of the lower bound; each has three parts."""
+    lower_factorisation: Literal["qdldl", "faer"]
+    """What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does
+    not.
+    """
+    quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
+    """What is bounded."""
+    results: SolveResults
+    """What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety are of
+    soil whose strength is divided by its bounds.
+    """
+    seconds: float
+    """Time spent in s."""
+    stopped_by: Literal["goal", "work", "memory", "seconds", "user"]
+    """What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end elsewhere another
+    time.
+    """
+    title: str | None
+    """Title of the problem; null if it has none."""
+    trials: list[SolveTrial]
+    """For a factor of safety, all factors that were tried; else empty."""
+    upper: float
+    """Upper bound."""
+    upper_elements: int
+    """Triangles of the mesh of the upper bound."""
+    upper_factorisation: Literal["qdldl", "faer"]
+    """The same of the upper bound."""
+    work: int
+    """Work spent in element steps: elements of meshes times steps of the solver on them."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveCheckCheckedBoundary(Record):
+    """All boundary with one condition.
+
+    Attributes:
+        kind: The condition.
+        length_m: Its length, of both faces for plates.
+    """
+
+    kind: Literal["free", "load", "fixed", "smooth", "far", "face"]
+    """The condition."""
+    length_m: float
+    """Its length, of both faces for plates."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveCheckCheckedRegion(Record):
+    """A region after cutting.
+
+    Attributes:
+        area_m2: Area in m2.
+        cohesion_kpa: Least and greatest cohesion at its corners.
+        phi_deg: Friction angle.
+        pore_pressure_kpa: Least and greatest pore pressure at its corners.
+        unit_weight_kn_m3: Unit weight.
+    """
+
+    area_m2: float
+    """Area in m2."""
+    cohesion_kpa: list[float]
+    """Least and greatest cohesion at its corners."""
+    phi_deg: float
+    """Friction angle."""
+    pore_pressure_kpa: list[float]
+    """Least and greatest pore pressure at its corners."""
+    unit_weight_kn_m3: float
+    """Unit weight."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveCheckAnswer(Answer):
+    """The answer of ``solve_check``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        boundaries: Total length of boundary with each condition.
+        length_m: Unit of length of the solver in m.
+        quantity: What ``solve`` would bound.
+        regions: Regions of one soil after cutting.
+        stress_kpa: Unit of stress of the solver in kPa.
+        title: Title of the problem; null if it has none.
+    """
+
+    schema: Literal["soilctl.solve-check/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    boundaries: list[SolveCheckCheckedBoundary]
+    """Total length of boundary with each condition."""
+    length_m: float
+    """Unit of length of the solver in m."""
+    quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
+    """What ``solve`` would bound."""
+    regions: list[SolveCheckCheckedRegion]
+    """Regions of one soil after cutting."""
+    stress_kpa: float
+    """Unit of stress of the solver in kPa."""
+    title: str | None
+    """Title of the problem; null if it has none."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class CertifyChecked(Record):
+    """One bound.
+
+    Attributes:
+        claimed: What the file claims.
+        confirmed: Whether the proof reaches the claim.
+        proven: What is proven, whatever is claimed; null if the field proves nothing.
+        refusal: Why the field proves nothing; null if it does.
+    """
+
+    claimed: float
+    """What the file claims."""
+    confirmed: bool
+    """Whether the proof reaches the claim."""
+    proven: float | None
+    """What is proven, whatever is claimed; null if the field proves nothing."""
+    refusal: str | None
+    """Why the field proves nothing; null if it does."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class CertifyAnswer(Answer):
+    """The answer of ``certify``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        certified: Whether every claim in the file is proven.
+        description: What the problem is, in the words of the file.
+        files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
+        lower: The lower bound; null if the file has none.
+        upper: The upper bound; null if the file has none.
+    """
+
+    schema: Literal["soilctl.certify/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    certified: bool
+    """Whether every claim in the file is proven."""
+    description: str | None
+    """What the problem is, in the words of the file."""
+    files: list[str]
+    """Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given."""
+    lower: CertifyChecked | None
+    """The lower bound; null if the file has none."""
+    upper: CertifyChecked | None
+    """The upper bound; null if the file has none."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableBracketCell(Record):
+    """A bracket at a node.
+
+    Attributes:
+        alpha_deg: Tool angle.
+        certified: Whether both bounds are proven.
+        delta_deg: Interface friction angle.
+        gap: ``(U - L) / ((U + L) / 2)``.
+        lower: Lower bound on the net coefficient per slant length.
+        lower_elements: Triangles behind the lower bound.
+        phi_deg: Friction angle.
+        status: ``solved`` or ``interpolated``.
+        upper: Upper bound on it.
+        upper_elements: Triangles behind the upper bound.
+    """
+
+    alpha_deg: float
+    """Tool angle."""
+    certified: bool
+    """Whether both bounds are proven."""
+    delta_deg: float
+    """Interface friction angle."""
+    gap: float
+    """``(U - L) / ((U + L) / 2)``."""
+    lower: float
+    """Lower bound on the net coefficient per slant length."""
+    lower_elements: int
+    """Triangles behind the lower bound."""
+    phi_deg: float
+    """Friction angle."""
+    status: str
+    """``solved`` or ``interpolated``."""
+    upper: float
+    """Upper bound on it."""
+    upper_elements: int
+    """Triangles behind the upper bound."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableBracketFindings(Record):
+    """What was found in a table of brackets, beside its growth.
+
+    Attributes:
+        contradicted: Bounds of another table that contradict a bracket.
+        crossed: Nodes at which the lower bound is above the upper bound: alpha, phi and delta in degrees.
+        gaps: Its gaps; null for an empty table.
+    """
+
+    contradicted: list[TableContradiction]
+    """Bounds of another table that contradict a bracket."""
+    crossed: list[list[float]]
+    """Nodes at which the lower bound is above the upper bound: alpha, phi and delta in degrees."""
+    gaps: TableGaps | None
+    """Its gaps; null for an empty table."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableBuiltBounds(Record):
+    """How far a table of bounds was built.
+
+    Attributes:
+        cases: Cases of the grid, or of the shard.
+        empty: Cases without an answer.
+        file: The table if it is finished, otherwise, or if no table was asked for, the journal or store from which
+            the next run goes on.
+        finished: Whether every case is done and the file, if one was asked for, is written.
+        gaps: Its gaps; null while there is no case.
+        table: What is in the table.
+    """
+
+    cases: int
+    """Cases of the grid, or of the shard."""
+    empty: list[TableEmptyNode]
+    """Cases without an answer."""
+    file: str
+    """The table if it is finished, otherwise, or if no table was asked for, the journal or store from which the
+    next run goes on.
+    """
+    finished: bool
+    """Whether every case is done and the file, if one was asked for, is written."""
+    gaps: TableGaps | None
+    """Its gaps; null while there is no case."""
+    table: TableHead
+    """What is in the table."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableContradiction(Record):
+    """A bound of another table that contradicts a bracket.
+
+    Attributes:
+        bound: Its bound.
+        node: Node: alpha, phi and delta in degrees.
+        proven: The bound of the bracket that it contradicts.
+        table: The other table.
+    """
+
+    bound: float
+    """Its bound."""
+    node: list[float]
+    """Node: alpha, phi and delta in degrees."""
+    proven: float
+    """The bound of the bracket that it contradicts."""
+    table: str
+    """The other table."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableEmptyNode(Record):
+    """A case without an answer.
+
+    Attributes:
+        node: Alpha, phi and delta in degrees.
+        reason: Why there is none.
+    """
+
+    node: list[float]
+    """Alpha, phi and delta in degrees."""
+    reason: str
+    """Why there is none."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableGaps(Record):
+    """How wide the brackets of a table are.
+
+    Attributes:
+        max_elements: Most elements that a case was given.
+        max_gap: Gap at which a case was done.
+        mean: Mean of the gaps.
+        over_max_gap: Cases that ran out of elements before they reached the gap.
+        uncertified: Brackets that are not proven.
+        widest: The widest gap.
+        widest_at: Where it is: alpha, phi and delta in degrees.
+    """
+
+    max_elements: int
+    """Most elements that a case was given."""
+    max_gap: float
+    """Gap at which a case was done."""
+    mean: float
+    """Mean of the gaps."""
+    over_max_gap: int
+    """Cases that ran out of elements before they reached the gap."""
+    uncertified: int
+    """Brackets that are not proven."""
+    widest: float
+    """The widest gap."""
+    widest_at: list[float]
+    """Where it is: alpha, phi and delta in degrees."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableHead(Record):
+    """What a table is.
+
+    Attributes:
+        alpha_deg: Nodes of the tool angle.
+        delta_deg: Nodes of the interface friction angle.
+        filled: Number of filled cells.
+        interpolated: Of these, cells that were interpolated when the table was made.
+        name: Name.
+        nodes: Number of nodes.
+        phi_deg: Nodes of the friction angle.
+        quantity: ``estimate``, ``lower-bound``, ``upper-bound`` or ``bracket``.
+        source: Where the numbers come from.
+    """
+
+    alpha_deg: list[float]
+    """Nodes of the tool angle."""
+    delta_deg: list[float]
+    """Nodes of the interface friction angle."""
+    filled: int
+    """Number of filled cells."""
+    interpolated: int
+    """Of these, cells that were interpolated when the table was made."""
+    name: str
+    """Name."""
+    nodes: int
+    """Number of nodes."""
+    phi_deg: list[float]
+    """Nodes of the friction angle."""
+    quantity: str
+    """``estimate``, ``lower-bound``, ``upper-bound`` or ``bracket``."""
+    source: str
+    """Where the numbers come from."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TablePlan(Record):
+    """What a build would do.
+
+    Attributes:
+        cases: Cases of the grid, or of the shard.
+        done: Of these, done already.
+        measured: Number of cases of this table whose measured times the estimate rests on; 0: on times measured
+            elsewhere.
+        seconds: Estimated time for all that is left in s.
+        seconds_per_case: Estimated time a case in s.
+        threads: Cases solved at a time.
+    """
+
+    cases: int
+    """Cases of the grid, or of the shard."""
+    done: int
+    """Of these, done already."""
+    measured: int
+    """Number of cases of this table whose measured times the estimate rests on; 0: on times measured elsewhere."""
+    seconds: float
+    """Estimated time for all that is left in s."""
+    seconds_per_case: float
+    """Estimated time a case in s."""
+    threads: int
+    """Cases solved at a time."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableCell(Record):
+    """A filled cell.
+
+    Attributes:
+        alpha_deg: Tool angle.
+        delta_deg: Interface friction angle.
+        k_net: Net coefficient per slant length.
+        phi_deg: Friction angle.
+        status: ``solved`` or ``interpolated``.
+    """
+
+    alpha_deg: float
+    """Tool angle."""
+    delta_deg: float
+    """Interface friction angle."""
+    k_net: float
+    """Net coefficient per slant length."""
+    phi_deg: float
+    """Friction angle."""
+    status: str
+    """``solved`` or ``interpolated``."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableViolation(Record):
+    """Two neighbouring cells between which the coefficient does not grow.
+
+    Attributes:
+        along: The angle that grows: alpha, phi or delta.
+        from_: First node: alpha, phi and delta in degrees.
+        k_from: Coefficient at the first node; of a bracket, its lower bound.
+        k_to: Coefficient at the second node; of a bracket, its upper bound.
+        to: Second node.
+    """
+
+    along: str
+    """The angle that grows: alpha, phi or delta."""
+    from_: list[float] = field(metadata={"key": "from"})
+    """First node: alpha, phi and delta in degrees."""
+    k_from: float
+    """Coefficient at the first node; of a bracket, its lower bound."""
+    k_to: float
+    """Coefficient at the second node; of a bracket, its upper bound."""
+    to: list[float]
+    """Second node."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TableAnswer(Answer):
+    """The answer of ``table_show``, ``table_build``, ``table_merge``, ``table_check``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        action: See its type.
+        cells: Filled cells, by alpha, then phi, then delta.
+        table: The table.
+        gaps: Its gaps; null for an empty table.
+        file: File that was written; its description is beside it, with ``.json`` added to the name.
+        first_refusal: What the model said about the first node it has no answer for.
+        cases: Cases of the grid, or of the shard.
+        empty: Cases without an answer.
+        finished: Whether every case is done and the file, if one was asked for, is written.
+        done: Of these, done already.
+        measured: Number of cases of this table whose measured times the estimate rests on; 0: on times measured
+            elsewhere.
+        seconds: Estimated time for all that is left in s.
+        seconds_per_case: Estimated time a case in s.
+        threads: Cases solved at a time.
+        brackets: What else was checked of brackets; null for a table with one number a node.
+        consistent: Whether nothing was found against it.
+        empty_nodes: Nodes with delta up to phi that are not filled: alpha, phi and delta in degrees.
+        violations: Neighbouring cells between which the coefficient does not grow, wherever it lies in a bracket.
+    """
+
+    schema: Literal["soilctl.table/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    action: Literal["show", "build", "plan", "merge", "check"]
+    """See its type."""
+    cells: list[TableCell] | list[TableBracketCell] | None = None
+    """Filled cells, by alpha, then phi, then delta."""
+    table: TableHead | None = None
+    """The table."""
+    gaps: TableGaps | None = None
+    """Its gaps; null for an empty table."""
+    file: str | None = None
+    """File that was written; its description is beside it, with ``.json`` added to the name."""
+    first_refusal: str | None = None
+    """What the model said about the first node it has no answer for."""
+    cases: int | None = None
+    """Cases of the grid, or of the shard."""
+    empty: list[TableEmptyNode] | None = None
+    """Cases without an answer."""
+    finished: bool | None = None
+    """Whether every case is done and the file, if one was asked for, is written."""
+    done: int | None = None
+    """Of these, done already."""
+    measured: int | None = None
+    """Number of cases of this table whose measured times the estimate rests on; 0: on times measured elsewhere."""
+    seconds: float | None = None
+    """Estimated time for all that is left in s."""
+    seconds_per_case: float | None = None
+    """Estimated time a case in s."""
+    threads: int | None = None
+    """Cases solved at a time."""
+    brackets: TableBracketFindings | None = None
+    """What else was checked of brackets; null for a table with one number a node."""
+    consistent: bool | None = None
+    """Whether nothing was found against it."""
+    empty_nodes: list[list[float]] | None = None
+    """Nodes with delta up to phi that are not filled: alpha, phi and delta in degrees."""
+    violations: list[TableViolation] | None = None
+    """Neighbouring cells between which the coefficient does not grow, wherever it lies in a bracket."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -1074,6 +2076,1030 @@ class SimulateAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ProcessAnalysis(Record):
+    """What the strokes say together.
+
+    Attributes:
+        base_angle: Whether forces depend on the base angle; null if it does not vary.
+        comparison: What the model's forces were compared for; null without --density.
+        depth_laws: Force as a power of depth, for each tool angle with several depths.
+        friction: Interface friction by the lift at failure; null without a sweep.
+        groups: Forces by tool angle, at that slant length.
+        no_friction: Why there is none.
+        radius: Whether forces depend on the radius; null if it does not vary.
+        rubbing: The check by rubbing; null without such a log.
+        slant_m: Slant length to which forces are scaled in m.
+    """
+
+    base_angle: ProcessEffect | None
+    """Whether forces depend on the base angle; null if it does not vary."""
+    comparison: ProcessComparison | None
+    """What the model's forces were compared for; null without --density."""
+    depth_laws: list[ProcessLaw]
+    """Force as a power of depth, for each tool angle with several depths."""
+    friction: ProcessFriction | None
+    """Interface friction by the lift at failure; null without a sweep."""
+    groups: list[ProcessGroup]
+    """Forces by tool angle, at that slant length."""
+    no_friction: str | None
+    """Why there is none."""
+    radius: ProcessEffect | None
+    """Whether forces depend on the radius; null if it does not vary."""
+    rubbing: ProcessRubbing | None
+    """The check by rubbing; null without such a log."""
+    slant_m: float
+    """Slant length to which forces are scaled in m."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessComparison(Record):
+    """What model forces are for.
+
+    Attributes:
+        delta_deg: Interface friction in deg.
+        density_kg_m3: Density in kg/m3.
+        model: Name of the model.
+        phi_deg: Friction angle in deg of ``model_n``; null without --phi.
+    """
+
+    delta_deg: float
+    """Interface friction in deg."""
+    density_kg_m3: float
+    """Density in kg/m3."""
+    model: str
+    """Name of the model."""
+    phi_deg: float | None
+    """Friction angle in deg of ``model_n``; null without --phi."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessEffect(Record):
+    """How forces depend on the arm's configuration.
+
+    Attributes:
+        effect_rel: Relative change of force from the least to the greatest value.
+        effect_se: Its standard error.
+        p: Probability of such an effect by chance.
+        range: Least and greatest value, in m or deg.
+        verdict: In words.
+    """
+
+    effect_rel: float
+    """Relative change of force from the least to the greatest value."""
+    effect_se: float
+    """Its standard error."""
+    p: float
+    """Probability of such an effect by chance."""
+    range: list[float]
+    """Least and greatest value, in m or deg."""
+    verdict: str
+    """In words."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessFriction(Record):
+    """Interface friction by a sweep of set-points.
+
+    Attributes:
+        above_deg: Highest set-point with a significant lift; friction is above it.
+        below_deg: Lowest set-point above that without one; friction is below it.
+        delta_deg: Estimate in deg.
+        left_out: Strokes at other tool angles, or without a measured lift.
+        lift_per_deg: Lift for each degree that the set-point is too low.
+        sd_deg: Its standard deviation in deg.
+        strokes: Strokes at 80 to 90 deg, which count.
+    """
+
+    above_deg: float | None
+    """Highest set-point with a significant lift; friction is above it."""
+    below_deg: float | None
+    """Lowest set-point above that without one; friction is below it."""
+    delta_deg: float
+    """Estimate in deg."""
+    left_out: list[str]
+    """Strokes at other tool angles, or without a measured lift."""
+    lift_per_deg: float
+    """Lift for each degree that the set-point is too low."""
+    sd_deg: float
+    """Its standard deviation in deg."""
+    strokes: list[ProcessLift]
+    """Strokes at 80 to 90 deg, which count."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessGroup(Record):
+    """Forces at one tool angle.
+
+    Attributes:
+        alpha_deg: Tool angle in deg.
+        coefficient_of_variation: Standard deviation over mean.
+        matched_phi_deg: Friction angle at which the model gives the mean in deg; null if none does.
+        mean_n: Mean without outliers in N.
+        model_difference: Mean over that force, minus 1.
+        model_n: Force of the model for the given friction angle in N.
+        outliers: Strokes that do not belong (generalised extreme Studentised deviate test, 5 %).
+        sd_n: Standard deviation without outliers in N; null of one stroke.
+        strokes: Strokes, outliers included.
+    """
+
+    alpha_deg: float
+    """Tool angle in deg."""
+    coefficient_of_variation: float | None
+    """Standard deviation over mean."""
+    matched_phi_deg: float | None
+    """Friction angle at which the model gives the mean in deg; null if none does."""
+    mean_n: float
+    """Mean without outliers in N."""
+    model_difference: float | None
+    """Mean over that force, minus 1."""
+    model_n: float | None
+    """Force of the model for the given friction angle in N."""
+    outliers: list[str]
+    """Strokes that do not belong (generalised extreme Studentised deviate test, 5 %)."""
+    sd_n: float | None
+    """Standard deviation without outliers in N; null of one stroke."""
+    strokes: int
+    """Strokes, outliers included."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessLaw(Record):
+    """Force as a power of depth.
+
+    Attributes:
+        agrees_with_square: Whether the interval holds 2.
+        alpha_deg: Tool angle in deg.
+        exponent: The power; 2 in soil without cohesion.
+        exponent_95: Ends of its 95 % confidence interval.
+        quadratic_n_per_m2: F/H^2 of the fit through zero in N/m2.
+        strokes: Strokes.
+    """
+
+    agrees_with_square: bool
+    """Whether the interval holds 2."""
+    alpha_deg: float
+    """Tool angle in deg."""
+    exponent: float
+    """The power; 2 in soil without cohesion."""
+    exponent_95: list[float]
+    """Ends of its 95 % confidence interval."""
+    quadratic_n_per_m2: float
+    """F/H^2 of the fit through zero in N/m2."""
+    strokes: int
+    """Strokes."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessLift(Record):
+    """Lift at failure of one stroke.
+
+    Attributes:
+        lift_deg: Lift in deg.
+        lift_sd_deg: Its standard deviation in deg.
+        set_deg: Set-point of the interface friction in deg.
+        significance: Lift over its standard deviation.
+        stroke_id: Name of the stroke.
+    """
+
+    lift_deg: float
+    """Lift in deg."""
+    lift_sd_deg: float
+    """Its standard deviation in deg."""
+    set_deg: float
+    """Set-point of the interface friction in deg."""
+    significance: float
+    """Lift over its standard deviation."""
+    stroke_id: str
+    """Name of the stroke."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessLogOutcome(Record):
+    """What became of a log.
+
+    Attributes:
+        damage: Damaged parts, which were left out.
+        error: Why nothing could be made of it; null if something could.
+        log: The file.
+        own: Whether soilctl wrote it.
+        skipped: What gave none, and why.
+        status: ``done`` or ``failed``.
+        strokes: Strokes with a failure force.
+        unusable: Messages that could not be used.
+    """
+
+    damage: list[str]
+    """Damaged parts, which were left out."""
+    error: str | None
+    """Why nothing could be made of it; null if something could."""
+    log: str
+    """The file."""
+    own: bool
+    """Whether soilctl wrote it."""
+    skipped: list[ProcessSkipped]
+    """What gave none, and why."""
+    status: str
+    """``done`` or ``failed``."""
+    strokes: int
+    """Strokes with a failure force."""
+    unusable: list[str]
+    """Messages that could not be used."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessRubbing(Record):
+    """The check by rubbing a sand-covered plate.
+
+    Attributes:
+        peak_deg: Median of the peaks of the friction angle in deg.
+        peaks: How many peaks.
+        range_deg: Range that holds two thirds of the peaks in deg.
+    """
+
+    peak_deg: float
+    """Median of the peaks of the friction angle in deg."""
+    peaks: int
+    """How many peaks."""
+    range_deg: list[float]
+    """Range that holds two thirds of the peaks in deg."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessSkipped(Record):
+    """A part of a log that gave no failure force.
+
+    Attributes:
+        from_s: Begin on the log's clock in s.
+        outcome: ``no_stroke``, or what is indiscernible about the failure: ``no_force``, ``no_travel``,
+            ``no_break``, ``incomplete``, ``uncertain``.
+        reason: Why, in words.
+        stroke_id: Name of the stroke; null if it is none.
+        to_s: End in s.
+    """
+
+    from_s: float
+    """Begin on the log's clock in s."""
+    outcome: str
+    """``no_stroke``, or what is indiscernible about the failure: ``no_force``, ``no_travel``, ``no_break``,
+    ``incomplete``, ``uncertain``.
+    """
+    reason: str
+    """Why, in words."""
+    stroke_id: str | None
+    """Name of the stroke; null if it is none."""
+    to_s: float
+    """End in s."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessStrokeRecord(Record):
+    """A stroke of a log: its row of the stroke table, and what its failure was like.
+
+    Attributes:
+        alpha_deg: Tool angle, from the ground ahead to the plate (deg).
+        base_deg: Base angle at which the stroke was made (deg).
+        batch: Name of the preparation the stroke was made in (text).
+        cmd_minus_force_n: Force from the motor torques minus that of the sensor, before failure (N).
+        delta_set_deg: Interface friction angle that the controller was set to (deg).
+        density_kg_m3: Bulk density weighed for the batch (kg/m3).
+        depth_m: Vertical depth of the plate's lower edge below the surface where the soil failed (m).
+        displacement_at_failure_m: Displacement at failure, compensated for flexion (m).
+        failure: ``drastic`` or ``gradual`` (text).
+        failure_time_s: Time of the failure on the clock of the log (s).
+        flags: What to keep in mind, words parted by blanks; empty if nothing (text).
+        force_n: Failure force: magnitude of the in-plane resultant, tare removed (N).
+        force_sd_n: Standard deviation of the failure force (N).
+        friction_angle_deg: Measured friction angle just before failure (deg).
+        gap_prior_m: Edge distance to the nearest earlier stroke in this preparation (m).
+        lift_deg: Inclination of the force while failed soil slips along the plate, above the set-point, or without
+            one above that before the failure (deg).
+        lift_sd_deg: Standard deviation of ``lift_deg`` (deg).
+        log: The log (text).
+        method: How the failure was found: ``drop``, ``run_away`` or ``saturation`` (text).
+        mobilised: Share of the limit force that was mobilised at the end of a gradual failure (1).
+        motor_ext_gap_m: Motor-side minus external position before failure (m).
+        order: Order within the preparation, from 1 (1).
+        post_slope_norm: Slope after the break, ``(dF/du) H/F`` (1).
+        radius_m: Radius from the base axis at which the stroke was made (m).
+        residual_ratio: Force half a depth after failure over the failure force (1).
+        speed_mps: Mean speed of the plate up to failure (m/s).
+        stroke_id: Name of the stroke; no other stroke of the table has it (text).
+        tare_after_n: Free-air reading after the stroke, along the force (N).
+        tare_before_n: Free-air reading before the stroke, along the force (N).
+        time_s: Time of the stroke on the clock of the campaign (s).
+        turned_deg: How far the tool angle had grown at failure, since the arm turns the plate while it pulls (deg).
+        two_lines_force_n: Force where two lines fitted to the curve meet, the usual rule for gradual failures (N).
+        wall_m: From the edge of the plate to the nearest wall (m).
+        width_m: Width of the plate (m).
+        x_step_m: Usual step of the external encoders at the plate (m).
+        z_drift_m: Drift of the plate's lower edge up to failure, up positive (m).
+    """
+
+    alpha_deg: float
+    """Tool angle, from the ground ahead to the plate (deg)."""
+    base_deg: float | None
+    """Base angle at which the stroke was made (deg)."""
+    batch: str | None
+    """Name of the preparation the stroke was made in (text)."""
+    cmd_minus_force_n: float | None
+    """Force from the motor torques minus that of the sensor, before failure (N)."""
+    delta_set_deg: float | None
+    """Interface friction angle that the controller was set to (deg)."""
+    density_kg_m3: float | None
+    """Bulk density weighed for the batch (kg/m3)."""
+    depth_m: float
+    """Vertical depth of the plate's lower edge below the surface where the soil failed (m)."""
+    displacement_at_failure_m: float | None
+    """Displacement at failure, compensated for flexion (m)."""
+    failure: str
+    """``drastic`` or ``gradual`` (text)."""
+    failure_time_s: float | None
+    """Time of the failure on the clock of the log (s)."""
+    flags: str
+    """What to keep in mind, words parted by blanks; empty if nothing (text)."""
+    force_n: float
+    """Failure force: magnitude of the in-plane resultant, tare removed (N)."""
+    force_sd_n: float | None
+    """Standard deviation of the failure force (N)."""
+    friction_angle_deg: float | None
+    """Measured friction angle just before failure (deg)."""
+    gap_prior_m: float | None
+    """Edge distance to the nearest earlier stroke in this preparation (m)."""
+    lift_deg: float | None
+    """Inclination of the force while failed soil slips along the plate, above the set-point, or without one above
+    that before the failure (deg).
+    """
+    lift_sd_deg: float | None
+    """Standard deviation of ``lift_deg`` (deg)."""
+    log: str
+    """The log (text)."""
+    method: str
+    """How the failure was found: ``drop``, ``run_away`` or ``saturation`` (text)."""
+    mobilised: float | None
+    """Share of the limit force that was mobilised at the end of a gradual failure (1)."""
+    motor_ext_gap_m: float | None
+    """Motor-side minus external position before failure (m)."""
+    order: int | None
+    """Order within the preparation, from 1 (1)."""
+    post_slope_norm: float | None
+    """Slope after the break, ``(dF/du) H/F`` (1)."""
+    radius_m: float | None
+    """Radius from the base axis at which the stroke was made (m)."""
+    residual_ratio: float | None
+    """Force half a depth after failure over the failure force (1)."""
+    speed_mps: float | None
+    """Mean speed of the plate up to failure (m/s)."""
+    stroke_id: str
+    """Name of the stroke; no other stroke of the table has it (text)."""
+    tare_after_n: float | None
+    """Free-air reading after the stroke, along the force (N)."""
+    tare_before_n: float | None
+    """Free-air reading before the stroke, along the force (N)."""
+    time_s: float | None
+    """Time of the stroke on the clock of the campaign (s)."""
+    turned_deg: float | None
+    """How far the tool angle had grown at failure, since the arm turns the plate while it pulls (deg)."""
+    two_lines_force_n: float | None
+    """Force where two lines fitted to the curve meet, the usual rule for gradual failures (N)."""
+    wall_m: float | None
+    """From the edge of the plate to the nearest wall (m)."""
+    width_m: float
+    """Width of the plate (m)."""
+    x_step_m: float | None
+    """Usual step of the external encoders at the plate (m)."""
+    z_drift_m: float | None
+    """Drift of the plate's lower edge up to failure, up positive (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessAnswer(Answer):
+    """The answer of ``process``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        analysis: What the strokes say together.
+        logs: What became of each log.
+        reused: Logs that were taken over from an earlier run, since they are as they were.
+        stopped: Whether the work was stopped before the last log.
+        strokes: Strokes with a failure force, in the order of the logs.
+        written: Files that were written.
+    """
+
+    schema: Literal["soilctl.process/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    analysis: ProcessAnalysis
+    """What the strokes say together."""
+    logs: list[ProcessLogOutcome]
+    """What became of each log."""
+    reused: int
+    """Logs that were taken over from an earlier run, since they are as they were."""
+    stopped: bool
+    """Whether the work was stopped before the last log."""
+    strokes: list[ProcessStrokeRecord]
+    """Strokes with a failure force, in the order of the logs."""
+    written: list[str]
+    """Files that were written."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseChannelGap(Record):
+    """The gap of a column, in standard deviations of the prediction with effects.
+
+    Attributes:
+        after: The same with effects.
+        before: Normalised root mean square without effects; the square is chi-square a reading.
+        channel: Column of the stroke table, or of the traces.
+        delta_elpd: Gain in log predictive density, summed over readings.
+        delta_elpd_se: Its standard error.
+        readings: Readings.
+    """
+
+    after: float
+    """The same with effects."""
+    before: float
+    """Normalised root mean square without effects; the square is chi-square a reading."""
+    channel: str
+    """Column of the stroke table, or of the traces."""
+    delta_elpd: float
+    """Gain in log predictive density, summed over readings."""
+    delta_elpd_se: float
+    """Its standard error."""
+    readings: int
+    """Readings."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseEffect(Record):
+    """One effect.
+
+    Attributes:
+        id: Id in the catalogue.
+        log_bayes_factor: ln Bayes factor over the explanation without it.
+        parameters: Parameters by name.
+    """
+
+    id: str
+    """Id in the catalogue."""
+    log_bayes_factor: float
+    """ln Bayes factor over the explanation without it."""
+    parameters: dict[str, DiagnoseParameter]
+    """Parameters by name."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseGap(Record):
+    """Root mean squares of ln force; chi-square and log density are of batches that were left out.
+
+    Attributes:
+        after: With effects.
+        before: Without effects.
+        chi2_per_n_after: chi-square a stroke with effects.
+        chi2_per_n_before: chi-square a stroke without effects.
+        delta_elpd: Gain in expected log predictive density.
+        delta_elpd_se: Its standard error.
+        heldout_after: With effects, each batch predicted from the others.
+        heldout_before: Without effects, each batch predicted from the others; null with fewer than two batches.
+    """
+
+    after: float
+    """With effects."""
+    before: float
+    """Without effects."""
+    chi2_per_n_after: float | None
+    """chi-square a stroke with effects."""
+    chi2_per_n_before: float | None
+    """chi-square a stroke without effects."""
+    delta_elpd: float | None
+    """Gain in expected log predictive density."""
+    delta_elpd_se: float | None
+    """Its standard error."""
+    heldout_after: float | None
+    """With effects, each batch predicted from the others."""
+    heldout_before: float | None
+    """Without effects, each batch predicted from the others; null with fewer than two batches."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseNext(Record):
+    """The next experiment.
+
+    Attributes:
+        design_csv: File with the strokes to make.
+        power: Chance that it settles the question.
+        text: What to do and why.
+    """
+
+    design_csv: str
+    """File with the strokes to make."""
+    power: float
+    """Chance that it settles the question."""
+    text: str
+    """What to do and why."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseParameter(Record):
+    """A parameter.
+
+    Attributes:
+        sd: Standard deviation.
+        unit: Unit, ``1`` for a number without.
+        value: Value; for a choice among force models, its index.
+    """
+
+    sd: float
+    """Standard deviation."""
+    unit: str
+    """Unit, ``1`` for a number without."""
+    value: float
+    """Value; for a choice among force models, its index."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseTestability(Record):
+    """What the design could show of an effect.
+
+    Attributes:
+        id: Id of the effect.
+        lambda_: Expected squared signal-to-noise ratio at a typical amplitude.
+        lambda_largest: The same at the largest plausible amplitude.
+        verdict: yes, if large, absorbed by soil and interface, or not varied by the design.
+    """
+
+    id: str
+    """Id of the effect."""
+    lambda_: float = field(metadata={"key": "lambda"})
+    """Expected squared signal-to-noise ratio at a typical amplitude."""
+    lambda_largest: float
+    """The same at the largest plausible amplitude."""
+    verdict: str
+    """yes, if large, absorbed by soil and interface, or not varied by the design."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseWhere(Record):
+    """One disagreement.
+
+    Attributes:
+        channel: Column of the stroke table, or of the traces.
+        covariate: Covariate; ``all`` if all strokes are off what a simulated arm reads.
+        p_adjusted: Probability of as much by chance, adjusted for the number of tests.
+        phase: Phase of the stroke, for readings of traces: loading or after; null for the column itself.
+    """
+
+    channel: str
+    """Column of the stroke table, or of the traces."""
+    covariate: str
+    """Covariate; ``all`` if all strokes are off what a simulated arm reads."""
+    p_adjusted: float
+    """Probability of as much by chance, adjusted for the number of tests."""
+    phase: str | None
+    """Phase of the stroke, for readings of traces: loading or after; null for the column itself."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseAnswer(Answer):
+    """The answer of ``diagnose``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        density_kg_m3: Recalibrated density with the effects, kg/m3.
+        effects: Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
+        equivalence_set: What the data do not tell apart, best first; ids of effects, or ``unknown:<covariate>``.
+        gap: How far model and measurement are apart.
+        gap_by_channel: The gap of forces and of each column, on batches that were left out, forces first; empty
+            with fewer than two batches. ``gap.csv`` has it along each condition.
+        known_effects: Effects of that file, which were taken as known; ``patch`` has them before those that were
+            found.
+        model: The force model without effects.
+        model_file: The model file that the campaign was held against; null without one.
+        next_experiment: The follow-up that would tell most; null if nothing on the menu would.
+        patch: Model file for ``--model-file``.
+        phi_deg: Recalibrated friction angle with the effects, deg.
+        report: HTML page; null if none was made.
+        scatter: Scatter of ln force of one stroke about the baseline.
+        status: none, named, ambiguous, provisional, unknown or not_testable; only ``named`` is firm.
+        strokes: Strokes.
+        testability: What the design could show of each effect, before the forces were looked at.
+        traces: Strokes whose trace was used.
+        where: Disagreements of the recalibrated baseline that are more than chance.
+    """
+
+    schema: Literal["soilctl.diagnose/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    density_kg_m3: float
+    """Recalibrated density with the effects, kg/m3."""
+    effects: list[DiagnoseEffect]
+    """Effects of the best explanation, best first; empty unless named, ambiguous or provisional."""
+    equivalence_set: list[str]
+    """What the data do not tell apart, best first; ids of effects, or ``unknown:<covariate>``."""
+    gap: DiagnoseGap
+    """How far model and measurement are apart."""
+    gap_by_channel: list[DiagnoseChannelGap]
+    """The gap of forces and of each column, on batches that were left out, forces first; empty with fewer than two
+    batches. ``gap.csv`` has it along each condition.
+    """
+    known_effects: list[str]
+    """Effects of that file, which were taken as known; ``patch`` has them before those that were found."""
+    model: str
+    """The force model without effects."""
+    model_file: str | None
+    """The model file that the campaign was held against; null without one."""
+    next_experiment: DiagnoseNext | None
+    """The follow-up that would tell most; null if nothing on the menu would."""
+    patch: str
+    """Model file for ``--model-file``."""
+    phi_deg: float
+    """Recalibrated friction angle with the effects, deg."""
+    report: str | None
+    """HTML page; null if none was made."""
+    scatter: float
+    """Scatter of ln force of one stroke about the baseline."""
+    status: str
+    """none, named, ambiguous, provisional, unknown or not_testable; only ``named`` is firm."""
+    strokes: int
+    """Strokes."""
+    testability: list[DiagnoseTestability]
+    """What the design could show of each effect, before the forces were looked at."""
+    traces: int
+    """Strokes whose trace was used."""
+    where: list[DiagnoseWhere]
+    """Disagreements of the recalibrated baseline that are more than chance."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSelfTestRate(Record):
+    """A rate.
+
+    Attributes:
+        name: What is counted.
+        of: Campaigns behind it.
+        rate: The rate; null without campaigns.
+    """
+
+    name: str
+    """What is counted."""
+    of: int
+    """Campaigns behind it."""
+    rate: float | None
+    """The rate; null without campaigns."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSelfTestAnswer(Answer):
+    """The answer of ``diagnose_self_test``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        campaigns: Campaigns diagnosed.
+        confusion: How often each hidden effect (lambda of at least 25) was answered by which first effect or
+            status.
+        model: Force model.
+        rates: Rates by name, each with the number of campaigns behind it.
+        seed: Seed.
+    """
+
+    schema: Literal["soilctl.diagnose-self-test/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    campaigns: int
+    """Campaigns diagnosed."""
+    confusion: dict[str, dict[str, int]]
+    """How often each hidden effect (lambda of at least 25) was answered by which first effect or status."""
+    model: str
+    """Force model."""
+    rates: list[DiagnoseSelfTestRate]
+    """Rates by name, each with the number of campaigns behind it."""
+    seed: int
+    """Seed."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoDelta(Record):
+    """Interface friction from the sweep of set-points.
+
+    Attributes:
+        above_deg: Highest set-point with a significant lift (deg).
+        below_deg: Lowest set-point above that without one (deg).
+        delta_deg: Estimate (deg).
+        determined: Whether the sweep tells: a set-point lifts significantly, and the standard deviation is at most
+            2 deg.
+        error_deg: Estimate minus truth (deg).
+        holds_truth: Whether the truth lies in the interval.
+        interval_deg: Two standard deviations on either side, at least 1 (deg).
+        sd_deg: Its standard deviation (deg).
+    """
+
+    above_deg: float | None
+    """Highest set-point with a significant lift (deg)."""
+    below_deg: float | None
+    """Lowest set-point above that without one (deg)."""
+    delta_deg: float
+    """Estimate (deg)."""
+    determined: bool
+    """Whether the sweep tells: a set-point lifts significantly, and the standard deviation is at most 2 deg."""
+    error_deg: float
+    """Estimate minus truth (deg)."""
+    holds_truth: bool
+    """Whether the truth lies in the interval."""
+    interval_deg: list[float]
+    """Two standard deviations on either side, at least 1 (deg)."""
+    sd_deg: float
+    """Its standard deviation (deg)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoEachStroke(Record):
+    """A stroke of the plan.
+
+    Attributes:
+        alpha_deg: Tool angle (deg).
+        batch: Preparation, from 1.
+        delta_set_deg: Set-point of the interface friction (deg).
+        depth_m: Depth that was wanted (m).
+        error: The force that was found over that, minus 1.
+        force_n: Failure force that was found (N).
+        force_sd_n: Its standard deviation (N).
+        limit_force_n: The most that the soil bore where and when the failure was found (N).
+        measured_depth_m: Depth that was measured (m).
+        number: Number in the plan, from 1.
+        stroke_id: Its name in the stroke table; null if it has no failure force.
+        true_depth_m: Depth at which the soil failed in truth (m).
+        true_force_n: Force of the soil when it failed in truth (N); null if it did not fail.
+        used_for_delta: Whether it was used for the interface friction.
+        used_for_phi: Whether it was used for friction angle and density.
+        why_none: Why it has no failure force; null if it has one.
+    """
+
+    alpha_deg: float
+    """Tool angle (deg)."""
+    batch: int
+    """Preparation, from 1."""
+    delta_set_deg: float
+    """Set-point of the interface friction (deg)."""
+    depth_m: float
+    """Depth that was wanted (m)."""
+    error: float | None
+    """The force that was found over that, minus 1."""
+    force_n: float | None
+    """Failure force that was found (N)."""
+    force_sd_n: float | None
+    """Its standard deviation (N)."""
+    limit_force_n: float | None
+    """The most that the soil bore where and when the failure was found (N)."""
+    measured_depth_m: float | None
+    """Depth that was measured (m)."""
+    number: int
+    """Number in the plan, from 1."""
+    stroke_id: str | None
+    """Its name in the stroke table; null if it has no failure force."""
+    true_depth_m: float | None
+    """Depth at which the soil failed in truth (m)."""
+    true_force_n: float | None
+    """Force of the soil when it failed in truth (N); null if it did not fail."""
+    used_for_delta: bool
+    """Whether it was used for the interface friction."""
+    used_for_phi: bool
+    """Whether it was used for friction angle and density."""
+    why_none: str | None
+    """Why it has no failure force; null if it has one."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoFiles(Record):
+    """Where everything is.
+
+    Attributes:
+        estimates: The estimates in JSON.
+        figures: The figures.
+        folder: The folder.
+        logs: The logs.
+        measurements: What of it the estimate used, with its error budget; null without an estimate.
+        plan: The campaign plan.
+        report: The page; null if the work was stopped before it.
+        strokes: The stroke table; null without a failure force.
+    """
+
+    estimates: list[str]
+    """The estimates in JSON."""
+    figures: list[str]
+    """The figures."""
+    folder: str
+    """The folder."""
+    logs: list[str]
+    """The logs."""
+    measurements: str | None
+    """What of it the estimate used, with its error budget; null without an estimate."""
+    plan: str
+    """The campaign plan."""
+    report: str | None
+    """The page; null if the work was stopped before it."""
+    strokes: str | None
+    """The stroke table; null without a failure force."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoForces(Record):
+    """Failure forces against the truth.
+
+    Attributes:
+        compared: Strokes that were compared.
+        median_error: Median of the relative errors' sizes.
+        median_signed_error: Median of the relative errors with their sign.
+        percentile_95_error: Their 95th percentile.
+        share_within_10_percent: Share of the strokes that are within 10 %.
+        share_within_one_sd: Share of the errors that are within one stated standard deviation; 0.68 if they are
+            calibrated.
+    """
+
+    compared: int
+    """Strokes that were compared."""
+    median_error: float
+    """Median of the relative errors' sizes."""
+    median_signed_error: float
+    """Median of the relative errors with their sign."""
+    percentile_95_error: float
+    """Their 95th percentile."""
+    share_within_10_percent: float
+    """Share of the strokes that are within 10 %."""
+    share_within_one_sd: float
+    """Share of the errors that are within one stated standard deviation; 0.68 if they are calibrated."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoRegion(Record):
+    """Every soil that explains the forces.
+
+    Attributes:
+        consistent: Whether any soil does.
+        density_holds_truth: Whether the true density lies in its range.
+        density_kg_m3: Range of the density (kg/m3); null if inconsistent.
+        density_known_kg_m3: What was known of the density (kg/m3).
+        holds_truth: Whether true friction angle and density together lie in the region.
+        phi_deg: Range of the friction angle (deg); null if inconsistent.
+        phi_holds_truth: Whether the true friction angle lies in its range.
+        verdict: The result in words.
+    """
+
+    consistent: bool
+    """Whether any soil does."""
+    density_holds_truth: bool
+    """Whether the true density lies in its range."""
+    density_kg_m3: list[float] | None
+    """Range of the density (kg/m3); null if inconsistent."""
+    density_known_kg_m3: list[float] | None
+    """What was known of the density (kg/m3)."""
+    holds_truth: bool
+    """Whether true friction angle and density together lie in the region."""
+    phi_deg: list[float] | None
+    """Range of the friction angle (deg); null if inconsistent."""
+    phi_holds_truth: bool
+    """Whether the true friction angle lies in its range."""
+    verdict: str
+    """The result in words."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoStrokeCount(Record):
+    """How many strokes there are.
+
+    Attributes:
+        asked: In the plan.
+        made: Made by the arm to their end.
+        used_for_delta: Used for the interface friction.
+        used_for_phi: Used for friction angle and density.
+        with_force: With a failure force.
+    """
+
+    asked: int
+    """In the plan."""
+    made: int
+    """Made by the arm to their end."""
+    used_for_delta: int
+    """Used for the interface friction."""
+    used_for_phi: int
+    """Used for friction angle and density."""
+    with_force: int
+    """With a failure force."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoTruth(Record):
+    """What is true of the soil.
+
+    Attributes:
+        cohesion_pa: Cohesion (Pa); the estimate takes it as known.
+        delta_deg: Friction angle between soil and plate (deg).
+        density_kg_m3: Bulk density (kg/m3).
+        gravity_m_s2: Gravity (m/s2); the estimate takes it as known.
+        phi_deg: Friction angle (deg).
+    """
+
+    cohesion_pa: float
+    """Cohesion (Pa); the estimate takes it as known."""
+    delta_deg: float
+    """Friction angle between soil and plate (deg)."""
+    density_kg_m3: float
+    """Bulk density (kg/m3)."""
+    gravity_m_s2: float
+    """Gravity (m/s2); the estimate takes it as known."""
+    phi_deg: float
+    """Friction angle (deg)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DemoAnswer(Answer):
+    """The answer of ``demo``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        complete: Whether everything ran to its end; otherwise the same command goes on.
+        delta: Interface friction from the sweep; null if there is none.
+        delta_guess_deg: Published interface friction (deg), around which the set-points lie. The estimate from the
+            sweep does not use it.
+        delta_used_deg: Interval of the interface friction (deg): from the sweep if it tells, else around the
+            published one; null if there is no estimate. The estimate takes the inclination of each stroke's force
+            at failure, up to the end of the interval.
+        density_unknown: Friction angle and density from the forces, nothing known of the density; null if there is
+            no estimate.
+        density_weighed: The same with the density that was weighed; null if there is no estimate.
+        each: Every stroke of the plan.
+        files: Where everything is.
+        forces: Failure forces against the truth; null without a stroke to compare.
+        model: Force model of the simulated soil and of the estimate.
+        no_delta: Why there is none, or why it does not count; null if it does.
+        no_estimate: Why there is no estimate.
+        not_recovered: What was not recovered, in words; empty if everything was.
+        seed: Seed of noise and scatter.
+        soil: Name of the soil.
+        strokes: What became of the strokes.
+        title: The soil in words.
+        true_forces: The estimate that the same strokes would give with the forces and depths that are true and the
+            density unknown: what is lost by reading them from the logs; null if there is none.
+        truth: What is true of the soil. Only comparisons use it.
+    """
+
+    schema: Literal["soilctl.demo/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    complete: bool
+    """Whether everything ran to its end; otherwise the same command goes on."""
+    delta: DemoDelta | None
+    """Interface friction from the sweep; null if there is none."""
+    delta_guess_deg: float
+    """Published interface friction (deg), around which the set-points lie. The estimate from the sweep does not use
+    it.
+    """
+    delta_used_deg: list[float] | None
+    """Interval of the interface friction (deg): from the sweep if it tells, else around the published one; null if
+    there is no estimate. The estimate takes the inclination of each stroke's force at failure, up to the end of
+    the interval.
+    """
+    density_unknown: DemoRegion | None
+    """Friction angle and density from the forces, nothing known of the density; null if there is no estimate."""
+    density_weighed: DemoRegion | None
+    """The same with the density that was weighed; null if there is no estimate."""
+    each: list[DemoEachStroke]
+    """Every stroke of the plan."""
+    files: DemoFiles
+    """Where everything is."""
+    forces: DemoForces | None
+    """Failure forces against the truth; null without a stroke to compare."""
+    model: str
+    """Force model of the simulated soil and of the estimate."""
+    no_delta: str | None
+    """Why there is none, or why it does not count; null if it does."""
+    no_estimate: str | None
+    """Why there is no estimate."""
+    not_recovered: list[str]
+    """What was not recovered, in words; empty if everything was."""
+    seed: int
+    """Seed of noise and scatter."""
+    soil: str
+    """Name of the soil."""
+    strokes: DemoStrokeCount
+    """What became of the strokes."""
+    title: str
+    """The soil in words."""
+    true_forces: DemoRegion | None
+    """The estimate that the same strokes would give with the forces and depths that are true and the density
+    unknown: what is lost by reading them from the logs; null if there is none.
+    """
+    truth: DemoTruth
+    """What is true of the soil. Only comparisons use it."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class LogContent(Record):
     """What is in a log.
 
@@ -1312,7 +3338,7 @@ class ArmUrdfAnswer(Answer):
 
 def predict(
     *,
-    model: str = "chen",
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"] = "chen",
     model_table: PathLike | None = None,
     alpha_deg: float | None = None,
     model_file: PathLike | None = None,
@@ -1332,7 +3358,7 @@ def predict(
     """Force and coefficients of a plate from a named model.
 
     Args:
-        model: Model: coulomb, log-spiral, log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table.
+        model: Force model.
         model_table: A table file (.csv or .parquet) as the model.
         alpha_deg: Tool angle from the horizontal (deg).
         model_file: A model file, such as the patch of ``diagnose``: force model, soil and effects; ``phi_deg``,
@@ -1360,11 +3386,284 @@ def predict(
     return run("predict", predict, locals(), PredictAnswer, tables=("strokes",))
 
 
+def bound(
+    alpha_deg: float,
+    phi_deg: float,
+    delta_deg: float,
+    *,
+    density_kg_m3: float | None = None,
+    depth_m: float | None = None,
+    width_m: float | None = None,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
+    gravity_m_s2: float = 9.80665,
+    beta_deg: float = 0.0,
+    max_gap: float = 0.01,
+    max_elements: int = 20000,
+    max_work: int = 3000000,
+    max_seconds: float | None = None,
+    max_memory_mb: int | None = None,
+    threads: int = 1,
+    factorisation: Literal["auto", "qdldl", "faer"] = "auto",
+    segments: int | None = None,
+    dump: PathLike | None = None,
+    save: PathLike | None = None,
+    progress: Progress = None,
+) -> BoundAnswer:
+    """Proven lower and upper bounds on a plate's force, by limit analysis.
+
+    Args:
+        alpha_deg: Tool angle from the horizontal (deg), 10 to 170.
+        phi_deg: Internal friction angle of the soil (deg), above 0 and below 70.
+        delta_deg: Friction angle between soil and plate (deg), at most phi.
+        density_kg_m3: Bulk density (kg/m3); needed for forces, and with cohesion, adhesion or surcharge.
+        depth_m: Vertical depth of the plate's lower edge below the surface (m); likewise.
+        width_m: Width of the plate (m); needed for forces.
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
+        max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
+        max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+            machine. At least 1.
+        max_seconds: Time that may be spent (s); where the run ends then depends on the machine, and the answer says
+            so. Above 0.
+        max_memory_mb: Memory that may be used (MB): a mesh whose programs may need more is not made. At least 100.
+        threads: Threads; the bounds are the same for any number. At least 1 and at most 1024.
+        factorisation: What factorises the systems of the solver's steps: bounds differ in their last digits;
+            ``auto`` goes by the size of the programs.
+        segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
+            slower and wider. At least 3 and at most 1000.
+        dump: Existing folder for programs on which the solver failed, to reproduce that from.
+        save: Saves the fields that prove the bounds, for ``soilctl certify``.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("bound", bound, locals(), BoundAnswer)
+
+
+def solve(
+    file: PathLike,
+    *,
+    max_gap: float = 0.01,
+    max_elements: int = 20000,
+    max_work: int = 3000000,
+    max_seconds: float | None = None,
+    max_memory_mb: int | None = None,
+    threads: int = 1,
+    factorisation: Literal["auto", "qdldl", "faer"] = "auto",
+    segments: int | None = None,
+    dump: PathLike | None = None,
+    save: PathLike | None = None,
+    progress: Progress = None,
+) -> SolveAnswer:
+    """Proven bounds for any plane-strain collapse problem described in a file.
+
+    Args:
+        file: Problem file, .toml or .json.
+        max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
+        max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
+        max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+            machine. At least 1.
+        max_seconds: Time that may be spent (s); where the run ends then depends on the machine, and the answer says
+            so. Above 0.
+        max_memory_mb: Memory that may be used (MB): a mesh whose programs may need more is not made. At least 100.
+        threads: Threads; the bounds are the same for any number. At least 1 and at most 1024.
+        factorisation: What factorises the systems of the solver's steps: bounds differ in their last digits;
+            ``auto`` goes by the size of the programs.
+        segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
+            slower and wider. At least 3 and at most 1000.
+        dump: Existing folder for programs on which the solver failed, to reproduce that from.
+        save: Saves the fields that prove the bounds, for ``soilctl certify``; for a factor of safety several files.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("solve", solve, locals(), SolveAnswer)
+
+
+def solve_check(
+    file: PathLike,
+    *,
+    progress: Progress = None,
+) -> SolveCheckAnswer:
+    """Reads a problem file and says what it was understood to mean.
+
+    Args:
+        file: Problem file, .toml or .json.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("solve check", solve_check, locals(), SolveCheckAnswer)
+
+
+def certify(
+    file: PathLike,
+    *,
+    progress: Progress = None,
+) -> CertifyAnswer:
+    """Proves the bounds of a saved solution anew.
+
+    Args:
+        file: A solution saved with ``soilctl bound --save``.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("certify", certify, locals(), CertifyAnswer)
+
+
+def table_show(
+    table: str,
+    *,
+    progress: Progress = None,
+) -> TableAnswer:
+    """Prints a table.
+
+    Args:
+        table: A table file (.csv or .parquet, with its .json beside it) or a built-in table: appendix-c-coulomb,
+            appendix-c-log-spiral, appendix-c-chen, appendix-c-caquot, appendix-c-num-ub, appendix-c-num-lb,
+            plate-bounds.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("table show", table_show, locals(), TableAnswer)
+
+
+def table_build(
+    *,
+    model: str = "bounds",
+    grid: Literal["appendix-c", "wide"] = "appendix-c",
+    alpha_deg: str | None = None,
+    phi_deg: str | None = None,
+    delta_deg: str | None = None,
+    out: PathLike | None = None,
+    max_gap: float | None = None,
+    max_elements: int | None = None,
+    threads: int | None = None,
+    shard: str | None = None,
+    store: PathLike | None = None,
+    save: PathLike | None = None,
+    dry_run: bool = False,
+    progress: Progress = None,
+) -> TableAnswer:
+    """Fills a table, with proven bounds or from another model; fills what is missing in one that is there.
+
+    Args:
+        model: Model: bounds (lower and upper bound by limit analysis, both proven), or coulomb, log-spiral,
+            log-spiral-thesis, caquot, chen, thesis-ub, thesis-lb, table.
+        grid: Grid: appendix-c, the 287 sets of the thesis, or wide.
+        alpha_deg: Nodes of the tool angle (deg).
+        phi_deg: Nodes of the friction angle of the soil (deg).
+        delta_deg: Nodes of the interface friction angle (deg).
+        out: File to write (.csv, or .parquet if it is not bounds); its description goes beside it, with .json
+            added. Not needed with ``store``.
+        max_gap: Bounds: gap (U - L) / ((U + L) / 2) at which a case is done. Above 0.
+        max_elements: Bounds: most elements that a case is given. At least 600 and at most 1e+06.
+        threads: Bounds: cases solved at a time; the table is the same for any number. At least 1 and at most 1024.
+        shard: Bounds: only each N-th case, starting with the I-th; all shards may fill one ``store``, or ``table
+            merge`` unites their files.
+        store: Bounds: folder where each solved case is a file of its own, for any number of runs and machines at a
+            time; what is there is not solved again.
+        save: Bounds: folder for the fields that prove each case, for ``soilctl certify``.
+        dry_run: Bounds: only says how many cases there are and how long they will take.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("table build", table_build, locals(), TableAnswer)
+
+
+def table_merge(
+    files: Sequence[PathLike],
+    out: PathLike,
+    *,
+    progress: Progress = None,
+) -> TableAnswer:
+    """Unites the tables of bounds that ``build --shard`` made.
+
+    Args:
+        files: Files to unite, built by the same version with the same --max-gap and --max-elements.
+        out: File to write (.csv).
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("table merge", table_merge, locals(), TableAnswer)
+
+
+def table_check(
+    table: str,
+    *,
+    against: Sequence[str] = (),
+    progress: Progress = None,
+) -> TableAnswer:
+    """Checks a table; it is inconsistent if a coefficient does not grow with alpha, phi or delta.
+
+    Args:
+        table: A table file (.csv or .parquet, with its .json beside it) or a built-in table: appendix-c-coulomb,
+            appendix-c-log-spiral, appendix-c-chen, appendix-c-caquot, appendix-c-num-ub, appendix-c-num-lb,
+            plate-bounds.
+        against: With a table of bounds: another table of lower or upper bounds, whose errors it proves; may be
+            repeated.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("table check", table_check, locals(), TableAnswer)
+
+
 def estimate(
     file: Table,
     delta_deg: Literal["column"] | float,
     *,
-    model: str = "table",
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"] = "table",
     model_file: PathLike | None = None,
     delta_tol_deg: float = 1.0,
     density_kg_m3: Literal["column"] | float | None = None,
@@ -1392,8 +3691,7 @@ def estimate(
     Args:
         file: Stroke table (CSV).
         delta_deg: Friction angle between soil and plate (deg), or ``column`` for delta_set_deg of the table.
-        model: Model: table (the bracket of bounds), thesis-ub, thesis-lb, chen, caquot, log-spiral,
-            log-spiral-thesis, coulomb.
+        model: Force model; ``table`` is the bracket of proven bounds.
         model_file: A model file, such as the patch of ``diagnose``: its effects are taken out of the measured
             forces first, at the soil of the file.
         delta_tol_deg: Half width of what is known of delta (deg). At least 0.
@@ -1522,6 +3820,165 @@ def simulate(
         FileError: If a file cannot be read or written.
     """
     return run("simulate", simulate, locals(), SimulateAnswer)
+
+
+def process(
+    logs: Sequence[PathLike],
+    *,
+    out: PathLike | None = None,
+    threads: int | None = None,
+    shard: str | None = None,
+    trace_rate_hz: float = 50.0,
+    joint_topic: str | None = None,
+    wrench_topic: str | None = None,
+    urdf: PathLike | None = None,
+    sensor_frame: str | None = None,
+    surface_z_m: float | None = None,
+    plate_frame: str | None = None,
+    alpha_deg: float | None = None,
+    width_m: float | None = None,
+    delta_set_deg: float | None = None,
+    tare: Sequence[float] | None = None,
+    tool_weight_n: float = 0.0,
+    strokes: PathLike | None = None,
+    slant_m: float = 0.0254,
+    rubbing: Sequence[PathLike] = (),
+    density_kg_m3: float | None = None,
+    phi_deg: float | None = None,
+    delta_deg: float | None = None,
+    gravity_m_s2: float = 9.80665,
+    model: str = "table",
+    progress: Progress = None,
+) -> ProcessAnswer:
+    """Failure forces of the strokes in logs, and what they say together.
+
+    Args:
+        logs: Logs (.mcap), or folders with logs.
+        out: Stroke table to write (.csv or .parquet).
+        threads: Logs that are read at a time; the answer does not depend on it. At least 1 and at most 1024.
+        shard: Reads only each N-th log, starting with the I-th, and writes no table: the same command without this
+            one then takes what all shards have read, wherever they ran.
+        trace_rate_hz: Samples a second in traces.csv. Above 0 and at most 1e+06.
+        joint_topic: Topic of the joint states.
+        wrench_topic: Topic of the wrenches of soil on plate.
+        urdf: URDF of the arm.
+        sensor_frame: Link of the wrenches.
+        surface_z_m: Height of the soil in the URDF's root frame (m).
+        plate_frame: Link at the plate's lower edge, its z axis down along the plate.
+        alpha_deg: Tool angle (deg).
+        width_m: Width of the plate (m).
+        delta_set_deg: Interface friction that the controller was set to (deg).
+        tare: Readings in free air: FX,FY,FZ or FX,FY,FZ,MX,MY,MZ (N, N m).
+        tool_weight_n: Weight of what the sensor carries (N); it turns with the sensor.
+        strokes: CSV with the columns start and end (s, on the clock of the stamps).
+        slant_m: Slant length to which forces are scaled (m).
+        rubbing: Logs of rubbing a sand-covered plate: the check of the interface friction.
+        density_kg_m3: Density of the soil (kg/m3): matches a friction angle to the mean force of each tool angle.
+            Above 0.
+        phi_deg: Friction angle (deg) for which the model's forces are compared; needs ``density_kg_m3``.
+        delta_deg: Interface friction for the comparison (deg).
+        gravity_m_s2: Gravity for the comparison (m/s2). Above 0.
+        model: Force model for the comparison.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("process", process, locals(), ProcessAnswer)
+
+
+def diagnose(
+    dir: PathLike,
+    *,
+    model: str = "table",
+    model_file: PathLike | None = None,
+    traces: PathLike | None = None,
+    resimulate: PathLike | None = None,
+    out: PathLike | None = None,
+    progress: Progress = None,
+) -> DiagnoseAnswer:
+    """Where model and measurement disagree, which effect is missing, and the gap after it is added.
+
+    Args:
+        dir: Folder with strokes.csv and, beside it, campaign.json and traces.csv.
+        model: Force model without effects: table (the bracket of bounds), chen, log-spiral, caquot, coulomb, ...
+        model_file: A model file instead, such as the patch of an earlier diagnosis: its force model, and its
+            effects as known ones.
+        traces: Traces of the strokes.
+        resimulate: Run the campaign again on the simulated arm, without and with what is found, and compare the
+            traces; LOGS is the folder of its logs.
+        out: Folder to write to.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("diagnose", diagnose, locals(), DiagnoseAnswer)
+
+
+def diagnose_self_test(
+    *,
+    model: str = "table",
+    rounds: int = 1,
+    seed: int = 1,
+    progress: Progress = None,
+) -> DiagnoseSelfTestAnswer:
+    """Diagnoses hidden campaigns, and counts how often that is right.
+
+    Args:
+        model: Force model without effects.
+        rounds: Rounds of the self-test; one round is about 80 campaigns. At least 0.
+        seed: Seed of the self-test. At least 0.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("diagnose self-test", diagnose_self_test, locals(), DiagnoseSelfTestAnswer)
+
+
+def demo(
+    *,
+    soil: str = "ticino_rained",
+    out: PathLike | None = None,
+    seed: int = 1,
+    threads: int | None = None,
+    model: str | None = None,
+    quick: bool = False,
+    progress: Progress = None,
+) -> DemoAnswer:
+    """A simulated campaign from the soil to the estimate, compared with the truth.
+
+    Args:
+        soil: The soil: ticino_rained, ticino_loose, nevada_fine, glass_beads, or mars_drift, mars_crusty,
+            mars_blocky, mars_pathfinder under the gravity of Mars.
+        out: Folder for all files; made if it is not there, otherwise it must be empty or hold this demonstration.
+        seed: Seed of noise and scatter. At least 0.
+        threads: Batches and logs at a time; results are the same for any number. At least 1 and at most 1024.
+        model: Force model of the simulated soil and of the estimate.
+        quick: Four strokes instead of sixteen: every step in a quarter of the time, but too few to tell much.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("demo", demo, locals(), DemoAnswer)
 
 
 def log_info(
