@@ -1,7 +1,6 @@
 //! The command line: global options, and those that several verbs call the same.
 
 use clap::Parser;
-pub(crate) use soilctl_app::request::finite;
 
 use crate::output::Format;
 use crate::verbs::Verb;

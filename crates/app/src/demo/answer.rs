@@ -3,8 +3,14 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::estimates::{DENSITY_UNKNOWN, DENSITY_WEIGHED, TRUE_FORCES};
 use crate::Outcome;
+
+/// The estimate with the density unknown.
+pub(super) const DENSITY_UNKNOWN: &str = "density unknown";
+/// The one with the density that was weighed.
+pub(super) const DENSITY_WEIGHED: &str = "density weighed";
+/// The one from the true forces.
+pub const TRUE_FORCES: &str = "true forces";
 
 /// A simulated campaign from the soil to the estimate, and how far that is from the truth.
 #[derive(Debug, Serialize, JsonSchema)]

@@ -6,20 +6,13 @@ use soilctl_campaign::Plan;
 use soilctl_process::table::StrokeRecord;
 use soilctl_strokes::{Campaign, StrokeRow, StrokeTable};
 
-use super::answer::{Answer, EachStroke};
+use super::answer::{Answer, DENSITY_UNKNOWN, DENSITY_WEIGHED, EachStroke, TRUE_FORCES};
 use super::delta;
 use super::folder::Folder;
 use super::region::{self, Known};
 use crate::estimate::Estimation;
 use crate::files::save;
 use crate::{AppError, document};
-
-/// The estimate with the density unknown.
-pub(super) const DENSITY_UNKNOWN: &str = "density unknown";
-/// The one with the density that was weighed.
-pub(super) const DENSITY_WEIGHED: &str = "density weighed";
-/// The one from the true forces.
-pub const TRUE_FORCES: &str = "true forces";
 
 /// An estimate, or why there is none.
 pub struct Estimated {

@@ -10,8 +10,8 @@ mod region;
 mod request;
 mod steps;
 
-pub use answer::{Answer, Delta, EachStroke, Files, Forces, Region, StrokeCount, Truth};
-pub use estimates::{Estimated, TRUE_FORCES};
+pub use answer::{Answer, Delta, EachStroke, Files, Forces, Region, StrokeCount, TRUE_FORCES, Truth};
+pub use estimates::Estimated;
 pub use region::SIGMA;
 pub use request::Request;
 pub use steps::{Demonstration, Work, run};

@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_process::table::StrokeRecord;
 
 use super::findings::Analysis;
-use super::manifest::{Entry, Skipped};
+use super::manifest::{Entry, Skipped, bad_log};
 use super::work::Done;
 use crate::{AppError, Outcome};
 
@@ -113,9 +113,4 @@ impl crate::Answer for Answer {
             () => Outcome::Done,
         }
     }
-}
-
-/// What is wrong with a log, with its name once.
-pub(super) fn bad_log(log: &str, problem: &str) -> String {
-    if problem.starts_with(log) { problem.to_owned() } else { format!("{log}: {problem}") }
 }

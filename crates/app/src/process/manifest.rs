@@ -195,3 +195,8 @@ pub(super) fn finish(
 ) -> Result<(), AppError> {
     Ok(Journal::write(&folder.join("manifest.jsonl"), &Header::of(inputs), entries.values())?)
 }
+
+/// What is wrong with a log, with its name once.
+pub(super) fn bad_log(log: &str, problem: &str) -> String {
+    if problem.starts_with(log) { problem.to_owned() } else { format!("{log}: {problem}") }
+}

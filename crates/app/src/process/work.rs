@@ -5,9 +5,8 @@ use std::collections::BTreeMap;
 use soilctl_jobs::each;
 use soilctl_process::table::{StrokeRecord, put_on_one_clock};
 
-use super::answer::bad_log;
 use super::inputs::Inputs;
-use super::manifest::{self, Entry, Manifest};
+use super::manifest::{self, Entry, Manifest, bad_log};
 use super::one_log;
 use crate::{AppError, Interrupted, Watch};
 

@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_earth_pressure::table::{BracketRow, BracketTable, Quantity};
 
 use super::brackets::Gaps;
-use super::check::{empty_nodes, violations};
+use super::growth::{empty_nodes, violations};
 use super::{Answer, Head};
 use crate::AppError;
 use crate::table_file::{AnyTable, find_table};

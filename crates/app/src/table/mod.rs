@@ -7,6 +7,7 @@ pub mod build;
 pub mod check;
 mod check_brackets;
 mod grid;
+mod growth;
 pub mod merge;
 pub mod show;
 mod source;

@@ -11,11 +11,11 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use soilctl_app::Outcome;
+use soilctl_app::request::finite;
 use soilctl_app::topics::Topics;
 use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
 use tempfile::NamedTempFile;
 
-use crate::args::finite;
 use crate::error::CliError;
 use crate::output::{Output, Words};
 

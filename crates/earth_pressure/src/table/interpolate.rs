@@ -6,13 +6,9 @@
 //! at the four nodes around the cell, times 1.5 (3 in an outermost cell). It is 0 at a solved node. A test
 //! compares it with what interpolation really misses of a closed-form model.
 
-use soilctl_soil::Rounded;
-
 use super::cubic::{cell_error, cell_slopes};
 use super::place::{Node, Place};
-use super::section::{Section, TableSlice};
 use super::{CellStatus, PredictionTable};
-use crate::EarthPressureError;
 
 /// A table made ready for look-ups: what depends on its nodes alone is worked out once.
 #[derive(Debug, Clone)]
@@ -45,31 +41,6 @@ impl Interpolator {
     /// A filled node of the table.
     pub(super) fn node(&self, alpha: usize, phi: usize, delta: usize) -> Option<Prepared> {
         self.nodes[self.table.index(alpha, phi, delta)]
-    }
-
-    /// The table at a tool angle in degrees, for one look-up.
-    ///
-    /// # Errors
-    /// [`EarthPressureError::BadTable`] if the angle is outside the range of the table.
-    pub(super) fn at(&self, alpha_deg: f64) -> Result<Section<'_>, EarthPressureError> {
-        let alphas = &self.table.axes()[0];
-        let place = Place::find(alphas, alpha_deg).ok_or_else(|| {
-            self.table.bad(format!(
-                "alpha is {} deg; the table covers {} to {} deg",
-                Rounded(alpha_deg),
-                Rounded(alphas[0]),
-                Rounded(alphas[alphas.len() - 1])
-            ))
-        })?;
-        Ok(Section { whole: self, alpha_deg, place })
-    }
-
-    /// The same for many look-ups.
-    ///
-    /// # Errors
-    /// As [`Interpolator::at`].
-    pub(super) fn slice(&self, alpha_deg: f64) -> Result<TableSlice<'_>, EarthPressureError> {
-        Ok(TableSlice::new(self.at(alpha_deg)?))
     }
 }
 
@@ -114,6 +85,7 @@ fn filled_in_margin(table: &PredictionTable, i: usize, j: usize, k: usize, ln_k:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::EarthPressureError;
     use crate::table::{Cell, Quantity};
     use crate::{Case, ChenLiu, ForceModel};
     use proptest::prelude::*;

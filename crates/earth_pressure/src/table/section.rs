@@ -40,6 +40,33 @@ fn errors_at(grid: &impl Grid, j: usize, k: usize) -> (f64, f64) {
     (cell_error(section.phi(), j, |j| ln_k(j, k)), cell_error(section.delta(), k, |k| ln_k(j, k)))
 }
 
+impl Interpolator {
+    /// The table at a tool angle in degrees, for one look-up.
+    ///
+    /// # Errors
+    /// [`EarthPressureError::BadTable`] if the angle is outside the range of the table.
+    pub(super) fn at(&self, alpha_deg: f64) -> Result<Section<'_>, EarthPressureError> {
+        let alphas = &self.table().axes()[0];
+        let place = Place::find(alphas, alpha_deg).ok_or_else(|| {
+            self.table().bad(format!(
+                "alpha is {} deg; the table covers {} to {} deg",
+                Rounded(alpha_deg),
+                Rounded(alphas[0]),
+                Rounded(alphas[alphas.len() - 1])
+            ))
+        })?;
+        Ok(Section { whole: self, alpha_deg, place })
+    }
+
+    /// The same for many look-ups.
+    ///
+    /// # Errors
+    /// As [`Interpolator::at`].
+    pub(super) fn slice(&self, alpha_deg: f64) -> Result<TableSlice<'_>, EarthPressureError> {
+        Ok(TableSlice::new(self.at(alpha_deg)?))
+    }
+}
+
 /// A table at one tool angle. Nodes are worked out when they are asked for, which for one look-up are few.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Section<'a> {

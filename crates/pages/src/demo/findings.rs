@@ -5,7 +5,7 @@ use soilctl_app::text::{number, sentence_case};
 use soilctl_figure::{Align, CalloutKind, HtmlReport, Table};
 
 use super::figures::Drawn;
-use super::page::show;
+use super::shown::show;
 use crate::PageError;
 
 pub(super) fn forces(page: &mut HtmlReport, answer: &Answer, drawn: &Drawn) -> Result<(), PageError> {

@@ -3,6 +3,7 @@
 mod figures;
 mod findings;
 mod page;
+mod shown;
 
 use std::path::Path;
 

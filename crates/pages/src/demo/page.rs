@@ -2,10 +2,11 @@
 
 use soilctl_app::demo::{Answer, SIGMA, Work};
 use soilctl_app::text::{number, range, yes};
-use soilctl_figure::{Align, CalloutKind, Figure, HtmlReport, RichText, Size, Table};
+use soilctl_figure::{Align, CalloutKind, HtmlReport, RichText, Table};
 
 use super::figures::Drawn;
 use super::findings;
+use super::shown::show;
 use crate::PageError;
 
 pub(super) fn page(answer: &Answer, work: &Work, drawn: &Drawn) -> Result<HtmlReport, PageError> {
@@ -24,13 +25,6 @@ pub(super) fn page(answer: &Answer, work: &Work, drawn: &Drawn) -> Result<HtmlRe
     findings::honest(&mut page, answer)?;
     again(&mut page, answer, work);
     Ok(page)
-}
-
-pub(super) fn show(page: &mut HtmlReport, figure: Option<&Figure>, caption: &str) -> Result<(), PageError> {
-    if let Some(figure) = figure {
-        page.figure(figure, Size::default(), caption)?;
-    }
-    Ok(())
 }
 
 fn summary(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {

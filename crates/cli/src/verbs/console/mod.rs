@@ -7,10 +7,10 @@ mod panel;
 mod play;
 
 use soilctl_app::Outcome;
+use soilctl_app::request::finite;
 use std::io::{BufRead, IsTerminal};
 use std::path::PathBuf;
 
-use crate::args::finite;
 use crate::error::CliError;
 use crate::output::Output;
 use editor::Prompt;

@@ -3,6 +3,7 @@
 mod answer;
 
 use soilctl_app::Outcome;
+use soilctl_app::request::finite;
 use std::fs::File;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -17,7 +18,6 @@ use soilctl_live::{Host, Rig, Session};
 
 pub(crate) use answer::RunAnswer;
 
-use crate::args::finite;
 use crate::error::CliError;
 use crate::output::Output;
 
