@@ -40,5 +40,37 @@ pub use answer::{Answer, Outcome, document, schema};
 pub use error::AppError;
 pub use finite::check as check_finite;
 pub use table_source::TableSource;
-pub use use_cases::{USE_CASES, UseCase};
+pub use use_cases::UseCase;
+use use_cases::use_case;
 pub use watch::{Interrupted, Unwatched, Watch};
+
+/// All use cases, from which schemas, documentation and Python's functions follow.
+pub const USE_CASES: &[UseCase] = &[
+    use_case!("predict", predict, predict::run),
+    use_case!("bound", bound, |request, watch| Ok(bound::run(request, watch)?.answer)),
+    use_case!("solve", solve, |request, watch| Ok(solve::run(request, watch)?.answer)),
+    use_case!("solve check", solve::check, |request, watch| {
+        Ok(solve::check::run(request, watch)?.answer)
+    }),
+    use_case!("certify", certify, |request, watch| Ok(certify::run(request, watch)?.answer)),
+    use_case!("table show", table::show, table::show::run),
+    use_case!("table build", table::build, table::build::run),
+    use_case!("table merge", table::merge, table::merge::run),
+    use_case!("table check", table::check, table::check::run),
+    use_case!("estimate", estimate, |request, watch| Ok(estimate::run(request, watch)?.answer)),
+    use_case!("shear", shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
+    use_case!("simulate", simulate, simulate::run),
+    use_case!("process", process, process::run),
+    use_case!("diagnose", diagnose, |request, watch| Ok(diagnose::run(request, watch)?.answer)),
+    use_case!("diagnose self-test", diagnose::self_test, diagnose::self_test::run),
+    use_case!("demo", demo, |request, watch| Ok(demo::run(request, watch)?.answer)),
+    use_case!("log info", log::info, log::info::run),
+    use_case!("log doctor", log::doctor, log::doctor::run),
+    use_case!("log recover", log::recover, log::recover::run),
+    use_case!("log export", log::export, log::export::run),
+    use_case!("replay", replay, replay::run),
+    use_case!("arm skewing", arm::skewing, |request, watch| {
+        Ok(arm::skewing::run(request, watch)?.answer)
+    }),
+    use_case!("arm urdf", arm::urdf, arm::urdf::run),
+];

@@ -1,12 +1,9 @@
-//! All use cases by name, for what goes over all of them: JSON schemas, the documentation, and Python.
+//! A use case by name, with its types erased: for what goes over all of them, such as JSON schemas, the documentation and Python.
 
 use serde_json::Value;
 
 use crate::request::{self, Request};
-use crate::{
-    Answer, AppError, Outcome, Watch, answer, arm, bound, certify, demo, diagnose, document, estimate, log,
-    predict, process, replay, shear, simulate, solve, table,
-};
+use crate::{Answer, AppError, Outcome, Watch, answer, document};
 
 /// Runs the JSON of a request; how it ended, and the JSON of the answer.
 type Run = fn(&str, &dyn Watch) -> Result<(Outcome, String), AppError>;
@@ -24,6 +21,11 @@ pub struct UseCase {
 }
 
 impl UseCase {
+    /// Of the types of request and answer.
+    pub(crate) const fn new<R: Request, A: Answer + 'static>(name: &'static str, run: Run) -> Self {
+        Self { name, answer_id: A::SCHEMA, request: request::schema::<R>, answer: answer::schema::<A>, run }
+    }
+
     /// The JSON schema of its request: fields, units, ranges, defaults and what is required.
     ///
     /// # Errors
@@ -49,24 +51,20 @@ impl UseCase {
     }
 }
 
-/// The use case of a request, of a function that runs it, and of the answer in what that function gives.
+/// The use case of a module with a `Request` and an `Answer`, and of a function from one to the other.
 macro_rules! use_case {
     ($name:literal, $module:path, $run:expr) => {{
         use $module as module;
-        UseCase {
-            name: $name,
-            answer_id: module::Answer::SCHEMA,
-            request: request::schema::<module::Request>,
-            answer: answer::schema::<module::Answer>,
-            run: |text, watch| {
-                let run: fn(&module::Request, &dyn Watch) -> Result<module::Answer, AppError> = $run;
-                answered(text, watch, run)
-            },
-        }
+        UseCase::new::<module::Request, module::Answer>($name, |text, watch| {
+            let run: fn(&module::Request, &dyn Watch) -> Result<module::Answer, AppError> = $run;
+            use_cases::answered(text, watch, run)
+        })
     }};
 }
+pub(crate) use use_case;
 
-fn answered<R: Request, A: Answer>(
+/// Runs a use case from JSON to JSON.
+pub(crate) fn answered<R: Request, A: Answer>(
     text: &str,
     watch: &dyn Watch,
     run: impl Fn(&R, &dyn Watch) -> Result<A, AppError>,
@@ -74,34 +72,3 @@ fn answered<R: Request, A: Answer>(
     let answer = run(&request::from_json(text)?, watch)?;
     Ok((answer.outcome(), document(&answer)?))
 }
-
-/// All use cases.
-pub const USE_CASES: &[UseCase] = &[
-    use_case!("predict", crate::predict, predict::run),
-    use_case!("bound", crate::bound, |request, watch| Ok(bound::run(request, watch)?.answer)),
-    use_case!("solve", crate::solve, |request, watch| Ok(solve::run(request, watch)?.answer)),
-    use_case!("solve check", crate::solve::check, |request, watch| {
-        Ok(solve::check::run(request, watch)?.answer)
-    }),
-    use_case!("certify", crate::certify, |request, watch| Ok(certify::run(request, watch)?.answer)),
-    use_case!("table show", crate::table::show, table::show::run),
-    use_case!("table build", crate::table::build, table::build::run),
-    use_case!("table merge", crate::table::merge, table::merge::run),
-    use_case!("table check", crate::table::check, table::check::run),
-    use_case!("estimate", crate::estimate, |request, watch| Ok(estimate::run(request, watch)?.answer)),
-    use_case!("shear", crate::shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
-    use_case!("simulate", crate::simulate, simulate::run),
-    use_case!("process", crate::process, process::run),
-    use_case!("diagnose", crate::diagnose, |request, watch| Ok(diagnose::run(request, watch)?.answer)),
-    use_case!("diagnose self-test", crate::diagnose::self_test, diagnose::self_test::run),
-    use_case!("demo", crate::demo, |request, watch| Ok(demo::run(request, watch)?.answer)),
-    use_case!("log info", crate::log::info, log::info::run),
-    use_case!("log doctor", crate::log::doctor, log::doctor::run),
-    use_case!("log recover", crate::log::recover, log::recover::run),
-    use_case!("log export", crate::log::export, log::export::run),
-    use_case!("replay", crate::replay, replay::run),
-    use_case!("arm skewing", crate::arm::skewing, |request, watch| {
-        Ok(arm::skewing::run(request, watch)?.answer)
-    }),
-    use_case!("arm urdf", crate::arm::urdf, arm::urdf::run),
-];
