@@ -29,7 +29,7 @@ def test_what_is_generated_is_up_to_date(monkeypatch):
 
 def test_every_use_case_teaches_its_arguments():
     for name, answer_id, request, answer in soilctl._native.use_case_schemas():
-        function = getattr(use_cases, name.replace(" ", "_"))
+        function = getattr(use_cases, name.replace(" ", "_").replace("-", "_"))
         parameters = inspect.signature(function).parameters
         request, answer = json.loads(request), json.loads(answer)
         assert set(parameters) == {*request["properties"], "progress"}

@@ -911,7 +911,10 @@ def answer_command(
     from time to time and at the end.
     """
 def run_use_case(
-    name: str, request: str, progress: Callable[[int, int], object] | None = None
+    name: str,
+    request: str,
+    progress: Callable[[int, int], object] | None = None,
+    page: _Path | None = None,
 ) -> tuple[int, str]:
     """Runs a use case; `progress` is called with the steps done and of all steps, from time to time and at the end.
 

@@ -174,7 +174,7 @@ def process(
         FileError: If a file cannot be read or written.
     """
     paths = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
-    known = use_cases.process.__kwdefaults__
+    known = use_cases.process.__kwdefaults__ or {}
     for name in request:
         if name not in known:
             raise InputTypeError(f"{name} is unknown; known are {', '.join(known)}")
