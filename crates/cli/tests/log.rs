@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 
 use common::{json, refused, soilctl};
 use soilctl_controller::{Commands, Params, Sensed, State, step};
-use soilctl_session::{LogWriter, Setup, StepRecord};
+use soilctl_session::{LogWriter, SessionSetup, StepRecord};
 
 /// A log of a switched-off arm whose force sensor fails at the end. With `forged`, one logged bit is not what came out.
 fn log(dir: &Path, steps: u64, forged: bool) -> PathBuf {
     let path = dir.join(if forged { "forged.mcap" } else { "run.mcap" });
     let thesis = Params::thesis();
-    let setup = Setup::new(thesis.arm().config(), thesis.config(), "", 7, "none").unwrap();
+    let setup = SessionSetup::new(thesis.arm().config(), thesis.config(), "", 7, "none").unwrap();
     let params = setup.params().unwrap();
     let mut state = State::new(&params);
     let mut writer = LogWriter::new(std::fs::File::create(&path).unwrap(), &setup).unwrap();

@@ -10,7 +10,7 @@ use crate::localise::{Where, localise};
 use crate::next::{Found, NextExperiment, next};
 use crate::search::Search;
 use crate::settle::settled;
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::spec::Spec;
 use crate::surface::Surface;
 use crate::testability::{Expected, LEAST_LAMBDA, expected};
@@ -60,9 +60,9 @@ pub struct Diagnosis {
 /// [`DiagnosisError::NoFit`] if no soil explains the forces at all.
 pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisError> {
     let data = &settled(data, surface)?;
-    let first = Setup::new(data, surface, data.phi.mean);
+    let first = FitSetup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
-    let setup = Setup::new(data, surface, phi_deg);
+    let setup = FitSetup::new(data, surface, phi_deg);
     let search = Search::new(&setup)?;
     let expected: Vec<Expected> = data.candidates().map(|of| expected(&setup, phi_deg, of)).collect();
     // With a handful of strokes the largest amplitudes alone could be seen, which is no test of anything.

@@ -6,7 +6,7 @@ use soilctl_effects::Channel;
 
 use crate::fit::{Fit, everything, fit};
 use crate::parts::{Miss, Misses, Part, parts, sum_and_error};
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::spec::Spec;
 
 /// How far model and measurement are apart.
@@ -71,7 +71,7 @@ pub struct Comparison {
 }
 
 /// Compares a set of effects (amplitudes fixed) with none. `None` if a fit fails.
-pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<Comparison> {
+pub(crate) fn compare(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<Comparison> {
     let setup = full.without_model_error();
     let core = setup.core();
     let all = everything(&setup);
@@ -146,7 +146,7 @@ pub(crate) fn compare(full: &Setup<'_>, spec: &Spec, amplitudes: &[f64]) -> Opti
     })
 }
 
-fn soil(setup: &Setup<'_>, fit: &Fit) -> FittedSoil {
+fn soil(setup: &FitSetup<'_>, fit: &Fit) -> FittedSoil {
     let density = setup.data.density.mean * fit.soil[2].exp();
     FittedSoil {
         phi_deg: fit.soil[0],
@@ -170,7 +170,7 @@ impl Held {
         Self { ln_force: vec![0.0; n], log_density: Vec::new(), misses: Misses::new() }
     }
 
-    fn take(&mut self, setup: &Setup<'_>, fit: &Fit, include: &[bool]) {
+    fn take(&mut self, setup: &FitSetup<'_>, fit: &Fit, include: &[bool]) {
         // Strokes of a batch share its scatter: a matrix of rank one on top of a diagonal.
         let shared = setup.batch_sd * setup.batch_sd;
         let (mut sum_w, mut sum_wz, mut sum_wz2, mut ln_det, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0);
@@ -212,7 +212,7 @@ struct Columns {
 }
 
 impl Columns {
-    fn new(setup: &Setup<'_>, spec: &Spec) -> Self {
+    fn new(setup: &FitSetup<'_>, spec: &Spec) -> Self {
         let core = setup.core();
         let alone = setup.baselines.keys().filter(|channel| !core.contains(channel)).copied().collect();
         let joint = spec.choices.iter().any(|choice| !choice.effect.acts_on_force()).then(|| {
@@ -227,7 +227,7 @@ impl Columns {
     }
 
     /// Predictions of the columns of a batch that took no part, given the fits of the forces. Columns without a fit have none.
-    fn take(&self, setup: &Setup<'_>, [before, after]: &[Fit; 2], include: &[bool], out: &mut [Held; 2]) {
+    fn take(&self, setup: &FitSetup<'_>, [before, after]: &[Fit; 2], include: &[bool], out: &mut [Held; 2]) {
         let plain = fit(setup, &Spec::default(), &self.alone, false, include);
         for held in out.iter_mut() {
             held.read(before);

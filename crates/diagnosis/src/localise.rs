@@ -7,7 +7,7 @@ use soilctl_stats::chi_square_tail;
 use crate::channels::spread;
 use crate::fit::Fit;
 use crate::generic::{Condition, conditions, indicator, standard};
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::traces::{Phase, PhaseKey};
 
 /// A disagreement that is more than chance.
@@ -42,7 +42,7 @@ struct Residuals {
 }
 
 /// All tests that survive the control of false discoveries, least probable first.
-pub(crate) fn localise(setup: &Setup<'_>, baseline: &Fit) -> Vec<Where> {
+pub(crate) fn localise(setup: &FitSetup<'_>, baseline: &Fit) -> Vec<Where> {
     let found = conditions(setup.data);
     let mut tests = Vec::new();
     let mut test = |name: &str, phase: Option<Phase>, residuals: &Residuals| {
@@ -96,7 +96,7 @@ fn levels(covariate: &Condition) -> Option<Vec<Vec<f64>>> {
 }
 
 /// Forces about the recalibrated baseline; soil, batches and model error are directions with priors.
-fn forces(setup: &Setup<'_>, baseline: &Fit) -> Option<Residuals> {
+fn forces(setup: &FitSetup<'_>, baseline: &Fit) -> Option<Residuals> {
     let data = setup.data;
     let n = data.len();
     let known = setup.known_and([]);
@@ -126,7 +126,7 @@ fn forces(setup: &Setup<'_>, baseline: &Fit) -> Option<Residuals> {
 }
 
 /// A trace-derived column about its baseline.
-fn column(setup: &Setup<'_>, channel: Channel) -> Option<Residuals> {
+fn column(setup: &FitSetup<'_>, channel: Channel) -> Option<Residuals> {
     let baseline = &setup.baselines[&channel];
     let cells = setup.data.channels.get(&channel)?;
     let strokes: Vec<usize> = (0..cells.len()).filter(|&i| cells[i].is_some()).collect();
@@ -142,7 +142,7 @@ fn column(setup: &Setup<'_>, channel: Channel) -> Option<Residuals> {
 }
 
 /// A reading of one phase of the strokes, about a mean and a trend over the tool angle, or about what a simulated arm read.
-fn of_phase(setup: &Setup<'_>, key: PhaseKey) -> Option<Residuals> {
+fn of_phase(setup: &FitSetup<'_>, key: PhaseKey) -> Option<Residuals> {
     let data = setup.data;
     let cells = data.phases.get(&key)?;
     let strokes: Vec<usize> = (0..cells.len()).filter(|&i| cells[i].is_some()).collect();

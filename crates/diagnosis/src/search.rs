@@ -8,7 +8,7 @@ use crate::DiagnosisError;
 use crate::explanation::Dependence;
 use crate::fit::{Fit, everything, fit};
 use crate::generic::{Generic, rivals, shapes};
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::spec::{Choice, Spec};
 
 /// ln prior of an effect showing, or not showing, in the channels that its amplitude fixes: ln 0.9 and ln 0.1. Empirical: with
@@ -58,7 +58,7 @@ pub(crate) struct ScoredShape {
 
 /// The evidence of a campaign without effects, and everything measured against it.
 pub(crate) struct Search<'a> {
-    pub(crate) setup: &'a Setup<'a>,
+    pub(crate) setup: &'a FitSetup<'a>,
     pub(crate) baseline: Fit,
     core: BTreeSet<Channel>,
     channel_evidence: BTreeMap<Channel, f64>,
@@ -67,7 +67,7 @@ pub(crate) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(crate) fn new(setup: &'a Setup<'a>) -> Result<Self, DiagnosisError> {
+    pub(crate) fn new(setup: &'a FitSetup<'a>) -> Result<Self, DiagnosisError> {
         let include = everything(setup);
         let core = setup.core();
         let failed = || DiagnosisError::NoFit {

@@ -5,7 +5,7 @@ use soilctl_effects::Channel;
 use crate::DiagnosisError;
 use crate::data::Data;
 use crate::search::{LN_LINKED, LN_RESPONDS, Search};
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::surface::Surface;
 
 /// The same campaign with what its columns say of the known effects: whether they show them.
@@ -33,7 +33,7 @@ pub(crate) fn settled(data: &Data, surface: &Surface) -> Result<Data, DiagnosisE
                 let mut tried = data.clone();
                 tried.known[which].linked = linked;
                 tried.known[which].responds = responding;
-                let setup = Setup::new(&tried, surface, tried.phi.mean);
+                let setup = FitSetup::new(&tried, surface, tried.phi.mean);
                 let evidence = Search::new(&setup)?.log_evidence() + of_linked + of_responses;
                 if best.as_ref().is_none_or(|(most, _)| evidence > *most) {
                     best = Some((evidence, tried));

@@ -20,7 +20,7 @@ const LEAST_BATCH_SCATTER: f64 = 0.01;
 
 /// Data, model and nuisance of a campaign.
 #[derive(Clone)]
-pub(crate) struct Setup<'a> {
+pub(crate) struct FitSetup<'a> {
     pub(crate) data: &'a Data,
     pub(crate) surface: &'a Surface,
     pub(crate) baselines: BTreeMap<Channel, Baseline>,
@@ -32,7 +32,7 @@ pub(crate) struct Setup<'a> {
     pub(crate) batch_sd: f64,
 }
 
-impl<'a> Setup<'a> {
+impl<'a> FitSetup<'a> {
     /// Prepares a campaign; model errors are taken at `phi_deg`.
     pub(crate) fn new(data: &'a Data, surface: &'a Surface, phi_deg: f64) -> Self {
         let baselines = data.channels.keys().map(|&channel| (channel, Baseline::of(channel, data))).collect();

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use soilctl_effects::{Active, EffectId};
 
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 
 /// Expected squared signal-to-noise ratio below which nothing can be named honestly: half of it, 4, is the largest ln Bayes factor that
 /// is to be expected, a little more than an effect must earn.
@@ -51,7 +51,7 @@ pub struct Expected {
 }
 
 /// Standard deviation of ln force of each stroke: scatter, depth error, density.
-pub(crate) fn stroke_sd(setup: &Setup<'_>, scatter: Option<f64>) -> Vec<f64> {
+pub(crate) fn stroke_sd(setup: &FitSetup<'_>, scatter: Option<f64>) -> Vec<f64> {
     let campaign = &setup.data.campaign;
     setup
         .data
@@ -73,7 +73,7 @@ pub(crate) fn stroke_sd(setup: &Setup<'_>, scatter: Option<f64>) -> Vec<f64> {
 /// Takes out of a change of ln force what a new friction angle, density and interface friction explain, under their
 /// priors. The answer is what is left, by stroke.
 pub(crate) fn left_after_soil(
-    setup: &Setup<'_>,
+    setup: &FitSetup<'_>,
     phi_deg: f64,
     change: &[f64],
     sd: &[f64],
@@ -118,20 +118,20 @@ pub(crate) fn left_after_soil(
 }
 
 /// Change of ln force by an effect, on top of what is known, by stroke.
-pub(crate) fn change(setup: &Setup<'_>, phi_deg: f64, active: Active) -> Option<Vec<f64>> {
+pub(crate) fn change(setup: &FitSetup<'_>, phi_deg: f64, active: Active) -> Option<Vec<f64>> {
     let (without, with) = (setup.known_and([]), setup.known_and([active]));
     let at = |i: usize, effects: &[Active]| setup.ln_force(i, [phi_deg, 0.0, 0.0], effects);
     (0..setup.data.len()).map(|i| Some(at(i, &with)? - at(i, &without)?)).collect()
 }
 
 /// `N (g / s)^2` of a change of ln force, after soil and interface are fitted anew.
-pub(crate) fn lambda(setup: &Setup<'_>, phi_deg: f64, change: &[f64], sd: &[f64]) -> Option<f64> {
+pub(crate) fn lambda(setup: &FitSetup<'_>, phi_deg: f64, change: &[f64], sd: &[f64]) -> Option<f64> {
     let rest = left_after_soil(setup, phi_deg, change, sd)?;
     Some(rest.iter().zip(sd).map(|(g, s)| (g / s).powi(2)).sum())
 }
 
 /// Expected signal of an effect at an amplitude, in forces and linked channels together.
-fn signal(setup: &Setup<'_>, phi_deg: f64, id: EffectId, amplitude: f64, sd: &[f64]) -> (f64, f64) {
+fn signal(setup: &FitSetup<'_>, phi_deg: f64, id: EffectId, amplitude: f64, sd: &[f64]) -> (f64, f64) {
     let (data, effect) = (setup.data, id.effect());
     let told =
         |shape: &&f64| effect.needs(**shape).is_none_or(|channel| data.channels.contains_key(&channel));
@@ -154,7 +154,7 @@ fn signal(setup: &Setup<'_>, phi_deg: f64, id: EffectId, amplitude: f64, sd: &[f
 }
 
 /// What a design can show of an effect.
-pub(crate) fn expected(setup: &Setup<'_>, phi_deg: f64, id: EffectId) -> Expected {
+pub(crate) fn expected(setup: &FitSetup<'_>, phi_deg: f64, id: EffectId) -> Expected {
     let sd = stroke_sd(setup, None);
     let range = id.effect().range;
     let both = |size: f64| {

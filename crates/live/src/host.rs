@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use std::thread::JoinHandle;
 
 use soilctl_controller::{FaultRecord, Params, State, TICK_S};
-use soilctl_session::{LogReport, Logger, Pace, SessionError, Setup};
+use soilctl_session::{LogReport, Logger, Pace, SessionError, SessionSetup};
 
 use crate::clock::{SERVER_PRIORITY, fifo};
 use crate::ending::Ending;
@@ -22,7 +22,7 @@ pub struct Session {
     /// What drives: the simulated plant or a driver.
     pub rig: Rig,
     /// What the log begins with; the controller runs with its parameters.
-    pub setup: Setup,
+    pub setup: SessionSetup,
     /// The controller's memory before the first step.
     pub state: State,
     /// Whether ticks keep to the wall clock; otherwise they come as fast as possible.
@@ -110,7 +110,7 @@ impl Host {
             None => (None, None),
         };
         let hello = hello(&params, real_time, rig.is_simulated());
-        let Setup { arm, controller, plan, model, .. } = setup;
+        let SessionSetup { arm, controller, plan, model, .. } = setup;
         let configuration = Configuration { arm, controller, plan, model };
         let (servo_ends, server_ends) = links();
         let shared = Arc::clone(&server_ends.shared);

@@ -48,7 +48,7 @@ pub(crate) struct SceneMessage {
     /// The link whose origin is the end-point.
     pub(crate) tip_link: String,
     /// None of a log of another program, as is the box.
-    pub(crate) plate: Option<Plate>,
+    pub(crate) plate: Option<PlateSize>,
     pub(crate) sandbox: Option<Sandbox>,
     /// Name of the soil for people, or empty.
     pub(crate) soil: String,
@@ -77,7 +77,7 @@ pub(crate) struct PoseMessage<'a> {
 
 /// Size of the plate.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(crate) struct Plate {
+pub(crate) struct PlateSize {
     pub(crate) width_m: f64,
     pub(crate) height_m: f64,
     pub(crate) thickness_m: f64,

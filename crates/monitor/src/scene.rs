@@ -6,10 +6,10 @@ use soilctl_controller::laws::SafeForceSet;
 use soilctl_kinematics::Arm;
 use soilctl_live::protocol::{COMMANDS, Configuration, SafeForce};
 use soilctl_plant::PlantParams;
-use soilctl_session::Setup;
+use soilctl_session::SessionSetup;
 
 use crate::MonitorError;
-use crate::messages::{Plate, Sandbox, SceneMessage};
+use crate::messages::{PlateSize, Sandbox, SceneMessage};
 
 /// Angle of repose in degrees where nobody says which soil it is.
 const REPOSE_DEG: f64 = 35.0;
@@ -38,7 +38,7 @@ impl Scene {
     /// without the files that it names.
     pub(crate) fn new(configuration: &Configuration) -> Result<Self, MonitorError> {
         let refused = |error: &dyn std::fmt::Display| MonitorError::Scene(error.to_string());
-        let setup = Setup {
+        let setup = SessionSetup {
             arm: configuration.arm.clone(),
             controller: configuration.controller.clone(),
             plan: configuration.plan.clone(),
@@ -89,7 +89,7 @@ impl Scene {
             words: COMMANDS.iter().map(|word| [word.name, word.help]).collect(),
             urdf: soilctl_kinematics::urdf(&self.arm),
             tip_link: "plate_tip".to_owned(),
-            plate: Some(Plate {
+            plate: Some(PlateSize {
                 width_m: plate.width_m,
                 height_m: plate.height_m,
                 thickness_m: plate.thickness_m,

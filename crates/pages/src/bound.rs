@@ -5,17 +5,17 @@ use soilctl_app::text::{number, rounded_down, rounded_up};
 use soilctl_figure::HtmlReport;
 
 use crate::PageError;
-use crate::limits::{self, Told, bounds_table, level_table, proven};
+use crate::limits::{self, PageContent, bounds_table, level_table, proven};
 
 /// The page of bounds on a plate's force.
 ///
 /// # Errors
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Bounded) -> Result<HtmlReport, PageError> {
-    limits::page(&found.fields, told(&found.answer)?, &found.answer.results)
+    limits::page(&found.fields, content(&found.answer)?, &found.answer.results)
 }
 
-fn told(answer: &Answer) -> Result<Told, PageError> {
+fn content(answer: &Answer) -> Result<PageContent, PageError> {
     let mut bounds = bounds_table();
     bounds.row([
         "Net coefficient per slant length K = 2F/(γL²w)".into(),
@@ -32,7 +32,7 @@ fn told(answer: &Answer) -> Result<Told, PageError> {
         }
         _ => format!("K lies between {} and {}", rounded_down(answer.lower), rounded_up(answer.upper)),
     };
-    Ok(Told {
+    Ok(PageContent {
         kind: "Bounds on a plate's force",
         subtitle: "An embedded plate is pushed through soil; what it bears just before the soil fails".into(),
         verdict: (kind, title, text),

@@ -6,17 +6,17 @@ use soilctl_app::text::number_or_dash;
 use soilctl_figure::{CalloutKind, HtmlReport};
 
 use crate::PageError;
-use crate::limits::{self, Told, bounds_table};
+use crate::limits::{self, PageContent, bounds_table};
 
 /// The page of a saved solution, with its fields.
 ///
 /// # Errors
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Certified, fields: &Fields) -> Result<HtmlReport, PageError> {
-    limits::page(fields, told(&found.answer)?, &ResultsAnswer::new(fields)?)
+    limits::page(fields, content(&found.answer)?, &ResultsAnswer::new(fields)?)
 }
 
-fn told(answer: &Answer) -> Result<Told, PageError> {
+fn content(answer: &Answer) -> Result<PageContent, PageError> {
     let mut bounds = bounds_table();
     let row = |of: fn(&Checked) -> Option<f64>| {
         [&answer.lower, &answer.upper].map(|c| number_or_dash(c.as_ref().and_then(of)))
@@ -39,7 +39,7 @@ fn told(answer: &Answer) -> Result<Told, PageError> {
             lines.into_iter().flatten().collect::<Vec<_>>().join("; "),
         )
     };
-    Ok(Told {
+    Ok(PageContent {
         kind: "Saved solution",
         subtitle: answer.description.clone().unwrap_or_default(),
         verdict: (verdict.0, verdict.1.to_owned(), verdict.2),

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use criterion::{Criterion, SamplingMode, Throughput};
 use soilctl_campaign::{Options, Plan, simulate};
-use soilctl_process::log::{Found, LogSettings, read_log};
+use soilctl_process::log::{Candidate, LogSettings, read_log};
 
 const PLAN: &str = r#"
 version = 1
@@ -30,7 +30,7 @@ fn strokes(log: &Path) -> usize {
     let mut count = 0;
     let settings = LogSettings::default();
     read_log(log, &settings, &AtomicBool::new(false), &mut |found| {
-        count += usize::from(matches!(found, Found::Stroke(_)));
+        count += usize::from(matches!(found, Candidate::Stroke(_)));
     })
     .unwrap();
     count

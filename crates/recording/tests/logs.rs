@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 
 use soilctl_controller::{Commands, Mode, Outputs, Params, Sensed, StrokeSpec};
 use soilctl_recording::{Recording, RecordingError, record};
-use soilctl_session::{LogWriter, SessionError, Setup, StepRecord, Truth};
+use soilctl_session::{LogWriter, SessionError, SessionSetup, StepRecord, Truth};
 use tempfile::TempDir;
 
 const STEPS: u64 = 5000;
 
-fn setup() -> Setup {
+fn setup() -> SessionSetup {
     let params = Params::thesis();
-    Setup::new(params.arm().config(), params.config(), "", 1, "none").unwrap()
+    SessionSetup::new(params.arm().config(), params.config(), "", 1, "none").unwrap()
 }
 
 /// A log of an arm that stands still; its force sensor breaks in the middle.

@@ -11,7 +11,7 @@ use rtrb::{Consumer, Producer, PushError, RingBuffer};
 use soilctl_controller::{Commands, Outputs, Sensed, State};
 
 use crate::record::{Entry, KEYFRAME_STEPS};
-use crate::{LogWriter, SessionError, Setup, StepRecord, Truth};
+use crate::{LogWriter, SessionError, SessionSetup, StepRecord, Truth};
 
 /// Places in the ring in real time: 8 s of steps and key frames.
 const REAL_TIME_PLACES: usize = 4096;
@@ -80,7 +80,7 @@ impl Logger {
     ///
     /// # Errors
     /// [`SessionError::File`] if it cannot be made, otherwise as [`Logger::start`].
-    pub fn create(path: &Path, setup: &Setup, pace: Pace) -> Result<(Self, Recorder), SessionError> {
+    pub fn create(path: &Path, setup: &SessionSetup, pace: Pace) -> Result<(Self, Recorder), SessionError> {
         let file = File::create(path).map_err(|error| SessionError::file(path, &error))?;
         Self::start(file, setup, pace)
     }
@@ -91,7 +91,7 @@ impl Logger {
     /// Those of [`LogWriter::new`], or [`SessionError::Thread`].
     pub fn start<W: Write + Send + 'static>(
         sink: W,
-        setup: &Setup,
+        setup: &SessionSetup,
         pace: Pace,
     ) -> Result<(Self, Recorder), SessionError> {
         let writer = LogWriter::new(sink, setup)?;

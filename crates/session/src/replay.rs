@@ -9,7 +9,7 @@ use crate::fields::cells;
 use crate::messages::{ControllerStep, Keyframe};
 use crate::read::{Ending, Item, RawMessage, scan_until};
 use crate::setup::{CONFIGURATION_RECORD, SESSION_RECORD};
-use crate::{SessionError, Setup, cdr, topics};
+use crate::{SessionError, SessionSetup, cdr, topics};
 
 /// What a replay found.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +57,7 @@ pub struct Difference {
 /// # Errors
 /// [`SessionError::Missing`] if the log has no settings or no steps, [`SessionError::NoKeyframe`],
 /// [`SessionError::Version`] for a log of another program, [`SessionError::Message`] for a malformed message, those of
-/// [`Setup::params`], and those of [`scan`](crate::read::scan).
+/// [`SessionSetup::params`], and those of [`scan`](crate::read::scan).
 pub fn replay(path: &Path, from: u32) -> Result<Replay, SessionError> {
     replay_until(path, from, &AtomicBool::new(false))
 }
@@ -171,7 +171,8 @@ impl<'a> Run<'a> {
         };
         if self.params.is_none() {
             let record = |name: &str| self.records.get(name);
-            let setup = Setup::from_records(self.file, record(SESSION_RECORD), record(CONFIGURATION_RECORD))?;
+            let setup =
+                SessionSetup::from_records(self.file, record(SESSION_RECORD), record(CONFIGURATION_RECORD))?;
             self.params = Some(setup.params()?);
         }
         let Some(params) = &self.params else { return Ok(()) };

@@ -20,7 +20,7 @@ pub const END_RECORD: &str = "soilctl.end";
 
 /// What a session is made from. It stands in the log as text, so that a replay starts from the same bits.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Setup {
+pub struct SessionSetup {
     /// The arm file as TOML.
     pub arm: String,
     /// The controller's settings as TOML.
@@ -35,7 +35,7 @@ pub struct Setup {
     pub notes: BTreeMap<String, String>,
 }
 
-impl Setup {
+impl SessionSetup {
     /// A session of this arm with these settings; `plan` is the TOML of a stroke plan or empty.
     ///
     /// # Errors

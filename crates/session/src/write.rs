@@ -13,7 +13,7 @@ use crate::messages::{
     ControllerStep, Header, JointState, Keyframe, StringMessage, Time, Wrench, WrenchStamped, definition,
 };
 use crate::record::Entry;
-use crate::setup::{CONFIGURATION_RECORD, END_RECORD, SESSION_RECORD, STROKE_RECORD, Setup};
+use crate::setup::{CONFIGURATION_RECORD, END_RECORD, SESSION_RECORD, STROKE_RECORD, SessionSetup};
 use crate::strokes::Strokes;
 use crate::{SessionError, StepRecord, Truth, cdr, frames, topics};
 
@@ -62,8 +62,8 @@ impl<W: Write> LogWriter<W> {
     /// Begins a log: settings, channels, URDF.
     ///
     /// # Errors
-    /// [`SessionError::Write`] if the sink fails, or what [`Setup::params`] says.
-    pub fn new(sink: W, setup: &Setup) -> Result<Self, SessionError> {
+    /// [`SessionError::Write`] if the sink fails, or what [`SessionSetup::params`] says.
+    pub fn new(sink: W, setup: &SessionSetup) -> Result<Self, SessionError> {
         let params = setup.params()?;
         let refused = |error: &McapError| SessionError::Write { steps: 0, reason: reason(error) };
         let mut file =

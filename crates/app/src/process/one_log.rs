@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use soilctl_process::ProcessError;
-use soilctl_process::log::{Found, NoStroke, read_log};
+use soilctl_process::log::{Candidate, NoStroke, read_log};
 use soilctl_process::table::{StrokeRecord, write_trace};
 
 use super::inputs::{Inputs, Log};
@@ -29,8 +29,8 @@ pub(super) fn process(
     let mut broken = Ok(());
     let mut number = 0;
     let summary = read_log(&log.path, &inputs.settings, stop, &mut |found| match found {
-        Found::Nothing(nothing) => entry.skipped.push(skipped(nothing)),
-        Found::Stroke(stroke) => {
+        Candidate::Rejected(nothing) => entry.skipped.push(skipped(nothing)),
+        Candidate::Stroke(stroke) => {
             number += 1;
             let stroke_id = format!("{}-{number}", log.name);
             match StrokeRecord::new(&stroke, stroke_id.clone(), log.path.display().to_string()) {

@@ -3,7 +3,7 @@
 use soilctl_controller::{Params, State};
 use soilctl_earth_pressure::model;
 use soilctl_plant::{Ground, Plant, Simulation};
-use soilctl_session::Setup;
+use soilctl_session::SessionSetup;
 
 use crate::{CampaignError, Plan, seed};
 
@@ -13,9 +13,9 @@ impl Plan {
     ///
     /// # Errors
     /// [`CampaignError::Session`] if the settings cannot be put into TOML.
-    pub fn setup(&self, seed: u64) -> Result<Setup, CampaignError> {
+    pub fn setup(&self, seed: u64) -> Result<SessionSetup, CampaignError> {
         let arm = self.params().arm().config();
-        Ok(Setup::new(arm, self.controller(), self.text(), seed, &self.file().model)?)
+        Ok(SessionSetup::new(arm, self.controller(), self.text(), seed, &self.file().model)?)
     }
 
     /// The simulated arm, parked, over freshly prepared soil. `seed` is that of the campaign; each batch has noise and
@@ -39,7 +39,12 @@ impl Plan {
     ///
     /// # Errors
     /// As [`Plan::simulated_plant`].
-    pub fn simulation(&self, setup: &Setup, seed: u64, batch: usize) -> Result<Simulation, CampaignError> {
+    pub fn simulation(
+        &self,
+        setup: &SessionSetup,
+        seed: u64,
+        batch: usize,
+    ) -> Result<Simulation, CampaignError> {
         let plant = self.simulated_plant(seed, batch)?;
         let params = setup.params()?;
         let state = self.first_state(&params);

@@ -7,7 +7,7 @@ use soilctl_controller::{Commands, EventKind};
 use soilctl_jobs::Beside;
 use soilctl_plant::Simulation;
 use soilctl_session::messages::SoilTruth;
-use soilctl_session::{Logger, Pace, Recorder, Setup, Truth};
+use soilctl_session::{Logger, Pace, Recorder, SessionSetup, Truth};
 
 use super::script::Script;
 use super::{Job, Notice};
@@ -104,7 +104,7 @@ pub fn logged_truth(truth: &soilctl_plant::Truth) -> Truth {
 }
 
 /// The log's record of where it stands in the campaign.
-pub(super) fn notes(setup: &mut Setup, batch: usize, density_kg_m3: f64) {
+pub(super) fn notes(setup: &mut SessionSetup, batch: usize, density_kg_m3: f64) {
     setup.notes.insert("batch".to_owned(), batch.to_string());
     setup.notes.insert("density_kg_m3".to_owned(), density_kg_m3.to_string());
 }

@@ -11,7 +11,7 @@ pub use batch::logged_truth;
 use soilctl_effects::{Active, ModelFile};
 use soilctl_jobs::each;
 use soilctl_plant::Simulation;
-use soilctl_session::Setup;
+use soilctl_session::SessionSetup;
 
 use crate::effects::{self, PlantEffects};
 use crate::journal::{BatchReport, Journal};
@@ -134,7 +134,7 @@ impl Job<'_> {
     }
 
     /// Arm, soil and record of a batch, and where its effects look up which stroke is being made.
-    fn prepare(&self, batch: usize) -> Result<(Simulation, Setup, Arc<AtomicUsize>), CampaignError> {
+    fn prepare(&self, batch: usize) -> Result<(Simulation, SessionSetup, Arc<AtomicUsize>), CampaignError> {
         let mut setup = self.plan.setup(self.seed)?;
         let stroke = Arc::new(AtomicUsize::new(self.plan.strokes_of(batch).start));
         let mut simulation = self.plan.simulation(&setup, self.seed, batch)?;

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use problem::Problem;
 use soilctl_effects::Channel;
 
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::spec::Spec;
 
 /// Result of a fit.
@@ -50,14 +50,14 @@ pub(crate) struct Reading {
 }
 
 /// Which strokes take part.
-pub(crate) fn everything(setup: &Setup<'_>) -> Vec<bool> {
+pub(crate) fn everything(setup: &FitSetup<'_>) -> Vec<bool> {
     vec![true; setup.data.len()]
 }
 
 /// Fits one set of effects. `channels` are the channels whose readings take part, `with_force` says whether the forces
 /// do. Strokes that are not included are predicted all the same. `None` if no finite answer exists.
 pub(crate) fn fit(
-    setup: &Setup<'_>,
+    setup: &FitSetup<'_>,
     spec: &Spec,
     channels: &BTreeSet<Channel>,
     with_force: bool,

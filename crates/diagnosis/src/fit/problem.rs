@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use soilctl_effects::{Active, Channel};
 
 use crate::data::Prior;
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::spec::Spec;
 
 /// Residuals beyond about this many standard deviations count less and less (pseudo-Huber). Usual: one in 80 of a normal scatter.
@@ -25,7 +25,7 @@ pub(super) enum Row {
 }
 
 pub(super) struct Problem<'a> {
-    pub(super) setup: &'a Setup<'a>,
+    pub(super) setup: &'a FitSetup<'a>,
     pub(super) spec: &'a Spec,
     pub(super) channels: Vec<Channel>,
     pub(super) rows: Vec<Row>,
@@ -44,7 +44,7 @@ pub(super) struct Problem<'a> {
 
 impl<'a> Problem<'a> {
     pub(super) fn new(
-        setup: &'a Setup<'a>,
+        setup: &'a FitSetup<'a>,
         spec: &'a Spec,
         channels: &BTreeSet<Channel>,
         with_force: bool,

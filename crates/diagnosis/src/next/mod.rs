@@ -9,7 +9,7 @@ use soilctl_strokes::StrokeRow;
 
 use crate::data::Data;
 use crate::explanation::{Dependence, Explanation};
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::testability::{Expected, LEAST_LAMBDA, change, left_after_soil, stroke_sd};
 
 /// A proposed follow-up.
@@ -53,7 +53,7 @@ pub(crate) struct Found<'a> {
 
 /// The best follow-up for what is left open; `None` if nothing on the menu would tell much.
 pub(crate) fn next(
-    setup: &Setup<'_>,
+    setup: &FitSetup<'_>,
     phi_deg: f64,
     Found { fitted, scatter, shape }: Found<'_>,
     equivalents: &[Explanation],
@@ -114,7 +114,7 @@ pub(crate) fn next(
 
 /// The follow-up of the menu that tells explanations apart best, the smaller one if that is enough.
 fn best_on_menu(
-    setup: &Setup<'_>,
+    setup: &FitSetup<'_>,
     soil: (f64, f64),
     explanations: &[Active],
     question: &str,
@@ -169,7 +169,7 @@ fn more_of(data: &Data, over: Dependence, log_bayes: f64) -> Option<NextExperime
 /// follow-up together, after the soil has been fitted anew and the rival has taken the amplitude that suits it best. The
 /// `readings` of the follow-up tell by their means.
 fn separation(
-    setup: &Setup<'_>,
+    setup: &FitSetup<'_>,
     (phi_deg, scatter): (f64, f64),
     explanations: &[Active],
     follow_up: &[StrokeRow],
@@ -181,7 +181,7 @@ fn separation(
     data.refer_to(setup.data.reference.clone());
     data.gravity_m_s2 = setup.data.gravity_m_s2;
     data.known.clone_from(&setup.data.known);
-    let joint = Setup::new(&data, setup.surface, phi_deg);
+    let joint = FitSetup::new(&data, setup.surface, phi_deg);
     let sd = stroke_sd(&joint, Some(scatter));
     let variance_of_mean = |channel: &Channel| {
         let baseline = &joint.baselines[channel];
@@ -215,7 +215,7 @@ fn separation(
 
 /// Mean shift of a channel by an effect in the last strokes.
 fn mean_shift(
-    setup: &Setup<'_>,
+    setup: &FitSetup<'_>,
     Active { effect, amplitude, shape }: Active,
     channel: Channel,
     last: usize,

@@ -10,7 +10,7 @@ use super::design::Design;
 use super::hidden::{Hidden, draw};
 use super::random::Random;
 use crate::data::Data;
-use crate::setup::Setup;
+use crate::setup::FitSetup;
 use crate::surface::Surface;
 use crate::testability::{lambda, stroke_sd};
 use crate::{Diagnosis, DiagnosisError, Status, diagnose};
@@ -188,7 +188,7 @@ fn signal(test: &SelfTest, data: &Data, campaign: &HiddenCampaign, case: &Case, 
     if let Some((shift, sd)) = in_channel(data, campaign, of) {
         return if case.design.traces { data.len() as f64 * (shift / sd).powi(2) } else { 0.0 };
     }
-    let setup = Setup::new(data, &test.surface, data.phi.mean);
+    let setup = FitSetup::new(data, &test.surface, data.phi.mean);
     let mut sd = stroke_sd(&setup, Some(case.design.scatter));
     sd.iter_mut().for_each(|s| *s = s.max(1e-3));
     let change: Vec<f64> = if campaign.hidden.len() == 1 {

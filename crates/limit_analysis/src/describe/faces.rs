@@ -4,7 +4,7 @@ use soilctl_certificate::LineUse;
 
 use std::collections::BTreeMap;
 
-use super::ground::{Ground, Map, inside};
+use super::ground::{Map, Occupant, inside};
 use crate::vector::{Point, between, cross, distance};
 
 /// A piece of soil.
@@ -27,7 +27,7 @@ impl Map {
         self.walked(walk).map(|p| self.arrangement.points[p])
     }
 
-    pub(super) fn left_of(&self, walk: LineUse) -> Ground {
+    pub(super) fn left_of(&self, walk: LineUse) -> Occupant {
         self.sides[walk.line][usize::from(!walk.forward)]
     }
 
@@ -48,7 +48,9 @@ impl Map {
                 distance(b, a)
             };
             let longest = ring.iter().copied().max_by(|a, b| length(a).total_cmp(&length(b)));
-            let Some(Ground::Soil { region, submerged }) = longest.map(|w| self.left_of(w)) else { continue };
+            let Some(Occupant::Soil { region, submerged }) = longest.map(|w| self.left_of(w)) else {
+                continue;
+            };
             if area > 0.0 && !is_slit(&ring) {
                 outer.push((points, area, faces.len()));
                 faces.push(Face { region, submerged, loops: vec![ring] });

@@ -8,7 +8,7 @@ use crate::vector::{Point, between, cross, distance_to_segment, length};
 
 /// What is at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ground {
+pub(super) enum Occupant {
     Outside,
     Structure(usize),
     Soil {
@@ -18,7 +18,7 @@ pub(super) enum Ground {
     },
 }
 
-impl Ground {
+impl Occupant {
     pub(super) fn is_soil(self) -> bool {
         matches!(self, Self::Soil { .. })
     }
@@ -50,7 +50,7 @@ fn beside([a, b]: [Point; 2], by: f64) -> [Point; 2] {
 #[derive(Debug, Clone)]
 pub(super) struct Map {
     pub(super) arrangement: Arrangement,
-    pub(super) sides: Vec<[Ground; 2]>,
+    pub(super) sides: Vec<[Occupant; 2]>,
 }
 
 impl Map {
@@ -70,8 +70,8 @@ impl Map {
         let is = |edge: usize, wanted: fn(Owner) -> bool| {
             arrangement.edges[edge].uses.iter().any(|(s, _)| wanted(segments[*s].owner))
         };
-        let cut = |edge: usize, ground: Ground| {
-            let Ground::Soil { region, submerged } = ground else { return false };
+        let cut = |edge: usize, ground: Occupant| {
+            let Occupant::Soil { region, submerged } = ground else { return false };
             arrangement.edges[edge].uses.iter().any(|(s, _)| match segments[*s].owner {
                 Owner::Cut(Cut::Water) => submerged,
                 Owner::Cut(Cut::Ratio) => description.ratio(region) > 0.0,
@@ -132,7 +132,7 @@ impl Description {
     }
 }
 
-fn ground(description: &Description, drawing: &Drawing, p: Point) -> Result<Ground, DescriptionError> {
+fn ground(description: &Description, drawing: &Drawing, p: Point) -> Result<Occupant, DescriptionError> {
     let mut found =
         drawing.regions.iter().enumerate().filter(|(_, polygon)| inside(polygon, p)).map(|(i, _)| i);
     let region = found.next();
@@ -141,10 +141,10 @@ fn ground(description: &Description, drawing: &Drawing, p: Point) -> Result<Grou
         return Err(DescriptionError::Overlap { first, second, at: p });
     }
     if let Some(structure) = drawing.structures.iter().position(|polygon| inside(polygon, p)) {
-        return Ok(Ground::Structure(structure));
+        return Ok(Occupant::Structure(structure));
     }
     let submerged = drawing.table(p[0]).is_some_and(|y| p[1] < y);
-    Ok(region.map_or(Ground::Outside, |region| Ground::Soil { region, submerged }))
+    Ok(region.map_or(Occupant::Outside, |region| Occupant::Soil { region, submerged }))
 }
 
 /// How the owner of a segment is called.

@@ -3,7 +3,7 @@
 use soilctl_certificate::LineUse;
 
 use super::error::DescriptionError;
-use super::ground::{Ground, Map};
+use super::ground::{Map, Occupant};
 use super::input::Description;
 use super::parts::{Hold, Interface, Kind, Profile, Side, SoilInterface};
 use super::segments::{Drawing, Owner, Segment};
@@ -43,7 +43,7 @@ impl Holder<'_> {
         for edge in 0..self.map.arrangement.edges.len() {
             for forward in [true, false] {
                 let walk = LineUse { line: edge, forward };
-                let Ground::Soil { region, .. } = self.map.left_of(walk) else { continue };
+                let Occupant::Soil { region, .. } = self.map.left_of(walk) else { continue };
                 match self.side(walk, region, &mut covered)? {
                     Some(Some(holds)) => all.push((walk, holds)),
                     Some(None) => missing.push(self.map.walked_points(walk)),
@@ -79,9 +79,9 @@ impl Holder<'_> {
         let plates = self.uses(walk, |o| if let Owner::Plate(i) = o { Some(i) } else { None });
         let edges = self.uses(walk, |o| if let Owner::Edge(i) = o { Some(i) } else { None });
         let structure = match beyond {
-            Ground::Structure(i) => Some(i),
-            Ground::Outside => edges.first().map(|e| e.0),
-            Ground::Soil { .. } => None,
+            Occupant::Structure(i) => Some(i),
+            Occupant::Outside => edges.first().map(|e| e.0),
+            Occupant::Soil { .. } => None,
         };
         let [a, b] = self.map.walked_points(walk);
         let long = length(between(a, b));

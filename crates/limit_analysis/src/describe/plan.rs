@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use soilctl_certificate::LineUse;
 
 use super::faces::Face;
-use super::ground::{Ground, Map};
+use super::ground::{Map, Occupant};
 use super::holds::Holds;
 use super::input::Description;
 use super::segments::Drawing;
@@ -45,7 +45,7 @@ impl Plan {
 
     /// Whether the soil of a side has neither cohesion nor a gradient of it.
     pub(super) fn is_bare(&self, description: &Description, walk: &LineUse) -> bool {
-        let Ground::Soil { region, .. } = self.map.left_of(*walk) else { return false };
+        let Occupant::Soil { region, .. } = self.map.left_of(*walk) else { return false };
         let soil = &description.soils[description.soil_of(region)];
         soil.cohesion_kpa == 0.0 && soil.cohesion_gradient_kpa_per_m == 0.0
     }

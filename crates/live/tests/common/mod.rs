@@ -11,7 +11,7 @@ use soilctl_kinematics::JointAngles;
 use soilctl_live::protocol::{Command, Event, Problem, ServerMessage, StateMessage};
 use soilctl_live::{Client, Commander, Host, Report, Rig, Session};
 use soilctl_plant::{Plant, PlantParams};
-use soilctl_session::Setup;
+use soilctl_session::SessionSetup;
 use soilctl_session::messages::ControllerStep;
 use soilctl_session::read::{Item, scan};
 
@@ -23,13 +23,13 @@ pub fn plant(seed: u64) -> Plant {
     Plant::new(PlantParams::thesis(), None, &JointAngles::from_degrees(START_DEG), seed).unwrap()
 }
 
-pub fn setup() -> Setup {
+pub fn setup() -> SessionSetup {
     let thesis = Params::thesis();
-    Setup::new(thesis.arm().config(), thesis.config(), "", 1, "none").unwrap()
+    SessionSetup::new(thesis.arm().config(), thesis.config(), "", 1, "none").unwrap()
 }
 
 /// The memory of a controller whose encoders are referenced.
-pub fn homed(setup: &Setup) -> State {
+pub fn homed(setup: &SessionSetup) -> State {
     let mut state = State::new(&setup.params().unwrap());
     let encoders = PlantParams::thesis().config().encoders;
     (state.homed, state.filters.offset_known) = (true, true);

@@ -9,7 +9,7 @@ use super::plot::{self, Kind};
 use crate::PageError;
 
 /// What the page tells of a solution.
-pub(crate) struct Told {
+pub(crate) struct PageContent {
     /// What sort of problem it is, in a few words.
     pub(crate) kind: &'static str,
     /// The line under the title.
@@ -73,11 +73,15 @@ fn round(value: f64) -> f64 {
 }
 
 /// The page.
-pub(crate) fn page(fields: &Fields, told: Told, results: &ResultsAnswer) -> Result<HtmlReport, PageError> {
-    let title = if fields.title.is_empty() { told.kind } else { &fields.title };
+pub(crate) fn page(
+    fields: &Fields,
+    content: PageContent,
+    results: &ResultsAnswer,
+) -> Result<HtmlReport, PageError> {
+    let title = if fields.title.is_empty() { content.kind } else { &fields.title };
     let mut page = HtmlReport::new(title);
-    let (kind, headline, text) = told.verdict;
-    page.kind(told.kind).subtitle(told.subtitle).verdict(kind, headline, text).table(told.bounds);
+    let (kind, headline, text) = content.verdict;
+    page.kind(content.kind).subtitle(content.subtitle).verdict(kind, headline, text).table(content.bounds);
     page.heading("How the soil fails");
     for kind in [Kind::Mechanism, Kind::Velocity, Kind::Dissipation] {
         plot::add(&mut page, fields, kind)?;
@@ -90,11 +94,11 @@ pub(crate) fn page(fields: &Fields, told: Told, results: &ResultsAnswer) -> Resu
         }
         contacts(&mut page, results)?;
     }
-    if !told.given.is_empty() {
-        page.heading("What was given").definitions(told.given);
+    if !content.given.is_empty() {
+        page.heading("What was given").definitions(content.given);
     }
     page.heading("How it was computed");
-    if let Some(steps) = told.steps {
+    if let Some(steps) = content.steps {
         page.table(steps);
     }
     page.paragraph(

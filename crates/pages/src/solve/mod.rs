@@ -10,17 +10,17 @@ use soilctl_app::text::{number, number_or_dash, rounded_down, rounded_up, senten
 use soilctl_figure::{Align, HtmlReport, Table};
 
 use crate::PageError;
-use crate::limits::{self, Told, bounds_table, level_table, proven};
+use crate::limits::{self, PageContent, bounds_table, level_table, proven};
 
 /// The page of bounds on what a problem file asks for.
 ///
 /// # Errors
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Solved, file: &Path) -> Result<HtmlReport, PageError> {
-    limits::page(&found.fields, told(&found.answer, file)?, &found.answer.results)
+    limits::page(&found.fields, content(&found.answer, file)?, &found.answer.results)
 }
 
-fn told(answer: &Answer, file: &Path) -> Result<Told, PageError> {
+fn content(answer: &Answer, file: &Path) -> Result<PageContent, PageError> {
     let what = sentence_case(answer.quantity.words());
     let mut bounds = bounds_table();
     bounds.row([what.clone(), number(answer.lower), number(answer.upper)])?;
@@ -30,7 +30,7 @@ fn told(answer: &Answer, file: &Path) -> Result<Told, PageError> {
     let title =
         format!("{short}: between {} and {}{unit}", rounded_down(answer.lower), rounded_up(answer.upper));
     let name = file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    Ok(Told {
+    Ok(PageContent {
         kind: "Bounds on a collapse load",
         subtitle: format!("{name}: {}", answer.quantity.words()),
         verdict: (kind, title, text),

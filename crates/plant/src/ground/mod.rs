@@ -18,7 +18,7 @@ use crate::effects::{Contact, Effects, SoilChange};
 use crate::noise::Noise;
 use crate::truth::SoilTruth;
 use crate::{PlantError, PlantParams};
-use plate::Plate;
+use plate::PlateContact;
 use strength::Strength;
 use surface::Surface;
 
@@ -51,7 +51,7 @@ pub struct Ground {
     /// Height of the surface that the plate is in, and of the heap above it, in m.
     level_z_m: f64,
     heap_m: f64,
-    plate: Plate,
+    plate: PlateContact,
 }
 
 impl Ground {
@@ -82,7 +82,7 @@ impl Ground {
             change: SoilChange::default(),
             level_z_m: surface_z_m,
             heap_m: 0.0,
-            plate: Plate::default(),
+            plate: PlateContact::default(),
             preset: preset.clone(),
             config,
             sandbox,
@@ -101,7 +101,7 @@ impl Ground {
         let scatter = 1.0 + self.preset.density_sd_rel * self.noise.normal();
         let density = self.preset.density_kg_m3 * scatter.max(0.5);
         self.strength.set_density(&self.preset, density);
-        self.plate = Plate::default();
+        self.plate = PlateContact::default();
     }
 
     /// The soil at the preset's density.

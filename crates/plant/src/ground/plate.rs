@@ -19,7 +19,7 @@ const DAMPED_AT_M: f64 = 0.0254;
 /// Across the plate the mobilised share of the limit force grows with the way of the plate against the soil, slower the
 /// more is mobilised; along it and sideways there are springs that slip at the friction.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Plate {
+pub(crate) struct PlateContact {
     /// What is mobilised, -1 to 1.
     mobilised: f64,
     /// Stretch of the springs along the plate (soil pressing upwards) and along its edge in m.
@@ -38,7 +38,7 @@ pub(crate) struct Plate {
     pub(crate) truth: SoilTruth,
 }
 
-impl Plate {
+impl PlateContact {
     #[allow(clippy::too_many_arguments, reason = "called from one place")]
     pub(crate) fn press(
         &mut self,

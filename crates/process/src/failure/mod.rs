@@ -294,7 +294,7 @@ fn at_break(trace: &Trace, blocks: &Blocks, broken: drastic::Break, settings: &F
         drastic::Sign::Drop => Method::Drop,
         drastic::Sign::RunAway => Method::RunAway,
     };
-    point(trace, blocks, settings, Found { force_n, sd_n, method, block: broken.block })
+    point(trace, blocks, settings, FailureForce { force_n, sd_n, method, block: broken.block })
 }
 
 fn gradual(
@@ -320,17 +320,22 @@ fn gradual(
     // What is not mobilised is extrapolated, and so less certain.
     let extrapolated = 0.25 * (1.0 - curve.mobilised) * curve.force_n;
     let sd_n = curve.sd_n.hypot(extrapolated);
-    point(trace, blocks, settings, Found { force_n: curve.force_n, sd_n, method: Method::Saturation, block })
+    point(
+        trace,
+        blocks,
+        settings,
+        FailureForce { force_n: curve.force_n, sd_n, method: Method::Saturation, block },
+    )
 }
 
-struct Found {
+struct FailureForce {
     force_n: f64,
     sd_n: f64,
     method: Method,
     block: usize,
 }
 
-fn point(trace: &Trace, blocks: &Blocks, settings: &FailureSettings, found: Found) -> Outcome {
+fn point(trace: &Trace, blocks: &Blocks, settings: &FailureSettings, found: FailureForce) -> Outcome {
     let sd_n = found.sd_n.hypot(settings.floor_sd_rel * found.force_n);
     let sd_rel = sd_n / found.force_n;
     if !(sd_rel.is_finite() && sd_rel <= settings.most_sd_rel) {

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::{Found, LogSettings, LogStroke, NoStroke};
+use super::{Candidate, LogSettings, LogStroke, NoStroke};
 use crate::{Contact, FindSettings, Finder, Recorded, RobotSample, Setting, evaluate};
 
 /// Free air before a given stroke, in s, and what is left out of it next to the stroke.
@@ -51,7 +51,7 @@ impl Cutter {
         Self { setting, tool_weight_n: settings.tool_weight_n, by }
     }
 
-    pub(super) fn push(&mut self, sample: RobotSample, found: &mut dyn FnMut(Found)) {
+    pub(super) fn push(&mut self, sample: RobotSample, found: &mut dyn FnMut(Candidate)) {
         match &mut self.by {
             By::Finder(finder) => {
                 if let Some(contact) = finder.push(sample) {
@@ -75,7 +75,7 @@ impl Cutter {
         }
     }
 
-    pub(super) fn end(&mut self, found: &mut dyn FnMut(Found)) {
+    pub(super) fn end(&mut self, found: &mut dyn FnMut(Candidate)) {
         match &mut self.by {
             By::Finder(finder) => {
                 if let Some(contact) = finder.end() {
@@ -91,7 +91,7 @@ impl Cutter {
     }
 
     /// Ends the present window.
-    fn window(&mut self, found: &mut dyn FnMut(Found)) {
+    fn window(&mut self, found: &mut dyn FnMut(Candidate)) {
         let By::Windows { left, tare, air, now } = &mut self.by else { return };
         let Some([from_s, to_s]) = left.pop_front() else { return };
         let samples = std::mem::take(now);
@@ -99,7 +99,7 @@ impl Cutter {
         let mean = (rest.len() >= 5).then(|| {
             std::array::from_fn(|i| rest.iter().map(|s| s.wrench[i]).sum::<f64>() / rest.len() as f64)
         });
-        let nothing = |reason: &str| Found::Nothing(NoStroke { from_s, to_s, reason: reason.into() });
+        let nothing = |reason: &str| Candidate::Rejected(NoStroke { from_s, to_s, reason: reason.into() });
         let Some(tare) = tare.or(mean) else {
             found(nothing(
                 "nothing was recorded in the second before it, so the tare is unknown; give --tare",
@@ -124,9 +124,9 @@ impl Cutter {
         self.contact(Contact::Stroke(recorded), found);
     }
 
-    fn contact(&self, contact: Contact, found: &mut dyn FnMut(Found)) {
+    fn contact(&self, contact: Contact, found: &mut dyn FnMut(Candidate)) {
         match contact {
-            Contact::Other(other) => found(Found::Nothing(NoStroke {
+            Contact::Other(other) => found(Candidate::Rejected(NoStroke {
                 from_s: other.from_s,
                 to_s: other.to_s,
                 reason: format!(
@@ -139,7 +139,7 @@ impl Cutter {
                 let (from_s, to_s) = (span(recorded.samples.first()), span(recorded.samples.last()));
                 turn_weight(&mut recorded.samples, self.tool_weight_n);
                 match evaluate(&recorded, &self.setting) {
-                    Ok(evaluated) => found(Found::Stroke(Box::new(LogStroke {
+                    Ok(evaluated) => found(Candidate::Stroke(Box::new(LogStroke {
                         evaluated,
                         course: None,
                         finish: None,
@@ -148,7 +148,7 @@ impl Cutter {
                         end_s: to_s,
                     }))),
                     Err(error) => {
-                        found(Found::Nothing(NoStroke { from_s, to_s, reason: error.to_string() }));
+                        found(Candidate::Rejected(NoStroke { from_s, to_s, reason: error.to_string() }));
                     }
                 }
             }

@@ -100,13 +100,13 @@ pub struct NoStroke {
     pub reason: String,
 }
 
-/// What a log gives.
+/// A piece of a log that may be a stroke.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Found {
+pub enum Candidate {
     /// A stroke.
     Stroke(Box<LogStroke>),
-    /// Not one.
-    Nothing(NoStroke),
+    /// It is none, or cannot be used.
+    Rejected(NoStroke),
 }
 
 /// What is said of a log as a whole.
@@ -138,12 +138,12 @@ enum Taken {
 /// # Errors
 /// [`ProcessError::Log`] if the file can't be read or is no log; [`ProcessError::Missing`], [`ProcessError::Topic`],
 /// [`ProcessError::Joints`], [`ProcessError::Urdf`] or [`ProcessError::NoFrame`] if something is missing in a bag;
-/// [`ProcessError::Stopped`]. A stroke that can't be evaluated is no error, but a [`Found::Nothing`].
+/// [`ProcessError::Stopped`]. A stroke that can't be evaluated is no error, but a [`Candidate::Rejected`].
 pub fn read_log(
     path: &Path,
     settings: &LogSettings,
     stop: &AtomicBool,
-    found: &mut dyn FnMut(Found),
+    found: &mut dyn FnMut(Candidate),
 ) -> Result<LogSummary, ProcessError> {
     let mut summary = LogSummary::default();
     let mut taken = Taken::Unclear { session: BTreeMap::new() };
@@ -198,9 +198,9 @@ pub fn read_log(
     Ok(summary)
 }
 
-fn hand_over(strokes: Vec<LogStroke>, refused: Vec<NoStroke>, found: &mut dyn FnMut(Found)) {
-    strokes.into_iter().for_each(|stroke| found(Found::Stroke(Box::new(stroke))));
-    refused.into_iter().for_each(|refused| found(Found::Nothing(refused)));
+fn hand_over(strokes: Vec<LogStroke>, refused: Vec<NoStroke>, found: &mut dyn FnMut(Candidate)) {
+    strokes.into_iter().for_each(|stroke| found(Candidate::Stroke(Box::new(stroke))));
+    refused.into_iter().for_each(|refused| found(Candidate::Rejected(refused)));
 }
 
 /// Height of the frame `soil_surface` in a `tf2_msgs/msg/TFMessage`, in m.

@@ -18,7 +18,7 @@ use plant::{Rig, Soil};
 use soilctl_controller::{Params, Request, SequenceId, State, StrokeSpec, Trajectory};
 use soilctl_kinematics::{JointAngles, JointVelocities, TaskPose};
 use soilctl_session::messages::SoilTruth;
-use soilctl_session::{Logger, Pace, Recorder, SessionError, Setup, StepRecord, Truth};
+use soilctl_session::{Logger, Pace, Recorder, SessionError, SessionSetup, StepRecord, Truth};
 
 const PLAN: &str = include_str!("../../../../data/plans/table_6_2.toml");
 
@@ -27,9 +27,9 @@ pub const STROKE_TICKS: u64 = 26_000;
 /// When the way back begins.
 const BACK: u64 = 24_000;
 
-pub fn setup(seed: u64) -> Setup {
+pub fn setup(seed: u64) -> SessionSetup {
     let params = Params::thesis();
-    Setup::new(params.arm().config(), params.config(), PLAN, seed, "springs").unwrap()
+    SessionSetup::new(params.arm().config(), params.config(), PLAN, seed, "springs").unwrap()
 }
 
 /// An arm over soft soil that makes one stroke after the other.
@@ -40,7 +40,7 @@ pub struct Digger {
 }
 
 impl Digger {
-    pub fn new(setup: &Setup) -> Self {
+    pub fn new(setup: &SessionSetup) -> Self {
         let params = setup.params().unwrap();
         let pose = TaskPose::digging(0.4318, 0.0, -0.3, 80f64.to_radians()).unwrap();
         let start = params.arm().inverse(&pose).unwrap();

@@ -12,7 +12,7 @@ pub use self::contents::BagContents;
 pub(super) use self::reader::read_wrench;
 pub use self::reader::{BagMessage, BagReader, JOINT_STATE, WRENCH};
 use super::cut::Cutter;
-use super::{Found, LogSettings};
+use super::{Candidate, LogSettings};
 use crate::{Aligner, ProcessError, Robot};
 
 /// Messages may come so late, by their stamps, in s.
@@ -65,7 +65,7 @@ impl Bag {
     pub(super) fn message(
         &mut self,
         message: &RawMessage<'_>,
-        found: &mut dyn FnMut(Found),
+        found: &mut dyn FnMut(Candidate),
     ) -> Result<(), ProcessError> {
         match self.reader.read(message) {
             Some(BagMessage::Joints { t_s, names, positions }) => self.joints(t_s, names, positions),
@@ -130,7 +130,7 @@ impl Bag {
         Ok(())
     }
 
-    fn drain(&mut self, end: bool, found: &mut dyn FnMut(Found)) -> Result<(), ProcessError> {
+    fn drain(&mut self, end: bool, found: &mut dyn FnMut(Candidate)) -> Result<(), ProcessError> {
         let Some(aligner) = &mut self.aligner else { return Ok(()) };
         while let Some(sample) = aligner.next(end)? {
             self.cutter.push(sample, found);
@@ -139,7 +139,7 @@ impl Bag {
     }
 
     /// Ends the bag; what could not be used.
-    pub(super) fn end(mut self, found: &mut dyn FnMut(Found)) -> Result<Vec<String>, ProcessError> {
+    pub(super) fn end(mut self, found: &mut dyn FnMut(Candidate)) -> Result<Vec<String>, ProcessError> {
         self.drain(true, found)?;
         self.cutter.end(found);
         let Some(aligner) = &self.aligner else {
