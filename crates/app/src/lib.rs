@@ -14,6 +14,7 @@ pub mod bound;
 pub mod certify;
 pub mod demo;
 pub mod diagnose;
+pub mod doctor;
 mod error;
 pub mod estimate;
 pub mod files;
@@ -68,6 +69,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("log doctor", log::doctor, log::doctor::run),
     use_case!("log recover", log::recover, log::recover::run),
     use_case!("log export", log::export, log::export::run),
+    use_case!("doctor", doctor, doctor::run),
     use_case!("replay", replay, replay::run),
     use_case!("arm skewing", arm::skewing, |request, watch| {
         Ok(arm::skewing::run(request, watch)?.answer)

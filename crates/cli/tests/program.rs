@@ -64,3 +64,28 @@ fn the_schemas_in_the_documentation_are_those_of_the_code() {
         assert_eq!(new.unwrap(), old.unwrap(), "{name:?}: run `soilctl schemas docs/schemas`");
     }
 }
+
+#[test]
+fn doctor_finds_what_is_on_the_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let look = || -> serde_json::Value {
+        let done = Command::new(env!("CARGO_BIN_EXE_soilctl"))
+            .args(["doctor", "--format", "json"])
+            .env("PATH", folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(done.status.code(), Some(0));
+        serde_json::from_slice(&done.stdout).unwrap()
+    };
+    let is_found = |answer: &serde_json::Value, what: &str| {
+        let checks = answer["checks"].as_array().unwrap();
+        checks.iter().find(|check| check["what"] == what).unwrap()["found"].as_bool().unwrap()
+    };
+    let answer = look();
+    for what in ["browser", "viewer", "python-package"] {
+        assert!(!is_found(&answer, what), "{answer}");
+    }
+    let name = format!("rerun{}", std::env::consts::EXE_SUFFIX);
+    std::fs::write(folder.path().join(name), "").unwrap();
+    assert!(is_found(&look(), "viewer"));
+}

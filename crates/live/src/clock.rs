@@ -80,6 +80,12 @@ pub(crate) fn fifo(priority: u8) -> bool {
         .is_ok_and(|priority| set_thread_priority_and_policy(thread_native_id(), priority, policy).is_ok())
 }
 
+/// Whether a thread of this process may have real-time priority, as `run --real-time` asks for.
+#[must_use]
+pub fn may_run_in_real_time() -> bool {
+    std::thread::spawn(|| fifo(SERVER_PRIORITY)).join().unwrap_or(false)
+}
+
 fn lock_memory() -> bool {
     use rustix::mm::{MlockAllFlags, mlockall};
     mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE).is_ok()

@@ -15,6 +15,7 @@ mod servo;
 mod timing;
 
 pub use client::{Client, Commander};
+pub use clock::may_run_in_real_time;
 pub use ending::Ending;
 pub use error::LiveError;
 pub use host::{Host, Report, Session, Stopper};

@@ -230,9 +230,7 @@ fn evaluated(plan: &Plan) -> Evaluated {
 fn a_plate_that_turns_has_the_same_friction_angle() {
     for turn_deg in [-4.0, 3.0] {
         let found = evaluated(&Plan { turn_deg, ..Plan::steady(90.0, 0.4318, 10.0, 0.0254) });
-        let Outcome::Found(point) = &found.analysis.outcome else {
-            panic!("{:?}", found.analysis.outcome)
-        };
+        let Outcome::Found(point) = &found.analysis.outcome else { panic!("{:?}", found.analysis.outcome) };
         assert!((found.row.friction_angle_deg.unwrap() - 23.0).abs() < 0.3);
         assert!((found.slip.unwrap().angle_deg - 23.0).abs() < 0.3);
         let turned_deg = found.turned_deg.unwrap();

@@ -168,9 +168,11 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
     """A function that runs a use case."""
     scope = Scope("", {key: one for key, one in schema.get("$defs", {}).items()})
     required = schema.get("required", [])
-    first = [(key, schema["properties"][key]) for key in required]
-    others = [(key, schema["properties"][key]) for key in schema["propertyOrder"] if key not in required]
-    names = list(schema["properties"])
+    # A request that asks for nothing has none.
+    properties = schema.get("properties", {})
+    first = [(key, properties[key]) for key in required]
+    others = [(key, properties[key]) for key in schema.get("propertyOrder", []) if key not in required]
+    names = list(properties)
     head, told, tables = [], [], []
     for key, about in first + others:
         kind, is_table = parameter_type(about, scope)

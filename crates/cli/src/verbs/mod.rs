@@ -8,6 +8,7 @@ mod completions;
 mod console;
 mod demo;
 mod diagnose;
+mod doctor;
 mod estimate;
 mod limits;
 mod log;
@@ -72,6 +73,8 @@ pub(crate) enum Verb {
     View(view::Args),
     /// What an arm and its controller are like: skewing of the plate's force, the arm as a URDF
     Arm(arm::Args),
+    /// Tells what is there: browser, viewer, Python package, real-time rights
+    Doctor(doctor::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
     /// Writes the JSON schemas of all requests and answers
@@ -106,6 +109,7 @@ impl Verb {
             Self::Monitor(args) => monitor::run(&args, output),
             Self::View(args) => view::run(&args, output),
             Self::Arm(args) => arm::run(&args, output),
+            Self::Doctor(args) => doctor::run(&args, output),
             Self::Completions(args) => completions::run(&args, whole(), output),
             Self::Schemas(args) => schemas::run(&args),
         }

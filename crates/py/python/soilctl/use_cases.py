@@ -48,6 +48,8 @@ __all__ = [
     "DiagnoseSelfTestRate",
     "DiagnoseTestability",
     "DiagnoseWhere",
+    "DoctorAnswer",
+    "DoctorCheck",
     "EstimateAnswer",
     "EstimateCentre",
     "EstimateContourSection",
@@ -127,6 +129,7 @@ __all__ = [
     "demo",
     "diagnose",
     "diagnose_self_test",
+    "doctor",
     "estimate",
     "log_doctor",
     "log_export",
@@ -3208,6 +3211,51 @@ class LogAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class DoctorCheck(Record):
+    """Something that was looked for. Nothing of it is needed for predictions, bounds, estimates and diagnoses.
+
+    Attributes:
+        detail: Where it is, or how to get it.
+        found: Whether it is there.
+        needed_for: What it is needed for.
+        what: What.
+    """
+
+    detail: str
+    """Where it is, or how to get it."""
+    found: bool
+    """Whether it is there."""
+    needed_for: str
+    """What it is needed for."""
+    what: Literal["browser", "viewer", "python-package", "real-time"]
+    """What."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DoctorAnswer(Answer):
+    """The answer of ``doctor``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        checks: What was looked for, in order.
+        processors: Processors that work is shared out to.
+        program: The program that answers.
+    """
+
+    schema: Literal["soilctl.doctor/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    checks: list[DoctorCheck]
+    """What was looked for, in order."""
+    processors: int
+    """Processors that work is shared out to."""
+    program: str | None
+    """The program that answers."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class ReplayFirstDifference(Record):
     """An output that is not what the log says.
 
@@ -4070,6 +4118,25 @@ def log_export(
         FileError: If a file cannot be read or written.
     """
     return run("log export", log_export, locals(), LogAnswer)
+
+
+def doctor(
+    *,
+    progress: Progress = None,
+) -> DoctorAnswer:
+    """Tells what is there: browser, viewer, Python package, real-time rights.
+
+    Args:
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("doctor", doctor, locals(), DoctorAnswer)
 
 
 def replay(
