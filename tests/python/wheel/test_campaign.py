@@ -219,6 +219,10 @@ def test_strokes_are_processed(campaign, log):
     assert {**again, "reused": None} == {**answer, "reused": None} or again["exit_code"] == 0
     with pytest.raises(soilctl.InputError):
         soilctl.process(campaign / "plan.toml", out=out)
+    with pytest.raises(soilctl.InputTypeError, match="surface_z is unknown.*surface_z_m"):
+        soilctl.process(log, surface_z=0.1)
+    with pytest.raises(soilctl.InputError, match="threads is 0"):
+        soilctl.process(log, threads=0)
 
 
 def test_shards_are_united_by_the_same_call(campaign, log, tmp_path):

@@ -163,6 +163,10 @@ def test_strokes_in_memory_are_diagnosed(tmp_path):
     found = soilctl.diagnose(strokes, out=tmp_path / "out")
     assert found["strokes"] == len(strokes) and (tmp_path / "out" / "patch.json").exists()
     assert list(found["predictions"].index) == list(strokes.index)
+    assert found.patch == str(tmp_path / "out" / "patch.json")
+    # Without a folder nothing is left behind, so no file is named.
+    alone = soilctl.diagnose(strokes)
+    assert (alone.patch, alone.report, alone.status) == (None, None, found.status)
     assert (found["predictions"].force_after_n > 0).all()
     again = soilctl.predict(strokes, model_file=tmp_path / "out" / "patch.json")
     np.testing.assert_allclose(again.force_n, found["predictions"].force_after_n, rtol=1e-12)

@@ -7,7 +7,7 @@ import inspect
 import os
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any, Literal, TypeVar, overload
 
@@ -163,7 +163,9 @@ def estimate(*arguments: Any, **options: Any) -> Any:
 class StrokesDiagnosis(use_cases.DiagnoseAnswer):
     """The diagnosis of a table in memory."""
 
-    predictions: Any = None
+    patch: str | None  # type: ignore[assignment]
+    """The model file with the effects; None if no folder for it was given."""
+    predictions: Any
     """A table of the same kind with the same index: the force of each stroke before and after what was found is added, in N."""
 
 
@@ -210,9 +212,10 @@ def diagnose(
         answer = use_cases.diagnose(place, **options, out=written)
         with Path(written, "predictions.csv").open(newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
+    values: dict[str, Any] = {one.name: getattr(answer, one.name) for one in fields(answer)}
     if out is None:
         # They are gone.
-        answer = replace(answer, patch="", report=None)
+        values.update(patch=None, report=None)
     names = ("force_before_n", "force_after_n")
-    predictions = like(folder, {name: np.array([float(row[name]) for row in rows]) for name in names})
-    return StrokesDiagnosis(**{one.name: getattr(answer, one.name) for one in fields(answer)}, predictions=predictions)
+    values["predictions"] = like(folder, {name: np.array([float(row[name]) for row in rows]) for name in names})
+    return StrokesDiagnosis(**values)
