@@ -5,11 +5,12 @@ mod campaign;
 mod depth_law;
 mod error;
 mod failure;
-mod find;
+pub mod foreign;
 mod friction;
 pub mod log;
 mod recorded;
 mod robot;
+mod shim;
 mod slip;
 pub mod table;
 mod trace;
@@ -21,11 +22,10 @@ pub use failure::{
     Analysis, Change, Evidence, FailurePoint, FailureSettings, Indiscernible, Kind, Method, Outcome,
     Saturation, TwoLines, failure_force,
 };
-pub use find::{Contact, FindSettings, Finder, NotAStroke, Recorded};
 pub use friction::{
     RubbingPeak, SWEEP_ALPHA_DEG, SweepEstimate, SweepStroke, interface_friction, rubbing_peak,
 };
-pub use recorded::{Evaluated, Setting, evaluate};
-pub use robot::{Aligner, Lost, Robot, RobotSample};
+pub use recorded::{Evaluated, Recorded, Setting, evaluate};
+pub use robot::{Robot, RobotSample};
 pub use slip::Slip;
 pub use trace::{Channels, FEWEST_SAMPLES, Trace};

@@ -7,7 +7,6 @@ use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
 use crate::failure::{Analysis, FailureSettings, Indiscernible, Outcome, failure_force};
-use crate::find::Recorded;
 use crate::robot::RobotSample;
 use crate::slip::Slip;
 use crate::trace::{Channels, FEWEST_SAMPLES, Trace};
@@ -27,6 +26,19 @@ const SLID_REL: f64 = 0.02;
 
 /// Samples over which a direction is taken.
 const STEADY: usize = 25;
+
+/// One push of the plate along the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recorded {
+    /// Samples of the stroke: after insertion, before the plate is pulled out, the tare taken off.
+    pub samples: Vec<RobotSample>,
+    /// Unit vector of the travel along the ground (x, y).
+    pub direction: [f64; 2],
+    /// Mean wrench in free air before, in the sensor frame, if it is to be told.
+    pub tare_before: Option<[f64; 6]>,
+    /// Mean wrench in free air after, as read.
+    pub tare_after: Option<[f64; 6]>,
+}
 
 /// What samples don't tell.
 #[derive(Debug, Clone, PartialEq, Default)]

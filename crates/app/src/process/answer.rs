@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_process::table::StrokeRecord;
 
 use super::findings::Analysis;
-use super::manifest::{Entry, Skipped, bad_log};
+use super::manifest::{Entry, Found, Skipped, bad_log};
 use super::work::Done;
 use crate::{AppError, Outcome};
 
@@ -49,8 +49,12 @@ pub struct LogOutcome {
     pub skipped: Vec<Skipped>,
     /// Damaged parts, which were left out.
     pub damage: Vec<String>,
-    /// Messages that could not be used.
+    /// Messages that could not be used, or whose times had to be mended.
     pub unusable: Vec<String>,
+    /// What else was found in a log of another program; null for a log of soilctl.
+    pub found: Option<Found>,
+    /// Whether data that matter are missing: a stroke could not be weighed, or has a gap where the force rises.
+    pub is_partial: bool,
 }
 
 impl LogOutcome {
@@ -65,6 +69,8 @@ impl LogOutcome {
             skipped: entry.skipped,
             damage: entry.damage,
             unusable: entry.unusable,
+            found: entry.found,
+            is_partial: entry.is_partial,
         }
     }
 }
@@ -85,7 +91,8 @@ impl Answer {
     /// Whether something was left out: the work was stopped, or a log is bad or damaged.
     #[must_use]
     pub fn is_partial(&self) -> bool {
-        self.stopped || self.logs.iter().any(|log| log.error.is_some() || !log.damage.is_empty())
+        let lost = |log: &LogOutcome| log.error.is_some() || !log.damage.is_empty() || log.is_partial;
+        self.stopped || self.logs.iter().any(lost)
     }
 
     /// Why no log can be used; `None` if one can, or if the work was stopped before the last.

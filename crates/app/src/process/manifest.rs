@@ -9,6 +9,7 @@ use std::time::UNIX_EPOCH;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_jobs::{JobsError, Journal, Shard, fnv1a};
+use soilctl_process::foreign::{Contact, FreeAir};
 use soilctl_process::table::StrokeRecord;
 
 use super::inputs::{Inputs, Log};
@@ -45,11 +46,22 @@ pub struct Skipped {
     pub from_s: f64,
     /// End in s.
     pub to_s: f64,
-    /// `no_stroke`, or what is indiscernible about the failure: `no_force`, `no_travel`, `no_break`, `incomplete`,
+    /// `no_stroke`, `refused` if it cannot be weighed, or what is indiscernible about the failure: `no_force`, `no_travel`, `no_break`, `incomplete`,
     /// `uncertain`.
     pub outcome: String,
     /// Why, in words.
     pub reason: String,
+}
+
+/// What was found in a log of another program, beside its strokes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Found {
+    /// Where the clock of all times begins, in s of the stamps.
+    pub clock_origin_s: i64,
+    /// What free air told of the sensor; null if there was none.
+    pub free_air: Option<FreeAir>,
+    /// All contacts of the plate.
+    pub contacts: Vec<Contact>,
 }
 
 /// What became of a log.
@@ -74,6 +86,12 @@ pub(super) struct Entry {
     pub(super) damage: Vec<String>,
     /// Messages that could not be used, in words.
     pub(super) unusable: Vec<String>,
+    /// What else was found in a log of another program.
+    #[serde(default)]
+    pub(super) found: Option<Found>,
+    /// Whether strokes could not be weighed, or have gaps where the force rises.
+    #[serde(default)]
+    pub(super) is_partial: bool,
     /// Where its traces are in `traces.csv`: first byte and the one after the last.
     pub(super) trace_bytes: Option<[u64; 2]>,
 }

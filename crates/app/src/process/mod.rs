@@ -13,7 +13,7 @@ mod work;
 
 pub use answer::{Answer, LogOutcome};
 pub use findings::{Analysis, Comparison, Effect, Friction, Group, Law, Lift, Rubbing};
-pub use manifest::Skipped;
+pub use manifest::{Found, Skipped};
 pub use request::{AnalysisRequest, Bag, Request};
 
 use crate::{AppError, Watch};

@@ -10,7 +10,7 @@ use soilctl_process::log::{Candidate, NoStroke, read_log};
 use soilctl_process::table::{StrokeRecord, write_trace};
 
 use super::inputs::{Inputs, Log};
-use super::manifest::{Entry, Skipped};
+use super::manifest::{Entry, Found, Skipped};
 use crate::AppError;
 use crate::files::failed;
 
@@ -59,6 +59,14 @@ pub(super) fn process(
             entry.own = summary.own;
             entry.damage = summary.damage;
             entry.unusable = summary.unusable;
+            if let Some(foreign) = summary.foreign {
+                entry.is_partial = foreign.is_partial;
+                entry.found = Some(Found {
+                    clock_origin_s: foreign.origin_s,
+                    free_air: foreign.air,
+                    contacts: foreign.contacts,
+                });
+            }
         }
         Err(ProcessError::Stopped) => return Ok(None),
         Err(problem) => {
@@ -71,6 +79,7 @@ pub(super) fn process(
 }
 
 fn skipped(nothing: NoStroke) -> Skipped {
-    let NoStroke { from_s, to_s, reason } = nothing;
-    Skipped { stroke_id: None, from_s, to_s, outcome: "no_stroke".into(), reason }
+    let NoStroke { from_s, to_s, reason, refused } = nothing;
+    let outcome = if refused { "refused" } else { "no_stroke" };
+    Skipped { stroke_id: None, from_s, to_s, outcome: outcome.into(), reason }
 }

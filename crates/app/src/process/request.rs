@@ -100,13 +100,13 @@ pub struct Bag {
     #[arg(long = "delta-set", value_name = "DEG", value_parser = finite)]
     pub delta_set_deg: Option<f64>,
 
-    /// Readings in free air: FX,FY,FZ or FX,FY,FZ,MX,MY,MZ (N, N m) [default: those before each stroke]
+    /// Readings in free air: FX,FY,FZ or FX,FY,FZ,MX,MY,MZ (N, N m) [default: what free air in the log tells]
     #[arg(long, value_name = "N,N,N", value_delimiter = ',', value_parser = finite, allow_hyphen_values = true)]
     pub tare: Option<Vec<f64>>,
 
-    /// Weight of what the sensor carries (N); it turns with the sensor
-    #[arg(long = "tool-weight", value_name = "N", value_parser = finite, default_value_t = Bag::default().tool_weight_n)]
-    pub tool_weight_n: f64,
+    /// Weight of what the sensor carries (N); it turns with the sensor [default: what free air in several postures tells]
+    #[arg(long = "tool-weight", value_name = "N", value_parser = finite)]
+    pub tool_weight_n: Option<f64>,
 
     /// CSV with the columns start and end (s, on the clock of the stamps) [default: strokes are looked for]
     #[arg(long, value_name = "FILE")]

@@ -30,16 +30,30 @@ pub(super) fn find(blocks: &Blocks, settings: &FailureSettings) -> Option<Break>
     }
 }
 
-/// The highest block from which the force falls by more than noise allows and does not come back.
+/// A fall of the force is one of the soil only while the plate moves on, at this share of its mean speed before at least, or by
+/// `LEAST_WAY` depths: at rest the force falls by relaxation, and when the plate is let go.
+const LEAST_SPEED: f64 = 0.1;
+const LEAST_WAY: f64 = 0.01;
+/// Blocks after a fall over which the plate's motion is looked at.
+const AFTER: usize = 5;
+
+/// The highest block from which the force falls by more than noise allows and does not come back, while the plate moves on.
 fn drop(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
     let f = &blocks.f_n;
-    let mut peak = 0;
+    let (mut peak, mut at_rest) = (0, false);
     for (k, &force) in f.iter().enumerate() {
         if force > f[peak] {
-            peak = k;
+            (peak, at_rest) = (k, false);
+        }
+        if at_rest {
+            continue;
         }
         let fall = (settings.drop_rel * f[peak]).max(8.0 * blocks.noise_n);
         if f[peak] - force > fall {
+            if !moves_on(blocks, peak, k, settings) {
+                at_rest = true;
+                continue;
+            }
             let later = f[k..].iter().copied().fold(f64::NEG_INFINITY, f64::max);
             // A jump of the encoder throws the force off for a moment; then it climbs on.
             if later < (1.0 + settings.drop_rel / 2.0) * f[peak] {
@@ -48,6 +62,16 @@ fn drop(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
         }
     }
     None
+}
+
+/// Whether the plate goes ahead while the force falls from block `peak` to block `low`.
+fn moves_on(blocks: &Blocks, peak: usize, low: usize, settings: &FailureSettings) -> bool {
+    let (t, u) = (&blocks.t_s, &blocks.u_m);
+    let end = (low + AFTER).min(u.len() - 1);
+    let way = u[end] - u[peak];
+    let before_s = t[peak] - t[0];
+    let usual = if before_s > 0.0 { (u[peak] - u[0]) / before_s } else { 0.0 };
+    way > LEAST_WAY * settings.depth_m || (way > 0.0 && way > LEAST_SPEED * usual * (t[end] - t[peak]))
 }
 
 /// The first block after which the plate moves much faster than while the force was built up, and the force no

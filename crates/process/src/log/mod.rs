@@ -5,7 +5,6 @@
 //! Topics under `/truth` are never looked at.
 
 mod bag;
-mod cut;
 mod own;
 mod rub;
 
@@ -15,12 +14,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use soilctl_session::messages::{TfMessage, decode};
 use soilctl_session::read::{Item, scan};
-use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD};
+use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD, SessionError};
 
-use self::bag::Bag;
 pub use self::bag::{BagContents, BagMessage, BagReader, JOINT_STATE, WRENCH};
 use self::own::OwnLog;
 pub use self::rub::{RubSample, read_wrenches};
+use crate::foreign::{self, ForeignLog};
 use crate::{Evaluated, ProcessError};
 
 /// What a log of another program does not tell, or what shall be taken in place of what a log tells.
@@ -46,15 +45,16 @@ pub struct LogSettings {
     pub delta_set_deg: Option<f64>,
     /// Wrench in free air in N and N m; without it that before each stroke.
     pub tare: Option<[f64; 6]>,
-    /// Weight in N of what the sensor carries, 0 if it is not known: it turns with the sensor.
-    pub tool_weight_n: f64,
+    /// Weight in N of what the sensor carries, if it is known: it turns with the sensor. Without it a log of another program tells it by
+    /// free air in several postures.
+    pub tool_weight_n: Option<f64>,
     /// Begin and end of each stroke in s, on the clock of the stamps; without them strokes are looked for.
     pub windows: Option<Vec<[f64; 2]>>,
 }
 
 impl LogSettings {
-    /// Whether a log shall be read as a bag of topics, even if it is one of ours.
-    fn wants_bag(&self) -> bool {
+    /// Whether a log shall be read as one of another program, even if it is one of ours.
+    fn is_foreign(&self) -> bool {
         self.joint_topic.is_some()
             || self.wrench_topic.is_some()
             || self.urdf.is_some()
@@ -98,6 +98,8 @@ pub struct NoStroke {
     pub to_s: f64,
     /// Why it is none, or can't be used.
     pub reason: String,
+    /// Whether it is a stroke that cannot be weighed, and not something else.
+    pub refused: bool,
 }
 
 /// A piece of a log that may be a stroke.
@@ -120,6 +122,8 @@ pub struct LogSummary {
     pub damage: Vec<String>,
     /// Messages that could not be used: late, repeated, malformed, or without joints around them.
     pub unusable: Vec<String>,
+    /// What else was found in a log of another program.
+    pub foreign: Option<ForeignLog>,
     /// The log's notes on its campaign: entries of its configuration beside arm, controller and plan.
     pub notes: BTreeMap<String, String>,
 }
@@ -128,12 +132,31 @@ pub struct LogSummary {
 enum Taken {
     Unclear { session: BTreeMap<String, String> },
     Own(Box<OwnLog>),
-    Bag(Box<Bag>),
+}
+
+/// Why the reading of a log ends before its end.
+enum Ended {
+    /// Another program wrote it, or it shall be read as if.
+    Foreign,
+    Failed(ProcessError),
+}
+
+impl From<ProcessError> for Ended {
+    fn from(error: ProcessError) -> Self {
+        Self::Failed(error)
+    }
+}
+
+impl From<SessionError> for Ended {
+    fn from(error: SessionError) -> Self {
+        Self::Failed(error.into())
+    }
 }
 
 /// Reads a log from beginning to end and hands over each stroke as soon as it is complete.
 ///
-/// Memory is bounded by the longest stroke. `stop` ends the reading.
+/// Memory is bounded by the longest stroke in a log of ours, and by the joint states and wrenches in one of another program, of which
+/// all free air is needed. `stop` ends the reading.
 ///
 /// # Errors
 /// [`ProcessError::Log`] if the file can't be read or is no log; [`ProcessError::Missing`], [`ProcessError::Topic`],
@@ -147,22 +170,24 @@ pub fn read_log(
 ) -> Result<LogSummary, ProcessError> {
     let mut summary = LogSummary::default();
     let mut taken = Taken::Unclear { session: BTreeMap::new() };
-    let mut visit = |item: Item<'_>| -> Result<(), ProcessError> {
+    let mut visit = |item: Item<'_>| -> Result<(), Ended> {
         if stop.load(Ordering::Relaxed) {
-            return Err(ProcessError::Stopped);
+            return Err(ProcessError::Stopped.into());
         }
         match (&mut taken, item) {
             (Taken::Unclear { session }, Item::Metadata { name: SESSION_RECORD, content }) => {
                 session.clone_from(content);
             }
-            (Taken::Unclear { session }, Item::Metadata { name: CONFIGURATION_RECORD, content })
-                if !settings.wants_bag() =>
-            {
+            (Taken::Unclear { session }, Item::Metadata { name: CONFIGURATION_RECORD, content }) => {
                 summary.own = true;
                 let known = ["arm", "controller", "plan"];
                 let notes = content.iter().filter(|(key, _)| !known.contains(&key.as_str()));
                 summary.notes = notes.map(|(key, value)| (key.clone(), value.clone())).collect();
-                taken = Taken::Own(Box::new(OwnLog::new(content, session, settings.tool_weight_n)?));
+                taken = Taken::Own(Box::new(OwnLog::new(
+                    content,
+                    session,
+                    settings.tool_weight_n.unwrap_or(0.0),
+                )?));
             }
             (Taken::Own(log), Item::Metadata { name, content }) => log.record(name, content),
             (Taken::Own(log), Item::Message(message)) => {
@@ -170,17 +195,19 @@ pub fn read_log(
                 let (strokes, refused) = log.take();
                 hand_over(strokes, refused, found);
             }
-            (Taken::Unclear { .. }, Item::Message(message)) => {
-                let mut bag = Bag::new(path, settings)?;
-                bag.message(&message, found)?;
-                taken = Taken::Bag(Box::new(bag));
-            }
-            (Taken::Bag(bag), Item::Message(message)) => bag.message(&message, found)?,
+            (Taken::Unclear { .. }, Item::Message(_)) => return Err(Ended::Foreign),
             _ => {}
         }
         Ok(())
     };
-    let ending = scan(path, &mut visit)?;
+    if settings.is_foreign() {
+        return foreign_log(path, settings, stop, found);
+    }
+    let ending = match scan(path, &mut visit) {
+        Ok(ending) => ending,
+        Err(Ended::Foreign) => return foreign_log(path, settings, stop, found),
+        Err(Ended::Failed(error)) => return Err(error),
+    };
     summary.bytes = ending.bytes;
     summary.damage = ending.damage;
     match taken {
@@ -192,10 +219,25 @@ pub fn read_log(
                 summary.unusable.push(format!("{} steps cannot be read", log.unreadable));
             }
         }
-        Taken::Bag(bag) => summary.unusable = bag.end(found)?,
         Taken::Unclear { .. } => return Err(ProcessError::Log("it has no messages".into())),
     }
     Ok(summary)
+}
+
+fn foreign_log(
+    path: &Path,
+    settings: &LogSettings,
+    stop: &AtomicBool,
+    found: &mut dyn FnMut(Candidate),
+) -> Result<LogSummary, ProcessError> {
+    let log = foreign::read(path, settings, stop, found)?;
+    Ok(LogSummary {
+        bytes: log.bytes,
+        damage: log.damage.clone(),
+        unusable: log.troubles.iter().map(ToString::to_string).collect(),
+        foreign: Some(log),
+        ..LogSummary::default()
+    })
 }
 
 fn hand_over(strokes: Vec<LogStroke>, refused: Vec<NoStroke>, found: &mut dyn FnMut(Candidate)) {

@@ -1,12 +1,8 @@
 //! Any arm by its URDF: where plate and sensor are, given the joints.
 
-mod align;
-
 use std::sync::Arc;
 
 use k::nalgebra::{Isometry3, Vector3};
-
-pub use align::{Aligner, Lost};
 
 use crate::error::ProcessError;
 
@@ -117,6 +113,17 @@ impl Robot {
         // The last of several that are equal, so from the end.
         let best = links.rev().max_by_key(|link| rank(link));
         Ok(best.unwrap_or_default().to_owned())
+    }
+
+    /// How the sensor stands in the root frame if no joint turns it.
+    pub(crate) fn fixed_turn(&self) -> Option<[[f64; 3]; 3]> {
+        let turns =
+            self.sensor.iter_joints().any(|j| matches!(j.joint_type, k::JointType::Rotational { .. }));
+        if turns {
+            return None;
+        }
+        let zero = vec![0.0; self.names.len()];
+        self.sample(0.0, &zero, [0.0; 6]).ok().map(|sample| sample.to_root)
     }
 
     /// The joints that move plate or sensor, in the order that [`Robot::sample`] takes their positions.

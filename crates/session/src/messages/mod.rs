@@ -6,6 +6,7 @@ mod request;
 mod ros;
 mod words;
 
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 pub use controller::{ControllerStep, EventMessage, Keyframe, SoilTruth};
@@ -15,6 +16,16 @@ pub use ros::{
     Wrench, WrenchStamped,
 };
 pub use words::{variant, word};
+
+/// A message as it stands in a log: CDR, little endian.
+///
+/// # Errors
+/// In words, of a message that CDR cannot hold.
+pub fn encode<T: Serialize>(message: &T) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    crate::cdr::encode(message, &mut bytes).map_err(|error| error.to_string())?;
+    Ok(bytes)
+}
 
 /// The message in the bytes of a log: CDR, little endian.
 ///

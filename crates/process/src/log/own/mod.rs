@@ -180,7 +180,9 @@ impl OwnLog {
                 self.place(&logged, &mut stroke);
                 self.found.push(stroke);
             }
-            Err(reason) => self.refused.push(NoStroke { from_s, to_s, reason: reason.to_string() }),
+            Err(reason) => {
+                self.refused.push(NoStroke { from_s, to_s, reason: reason.to_string(), refused: false });
+            }
         }
     }
 

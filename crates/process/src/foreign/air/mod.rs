@@ -1,0 +1,313 @@
+//! What a sensor reads in free air: noise, bias, drift, and the weight that it carries.
+
+mod filter;
+mod noise;
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_stats::median;
+
+use self::filter::{Prior, Reading, Track};
+pub use self::noise::Noise;
+use super::columns::Series;
+use super::survey::{Block, Survey};
+
+/// Readings in free air are averaged over up to so long, in s: a posture hardly changes meanwhile.
+const PIECE_S: f64 = 0.5;
+/// Readings further from the model than so many standard deviations are no free air: a bump, a cable that was touched.
+const FAR: f64 = 5.0;
+/// Rounds of leaving out what is far.
+const ROUNDS: usize = 4;
+/// Before anything was seen a bias may be anything, in N.
+const BIAS_SD_N: f64 = 1e4;
+/// The weight that a sensor carries, before anything was seen: one standard deviation about zero, in N.
+const WEIGHT_SD_N: f64 = 20.0;
+/// How well a weight is known that was given, relative.
+const GIVEN_WEIGHT_SD_REL: f64 = 0.01;
+/// A bias drifts by about the noise of a sample in so long, in s, before anything was seen.
+const DRIFT_S: f64 = 10.0;
+/// Postures whose directions of gravity differ by less than this, in rad, are one.
+const ONE_POSTURE: f64 = 0.02;
+
+/// What free air told.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FreeAir {
+    /// Time in free air that was used, in s.
+    pub seconds: f64,
+    /// Noise; `None` if a tare was given and no free air was found.
+    pub noise: Option<Noise>,
+    /// Reading without weight at the middle of the log, in N and N m.
+    pub bias: [f64; 6],
+    /// Its standard deviations.
+    pub bias_sd: [f64; 6],
+    /// Drift of the forces in N/s.
+    pub drift_n_per_s: [f64; 3],
+    /// Their standard deviations.
+    pub drift_sd_n_per_s: [f64; 3],
+    /// Weight of what the sensor carries in N.
+    pub weight_n: f64,
+    /// Its standard deviation.
+    pub weight_sd_n: f64,
+    /// Its centre of mass in the sensor's frame in m, if the weight is well known.
+    pub centre_m: Option<[f64; 3]>,
+    /// Largest angle between the directions of gravity in the sensor's frame, in deg.
+    pub postures_deg: f64,
+    /// Pieces of free air that did not fit and were left out.
+    pub left_out: usize,
+}
+
+/// The model of free air: what would be read at a time in a posture.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct AirModel {
+    pub(crate) told: FreeAir,
+    force: Option<Track>,
+    torque: Option<Track>,
+    given: Option<Given>,
+    /// Standard deviation of a block's force in N, each axis: noise, and what the model does not explain.
+    pub(crate) block_sd_n: [f64; 3],
+}
+
+/// A tare that the user gave, and the gravity in the posture in which it is meant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Given {
+    tare: [f64; 6],
+    weight_n: Option<f64>,
+}
+
+/// What would be read in free air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Tare {
+    pub(crate) wrench: [f64; 6],
+    /// Covariance of the force in N^2, sensor's frame.
+    pub(crate) covariance: Matrix3<f64>,
+    /// The part of it that comes from the weight.
+    pub(crate) of_weight: Matrix3<f64>,
+}
+
+impl AirModel {
+    /// Fits readings of blocks that are thought to be in free air; those that are not are left out. `weight_n` if it is known.
+    /// `None` without noise or without readings whose posture is known.
+    pub(crate) fn fit(
+        survey: &Survey,
+        wrenches: &Series<[f64; 6]>,
+        air: &[usize],
+        weight_n: Option<f64>,
+    ) -> Option<Self> {
+        let noise = Noise::of(survey, wrenches, air)?;
+        let pieces = noise::pieces(&survey.blocks, air, PIECE_S);
+        let mut readings: Vec<[Reading; 2]> =
+            pieces.into_iter().filter_map(|piece| reading(&survey.blocks[piece], &noise)).collect();
+        let all = readings.len();
+        let mut scale = 1.0;
+        let mut found = None;
+        for _ in 0..ROUNDS {
+            let scaled: Vec<Reading> = readings.iter().map(|r| widened(&r[0], scale)).collect();
+            let track = best_walk(&scaled, &noise, weight_n)?;
+            let distance = |reading: &Reading| -> Option<f64> {
+                let (y, _) = track.at(reading.t_s)?.read(&reading.seen);
+                Some((reading.y - y).component_div(&reading.variance.map(f64::sqrt)).amax())
+            };
+            let distances: Vec<f64> = scaled.iter().map(|r| distance(r).unwrap_or(f64::INFINITY)).collect();
+            // The largest of three normal components has its median at 1.27 standard deviations.
+            let typical = median(&mut distances.clone()) / 1.27;
+            let keep = |distance: f64| distance <= FAR * typical.max(1.0);
+            let before = readings.len();
+            let mut kept = distances.iter().map(|distance| keep(*distance));
+            readings.retain(|_| kept.next().unwrap_or(false));
+            let settled = readings.len() == before && typical < 1.1;
+            if typical > 1.0 {
+                scale *= typical;
+            }
+            found = Some(track);
+            if settled {
+                break;
+            }
+        }
+        let force = found?;
+        let torques: Vec<Reading> = readings.iter().map(|r| widened(&r[1], scale)).collect();
+        let torque = best_walk_of_torque(&torques, &noise);
+        let told = tell(&force, torque.as_ref(), &readings, noise, all - readings.len());
+        let block_sd_n = [0, 1, 2].map(|i| noise.block_sd[i] * scale.max(1.0));
+        Some(Self { told, force: Some(force), torque, given: None, block_sd_n })
+    }
+
+    /// A tare that was given, as in the posture in which a contact begins. `seen` is what free air told beside, for noise.
+    pub(crate) fn given(tare: [f64; 6], weight_n: Option<f64>, seen: Option<Self>, survey: &Survey) -> Self {
+        let told = seen.as_ref().map_or_else(FreeAir::unseen, |seen| seen.told.clone());
+        let rough = |axis: usize| {
+            soilctl_stats::noise(&survey.blocks.iter().map(|block| block.wrench[axis]).collect::<Vec<_>>())
+        };
+        let block_sd_n = seen.map_or_else(|| [0, 1, 2].map(rough), |seen| seen.block_sd_n);
+        Self { told, force: None, torque: None, given: Some(Given { tare, weight_n }), block_sd_n }
+    }
+
+    /// Size of a block's force beside the tare in N; `None` where the direction of gravity is not known.
+    pub(crate) fn force_n(&self, block: &Block) -> Option<f64> {
+        let gravity = block.gravity?;
+        let tare = self.tare(block.t_s, gravity, gravity);
+        Some(Vector3::from_fn(|i, _| block.wrench[i] - tare.wrench[i]).norm())
+    }
+
+    /// What would be read in free air at a time, gravity pointing to `gravity` in the sensor's frame, as in `begin` when the contact
+    /// began.
+    pub(crate) fn tare(&self, t_s: f64, gravity: [f64; 3], begin: [f64; 3]) -> Tare {
+        if let Some(given) = self.given {
+            let turned = |i: usize| given.weight_n.unwrap_or(0.0) * (gravity[i] - begin[i]);
+            let mut wrench = given.tare;
+            (0..3).for_each(|i| wrench[i] += turned(i));
+            let step = Vector3::from(gravity) - Vector3::from(begin);
+            let sd_n = given.weight_n.map_or(WEIGHT_SD_N, |weight| GIVEN_WEIGHT_SD_REL * weight);
+            let of_weight = step * step.transpose() * (sd_n * sd_n);
+            return Tare { wrench, covariance: of_weight, of_weight };
+        }
+        let mut wrench = [0.0; 6];
+        let (mut covariance, mut of_weight) = (Matrix3::zeros(), Matrix3::zeros());
+        let seen = DMatrix::from_column_slice(3, 1, &gravity);
+        if let Some(state) = self.force.as_ref().and_then(|track| track.at(t_s)) {
+            let (force, spread) = state.read(&seen);
+            wrench[..3].copy_from_slice(force.as_slice());
+            covariance = spread;
+            // What would still be uncertain if the weight were known; by Schur's complement.
+            let weight = state.covariance[(6, 6)].max(f64::MIN_POSITIVE);
+            let with: DVector<f64> = state.covariance.column(6).into_owned();
+            let along: Vector3<f64> = with.fixed_rows::<3>(0) + Vector3::from(gravity) * weight;
+            of_weight = along * along.transpose() / weight;
+        }
+        if let Some(state) = self.torque.as_ref().and_then(|track| track.at(t_s)) {
+            let (torque, _) = state.read(&turned_moment(gravity));
+            wrench[3..].copy_from_slice(torque.as_slice());
+        }
+        Tare { wrench, covariance, of_weight }
+    }
+}
+
+impl FreeAir {
+    fn unseen() -> Self {
+        Self {
+            seconds: 0.0,
+            noise: None,
+            bias: [0.0; 6],
+            bias_sd: [0.0; 6],
+            drift_n_per_s: [0.0; 3],
+            drift_sd_n_per_s: [0.0; 3],
+            weight_n: 0.0,
+            weight_sd_n: WEIGHT_SD_N,
+            centre_m: None,
+            postures_deg: 0.0,
+            left_out: 0,
+        }
+    }
+
+    /// Whether weight and bias could not be told apart, since all free air has one posture.
+    #[must_use]
+    pub fn has_one_posture(&self) -> bool {
+        self.postures_deg.to_radians() < ONE_POSTURE
+    }
+}
+
+/// Mean force and torque of a piece of free air; `None` without a posture.
+fn reading(blocks: &[Block], noise: &Noise) -> Option<[Reading; 2]> {
+    let n = blocks.len() as f64;
+    let t_s = blocks.iter().map(|block| block.t_s).sum::<f64>() / n;
+    let mean = |axis: usize| blocks.iter().map(|block| block.wrench[axis]).sum::<f64>() / n;
+    let mut gravity = Vector3::zeros();
+    for block in blocks {
+        gravity += Vector3::from(block.gravity?);
+    }
+    let gravity: [f64; 3] = (gravity / n).into();
+    let variance = |axis: usize| {
+        // Exact numbers have no noise, but there is always some rounding.
+        let sd = noise.block_sd[axis].max(1e-9 * (1.0 + mean(axis).abs()));
+        sd * sd * noise.inflation / n
+    };
+    let of = |from: usize, seen: DMatrix<f64>| Reading {
+        t_s,
+        y: Vector3::from_fn(|i, _| mean(from + i)),
+        seen,
+        variance: Vector3::from_fn(|i, _| variance(from + i)),
+    };
+    Some([of(0, DMatrix::from_column_slice(3, 1, &gravity)), of(3, turned_moment(gravity))])
+}
+
+/// The torque of a weight is its first moment across gravity: `-[gravity]x m`.
+fn turned_moment([x, y, z]: [f64; 3]) -> DMatrix<f64> {
+    DMatrix::from_row_slice(3, 3, &[0.0, z, -y, -z, 0.0, x, y, -x, 0.0])
+}
+
+fn widened(reading: &Reading, scale: f64) -> Reading {
+    Reading { variance: reading.variance * (scale * scale), ..reading.clone() }
+}
+
+fn best_walk(readings: &[Reading], noise: &Noise, weight_n: Option<f64>) -> Option<Track> {
+    let parameter_sd = weight_n.map_or(WEIGHT_SD_N, |weight| GIVEN_WEIGHT_SD_REL * weight.abs().max(1e-3));
+    let prior = Prior {
+        bias: BIAS_SD_N,
+        drift: noise.force_n().max(1e-9) / DRIFT_S,
+        parameter: DVector::from_element(1, weight_n.unwrap_or(0.0)),
+        parameter_sd,
+    };
+    likeliest(readings, &prior, noise.force_n())
+}
+
+fn best_walk_of_torque(readings: &[Reading], noise: &Noise) -> Option<Track> {
+    let size = (noise.sd[3..].iter().map(|sd| sd * sd).sum::<f64>() / 3.0).sqrt();
+    let prior = Prior {
+        bias: BIAS_SD_N,
+        drift: size.max(1e-9) / DRIFT_S,
+        parameter: DVector::zeros(3),
+        parameter_sd: WEIGHT_SD_N * 0.1,
+    };
+    likeliest(readings, &prior, size)
+}
+
+/// The random walk, of some sizes in units of the noise, under which the readings are likeliest.
+fn likeliest(readings: &[Reading], prior: &Prior, noise: f64) -> Option<Track> {
+    let walks = [0.0, 0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2].map(|sd| (sd * noise).powi(2));
+    let tracks = walks.iter().filter_map(|walk| Track::of(readings, prior, *walk));
+    tracks.max_by(|a, b| a.likelihood.total_cmp(&b.likelihood))
+}
+
+fn tell(
+    force: &Track,
+    torque: Option<&Track>,
+    readings: &[[Reading; 2]],
+    noise: Noise,
+    left_out: usize,
+) -> FreeAir {
+    let middle_s = readings.get(readings.len() / 2).map_or(0.0, |reading| reading[0].t_s);
+    let mut told = FreeAir { noise: Some(noise), left_out, ..FreeAir::unseen() };
+    told.seconds = readings.len() as f64 * PIECE_S;
+    let put = |state: &filter::State, from: usize, told: &mut FreeAir| {
+        for i in 0..3 {
+            told.bias[from + i] = state.mean[i];
+            told.bias_sd[from + i] = state.covariance[(i, i)].max(0.0).sqrt();
+        }
+    };
+    if let Some(state) = force.at(middle_s) {
+        put(&state, 0, &mut told);
+        told.weight_n = state.mean[6];
+        told.weight_sd_n = state.covariance[(6, 6)].max(0.0).sqrt();
+        told.drift_n_per_s = [3, 4, 5].map(|i| state.mean[i]);
+        told.drift_sd_n_per_s = [3, 4, 5].map(|i| state.covariance[(i, i)].max(0.0).sqrt());
+    }
+    if let Some(state) = torque.and_then(|track| track.at(middle_s)) {
+        put(&state, 3, &mut told);
+        let known = told.weight_n > 5.0 * told.weight_sd_n;
+        told.centre_m = known.then(|| [6, 7, 8].map(|i| state.mean[i] / told.weight_n));
+    }
+    let directions: Vec<Vector3<f64>> =
+        readings.iter().map(|r| Vector3::from_fn(|i, _| r[0].seen[(i, 0)])).collect();
+    let first = directions.first().copied().unwrap_or_default();
+    // The two furthest apart lie, up to a factor of two, as far as the furthest from any one.
+    let furthest = |from: Vector3<f64>| {
+        directions
+            .iter()
+            .copied()
+            .max_by(|a, b| (a - from).norm().total_cmp(&(b - from).norm()))
+            .unwrap_or(from)
+    };
+    let one = furthest(first);
+    told.postures_deg = one.angle(&furthest(one)).to_degrees();
+    told
+}
