@@ -32,6 +32,20 @@ impl Blocks {
         Self { t_s: means(trace.t_s()), u_m: means(trace.displacement_m()), f_n, samples, noise_n }
     }
 
+    /// Means of `count` neighbouring blocks each, whose noise is known.
+    pub(crate) fn grouped(&self, count: usize, noise_n: f64) -> Self {
+        let means = |values: &[f64]| -> Vec<f64> {
+            values.chunks_exact(count).map(|chunk| chunk.iter().sum::<f64>() / count as f64).collect()
+        };
+        Self {
+            t_s: means(&self.t_s),
+            u_m: means(&self.u_m),
+            f_n: means(&self.f_n),
+            samples: self.samples * count,
+            noise_n,
+        }
+    }
+
     /// Some of the blocks.
     pub(crate) fn part(&self, blocks: Range<usize>) -> Self {
         let cut = |values: &[f64]| values.get(blocks.clone()).unwrap_or_default().to_vec();

@@ -19,8 +19,8 @@ pub use campaign::{AngleGroup, CampaignStatistics, CampaignStroke, Dependence, c
 pub use depth_law::{DepthLaw, DepthPoint, depth_law};
 pub use error::ProcessError;
 pub use failure::{
-    Analysis, Change, Evidence, FailurePoint, FailureSettings, Indiscernible, Kind, Method, Outcome,
-    Saturation, TwoLines, failure_force,
+    Analysis, Change, Evidence, FailurePoint, FailureSettings, ForceNoise, Indiscernible, Kind, Method,
+    Outcome, Saturation, TwoLines, failure_force,
 };
 pub use friction::{
     RubbingPeak, SWEEP_ALPHA_DEG, SweepEstimate, SweepStroke, interface_friction, rubbing_peak,

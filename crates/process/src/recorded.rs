@@ -6,7 +6,7 @@ use soilctl_stats::{median, sd_of_median_abs};
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
-use crate::failure::{Analysis, FailureSettings, Indiscernible, Outcome, failure_force};
+use crate::failure::{Analysis, FailureSettings, ForceNoise, Indiscernible, Outcome, failure_force};
 use crate::robot::RobotSample;
 use crate::slip::Slip;
 use crate::trace::{Channels, FEWEST_SAMPLES, Trace};
@@ -57,6 +57,8 @@ pub struct Setting {
     pub order: Option<u32>,
     /// Set-point of the interface friction in deg.
     pub delta_set_deg: Option<f64>,
+    /// Noise of the force, where it is known.
+    pub noise: Option<ForceNoise>,
 }
 
 /// A stroke, evaluated.
@@ -129,7 +131,8 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         },
     )?;
     let sunk: Vec<f64> = stroke.samples.iter().map(|s| setting.surface_z_m - s.tip_m[2]).collect();
-    let (analysis, slip) = across_plate(&trace, &sunk, &FailureSettings::for_depth(depth_m)?)?;
+    let settings = FailureSettings { noise: setting.noise, ..FailureSettings::for_depth(depth_m)? };
+    let (analysis, slip) = across_plate(&trace, &sunk, &settings)?;
     let mut row = StrokeRow {
         stroke_id: setting.stroke_id.clone(),
         batch: setting.batch.clone(),

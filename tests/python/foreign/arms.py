@@ -185,3 +185,10 @@ def hung():
     ]
     return Arm("hung", joints, (-0.01, 0.02, 0.14), (0.05, 0.08, 1.0),
                np.array([0.3, -0.7, 1.6, 0.1, -0.9, 0.2]), (0.5, -0.35), (0.07, 0.14), 0.3)
+
+
+def stage():
+    """One sliding joint that lowers a plate."""
+    joints = [Joint("stage_z", "prismatic", (0, 0, 0.6), (0, 0, 0), (0, 0, -1)),
+              Joint("cell_mount", "fixed", (0, 0, -0.05), (np.pi, 0, 0))]
+    return Arm("stage", joints, (0, 0, 0.1), (0, 0, 0), np.array([0.1]), (0, 0), (0, 0), 0.3)

@@ -386,3 +386,34 @@ def any_case(seed):
         trouble=tuple(str(t) for t in TROUBLES if rng.random() < 0.15),
         container=str(rng.choice(["mcap-zstd", "mcap-lz4", "mcap-none", "mcap-plain"])),
     )
+
+
+def press(seed=0, noise=0.3, hz=100.0, force=250.0, level=False):
+    """A stage with one sliding joint presses a plate down, rests, and comes up: no stroke. With `level` it moves along the ground, and
+    the force falls only while it stands still."""
+    rng = np.random.default_rng(seed)
+    arm = arms.stage()
+    if level:
+        # The same stage on its side, at the depth of 30 mm.
+        arm.joints[0].axis, arm.joints[0].xyz, arm.surface_z = (1, 0, 0), (0, 0, 0.38), 0.26
+    case = Case(arm="stage", seed=seed, strokes=0, noise=noise, wrench_hz=hz, joint_hz=100.0, tool_n=8.0, width=0.1)
+    way = 0.22 if not level else 0.06
+    times = np.array([0, 8.0, 8.0 + way / 0.01, 28.0 + way / 0.01, 32.0 + way / 0.01, 36.0 + way / 0.01])
+    t = np.arange(0, times[-1], 1 / hz)
+    joints_t = np.arange(5.0, times[-1], 0.01)
+    at = lambda s: np.interp(s, times, [0, 0, way, way, 0, 0])
+    turn, place = arm.sensor_pose(at(t)[:, None])
+    _, tip = arm.plate_pose(at(t)[:, None])
+    rest = np.clip(t - times[2], 0, None)
+    if level:
+        going = np.clip(at(t) / way, 0, 1)
+        size = np.where(t <= times[3], force * going * np.where(rest > 0, 0.5 + 0.5 * np.exp(-rest / 4), 1.0), 0.0)
+        world = np.outer(size, [-1, 0, 0.2])
+    else:
+        sunk = np.clip(arm.surface_z - tip[:, 2], 0, None)
+        size = force * (sunk / 0.1) ** 1.2 * np.where(rest > 0, 0.7 + 0.3 * np.exp(-rest / 2), 1.0)
+        world = np.outer(np.where(t > times[3], 0.0, size), [0, 0, 1.0])
+    to_sensor = np.transpose(turn, (0, 2, 1))
+    clean = np.einsum("nij,nj->ni", to_sensor, world + [0, 0, -case.tool_n])
+    wrench = np.concatenate([clean, np.zeros_like(clean)], 1) + np.array(case.bias) + noise * rng.normal(size=(len(t), 6))
+    return Bag(case, arm, t, joints_t, at(joints_t)[:, None], wrench, [], [[float(times[1]), float(times[4])]])

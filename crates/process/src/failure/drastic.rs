@@ -21,7 +21,7 @@ pub(super) struct Break {
 
 /// The earlier of a drop and a run-away.
 pub(super) fn find(blocks: &Blocks, settings: &FailureSettings) -> Option<Break> {
-    let drop = drop(blocks, settings).map(|block| Break { block, sign: Sign::Drop });
+    let drop = drop_at_some_scale(blocks, settings).map(|block| Break { block, sign: Sign::Drop });
     let away = run_away(blocks, settings).map(|block| Break { block, sign: Sign::RunAway });
     match (drop, away) {
         // A plate that runs away in a soil that softens: the peak is the failure, if it comes shortly before.
@@ -36,6 +36,34 @@ const LEAST_SPEED: f64 = 0.1;
 const LEAST_WAY: f64 = 0.01;
 /// Blocks after a fall over which the plate's motion is looked at.
 const AFTER: usize = 5;
+
+/// Blocks that are taken together to look for a fall that noise hides in single ones, and the fewest groups.
+const SCALES: [usize; 5] = [1, 2, 4, 8, 16];
+const FEWEST_GROUPS: usize = 16;
+
+/// A fall of the force in blocks, or else in ever larger groups of them, in which noise is less.
+fn drop_at_some_scale(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
+    let block_s = blocks.t_s.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(0.0);
+    SCALES.into_iter().filter(|scale| blocks.t_s.len() >= FEWEST_GROUPS * scale).find_map(|scale| {
+        if scale == 1 {
+            return drop(blocks, settings);
+        }
+        let independent = blocks.noise_n / (scale as f64).sqrt();
+        let slow = settings.noise.map_or(0.0, |noise| noise.of_mean(scale as f64 * block_s));
+        let peak = drop(&blocks.grouped(scale, independent.max(slow)), settings)?;
+        Some(steepest(&blocks.f_n, scale * peak.saturating_sub(1)..scale * (peak + 3), scale))
+    })
+}
+
+/// The block within a range after which the mean of `width` blocks falls most against the mean of those up to it.
+fn steepest(f: &[f64], range: std::ops::Range<usize>, width: usize) -> usize {
+    let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len().max(1) as f64;
+    let fall = |k: usize| {
+        mean(&f[(k + 1).saturating_sub(width)..=k]) - mean(&f[k + 1..(k + 1 + width).min(f.len())])
+    };
+    let inside = range.start..range.end.min(f.len().saturating_sub(1));
+    inside.clone().max_by(|a, b| fall(*a).total_cmp(&fall(*b))).unwrap_or(inside.start)
+}
 
 /// The highest block from which the force falls by more than noise allows and does not come back, while the plate moves on.
 fn drop(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
@@ -99,7 +127,7 @@ fn run_away(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
 
 /// Force at the break and its standard deviation in N: a robust parabola over the blocks that lead up to it, so that
 /// the highest of many noisy values isn't taken for the force.
-pub(super) fn force_at(blocks: &Blocks, block: usize) -> Option<(f64, f64)> {
+pub(super) fn force_at(blocks: &Blocks, block: usize, settings: &FailureSettings) -> Option<(f64, f64)> {
     let used = (block / 8).clamp(6, 30);
     let first = (block + 1).saturating_sub(used);
     let end = *blocks.t_s.get(block)?;
@@ -114,5 +142,11 @@ pub(super) fn force_at(blocks: &Blocks, block: usize) -> Option<(f64, f64)> {
         })
         .collect();
     let (solved, rms) = huber(&rows)?;
-    Some((solved.x[0], rms.max(blocks.noise_n) * solved.inverse[0][0].sqrt()))
+    let own_n = rms.max(blocks.noise_n) * solved.inverse[0][0].sqrt();
+    // Noise that is slow averages out less than that of independent blocks.
+    let slow_n = settings.noise.map_or(0.0, |noise| {
+        noise.of_mean(scale)
+            * (solved.inverse[0][0] * rows.len() as f64).sqrt().min(1.5 * noise.sd_n / noise.of_mean(scale))
+    });
+    Some((solved.x[0], own_n.max(slow_n)))
 }

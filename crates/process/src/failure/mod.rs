@@ -12,7 +12,7 @@ use std::fmt;
 
 pub use evidence::{Change, Evidence};
 pub use saturation::Saturation;
-pub use settings::FailureSettings;
+pub use settings::{FailureSettings, ForceNoise};
 pub use two_lines::TwoLines;
 
 use crate::blocks::Blocks;
@@ -229,7 +229,12 @@ const LEAST_TRAVEL: f64 = 2e-3;
 /// two lines (section 5.5), is biased low by as much as is still to be mobilised at the break; it is reported beside.
 #[must_use]
 pub fn failure_force(trace: &Trace, settings: &FailureSettings) -> Analysis {
-    let blocks = Blocks::of(trace);
+    let mut blocks = Blocks::of(trace);
+    if let Some(noise) = settings.noise {
+        // What is slower than a few blocks the curve itself does not show.
+        let block_s = blocks.t_s.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(0.0);
+        blocks.noise_n = blocks.noise_n.max(noise.of_mean(block_s));
+    }
     let noise_n = blocks.noise_n * (blocks.samples as f64).sqrt();
     let highest_n = blocks.f_n.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least_n = settings.least_force_n.max(10.0 * blocks.noise_n);
@@ -287,7 +292,7 @@ fn from_rest(nodes: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 fn at_break(trace: &Trace, blocks: &Blocks, broken: drastic::Break, settings: &FailureSettings) -> Outcome {
-    let Some((force_n, sd_n)) = drastic::force_at(blocks, broken.block) else {
+    let Some((force_n, sd_n)) = drastic::force_at(blocks, broken.block, settings) else {
         return Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel: 1.0 });
     };
     let method = match broken.sign {
@@ -336,7 +341,11 @@ struct FailureForce {
 }
 
 fn point(trace: &Trace, blocks: &Blocks, settings: &FailureSettings, found: FailureForce) -> Outcome {
-    let sd_n = found.sd_n.hypot(settings.floor_sd_rel * found.force_n);
+    let floor_sd_rel = match found.method.kind() {
+        Kind::Drastic => settings.drastic_floor_sd_rel,
+        Kind::Gradual => settings.floor_sd_rel,
+    };
+    let sd_n = found.sd_n.hypot(floor_sd_rel * found.force_n);
     let sd_rel = sd_n / found.force_n;
     if !(sd_rel.is_finite() && sd_rel <= settings.most_sd_rel) {
         return Outcome::Indiscernible(Indiscernible::Uncertain { sd_rel: sd_rel.min(1e3) });

@@ -135,6 +135,10 @@ pub(crate) fn read(
         Some(windows) => windows.iter().map(|w| Touch { blocks: w.clone(), felt: None }).collect(),
         None => touches(&survey, air.as_ref(), surface_z_m),
     };
+    let setting = Setting {
+        noise: air.as_ref().and_then(|air| air.told.noise).map(|noise| noise.of_force(survey.interval_s)),
+        ..setting
+    };
     let mut log = ForeignLog {
         air: air.as_ref().map(|air| air.told.clone()),
         origin_s: columns.origin_s,

@@ -8,6 +8,7 @@ use soilctl_stats::median;
 
 use super::super::columns::Series;
 use super::super::survey::{Block, Survey};
+use crate::ForceNoise;
 
 /// Length of the pieces over which noise is looked at, in s; and the fewest samples in one.
 const PIECE_S: f64 = 1.0;
@@ -68,6 +69,11 @@ impl Noise {
             corner_hz: (correlation > CORRELATED && correlation < 1.0)
                 .then(|| -correlation.ln() * rate_hz / std::f64::consts::TAU),
         })
+    }
+
+    /// The noise of the force along any direction.
+    pub(crate) fn of_force(&self, interval_s: f64) -> ForceNoise {
+        ForceNoise { sd_n: self.force_n(), interval_s, corner_hz: self.corner_hz }
     }
 
     /// Size of the noise of one sample of the force: the root mean square of its axes, in N.
