@@ -33,7 +33,7 @@ pub enum RobotError {
         what: &'static str,
     },
     /// The text is not well-formed XML, or not all of it.
-    #[error("line {line}: the URDF is not well-formed XML: {problem}")]
+    #[error("line {line}: this is not well-formed XML: {problem}")]
     Xml {
         /// The line, from 1.
         line: usize,

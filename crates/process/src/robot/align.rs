@@ -127,7 +127,11 @@ impl Aligner {
                 self.joints.pop_front();
             }
             match between(&self.joints, t_s) {
-                Some(positions) => return self.robot.sample(t_s, &positions, wrench).map(Some),
+                Some(positions) => match self.robot.sample(t_s, &positions, wrench) {
+                    // So far out that there is no pose.
+                    Err(ProcessError::NotFinite { .. }) => self.lost.unusable += 1,
+                    sample => return sample.map(Some),
+                },
                 None => self.lost.gaps += 1,
             }
         }
