@@ -126,3 +126,12 @@ impl From<soilctl_session::SessionError> for ProcessError {
         Self::Log(error.to_string())
     }
 }
+
+impl From<soilctl_robot::RobotError> for ProcessError {
+    fn from(error: soilctl_robot::RobotError) -> Self {
+        match error {
+            soilctl_robot::RobotError::NoLink { link, known } => Self::NoFrame { frame: link, known },
+            other => Self::Urdf(other.to_string()),
+        }
+    }
+}

@@ -1,20 +1,25 @@
 //! Any arm by its URDF: where plate and sensor are, given the joints.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
 
-use k::nalgebra::{Isometry3, Vector3};
+use nalgebra::{Isometry3, Vector3};
+use soilctl_robot::{Chain, Urdf};
 
 use crate::error::ProcessError;
 
 /// An arm that carries a plate and a force sensor.
 #[derive(Debug)]
 pub struct Robot {
-    plate: k::SerialChain<f64>,
-    sensor: k::SerialChain<f64>,
+    plate: Placed,
+    sensor: Placed,
     names: Vec<String>,
-    /// Where each joint of the two chains is found among `names`.
-    plate_joints: Vec<usize>,
-    sensor_joints: Vec<usize>,
+}
+
+/// A chain, and where each of its joints is found among the robot's.
+#[derive(Debug)]
+struct Placed {
+    chain: Chain,
+    joints: Vec<usize>,
 }
 
 /// One moment of the recorded motion, in the URDF's root frame, z up.
@@ -64,34 +69,25 @@ impl Robot {
     /// one that the wrench is given in.
     ///
     /// # Errors
-    /// [`ProcessError::Urdf`] if the text is not a URDF of a tree of links; [`ProcessError::NoFrame`] if a frame is
-    /// not in it.
+    /// [`ProcessError::Urdf`] if the text is not a URDF of a tree of links, or if one of the two hangs on joints that cannot be
+    /// followed; [`ProcessError::NoFrame`] if a frame is not in it.
     pub fn from_urdf(text: &str, plate_frame: &str, sensor_frame: &str) -> Result<Self, ProcessError> {
-        let parsed = parse(text)?;
-        let chain = Arc::new(k::Chain::<f64>::from(&parsed));
-        let to = |frame: &str| -> Result<k::SerialChain<f64>, ProcessError> {
-            let node = chain.find_link(frame).ok_or_else(|| ProcessError::NoFrame {
-                frame: frame.to_owned(),
-                known: parsed.links.iter().map(|link| link.name.as_str()).collect::<Vec<_>>().join(", "),
-            })?;
-            Ok(k::SerialChain::from_end(node))
+        let urdf = parse(text)?;
+        let mut names: Vec<String> = Vec::new();
+        let mut places: BTreeMap<String, usize> = BTreeMap::new();
+        let mut to = |frame: &str| -> Result<Placed, ProcessError> {
+            let chain = urdf.chain(frame)?;
+            let place = |name: &String| {
+                *places.entry(name.clone()).or_insert_with(|| {
+                    names.push(name.clone());
+                    names.len() - 1
+                })
+            };
+            let joints = chain.joint_names().iter().map(place).collect();
+            Ok(Placed { chain, joints })
         };
         let (plate, sensor) = (to(plate_frame)?, to(sensor_frame)?);
-        let mut names: Vec<String> = Vec::new();
-        let mut index = |chain: &k::SerialChain<f64>| -> Vec<usize> {
-            let joints: Vec<String> = chain.iter_joints().map(|joint| joint.name.clone()).collect();
-            joints
-                .into_iter()
-                .map(|name| {
-                    names.iter().position(|known| *known == name).unwrap_or_else(|| {
-                        names.push(name);
-                        names.len() - 1
-                    })
-                })
-                .collect()
-        };
-        let (plate_joints, sensor_joints) = (index(&plate), index(&sensor));
-        Ok(Self { plate, sensor, names, plate_joints, sensor_joints })
+        Ok(Self { plate, sensor, names })
     }
 
     /// The link called `usual`, or else the one behind most moving joints, the first of them in the file.
@@ -99,27 +95,12 @@ impl Robot {
     /// # Errors
     /// [`ProcessError::Urdf`] if the text is not a URDF of a tree of links.
     pub fn end_link(text: &str, usual: &str) -> Result<String, ProcessError> {
-        let parsed = parse(text)?;
-        let above = |link: &str| parsed.joints.iter().find(|joint| joint.child.link == link);
-        let moving = |link: &str| {
-            let joints = std::iter::successors(above(link), |joint| above(&joint.parent.link));
-            joints.filter(|joint| joint.joint_type != urdf_rs::JointType::Fixed).count()
-        };
-        // Of links that move alike the ones furthest out.
-        let depth =
-            |link: &str| std::iter::successors(above(link), |joint| above(&joint.parent.link)).count();
-        let rank = |link: &str| (link == usual, moving(link), depth(link));
-        let links = parsed.links.iter().map(|link| link.name.as_str());
-        // The last of several that are equal, so from the end.
-        let best = links.rev().max_by_key(|link| rank(link));
-        Ok(best.unwrap_or_default().to_owned())
+        Ok(parse(text)?.end_link(usual).to_owned())
     }
 
     /// How the sensor stands in the root frame if no joint turns it.
     pub(crate) fn fixed_turn(&self) -> Option<[[f64; 3]; 3]> {
-        let turns =
-            self.sensor.iter_joints().any(|j| matches!(j.joint_type, k::JointType::Rotational { .. }));
-        if turns {
+        if self.sensor.chain.turns() {
             return None;
         }
         let zero = vec![0.0; self.names.len()];
@@ -138,18 +119,23 @@ impl Robot {
     /// torque (N m) of the soil on the plate in the sensor frame.
     ///
     /// # Errors
-    /// [`ProcessError::Lengths`] if there are not as many positions as joints.
+    /// [`ProcessError::Lengths`] if there are not as many positions as joints; [`ProcessError::NotFinite`] if one is no finite
+    /// number, or so large that there is no pose.
     pub fn sample(&self, t_s: f64, positions: &[f64], wrench: [f64; 6]) -> Result<RobotSample, ProcessError> {
-        let lengths = ProcessError::Lengths {
-            column: "joint positions",
-            found: positions.len(),
-            expected: self.names.len(),
-        };
-        if positions.len() != self.names.len() {
-            return Err(lengths);
+        const COLUMN: &str = "joint positions";
+        let (found, expected) = (positions.len(), self.names.len());
+        if found != expected {
+            return Err(ProcessError::Lengths { column: COLUMN, found, expected });
         }
-        let plate = pose(&self.plate, &self.plate_joints, positions).ok_or(lengths.clone())?;
-        let sensor = pose(&self.sensor, &self.sensor_joints, positions).ok_or(lengths)?;
+        let largest = || {
+            let size = |value: f64| if value.is_nan() { f64::INFINITY } else { value.abs() };
+            let all = positions.iter().copied().enumerate();
+            let (index, value) =
+                all.max_by(|(_, a), (_, b)| size(*a).total_cmp(&size(*b))).unwrap_or_default();
+            ProcessError::NotFinite { column: COLUMN, index, value }
+        };
+        let plate = self.plate.pose(positions).ok_or_else(largest)?;
+        let sensor = self.sensor.pose(positions).ok_or_else(largest)?;
         let down = plate.rotation * Vector3::z();
         let tip = plate.translation.vector;
         let turn = sensor.rotation.to_rotation_matrix();
@@ -163,58 +149,20 @@ impl Robot {
     }
 }
 
-fn pose(chain: &k::SerialChain<f64>, joints: &[usize], positions: &[f64]) -> Option<Isometry3<f64>> {
-    let of: Vec<f64> = joints.iter().filter_map(|index| positions.get(*index).copied()).collect();
-    // Logs of real arms stray a little over their limits.
-    if of.len() != chain.dof() {
-        return None;
+impl Placed {
+    /// Logs of real arms stray a little over their limits, so there are none here.
+    fn pose(&self, positions: &[f64]) -> Option<Isometry3<f64>> {
+        let own: Option<Vec<f64>> = self.joints.iter().map(|place| positions.get(*place).copied()).collect();
+        self.chain.pose(&own?)
     }
-    chain.set_joint_positions_unchecked(&of);
-    Some(chain.end_transform())
 }
 
-fn parse(text: &str) -> Result<urdf_rs::Robot, ProcessError> {
-    let robot = urdf_rs::read_from_string(text).map_err(|error| ProcessError::Urdf(error.to_string()))?;
-    check_tree(&robot)?;
-    Ok(robot)
-}
-
-/// `k` assumes one root and links that exist.
-fn check_tree(robot: &urdf_rs::Robot) -> Result<(), ProcessError> {
-    let wrong = |text: String| Err(ProcessError::Urdf(text));
-    if robot.joints.is_empty() {
-        return wrong("it has no joints".into());
+fn parse(text: &str) -> Result<Urdf, ProcessError> {
+    let urdf = Urdf::parse(text)?;
+    if urdf.joints().is_empty() {
+        return Err(ProcessError::Urdf("it has no joints".into()));
     }
-    for joint in &robot.joints {
-        for link in [&joint.parent.link, &joint.child.link] {
-            if !robot.links.iter().any(|known| known.name == *link) {
-                return wrong(format!("joint {} names the link {link}, which is not there", joint.name));
-            }
-        }
-        let parents = robot.joints.iter().filter(|other| other.child.link == joint.child.link).count();
-        if parents > 1 {
-            return wrong(format!("link {} hangs on {parents} joints, a tree has one", joint.child.link));
-        }
-        // Climbing from here must end at the root.
-        let mut link = &joint.parent.link;
-        let mut steps = 0;
-        while let Some(above) = robot.joints.iter().find(|other| other.child.link == *link) {
-            link = &above.parent.link;
-            steps += 1;
-            if steps > robot.joints.len() {
-                return wrong(format!("the joints above {} form a ring", joint.name));
-            }
-        }
-    }
-    let roots = robot
-        .links
-        .iter()
-        .filter(|link| !robot.joints.iter().any(|joint| joint.child.link == link.name))
-        .count();
-    if roots != 1 {
-        return wrong(format!("it has {roots} root links, a tree has one"));
-    }
-    Ok(())
+    Ok(urdf)
 }
 
 #[cfg(test)]
@@ -232,5 +180,27 @@ mod tests {
         assert_eq!(Robot::end_link(HAND, "plate_tip").unwrap(), "flange");
         assert_eq!(Robot::end_link(HAND, "camera").unwrap(), "camera");
         assert!(matches!(Robot::end_link("<robot", "camera"), Err(ProcessError::Urdf(_))));
+    }
+
+    /// What other readers of URDFs fall over.
+    #[test]
+    fn odd_documents_end_in_poses_or_in_words() {
+        let sample =
+            |text: &str| Robot::from_urdf(text, "flange", "camera")?.sample(0.0, &[0.5, 0.2], [0.0; 6]);
+        let usual = sample(HAND).unwrap();
+        for limits in ["lower=\"nan\" upper=\"1\"", "lower=\"1\" upper=\"0\""] {
+            assert_eq!(sample(&HAND.replace("lower=\"0\" upper=\"1\"", limits)).unwrap(), usual);
+        }
+        let follows = |other: &str| {
+            HAND.replace("<child link=\"c\"/>", &format!("<child link=\"c\"/><mimic joint=\"{other}\"/>"))
+        };
+        let error = sample(&follows("ghost")).unwrap_err();
+        assert!(matches!(&error, ProcessError::Urdf(why) if why.contains("ghost")), "{error}");
+        let followed = Robot::from_urdf(&follows("ab"), "flange", "camera").unwrap();
+        assert_eq!(followed.joint_names(), ["ab"]);
+        let robot = Robot::from_urdf(HAND, "flange", "camera").unwrap();
+        assert!(matches!(robot.sample(0.0, &[0.5], [0.0; 6]), Err(ProcessError::Lengths { .. })));
+        let error = robot.sample(0.0, &[0.5, f64::NAN], [0.0; 6]).unwrap_err();
+        assert!(matches!(error, ProcessError::NotFinite { index: 1, .. }), "{error}");
     }
 }
