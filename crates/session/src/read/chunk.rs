@@ -13,13 +13,8 @@ pub(super) fn unpack<'a>(header: &ChunkHeader, data: &'a [u8]) -> Result<Cow<'a,
     if size > MOST_BYTES {
         return Err(format!("a chunk of {size} bytes is too large; the largest allowed is {MOST_BYTES}"));
     }
-    let records = match header.compression.as_str() {
-        "" => Cow::Borrowed(data),
-        "zstd" => Cow::Owned(
-            unzstd(data, size).map_err(|error| format!("a chunk cannot be decompressed: {error}"))?,
-        ),
-        other => return Err(format!("a chunk is compressed with `{other}`; only zstd is known")),
-    };
+    let records =
+        decompress(&header.compression, data, size).map_err(|problem| format!("a chunk {problem}"))?;
     if records.len() != size {
         return Err(format!("a chunk has {} bytes instead of {size}", records.len()));
     }
@@ -30,11 +25,23 @@ pub(super) fn unpack<'a>(header: &ChunkHeader, data: &'a [u8]) -> Result<Cow<'a,
     Ok(records)
 }
 
-/// Decompresses at most one byte more than `size`, in memory that grows with what is there.
-fn unzstd(data: &[u8], size: usize) -> std::io::Result<Vec<u8>> {
-    let mut records = Vec::new();
-    zstd::stream::read::Decoder::new(data)?.take(size as u64 + 1).read_to_end(&mut records)?;
-    Ok(records)
+/// Undoes one of the compressions of MCAP, `zstd` or `lz4`; without a name the data are as they stand. At most one byte more than
+/// `most` comes out, so that whoever knows the size can see that it is another, in memory that grows with what is there.
+///
+/// # Errors
+/// In words, as the end of a sentence about what was compressed.
+pub fn decompress<'a>(compression: &str, data: &'a [u8], most: usize) -> Result<Cow<'a, [u8]>, String> {
+    let enough = (most as u64).saturating_add(1);
+    let mut plain = Vec::new();
+    let done = match compression {
+        "" => return Ok(Cow::Borrowed(data)),
+        "zstd" => zstd::stream::read::Decoder::new(data)
+            .and_then(|decoder| decoder.take(enough).read_to_end(&mut plain)),
+        "lz4" => lz4_flex::frame::FrameDecoder::new(data).take(enough).read_to_end(&mut plain),
+        other => return Err(format!("is compressed with `{other}`; only zstd and lz4 are known")),
+    };
+    done.map_err(|error| format!("cannot be decompressed: {error}"))?;
+    Ok(Cow::Owned(plain))
 }
 
 /// Takes the next record off the front: opcode and content.

@@ -3,7 +3,7 @@
 mod chunk;
 mod records;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -11,6 +11,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use mcap::records::{Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
+
+pub use self::chunk::decompress;
 
 use crate::SessionError;
 use crate::error::reason;
@@ -95,6 +97,8 @@ pub struct Ending {
     pub damage: Vec<String>,
     /// Bytes of the file that were read.
     pub bytes: u64,
+    /// How parts of the file are compressed, by the names of the format; empty for a file that is not.
+    pub compressions: BTreeSet<String>,
 }
 
 impl Ending {
@@ -202,6 +206,7 @@ pub fn scan_from<E: From<SessionError>>(
             }
         }
     }
+    ending.compressions = log.compressions;
     Ok(ending)
 }
 

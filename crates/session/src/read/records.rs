@@ -1,8 +1,8 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use mcap::records::{self, Record};
 
-use super::{Channel, Item, RawMessage, chunk, parse};
+use super::{Channel, Item, MOST_BYTES, RawMessage, chunk, parse};
 
 /// What a scan remembers: schemas and channels by their number.
 #[derive(Debug, Default)]
@@ -10,6 +10,9 @@ pub(super) struct Log {
     pub(super) has_header: bool,
     schemas: BTreeMap<u16, (String, String, Vec<u8>)>,
     channels: BTreeMap<u16, Channel>,
+    /// Bytes of all schemas that the channels hold, each its own.
+    held: usize,
+    pub(super) compressions: BTreeSet<String>,
 }
 
 impl Log {
@@ -55,6 +58,7 @@ impl Log {
         damage: &mut Vec<String>,
         visit: &mut dyn FnMut(Item<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
+        self.compressed(&header.compression);
         let content = match chunk::unpack(header, data) {
             Ok(content) => content,
             Err(problem) => {
@@ -76,6 +80,14 @@ impl Log {
                     return Ok(());
                 }
             }
+        }
+    }
+
+    fn compressed(&mut self, name: &str) {
+        // A damaged file may have another name in every chunk.
+        const MOST: usize = 8;
+        if !name.is_empty() && self.compressions.len() < MOST && !self.compressions.contains(name) {
+            self.compressions.insert(name.chars().take(32).collect());
         }
     }
 
@@ -102,12 +114,20 @@ impl Log {
                     schema,
                     metadata: channel.metadata,
                 };
-                let known = self.channels.entry(channel_id).or_insert_with(|| channel.clone());
-                if *known != channel {
-                    note(
+                match self.channels.get(&channel_id) {
+                    Some(known) if *known != channel => note(
                         damage,
                         format!("channel {channel_id} is both {} and {}", known.topic, channel.topic),
-                    );
+                    ),
+                    Some(_) => {}
+                    // A file of some megabytes may name one large schema for thousands of channels.
+                    None if self.held + channel.schema.len() > MOST_BYTES => {
+                        note(damage, format!("the schemas are too large; {} is left out", channel.topic));
+                    }
+                    None => {
+                        self.held += channel.schema.len();
+                        self.channels.insert(channel_id, channel);
+                    }
                 }
             }
             Record::Message { header, data } => match self.channels.get(&header.channel_id) {

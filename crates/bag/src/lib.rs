@@ -1,0 +1,18 @@
+#![doc = include_str!("../README.md")]
+
+mod container;
+mod damage;
+mod db3;
+pub mod definition;
+mod error;
+mod folder;
+mod packed;
+mod reader;
+mod ros1;
+mod scan;
+
+pub use container::{Container, is_recording, kind};
+pub use error::BagError;
+pub use reader::{Kind, Reader, Readers, Reading};
+pub use scan::{Early, scan, scan_until};
+pub use soilctl_session::read::{Channel, Ending, Item, RawMessage};
