@@ -121,6 +121,12 @@ pub(crate) fn positive(what: &'static str, value: f64, unit: &'static str) -> Re
     }
 }
 
+impl From<soilctl_bag::BagError> for ProcessError {
+    fn from(error: soilctl_bag::BagError) -> Self {
+        Self::Log(error.to_string())
+    }
+}
+
 impl From<soilctl_session::SessionError> for ProcessError {
     fn from(error: soilctl_session::SessionError) -> Self {
         Self::Log(error.to_string())

@@ -10,7 +10,6 @@ mod friction;
 pub mod log;
 mod recorded;
 mod robot;
-mod shim;
 mod slip;
 pub mod table;
 mod trace;

@@ -42,7 +42,7 @@ impl Inputs {
     pub(super) fn of(request: &Request) -> Result<Self, AppError> {
         let mut paths = BTreeSet::new();
         for given in &request.logs {
-            if given.is_dir() {
+            if given.is_dir() && !soilctl_bag::is_recording(given) {
                 collect(given, &mut paths)?;
             } else {
                 paths.insert(given.clone());
@@ -50,7 +50,10 @@ impl Inputs {
         }
         if paths.is_empty() {
             let folders: Vec<String> = request.logs.iter().map(|path| path.display().to_string()).collect();
-            return Err(AppError::Request(format!("there is no .mcap file in {}", folders.join(", "))));
+            return Err(AppError::Request(format!(
+                "there is no recording (.mcap, .db3, .bag, or the folder of a split bag) in {}",
+                folders.join(", ")
+            )));
         }
         Ok(Self {
             logs: named(paths),
@@ -67,16 +70,16 @@ impl Inputs {
     }
 }
 
-/// Every `.mcap` below a folder.
+/// Every recording below a folder; that of a split bag is one.
 fn collect(folder: &Path, paths: &mut BTreeSet<PathBuf>) -> Result<(), AppError> {
     for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
         let entry = entry.map_err(failed(folder))?;
         let path = entry.path();
         // Links to folders are not followed, so that a ring of them cannot catch us.
-        if entry.file_type().map_err(failed(folder))?.is_dir() {
-            collect(&path, paths)?;
-        } else if path.extension().is_some_and(|ending| ending == "mcap") {
+        if soilctl_bag::is_recording(&path) {
             paths.insert(path);
+        } else if entry.file_type().map_err(failed(folder))?.is_dir() {
+            collect(&path, paths)?;
         }
         if paths.len() > MOST_LOGS {
             return Err(AppError::Request(format!(

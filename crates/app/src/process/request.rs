@@ -15,7 +15,7 @@ use crate::topics::Topics;
 #[serde(default)]
 #[group(skip)]
 pub struct Request {
-    /// Logs (.mcap), or folders with logs
+    /// Logs (.mcap, .db3, .bag, or the folder of a split bag), or folders with logs
     #[arg(required = true, value_name = "LOG")]
     pub logs: Vec<PathBuf>,
 

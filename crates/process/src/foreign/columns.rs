@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::shim::{Item, Readers, Reading, scan};
+use soilctl_bag::{Item, Readers, Reading, scan};
 
 use super::clock::{Repaired, Times, repair};
 use super::trouble::{Oddity, Trouble};

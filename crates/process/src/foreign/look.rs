@@ -3,8 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use crate::shim::{Item, Kind, RawMessage, Readers, Reading, scan};
-use soilctl_session::read::Early;
+use soilctl_bag::{Early, Item, Kind, RawMessage, Readers, Reading, scan};
 
 use crate::ProcessError;
 use crate::log::LogSettings;
@@ -159,7 +158,7 @@ impl Seen {
         if !whole.is_empty() && !joints.is_empty() {
             return Err(ProcessError::Topic {
                 wanted: JOINTS.to_owned(),
-                message_type: "JointState",
+                message_type: type_of(Kind::Joints),
                 known: format!(
                     "{}, which all name the joints; say which by --joint-topic",
                     listed(whole.iter().map(|topic| topic.as_str()))
@@ -205,9 +204,18 @@ impl Seen {
         };
         found.map(|name| (*name).clone()).ok_or_else(|| ProcessError::Topic {
             wanted: asked.unwrap_or(usual).to_owned(),
-            message_type: kind.message_type(),
+            message_type: type_of(kind),
             known: listed(self.topics.iter().map(|(name, (_, known))| format!("{name} ({known})"))),
         })
+    }
+}
+
+/// The usual type of a kind of message.
+fn type_of(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Joints => "sensor_msgs/msg/JointState",
+        Kind::Wrench => "geometry_msgs/msg/WrenchStamped",
+        Kind::Text => "std_msgs/msg/String",
     }
 }
 

@@ -200,7 +200,7 @@ pub fn read_log(
         }
         Ok(())
     };
-    if settings.is_foreign() {
+    if settings.is_foreign() || soilctl_bag::kind(path)? != soilctl_bag::Container::Mcap {
         return foreign_log(path, settings, stop, found);
     }
     let ending = match scan(path, &mut visit) {
