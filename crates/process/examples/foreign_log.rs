@@ -19,7 +19,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let times: Vec<f64> = rest.iter().map(|text| text.parse()).collect::<Result<_, _>>()?;
     let windows: Vec<[f64; 2]> = times.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect();
     let settings = LogSettings {
-        urdf: Some(std::fs::read_to_string(urdf)?),
+        // Without a URDF the one in the log counts; a log of soilctl says all of this itself.
+        urdf: (urdf != "-").then(|| std::fs::read_to_string(urdf)).transpose()?,
         plate_frame: Some(plate.clone()),
         surface_z_m: Some(surface_z_m.parse()?),
         width_m: Some(width_m.parse()?),

@@ -254,6 +254,31 @@ def stream(bag):
     if "not_finite" in case.trouble:
         hit = rng.random(len(wrench)) < 2e-4
         wrench[hit, rng.integers(0, 6)] = rng.choice([np.nan, np.inf])
+    if "clipped" in case.trouble:
+        # A sensor that reaches to half of the least failure force on each axis, about its own zero.
+        reach = 0.4 * min(t.force_n for t in bag.truth)
+        wrench[:, :3] = np.clip(wrench[:, :3], np.array(case.bias[:3]) - reach, np.array(case.bias[:3]) + reach)
+    if "dead" in case.trouble:
+        wrench[:] = wrench[0]
+    if "sign" in case.trouble:
+        wrench = -wrench
+    if "degrees" in case.trouble:
+        joints = np.degrees(joints)
+    if "slow" in case.trouble:
+        keep_wrench &= np.arange(len(wrench)) % max(1, int(case.wrench_hz / 2)) == 0
+    if "no_air" in case.trouble:
+        first = bag.truth[0]
+        inside = lambda t: (t > first.start_s - 0.4) & (t < first.end_s - 0.2)
+        keep_wrench &= inside(bag.t)
+        keep_joints &= inside(bag.joints_t)
+    if "hole" in case.trouble:
+        # Nothing was recorded for a while before each failure.
+        for stroke in bag.truth:
+            at = stroke.start_s + 0.5 * (stroke.fail_s - stroke.start_s)
+            keep_wrench &= ~((bag.t > at) & (bag.t < at + 0.35 * (stroke.fail_s - stroke.start_s)))
+    missing = names[1] if "joint_missing" in case.trouble else None
+    if missing:
+        joints, names = np.delete(joints, 1, axis=1), [name for name in names if name != missing]
     messages = []
     if "split" in case.trouble:
         half = len(names) // 2

@@ -27,9 +27,8 @@ pub struct Saturation {
 
 /// Mobilised fraction at `x = u / lambda`, all with limit 1.
 type Law = fn(f64) -> f64;
-const LAWS: [Law; 13] = [
+const LAWS: [Law; 11] = [
     |x| x.min(1.0),
-    |x| if x < 1.5 { 1.0 - (1.0 - x / 1.5).powf(1.5) } else { 1.0 },
     |x| if x < 2.0 { x - x * x / 4.0 } else { 1.0 },
     f64::tanh,
     |x| 1.0 - (-x).exp(),
@@ -39,7 +38,6 @@ const LAWS: [Law; 13] = [
     |x| x / (1.0 + x.powf(1.5)).powf(2.0 / 3.0),
     |x| x / (1.0 + x * x).sqrt(),
     |x| x / (1.0 + x.powi(4)).powf(0.25),
-    |x| x / (1.0 + x.powi(8)).powf(0.125),
     |x| (x * FRAC_PI_2).atan() / FRAC_PI_2,
 ];
 

@@ -33,7 +33,7 @@ use self::survey::Survey;
 pub use self::trouble::{Oddity, Trouble};
 use self::trust::{Doubt, Stops};
 use crate::log::{Candidate, LogSettings, LogStroke, NoStroke};
-use crate::{Outcome, ProcessError, Setting};
+use crate::{Outcome, ProcessError, Robot, Setting};
 
 /// The edge is in free air for certain where it is this far above the surface, in m.
 const CLEARANCE_M: f64 = 0.005;
@@ -41,6 +41,11 @@ const CLEARANCE_M: f64 = 0.005;
 pub const LEAST_TRAVEL_M: f64 = 1.5e-3;
 /// A force that shows above the surface for a shorter time is a bump that nobody needs to be told of, in s.
 const BUMP_S: f64 = 0.3;
+/// Wrenches that come further apart tell no failure, in s.
+const SLOWEST_S: f64 = 0.1;
+/// Joints that turn further than this, or slide further, are not given in rad or m.
+const MOST_RAD: f64 = 30.0;
+const MOST_M: f64 = 50.0;
 /// Rounds of telling free air from contact.
 const ROUNDS: usize = 3;
 
@@ -121,7 +126,15 @@ pub(crate) fn read(
     };
     let mut columns = columns::read(path, &joint_topics, &wrench_topic, robot.joint_names(), stop)?;
     check(&columns, &joint_topics, &wrench_topic, robot.joint_names())?;
+    check_units(&columns, &robot)?;
     let survey = Survey::of(&columns, &robot);
+    if survey.interval_s > SLOWEST_S {
+        return Err(ProcessError::Log(format!(
+            "wrenches on {wrench_topic} come every {:.3} s; a failure needs at least {} a second to be told: record faster",
+            survey.interval_s,
+            1.0 / SLOWEST_S
+        )));
+    }
     note_gaps(&mut columns, &survey, &wrench_topic);
     let windows: Option<Vec<Range<usize>>> = settings.windows.as_ref().map(|windows| {
         let mut sorted: Vec<[f64; 2]> =
@@ -152,9 +165,7 @@ pub(crate) fn read(
             None => Err(NoStroke {
                 from_s: time(&survey, touch.blocks.start),
                 to_s: time(&survey, touch.blocks.end.saturating_sub(1)),
-                reason: "the tare is unknown: nothing was recorded in free air; record some before and after the strokes, or give \
-                         --tare"
-                    .into(),
+                reason: no_air(&survey, surface_z_m),
                 refused: true,
             }),
             Some(air) => {
@@ -230,6 +241,22 @@ fn check(
     Ok(())
 }
 
+/// Refuses positions that are no angles in rad or ways in m.
+fn check_units(columns: &Columns, robot: &Robot) -> Result<(), ProcessError> {
+    for ((name, slides), series) in robot.joint_names().iter().zip(robot.sliding()).zip(&columns.joints) {
+        let furthest =
+            series.values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
+        let (most, unit, instead) = if slides { (MOST_M, "m", "mm") } else { (MOST_RAD, "rad", "degrees") };
+        if furthest.abs() > most {
+            return Err(ProcessError::Log(format!(
+                "joint {name} goes to {furthest:.1} {unit}, more than {most} {unit}: its positions seem to be in {instead}; ROS has them in \
+                 {unit}"
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Gaps of the wrenches, and wrenches without a posture.
 fn note_gaps(columns: &mut Columns, survey: &Survey, topic: &str) {
     let longest_s = survey.gaps.iter().map(|[from, to]| to - from).fold(0.0, f64::max);
@@ -245,6 +272,19 @@ fn on_clock(t_s: f64, origin_s: i64) -> f64 {
     #[allow(clippy::cast_precision_loss, reason = "seconds of a wall clock are exact")]
     let (wall_s, origin_s) = (columns::WALL_CLOCK_S as f64, origin_s as f64);
     if t_s >= wall_s { t_s - origin_s } else { t_s }
+}
+
+/// Why nothing is known of free air.
+fn no_air(survey: &Survey, surface_z_m: f64) -> String {
+    let highest = survey.blocks.iter().filter_map(|block| depth(block, surface_z_m)).min_by(f64::total_cmp);
+    match highest {
+        Some(depth_m) if depth_m > 0.0 => format!(
+            "the tare is unknown: the edge is never above the surface as given, at its highest it is {:.1} mm below; check --surface-z, \
+             record free air before and after the strokes, or give --tare",
+            depth_m * 1e3
+        ),
+        _ => "the tare is unknown: nothing was recorded in free air; record some before and after the strokes, or give --tare".into(),
+    }
 }
 
 /// What free air says: blocks with the edge well above the surface, or of unknown height, and without a force that shows.

@@ -69,7 +69,7 @@ impl Weigher<'_> {
             doubts.push(Doubt::Clock);
         }
         let found = matches!(evaluated.analysis.outcome, Outcome::Found(_));
-        if found && doubts.contains(&Doubt::Clipped) {
+        if doubts.contains(&Doubt::Clipped) {
             return Err(refused(
                 "the sensor's readings stand still at the end of their range while the force rises, so the force was higher than \
                  it could tell; use a sensor of a larger range or a smaller plate"

@@ -98,6 +98,17 @@ impl Robot {
         Ok(parse(text)?.end_link(usual).to_owned())
     }
 
+    /// Whether each of [`Robot::joint_names`] slides, in m, and does not turn, in rad.
+    pub(crate) fn sliding(&self) -> Vec<bool> {
+        let mut sliding = vec![false; self.names.len()];
+        for placed in [&self.plate, &self.sensor] {
+            for (place, slides) in placed.joints.iter().zip(placed.chain.sliding()) {
+                sliding[*place] = *slides;
+            }
+        }
+        sliding
+    }
+
     /// How the sensor stands in the root frame if no joint turns it.
     pub(crate) fn fixed_turn(&self) -> Option<[[f64; 3]; 3]> {
         if self.sensor.chain.turns() {

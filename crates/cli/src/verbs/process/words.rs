@@ -1,7 +1,9 @@
 //! The answer for people.
 
-use soilctl_app::process::Answer;
+use soilctl_app::process::{Answer, Found};
 use soilctl_app::text::{columns, number};
+
+use soilctl_process::foreign::{ContactKind, FreeAir};
 
 use crate::output::Words;
 
@@ -34,6 +36,9 @@ fn text(answer: &Answer) -> String {
         text += &columns(&rows);
     }
     for log in &answer.logs {
+        if let Some(found) = &log.found {
+            text += &foreign(&log.log, found);
+        }
         if let Some(error) = &log.error {
             text += &format!("left out: {}: {error}\n", log.log);
         }
@@ -57,6 +62,44 @@ fn text(answer: &Answer) -> String {
     text += &analysis(answer);
     for file in &answer.written {
         text += &format!("written: {file}\n");
+    }
+    text
+}
+
+/// What was found in a log of another program.
+fn foreign(log: &str, found: &Found) -> String {
+    let kinds = |kind: ContactKind| found.contacts.iter().filter(|contact| contact.kind == kind).count();
+    let strokes = kinds(ContactKind::Stroke);
+    let mut text =
+        format!("{log}: {} contacts, {strokes} of them strokes with a failure force; ", found.contacts.len());
+    text += &match &found.free_air {
+        None => "no free air was found".to_owned(),
+        Some(air) => free_air(air),
+    };
+    text += &format!("; times count from {} s\n", found.clock_origin_s);
+    let others = found.contacts.iter().filter(|contact| contact.kind == ContactKind::NoStroke);
+    for contact in others {
+        let force = contact.highest_n.map_or(String::new(), |force| format!(", up to {force:.2} N"));
+        text += &format!("contact: {:.2} to {:.2} s{force}\n", contact.from_s, contact.to_s);
+    }
+    text
+}
+
+fn free_air(air: &FreeAir) -> String {
+    let mut text = format!("{:.0} s of free air", air.seconds);
+    if let Some(noise) = &air.noise {
+        text += &format!(": noise {:.3} N", noise.force_n());
+        text += &noise.corner_hz.map_or(" (white)".to_owned(), |hz| format!(" (up to {hz:.0} Hz)"));
+    }
+    let norm = |v: [f64; 3]| v.iter().map(|part| part * part).sum::<f64>().sqrt();
+    text += &format!(", drift {:.2} mN/s", norm(air.drift_n_per_s) * 1e3);
+    if air.has_one_posture() {
+        text += ", one posture, so bias and weight cannot be told apart, only their sum in that posture";
+    } else {
+        text += &format!(", weight {:.2} ± {:.2} N", air.weight_n, air.weight_sd_n);
+        text += &air.centre_m.map_or(String::new(), |[x, y, z]| {
+            format!(" at {:.1}, {:.1}, {:.1} mm", x * 1e3, y * 1e3, z * 1e3)
+        });
     }
     text
 }
