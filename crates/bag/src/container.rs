@@ -55,8 +55,7 @@ pub(crate) fn look(path: &Path) -> Result<(Container, bool), BagError> {
     if !bytes.starts_with(&ZSTD) {
         return told(path, &bytes).map(|container| (container, false));
     }
-    let mut inside =
-        File::open(path).and_then(|file| zstd(file)).map_err(|error| BagError::file(path, &error))?;
+    let mut inside = File::open(path).and_then(zstd).map_err(|error| BagError::file(path, &error))?;
     let bytes = beginning(&mut inside).map_err(|error| {
         BagError::not_a_recording(
             path,

@@ -50,6 +50,16 @@ pub enum BagError {
         /// The topics with their types.
         known: String,
     },
+    /// A topic that is there, but whose messages cannot be read.
+    #[error(
+        "the messages on {topic} cannot be read: {reason}; name another topic, or record it anew with its definition"
+    )]
+    Unreadable {
+        /// The topic.
+        topic: String,
+        /// Why.
+        reason: String,
+    },
     /// The caller asked the work to end.
     #[error("stopped before the end of the recording")]
     Stopped,

@@ -1,4 +1,6 @@
 use std::ffi::OsString;
+use std::fs::File;
+use std::io::Read;
 use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 use std::sync::Arc;
@@ -49,6 +51,12 @@ pub(super) fn open(file: &Path, path: &Path, damage: &mut Vec<String>) -> Result
                 .to_owned(),
         );
     }
+    if log == 0
+        && let Some(told) = told_size(file)
+        && told > bytes
+    {
+        damage.push(format!("the file was cut: it has {bytes} bytes of the {told} that it should have"));
+    }
     let failed = |error: rusqlite::Error| BagError::not_a_recording(path, error.to_string());
     let connection = connect(file, log > 0).map_err(failed)?;
     let left = Arc::new(AtomicU64::new(0));
@@ -70,6 +78,22 @@ pub(super) fn open(file: &Path, path: &Path, damage: &mut Vec<String>) -> Result
     let database = Database { connection, bytes, left };
     database.refill();
     Ok(database)
+}
+
+/// Bytes that the file should have by its header, where that is up to date (<https://sqlite.org/fileformat2.html#database_header>).
+/// SQLite takes pages that are not there for empty ones.
+fn told_size(file: &Path) -> Option<u64> {
+    let mut header = Vec::new();
+    File::open(file).ok()?.take(100).read_to_end(&mut header).ok()?;
+    let number = |place: usize| header.get(place..)?.first_chunk().map(|bytes| u32::from_be_bytes(*bytes));
+    if number(24)? != number(92)? {
+        return None;
+    }
+    let size = match u16::from_be_bytes(*header.get(16..)?.first_chunk()?) {
+        1 => 65_536,
+        size => u64::from(size),
+    };
+    Some(size * u64::from(number(28)?))
 }
 
 fn connect(file: &Path, has_log: bool) -> rusqlite::Result<Connection> {

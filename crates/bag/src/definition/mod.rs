@@ -117,12 +117,6 @@ impl Definition {
     pub(crate) fn count(&self) -> usize {
         self.structures.len()
     }
-
-    /// Whether the common types of ROS include this one.
-    #[must_use]
-    pub fn is_known(ros: Ros, message_type: &str) -> bool {
-        known::body(ros, &short_name(message_type)).is_some()
-    }
 }
 
 static EMPTY: Structure = Structure { name: String::new(), fields: Vec::new() };

@@ -10,6 +10,8 @@ pub(super) const NAME: &str = "metadata.yaml";
 const ROOT: &str = "rosbag2_bagfile_information";
 /// Longest file that is read, in bytes. A thousand topics take 1 MB.
 const MOST_BYTES: u64 = 4 << 20;
+/// Most parts of a recording. A day in parts of ten seconds has 8640.
+const MOST_FILES: usize = 20_000;
 /// Deepest nesting. ROS 2 has five levels.
 const MOST_LEVELS: usize = 32;
 
@@ -67,6 +69,9 @@ pub(super) fn metadata(text: &str) -> Result<Metadata, String> {
             // Other documents of the same file are not ours.
             Event::DocumentEnd => break,
             _ => {}
+        }
+        if walk.found.files.len() > MOST_FILES {
+            return Err(format!("{NAME} lists more than {MOST_FILES} files"));
         }
         if walk.levels.len() > MOST_LEVELS {
             return Err(format!("{NAME} is nested more than {MOST_LEVELS} deep"));

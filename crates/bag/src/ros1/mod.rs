@@ -31,8 +31,8 @@ pub(crate) fn show(source: &mut dyn Read, path: &Path, visit: &mut Visit<'_>) ->
     let mut ending = Ending { bytes: MAGIC.len() as u64, ..Ending::default() };
     let (mut header, mut data) = (Vec::new(), Vec::new());
     let mut content = Content::default();
-    let mut told: Option<u32> = None;
-    let mut chunks = 0;
+    let mut told: Option<Told> = None;
+    let (mut chunks, mut listed) = (0, Told::default());
     loop {
         match record::read(source, &mut header, &mut data, MOST_BYTES, &mut ending.bytes) {
             Ok(true) => {}
@@ -56,7 +56,8 @@ pub(crate) fn show(source: &mut dyn Read, path: &Path, visit: &mut Visit<'_>) ->
                 if header.text("encryptor").is_some_and(|name| !name.is_empty()) {
                     return Err(BagError::not_a_recording(path, "it is encrypted").into());
                 }
-                told = Some(header.u32("chunk_count").unwrap_or(0));
+                let number = |name: &str| header.u32(name).unwrap_or(0);
+                told = Some(Told { chunks: number("chunk_count"), connections: number("conn_count") });
                 visit(Item::Header { profile: "ros1", library: "" })?;
                 if header.u64("index_pos") == Some(0) {
                     note(&mut ending.damage, "it has no index: the recording did not end well".to_owned());
@@ -69,16 +70,29 @@ pub(crate) fn show(source: &mut dyn Read, path: &Path, visit: &mut Visit<'_>) ->
                 chunks += 1;
                 content.chunk(header, &data, &mut ending, visit)?;
             }
-            Some(_) => content.record(header, &data, &mut ending.damage, visit)?,
+            Some(op) => {
+                listed.connections += u32::from(op == op::CONNECTION);
+                listed.chunks += u32::from(op == op::CHUNK_INFO);
+                content.record(header, &data, &mut ending.damage, visit)?;
+            }
             None => note(&mut ending.damage, "a record does not say what it is".to_owned()),
         }
     }
-    match told {
-        None => return Err(BagError::not_a_recording(path, "it ends before its header").into()),
-        Some(told) if told > chunks => {
-            note(&mut ending.damage, format!("{} of its {told} chunks are not there", told - chunks));
-        }
-        Some(_) => {}
+    let Some(told) = told else {
+        return Err(BagError::not_a_recording(path, "it ends before its header").into());
+    };
+    if told.chunks > chunks {
+        let missing = told.chunks - chunks;
+        note(&mut ending.damage, format!("{missing} of its {} chunks are not there", told.chunks));
+    } else if (told.connections > listed.connections || told.chunks > listed.chunks) && ending.is_whole() {
+        note(&mut ending.damage, "the file was cut within its index; its messages are there".to_owned());
     }
     Ok(ending)
+}
+
+/// What the header counts, and the index at the end of the file lists.
+#[derive(Debug, Default)]
+struct Told {
+    chunks: u32,
+    connections: u32,
 }

@@ -8,6 +8,7 @@ pub(super) mod op {
     pub(in crate::ros1) const MESSAGE: u8 = 2;
     pub(in crate::ros1) const BAG: u8 = 3;
     pub(in crate::ros1) const CHUNK: u8 = 5;
+    pub(in crate::ros1) const CHUNK_INFO: u8 = 6;
     pub(in crate::ros1) const CONNECTION: u8 = 7;
 }
 
