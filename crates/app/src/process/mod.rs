@@ -15,6 +15,7 @@ pub use answer::{Answer, LogOutcome};
 pub use findings::{Analysis, Comparison, Effect, Friction, Group, Law, Lift, Rubbing};
 pub use manifest::{Found, Skipped};
 pub use request::{AnalysisRequest, Bag, Request};
+pub use soilctl_process::foreign::{Contact, ContactKind, FreeAir};
 
 use crate::{AppError, Watch};
 

@@ -1,9 +1,7 @@
 //! The answer for people.
 
-use soilctl_app::process::{Answer, Found};
+use soilctl_app::process::{Answer, ContactKind, Found, FreeAir};
 use soilctl_app::text::{columns, number};
-
-use soilctl_process::foreign::{ContactKind, FreeAir};
 
 use crate::output::Words;
 
