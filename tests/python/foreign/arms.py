@@ -106,6 +106,8 @@ class Arm:
             jacobian = (self.misses(q + 1e-7 * np.eye(len(q)), turn, place) - miss).T / 1e-7
             damped = jacobian.T @ jacobian + 1e-10 * np.eye(len(q))
             move = np.linalg.solve(damped, -jacobian.T @ miss)
+            if np.abs(move).max() < 1e-13:
+                break
             q += move * min(1.0, 0.3 / max(1e-12, np.abs(move).max()))
         worst = np.abs(self.miss(q, turn, place)).max()
         # A gantry cannot turn: it goes where it can.

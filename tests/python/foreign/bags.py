@@ -379,7 +379,7 @@ def write_ros1(path, types, messages, option):
     with writer:
         connections = {topic: writer.add_connection(topic, name, typestore=one) for topic, name in types.items()}
         for topic, time, data in messages:
-            writer.write(connections[topic], int(time), one.cdr_to_ros1(data, types[topic]))
+            writer.write(connections[topic], int(time), two.cdr_to_ros1(data, types[topic]))
 
 
 TROUBLES = ("latency", "jump", "unstamped", "gaps", "late_joints", "not_finite", "split", "extra_missing", "duplicates",

@@ -5,6 +5,7 @@
 //! tare of its time and posture.
 
 mod air;
+mod checks;
 mod clock;
 mod columns;
 mod contact;
@@ -14,6 +15,7 @@ mod stroke;
 mod survey;
 mod trouble;
 mod trust;
+mod verdict;
 
 use std::ops::Range;
 use std::path::Path;
@@ -24,16 +26,17 @@ use serde::{Deserialize, Serialize};
 
 use self::air::AirModel;
 pub use self::air::{FreeAir, Noise};
+use self::checks::{check, check_units, no_air, note_gaps};
 use self::columns::Columns;
 use self::contact::{Touch, depth};
 use self::look::{Look, look};
-use self::push::Why;
 use self::stroke::Weigher;
 use self::survey::Survey;
 pub use self::trouble::{Oddity, Trouble};
 use self::trust::{Doubt, Stops};
+use self::verdict::{contact as told, deepest, time, weigh};
 use crate::log::{Candidate, LogSettings, LogStroke, NoStroke};
-use crate::{Outcome, ProcessError, Robot, Setting};
+use crate::{Outcome, ProcessError, Setting};
 
 /// The edge is in free air for certain where it is this far above the surface, in m.
 const CLEARANCE_M: f64 = 0.005;
@@ -43,9 +46,6 @@ pub const LEAST_TRAVEL_M: f64 = 1.5e-3;
 const BUMP_S: f64 = 0.3;
 /// Wrenches that come further apart tell no failure, in s.
 const SLOWEST_S: f64 = 0.1;
-/// Joints that turn further than this, or slide further, are not given in rad or m.
-const MOST_RAD: f64 = 30.0;
-const MOST_M: f64 = 50.0;
 /// Rounds of telling free air from contact.
 const ROUNDS: usize = 3;
 
@@ -111,7 +111,6 @@ pub(crate) fn read(
     stop: &AtomicBool,
     found: &mut dyn FnMut(Candidate),
 ) -> Result<ForeignLog, ProcessError> {
-    let Look { joint_topics, wrench_topic, robot } = look(path, settings)?;
     let asked = |what: &'static str, value: Option<f64>| {
         let advice = "a log of another program does not say it; give it in m".to_owned();
         value.ok_or(ProcessError::Missing { what, advice })
@@ -124,6 +123,7 @@ pub(crate) fn read(
         delta_set_deg: settings.delta_set_deg,
         ..Setting::default()
     };
+    let Look { joint_topics, wrench_topic, robot } = look(path, settings)?;
     let mut columns = columns::read(path, &joint_topics, &wrench_topic, robot.joint_names(), stop)?;
     check(&columns, &joint_topics, &wrench_topic, robot.joint_names())?;
     check_units(&columns, &robot)?;
@@ -159,6 +159,7 @@ pub(crate) fn read(
         bytes: columns.bytes,
         ..ForeignLog::default()
     };
+    let stops = Stops::of(&columns.wrenches);
     let mut strokes: Vec<LogStroke> = Vec::new();
     for touch in &touches {
         let outcome = match &air {
@@ -174,17 +175,17 @@ pub(crate) fn read(
                     robot: &robot,
                     survey: &survey,
                     air,
-                    stops: Stops::of(&columns.wrenches),
+                    stops,
                     setting: &setting,
                     clock_set_s: of(&columns, |what| matches!(what, Oddity::ClockSet { .. })),
                 };
                 weigh(&weigher, touch, surface_z_m)
             }
         };
-        if touch.felt.is_none() && windows.is_none() && !matches!(outcome, Ok(_)) && touch.blocks.len() < 2 {
+        if touch.felt.is_none() && windows.is_none() && outcome.is_err() && touch.blocks.len() < 2 {
             continue;
         }
-        log.contacts.push(contact(&survey, air.as_ref(), touch, surface_z_m, &outcome));
+        log.contacts.push(told(&survey, air.as_ref(), touch, surface_z_m, &outcome));
         match outcome {
             Ok(stroke) => strokes.push(stroke),
             Err(refused) => found(Candidate::Rejected(refused)),
@@ -205,86 +206,11 @@ pub(crate) fn read(
     Ok(log)
 }
 
-/// Refuses columns that tell nothing.
-fn check(
-    columns: &Columns,
-    joint_topics: &[String],
-    wrench_topic: &str,
-    joints: &[String],
-) -> Result<(), ProcessError> {
-    let wrenches = &columns.wrenches.values;
-    let Some(first) = wrenches.first() else {
-        return Err(ProcessError::Log(format!(
-            "no message on {wrench_topic} has a wrench of finite numbers"
-        )));
-    };
-    if wrenches.iter().all(|wrench| wrench == first) {
-        return Err(ProcessError::Log(format!(
-            "all {} wrenches on {wrench_topic} are the same: the sensor was not read",
-            wrenches.len()
-        )));
-    }
-    let missing: Vec<&str> = columns
-        .joints
-        .iter()
-        .zip(joints)
-        .filter(|(series, _)| series.t_s.is_empty())
-        .map(|(_, name)| name.as_str())
-        .collect();
-    if !missing.is_empty() {
-        return Err(ProcessError::Joints {
-            topic: joint_topics.join(", "),
-            missing: missing.join(", "),
-            named: columns.named.join(", "),
-        });
-    }
-    Ok(())
-}
-
-/// Refuses positions that are no angles in rad or ways in m.
-fn check_units(columns: &Columns, robot: &Robot) -> Result<(), ProcessError> {
-    for ((name, slides), series) in robot.joint_names().iter().zip(robot.sliding()).zip(&columns.joints) {
-        let furthest =
-            series.values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
-        let (most, unit, instead) = if slides { (MOST_M, "m", "mm") } else { (MOST_RAD, "rad", "degrees") };
-        if furthest.abs() > most {
-            return Err(ProcessError::Log(format!(
-                "joint {name} goes to {furthest:.1} {unit}, more than {most} {unit}: its positions seem to be in {instead}; ROS has them in \
-                 {unit}"
-            )));
-        }
-    }
-    Ok(())
-}
-
-/// Gaps of the wrenches, and wrenches without a posture.
-fn note_gaps(columns: &mut Columns, survey: &Survey, topic: &str) {
-    let longest_s = survey.gaps.iter().map(|[from, to]| to - from).fold(0.0, f64::max);
-    columns.trouble(topic, Oddity::Gap { longest_s }, survey.gaps.iter().map(|gap| gap[0]));
-    let without: Vec<(f64, usize)> =
-        survey.blocks.iter().filter(|b| b.posture.is_none()).map(|b| (b.t_s, b.samples.len())).collect();
-    let times = without.iter().flat_map(|(t_s, count)| std::iter::repeat_n(*t_s, *count));
-    columns.trouble(topic, Oddity::NoPosture, times);
-}
-
 /// A time on the log's clock, of one that may be meant on a wall clock.
 fn on_clock(t_s: f64, origin_s: i64) -> f64 {
     #[allow(clippy::cast_precision_loss, reason = "seconds of a wall clock are exact")]
     let (wall_s, origin_s) = (columns::WALL_CLOCK_S as f64, origin_s as f64);
     if t_s >= wall_s { t_s - origin_s } else { t_s }
-}
-
-/// Why nothing is known of free air.
-fn no_air(survey: &Survey, surface_z_m: f64) -> String {
-    let highest = survey.blocks.iter().filter_map(|block| depth(block, surface_z_m)).min_by(f64::total_cmp);
-    match highest {
-        Some(depth_m) if depth_m > 0.0 => format!(
-            "the tare is unknown: the edge is never above the surface as given, at its highest it is {:.1} mm below; check --surface-z, \
-             record free air before and after the strokes, or give --tare",
-            depth_m * 1e3
-        ),
-        _ => "the tare is unknown: nothing was recorded in free air; record some before and after the strokes, or give --tare".into(),
-    }
 }
 
 /// What free air says: blocks with the edge well above the surface, or of unknown height, and without a force that shows.
@@ -333,65 +259,6 @@ fn touches(survey: &Survey, air: Option<&AirModel>, surface_z_m: f64) -> Vec<Tou
         deepest(survey, touch, surface_z_m).is_none_or(|depth| depth > 0.0) || lasts_s > BUMP_S
     })
     .collect()
-}
-
-fn weigh(weigher: &Weigher<'_>, touch: &Touch, surface_z_m: f64) -> Result<LogStroke, NoStroke> {
-    let survey = weigher.survey;
-    let (from_s, to_s) = (time(survey, touch.blocks.start), time(survey, touch.blocks.end.saturating_sub(1)));
-    if touch.blocks.is_empty() {
-        return Err(NoStroke {
-            from_s,
-            to_s,
-            reason: "no samples lie between these times".into(),
-            refused: true,
-        });
-    }
-    match push::push(&survey.blocks, touch.blocks.clone(), surface_z_m, LEAST_TRAVEL_M) {
-        Ok(push) => weigher.stroke(&push),
-        Err(nothing) => Err(NoStroke {
-            from_s,
-            to_s,
-            reason: nothing.to_string(),
-            refused: nothing.why == Why::NoPosture,
-        }),
-    }
-}
-
-fn contact(
-    survey: &Survey,
-    air: Option<&AirModel>,
-    touch: &Touch,
-    surface_z_m: f64,
-    outcome: &Result<LogStroke, NoStroke>,
-) -> Contact {
-    let (kind, reason) = match outcome {
-        Err(NoStroke { reason, refused: true, .. }) => (ContactKind::Refused, Some(reason.clone())),
-        Err(NoStroke { reason, .. }) => (ContactKind::NoStroke, Some(reason.clone())),
-        Ok(stroke) => match &stroke.evaluated.analysis.outcome {
-            Outcome::Found(_) => (ContactKind::Stroke, None),
-            Outcome::Indiscernible(reason) => (ContactKind::NoFailure, Some(reason.to_string())),
-        },
-    };
-    let blocks = survey.blocks.get(touch.blocks.clone()).unwrap_or_default();
-    let highest =
-        air.and_then(|air| blocks.iter().filter_map(|block| air.force_n(block)).max_by(f64::total_cmp));
-    Contact {
-        kind,
-        from_s: time(survey, touch.blocks.start),
-        to_s: time(survey, touch.blocks.end.saturating_sub(1)),
-        depth_m: deepest(survey, touch, surface_z_m),
-        highest_n: highest,
-        reason,
-    }
-}
-
-fn deepest(survey: &Survey, touch: &Touch, surface_z_m: f64) -> Option<f64> {
-    let blocks = survey.blocks.get(touch.blocks.clone()).unwrap_or_default();
-    blocks.iter().filter_map(|block| depth(block, surface_z_m)).max_by(f64::total_cmp)
-}
-
-fn time(survey: &Survey, block: usize) -> f64 {
-    survey.blocks.get(block).or(survey.blocks.last()).map_or(0.0, |block| block.t_s)
 }
 
 fn of(columns: &Columns, wanted: impl Fn(Oddity) -> bool) -> Vec<f64> {

@@ -45,16 +45,6 @@ impl BagContents {
         self.urdf.as_deref()
     }
 
-    /// Whether there is such a topic.
-    pub(super) fn has_topic(&self, name: &str) -> bool {
-        self.topics.contains_key(name)
-    }
-
-    /// Whether a topic has this type.
-    pub(super) fn has_type(&self, message_type: &str) -> bool {
-        self.topics.values().any(|known| known == message_type)
-    }
-
     /// The topic of a type that was asked for, the usual one, or the only one of its type.
     ///
     /// # Errors
