@@ -74,12 +74,16 @@ __all__ = [
     "ProcessAnalysis",
     "ProcessAnswer",
     "ProcessComparison",
+    "ProcessContact",
     "ProcessEffect",
+    "ProcessFound",
+    "ProcessFreeAir",
     "ProcessFriction",
     "ProcessGroup",
     "ProcessLaw",
     "ProcessLift",
     "ProcessLogOutcome",
+    "ProcessNoise",
     "ProcessRubbing",
     "ProcessSkipped",
     "ProcessStrokeRecord",
@@ -2136,6 +2140,34 @@ class ProcessComparison(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ProcessContact(Record):
+    """A contact of the plate, or a window that was given.
+
+    Attributes:
+        depth_m: Greatest depth of the edge below the surface in m; negative above it; null where the posture is
+            unknown.
+        from_s: Begin in s.
+        highest_n: Greatest force beside the tare in N, over a block; null without a tare.
+        kind: What became of it.
+        reason: Why it is no stroke with a failure force; null if it is one.
+        to_s: End in s.
+    """
+
+    depth_m: float | None
+    """Greatest depth of the edge below the surface in m; negative above it; null where the posture is unknown."""
+    from_s: float
+    """Begin in s."""
+    highest_n: float | None
+    """Greatest force beside the tare in N, over a block; null without a tare."""
+    kind: Literal["stroke", "no_failure", "refused", "no_stroke"]
+    """What became of it."""
+    reason: str | None
+    """Why it is no stroke with a failure force; null if it is one."""
+    to_s: float
+    """End in s."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class ProcessEffect(Record):
     """How forces depend on the arm's configuration.
 
@@ -2157,6 +2189,66 @@ class ProcessEffect(Record):
     """Least and greatest value, in m or deg."""
     verdict: str
     """In words."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessFound(Record):
+    """What was found in a log of another program, beside its strokes.
+
+    Attributes:
+        clock_origin_s: Where the clock of all times begins, in s of the stamps.
+        contacts: All contacts of the plate.
+        free_air: What free air told of the sensor; null if there was none.
+    """
+
+    clock_origin_s: int
+    """Where the clock of all times begins, in s of the stamps."""
+    contacts: list[ProcessContact]
+    """All contacts of the plate."""
+    free_air: ProcessFreeAir | None
+    """What free air told of the sensor; null if there was none."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessFreeAir(Record):
+    """What free air told.
+
+    Attributes:
+        bias: Reading without weight at the middle of the log, in N and N m.
+        bias_sd: Its standard deviations.
+        centre_m: Its centre of mass in the sensor's frame in m, if the weight is well known.
+        drift_n_per_s: Drift of the forces in N/s.
+        drift_sd_n_per_s: Their standard deviations.
+        left_out: Pieces of free air that did not fit and were left out.
+        noise: Noise; ``None`` if a tare was given and no free air was found.
+        postures_deg: Largest angle between the directions of gravity in the sensor's frame, in deg.
+        seconds: Time in free air that was used, in s.
+        weight_n: Weight of what the sensor carries in N.
+        weight_sd_n: Its standard deviation.
+    """
+
+    bias: list[float]
+    """Reading without weight at the middle of the log, in N and N m."""
+    bias_sd: list[float]
+    """Its standard deviations."""
+    centre_m: list[float] | None
+    """Its centre of mass in the sensor's frame in m, if the weight is well known."""
+    drift_n_per_s: list[float]
+    """Drift of the forces in N/s."""
+    drift_sd_n_per_s: list[float]
+    """Their standard deviations."""
+    left_out: int
+    """Pieces of free air that did not fit and were left out."""
+    noise: ProcessNoise | None
+    """Noise; ``None`` if a tare was given and no free air was found."""
+    postures_deg: float
+    """Largest angle between the directions of gravity in the sensor's frame, in deg."""
+    seconds: float
+    """Time in free air that was used, in s."""
+    weight_n: float
+    """Weight of what the sensor carries in N."""
+    weight_sd_n: float
+    """Its standard deviation."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -2283,18 +2375,25 @@ class ProcessLogOutcome(Record):
     Attributes:
         damage: Damaged parts, which were left out.
         error: Why nothing could be made of it; null if something could.
+        found: What else was found in a log of another program; null for a log of soilctl.
+        is_partial: Whether data that matter are missing: a stroke could not be weighed, or has a gap where the
+            force rises.
         log: The file.
         own: Whether soilctl wrote it.
         skipped: What gave none, and why.
         status: ``done`` or ``failed``.
         strokes: Strokes with a failure force.
-        unusable: Messages that could not be used.
+        unusable: Messages that could not be used, or whose times had to be mended.
     """
 
     damage: list[str]
     """Damaged parts, which were left out."""
     error: str | None
     """Why nothing could be made of it; null if something could."""
+    found: ProcessFound | None
+    """What else was found in a log of another program; null for a log of soilctl."""
+    is_partial: bool
+    """Whether data that matter are missing: a stroke could not be weighed, or has a gap where the force rises."""
     log: str
     """The file."""
     own: bool
@@ -2306,7 +2405,25 @@ class ProcessLogOutcome(Record):
     strokes: int
     """Strokes with a failure force."""
     unusable: list[str]
-    """Messages that could not be used."""
+    """Messages that could not be used, or whose times had to be mended."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProcessNoise(Record):
+    """What the sensor reads without cause.
+
+    Attributes:
+        corner_hz: Corner frequency in Hz of the noise of the forces, as of a filter of first order; ``None`` if it
+            is white up to half the rate of samples.
+        sd: Standard deviation of one sample: force in N, torque in N m.
+    """
+
+    corner_hz: float | None
+    """Corner frequency in Hz of the noise of the forces, as of a filter of first order; ``None`` if it is white up
+    to half the rate of samples.
+    """
+    sd: list[float]
+    """Standard deviation of one sample: force in N, torque in N m."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -2333,8 +2450,8 @@ class ProcessSkipped(Record):
 
     Attributes:
         from_s: Begin on the log's clock in s.
-        outcome: ``no_stroke``, or what is indiscernible about the failure: ``no_force``, ``no_travel``,
-            ``no_break``, ``incomplete``, ``uncertain``.
+        outcome: ``no_stroke``, ``refused`` if it cannot be weighed, or what is indiscernible about the failure:
+            ``no_force``, ``no_travel``, ``no_break``, ``incomplete``, ``uncertain``.
         reason: Why, in words.
         stroke_id: Name of the stroke; null if it is none.
         to_s: End in s.
@@ -2343,8 +2460,8 @@ class ProcessSkipped(Record):
     from_s: float
     """Begin on the log's clock in s."""
     outcome: str
-    """``no_stroke``, or what is indiscernible about the failure: ``no_force``, ``no_travel``, ``no_break``,
-    ``incomplete``, ``uncertain``.
+    """``no_stroke``, ``refused`` if it cannot be weighed, or what is indiscernible about the failure: ``no_force``,
+    ``no_travel``, ``no_break``, ``incomplete``, ``uncertain``.
     """
     reason: str
     """Why, in words."""
@@ -3887,7 +4004,7 @@ def process(
     width_m: float | None = None,
     delta_set_deg: float | None = None,
     tare: Sequence[float] | None = None,
-    tool_weight_n: float = 0.0,
+    tool_weight_n: float | None = None,
     strokes: PathLike | None = None,
     slant_m: float = 0.0254,
     rubbing: Sequence[PathLike] = (),
@@ -3901,7 +4018,7 @@ def process(
     """Failure forces of the strokes in logs, and what they say together.
 
     Args:
-        logs: Logs (.mcap), or folders with logs.
+        logs: Logs (.mcap, .db3, .bag, or the folder of a split bag), or folders with logs.
         out: Stroke table to write (.csv or .parquet).
         threads: Logs that are read at a time; the answer does not depend on it. At least 1 and at most 1024.
         shard: Reads only each N-th log, starting with the I-th, and writes no table: the same command without this
