@@ -125,10 +125,18 @@ fn run_away(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
     None
 }
 
+/// Up to this noise of a block over the force an eighth of the rise tells the force at the break; beyond, up to so many times more.
+const CLEAN: f64 = 0.01;
+const MOST_STRETCH: f64 = 3.0;
+
 /// Force at the break and its standard deviation in N: a robust parabola over the blocks that lead up to it, so that
 /// the highest of many noisy values isn't taken for the force.
 pub(super) fn force_at(blocks: &Blocks, block: usize, settings: &FailureSettings) -> Option<(f64, f64)> {
-    let used = (block / 8).clamp(6, 30);
+    // Noise is averaged over more of the rise than a clean curve needs.
+    let noise_rel = blocks.noise_n / blocks.f_n.get(block)?.abs().max(f64::MIN_POSITIVE);
+    let stretch = (noise_rel / CLEAN).clamp(1.0, MOST_STRETCH);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 6 to 60")]
+    let used = ((block / 8) as f64 * stretch).clamp(6.0, 30.0 * stretch.min(2.0)) as usize;
     let first = (block + 1).saturating_sub(used);
     let end = *blocks.t_s.get(block)?;
     let scale = end - blocks.t_s.get(first)?;
