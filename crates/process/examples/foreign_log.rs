@@ -4,6 +4,8 @@
 //! cargo run -p soilctl-process --example foreign_log -- bag.mcap arm.urdf blade_edge 0.08 0.1
 //! ```
 
+#![allow(clippy::print_stdout, reason = "it is for reading")]
+
 use std::error::Error;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
