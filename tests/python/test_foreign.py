@@ -9,7 +9,6 @@ from foreign import bags, score
 
 
 BASE = bags.Case(seed=5, strokes=3, noise=0.1, wrench_hz=500.0, force=(5.0, 30.0), tool_n=3.0)
-ENDING = {"mcap": "mcap", "db3": "db3", "ros1": "bag"}
 
 
 @pytest.fixture(scope="module")
@@ -27,8 +26,7 @@ def made():
 
 def run(soilctl, tmp_path, bag, *more, container="mcap-zstd", trouble=(), name="bag"):
     bag.case = dataclasses.replace(bag.case, container=container, trouble=trouble)
-    path = tmp_path / f"{name}.{ENDING[container.split('-')[0]]}"
-    bags.write(bag, path)
+    path = bags.write(bag, tmp_path, name)
     done = soilctl("process", path, *map(str, score.options(bag, path)), *map(str, more), "--format", "json", "--quiet")
     return done, json.loads(done.stdout) if done.stdout else None
 

@@ -40,7 +40,7 @@ const TASKS: [(Task, &str, &str); 6] = [
     (
         Task::Verify,
         "verify",
-        "property tests with 20000 cases each, known collapse loads, tests that take minutes (optimised build)",
+        "property tests with 20000 cases each, known collapse loads, other arms, tests that take minutes (optimised build)",
     ),
     (
         Task::Rows,
@@ -180,6 +180,16 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .args(["test", "--release", "--locked", "-p", "soilctl-controller", "-p", "soilctl-plant"])
         .args(["-p", "soilctl-session", "-p", "soilctl-live", "--tests", "--", "--ignored"])
         .args(skipped())
+        .run()?;
+    // Every byte of a recording or a robot may be wrong.
+    cargo(workspace, "recordings made to do harm")
+        .args(["test", "--release", "--locked", "-p", "soilctl-process", "--test", "mutants"])
+        .env("SOILCTL_MUTANTS", "2500")
+        .run()?;
+    setup(workspace)?;
+    Step::new("strokes in bags of other arms", workspace.venv_python())
+        .args(["-m".into(), "foreign.score".into(), find_soilctl(workspace)?.into_os_string(), "60".into()])
+        .dir(&workspace.root().join("tests/python"))
         .run()?;
     // How often it names what is hidden, and how often something else.
     cargo(workspace, "diagnosis of hidden campaigns")

@@ -32,6 +32,11 @@ impl Blocks {
         Self { t_s: means(trace.t_s()), u_m: means(trace.displacement_m()), f_n, samples, noise_n }
     }
 
+    /// Time from one block to the next in s; 0 of fewer than two.
+    pub(crate) fn interval_s(&self) -> f64 {
+        self.t_s.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(0.0)
+    }
+
     /// Means of `count` neighbouring blocks each, whose noise is known.
     pub(crate) fn grouped(&self, count: usize, noise_n: f64) -> Self {
         let means = |values: &[f64]| -> Vec<f64> {

@@ -1,3 +1,4 @@
+use soilctl_bag::{BagError, Kind};
 use thiserror::Error;
 
 /// What can be wrong with recorded strokes.
@@ -121,9 +122,20 @@ pub(crate) fn positive(what: &'static str, value: f64, unit: &'static str) -> Re
     }
 }
 
-impl From<soilctl_bag::BagError> for ProcessError {
-    fn from(error: soilctl_bag::BagError) -> Self {
-        Self::Log(error.to_string())
+impl From<BagError> for ProcessError {
+    fn from(error: BagError) -> Self {
+        match error {
+            BagError::Stopped => Self::Stopped,
+            BagError::Topic { wanted, kind, known } => {
+                let message_type = match kind {
+                    Kind::Joints => "sensor_msgs/msg/JointState",
+                    Kind::Wrench => "geometry_msgs/msg/WrenchStamped",
+                    Kind::Text => "std_msgs/msg/String",
+                };
+                Self::Topic { wanted, message_type, known }
+            }
+            other => Self::Log(other.to_string()),
+        }
     }
 }
 

@@ -3,9 +3,9 @@
 
 mod common;
 
-use common::{DEPTH_M, LIMIT_N, heaped, laws, stroke};
+use common::{DEPTH_M, LIMIT_N, Random, heaped, laws, stroke};
 use soilctl_process::{
-    Channels, FailureSettings, Indiscernible, Kind, Method, Outcome, Trace, failure_force,
+    Channels, FailureSettings, ForceNoise, Indiscernible, Kind, Method, Outcome, Trace, failure_force,
 };
 
 fn settings() -> FailureSettings {
@@ -128,4 +128,70 @@ fn a_straight_line_has_no_break() {
         found.outcome,
         Outcome::Indiscernible(Indiscernible::NoBreak { .. } | Indiscernible::Incomplete { .. })
     ));
+}
+
+/// A straight rise to the limit in 5 s, and a fall by two fifths in the next 2 s, the plate moving on at a share of its speed.
+fn rise_and_fall(speed_after: f64) -> Trace {
+    let mut random = Random(11);
+    let (mut t, mut u, mut f) = (Vec::new(), Vec::new(), Vec::new());
+    for k in 0..3500 {
+        let time = f64::from(k) / 500.0;
+        let (before, after) = (time.min(5.0), (time - 5.0).max(0.0));
+        t.push(time);
+        u.push(0.02 * (before + speed_after * after) / 5.0);
+        f.push(LIMIT_N * (before / 5.0) * (0.6 + 0.4 * (-after / 0.4).exp()) + 0.02 * random.normal());
+    }
+    Trace::new(t, u, f, Channels::default()).unwrap()
+}
+
+#[test]
+fn a_force_that_falls_while_the_plate_rests_is_no_failure() {
+    let at_rest = failure_force(&rise_and_fall(0.0), &settings());
+    assert!(matches!(at_rest.outcome, Outcome::Indiscernible(_)), "{:?}", at_rest.outcome);
+    let Outcome::Found(point) = failure_force(&rise_and_fall(1.0), &settings()).outcome else {
+        panic!("it fails while it moves")
+    };
+    assert_eq!(point.method, Method::Drop);
+    assert!((point.force_n / LIMIT_N - 1.0).abs() < 0.02);
+}
+
+/// At 50 samples a second and a tenth of the force as noise no single sample tells a fall by two fifths.
+#[test]
+fn a_fall_that_noise_hides_in_single_samples_is_found() {
+    let noise_n = 0.1 * LIMIT_N;
+    let noise = Some(ForceNoise { sd_n: noise_n, interval_s: 0.02, corner_hz: None });
+    let mut misses = Vec::new();
+    for seed in 0..20 {
+        let mut random = Random(seed);
+        let t: Vec<f64> = (0..400).map(|k| f64::from(k) * 0.02).collect();
+        let u: Vec<f64> = t.iter().map(|t| 0.005 * t).collect();
+        let force = |t: f64| LIMIT_N * if t < 4.0 { (t / 4.0).powf(0.6) } else { 0.6 };
+        let f = t.iter().map(|t| force(*t) + noise_n * random.normal()).collect();
+        let trace = Trace::new(t, u, f, Channels::default()).unwrap();
+        // How uncertain it is, is another question.
+        let settings = FailureSettings { noise, most_sd_rel: 1.0, ..settings() };
+        let outcome = failure_force(&trace, &settings).outcome;
+        let Outcome::Found(point) = outcome else { panic!("seed {seed}: {outcome:?}") };
+        assert_eq!(point.method, Method::Drop, "seed {seed}");
+        misses.push((point.force_n - LIMIT_N).abs() / noise_n);
+    }
+    misses.sort_by(f64::total_cmp);
+    // Twice the noise of a sample, but for one in twenty.
+    assert!(misses[10] < 1.0 && misses[18] < 2.0, "{misses:?}");
+}
+
+/// The formula for the mean of noise behind a filter against the sum of its covariances.
+#[test]
+fn slow_noise_averages_out_less() {
+    let white = ForceNoise { sd_n: 2.0, interval_s: 0.001, corner_hz: None };
+    assert!((white.of_mean(0.1) - 0.2).abs() < 1e-12);
+    assert_eq!(white.of_mean(0.0), 2.0);
+    for corner_hz in [2.0, 20.0] {
+        let slow = ForceNoise { corner_hz: Some(corner_hz), ..white };
+        let samples = 100;
+        let share = (-std::f64::consts::TAU * corner_hz * white.interval_s).exp();
+        let pairs = (0..samples).flat_map(|i: i32| (0..samples).map(move |j| share.powi((i - j).abs())));
+        let expected = 2.0 * (pairs.sum::<f64>()).sqrt() / f64::from(samples);
+        assert!((slow.of_mean(0.1) / expected - 1.0).abs() < 0.02, "{} {expected}", slow.of_mean(0.1));
+    }
 }

@@ -2,10 +2,13 @@
 //! of each kind, 40 without it; `cargo xtask verify` makes 2500 of each.
 #![allow(clippy::unwrap_used, clippy::cast_precision_loss)]
 
+mod common;
+
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
+use common::Random;
 use soilctl_process::log::{LogSettings, read_log};
 
 /// No mutant of these files, a few tens of kB each, may take longer.
@@ -16,39 +19,26 @@ const URDF: &str = r#"<robot name="gantry"><link name="world"/><link name="cart"
 <joint name="cell" type="fixed"><parent link="lift"/><child link="ft"/></joint>
 <joint name="edge" type="fixed"><parent link="lift"/><child link="edge"/><origin xyz="0 0 -0.1" rpy="3.1416 0 0"/></joint></robot>"#;
 
-/// A generator of numbers (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, end: usize) -> usize {
-        usize::try_from(self.next() % end.max(1) as u64).unwrap()
-    }
+fn below(random: &mut Random, end: usize) -> usize {
+    ((random.uniform() * end as f64) as usize).min(end.saturating_sub(1))
 }
 
 /// Some bytes changed, cut out or doubled.
 fn mutant(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     let mut changed = bytes.to_vec();
-    for _ in 0..=random.below(8) {
-        let at = random.below(changed.len());
-        match random.below(5) {
+    for _ in 0..=below(random, 8) {
+        let at = below(random, changed.len());
+        match below(random, 5) {
             0 => changed.truncate(at.max(1)),
             1 => {
-                let end = (at + random.below(200)).min(changed.len());
+                let end = (at + below(random, 200)).min(changed.len());
                 let piece = changed[at..end].to_vec();
                 changed.splice(at..at, piece);
             }
-            2 => drop(changed.drain(at..(at + random.below(64)).min(changed.len()))),
+            2 => drop(changed.drain(at..(at + below(random, 64)).min(changed.len()))),
             _ => {
                 if let Some(byte) = changed.get_mut(at) {
-                    *byte = random.next().to_le_bytes()[0];
+                    *byte = below(random, 256) as u8;
                 }
             }
         }

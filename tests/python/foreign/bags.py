@@ -310,6 +310,7 @@ def free_times(bag):
     return t[free]
 
 
+ENDINGS = {"mcap": ".mcap", "db3": ".db3", "ros1": ".bag"}
 JOINTS, WRENCH = "sensor_msgs/msg/JointState", "geometry_msgs/msg/WrenchStamped"
 
 
@@ -320,9 +321,9 @@ def definition(name, version=2):
     return store.generate_msgdef(name, ros_version=version)[0]
 
 
-def write(bag, path):
-    """Writes a bag and, beside it, its URDF and what is true of it."""
-    path = Path(path)
+def write(bag, folder, name="bag"):
+    """Writes a bag into a folder and, beside it, its URDF and what is true of it; gives the bag's path."""
+    path = Path(folder) / f"{name}{ENDINGS[bag.case.container.partition('-')[0]]}"
     types = {"/arm/joint_states": JOINTS, "/ft/wrench_raw": WRENCH}
     messages = stream(bag)
     kind, _, option = bag.case.container.partition("-")
@@ -331,6 +332,7 @@ def write(bag, path):
     told = {"case": asdict(bag.case), "truth": [asdict(t) for t in bag.truth], "contacts": bag.contacts,
             "surface_z": bag.arm.surface_z, "plate": bag.arm.plate}
     path.with_suffix(".json").write_text(json.dumps(told))
+    return path
 
 
 def write_mcap(path, types, messages, option):

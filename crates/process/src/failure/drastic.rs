@@ -1,5 +1,7 @@
 //! Failures that can't be missed: the force drops, or the plate runs away (section 5.5, figure 5-17).
 
+use std::ops::Range;
+
 use soilctl_stats::{huber, median};
 
 use super::settings::FailureSettings;
@@ -43,20 +45,21 @@ const FEWEST_GROUPS: usize = 16;
 
 /// A fall of the force in blocks, or else in ever larger groups of them, in which noise is less.
 fn drop_at_some_scale(blocks: &Blocks, settings: &FailureSettings) -> Option<usize> {
-    let block_s = blocks.t_s.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(0.0);
     SCALES.into_iter().filter(|scale| blocks.t_s.len() >= FEWEST_GROUPS * scale).find_map(|scale| {
         if scale == 1 {
             return drop(blocks, settings);
         }
         let independent = blocks.noise_n / (scale as f64).sqrt();
-        let slow = settings.noise.map_or(0.0, |noise| noise.of_mean(scale as f64 * block_s));
+        let slow = settings.noise.map_or(0.0, |noise| noise.of_mean(scale as f64 * blocks.interval_s()));
         let peak = drop(&blocks.grouped(scale, independent.max(slow)), settings)?;
-        Some(steepest(&blocks.f_n, scale * peak.saturating_sub(1)..scale * (peak + 3), scale))
+        let found = steepest(&blocks.f_n, scale * peak.saturating_sub(1)..scale * (peak + 3), scale);
+        // A group may reach from the push into the rest.
+        moves_on(blocks, found, found + scale, settings).then_some(found)
     })
 }
 
 /// The block within a range after which the mean of `width` blocks falls most against the mean of those up to it.
-fn steepest(f: &[f64], range: std::ops::Range<usize>, width: usize) -> usize {
+fn steepest(f: &[f64], range: Range<usize>, width: usize) -> usize {
     let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len().max(1) as f64;
     let fall = |k: usize| {
         mean(&f[(k + 1).saturating_sub(width)..=k]) - mean(&f[k + 1..(k + 1 + width).min(f.len())])

@@ -219,6 +219,9 @@ const AFTER_DEPTHS: f64 = 0.3;
 /// A plate that went back by more depths than this was let go.
 const LET_GO: f64 = 0.02;
 
+/// The highest of some hundred blocks of mere noise is three to four of its standard deviations; a force is more.
+const LEAST_NOISES: f64 = 5.0;
+
 /// Least travel in depths: below, there is no curve.
 const LEAST_TRAVEL: f64 = 2e-3;
 
@@ -232,12 +235,11 @@ pub fn failure_force(trace: &Trace, settings: &FailureSettings) -> Analysis {
     let mut blocks = Blocks::of(trace);
     if let Some(noise) = settings.noise {
         // What is slower than a few blocks the curve itself does not show.
-        let block_s = blocks.t_s.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(0.0);
-        blocks.noise_n = blocks.noise_n.max(noise.of_mean(block_s));
+        blocks.noise_n = blocks.noise_n.max(noise.of_mean(blocks.interval_s()));
     }
     let noise_n = blocks.noise_n * (blocks.samples as f64).sqrt();
     let highest_n = blocks.f_n.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least_n = settings.least_force_n.max(10.0 * blocks.noise_n);
+    let least_n = settings.least_force_n.max(LEAST_NOISES * blocks.noise_n);
     let none = |reason| Analysis {
         outcome: Outcome::Indiscernible(reason),
         two_lines: None,

@@ -14,7 +14,8 @@ use super::survey::{Block, Survey};
 
 /// Allowance of the sums: half the increase of the mean that shall be found.
 const ALLOWANCE: f64 = 3.0;
-/// The sums alarm here: with white noise of the size found, once in about e^(h/6) blocks, hours.
+/// The sums alarm here. The exponent t at which `exp(t (x - 6))` has the mean 1, for `x` of chi-square with three degrees of freedom, is
+/// 0.4, so white noise of the size found alarms about once in `exp(0.4 h)` blocks, years.
 const ALARM: f64 = 60.0;
 /// A block in contact counts at most so much against the end of a contact, so that long contacts end as soon as short ones.
 const MOST: f64 = 30.0;
@@ -93,11 +94,9 @@ pub(crate) fn felt(survey: &Survey, air: &AirModel) -> Vec<Range<usize>> {
 /// Squared length of a block's force beside the tare, in units of its standard deviations; `None` where the direction of gravity is
 /// not known.
 fn squared_length(block: &Block, air: &AirModel) -> Option<f64> {
-    let gravity = block.gravity?;
-    let tare = air.tare(block.t_s, gravity, gravity);
-    let rest = Vector3::from_fn(|i, _| block.wrench[i] - tare.wrench[i]);
+    let (rest, of_tare) = air.rest(block)?;
     let noise = Vector3::from(air.block_sd_n.map(|sd| (sd * sd).max(1e-18)));
-    let spread = Matrix3::from_diagonal(&noise) + tare.covariance;
+    let spread = Matrix3::from_diagonal(&noise) + of_tare;
     let inverse = spread.cholesky()?;
     Some(rest.dot(&inverse.solve(&rest)).min(1e9))
 }

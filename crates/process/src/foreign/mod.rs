@@ -31,7 +31,7 @@ use self::columns::Columns;
 use self::contact::{Touch, depth};
 use self::look::{Look, look};
 use self::stroke::Weigher;
-use self::survey::Survey;
+use self::survey::{Joints, Survey};
 pub use self::trouble::{Oddity, Trouble};
 use self::trust::{Doubt, Stops};
 use self::verdict::{contact as told, deepest, time, weigh};
@@ -116,14 +116,14 @@ pub(crate) fn read(
         value.ok_or(ProcessError::Missing { what, advice })
     };
     let surface_z_m = asked("--surface-z", settings.surface_z_m)?;
-    let setting = Setting {
+    let mut setting = Setting {
         surface_z_m,
         width_m: asked("--width", settings.width_m)?,
         alpha_deg: settings.alpha_deg,
         delta_set_deg: settings.delta_set_deg,
         ..Setting::default()
     };
-    let Look { joint_topics, wrench_topic, robot } = look(path, settings)?;
+    let Look { joint_topics, wrench_topic, robot } = look(path, settings, stop)?;
     let mut columns = columns::read(path, &joint_topics, &wrench_topic, robot.joint_names(), stop)?;
     check(&columns, &joint_topics, &wrench_topic, robot.joint_names())?;
     check_units(&columns, &robot)?;
@@ -148,10 +148,8 @@ pub(crate) fn read(
         Some(windows) => windows.iter().map(|w| Touch { blocks: w.clone(), felt: None }).collect(),
         None => touches(&survey, air.as_ref(), surface_z_m),
     };
-    let setting = Setting {
-        noise: air.as_ref().and_then(|air| air.told.noise).map(|noise| noise.of_force(survey.interval_s)),
-        ..setting
-    };
+    setting.noise =
+        air.as_ref().and_then(|air| air.told.noise).map(|noise| noise.of_force(survey.interval_s));
     let mut log = ForeignLog {
         air: air.as_ref().map(|air| air.told.clone()),
         origin_s: columns.origin_s,
@@ -159,28 +157,27 @@ pub(crate) fn read(
         bytes: columns.bytes,
         ..ForeignLog::default()
     };
-    let stops = Stops::of(&columns.wrenches);
+    let clock_set = columns.troubles.iter().filter(|trouble| matches!(trouble.what, Oddity::ClockSet { .. }));
+    let weigher = air.as_ref().map(|air| Weigher {
+        columns: &columns,
+        joints: Joints::new(&columns.joints),
+        robot: &robot,
+        survey: &survey,
+        air,
+        stops: Stops::of(&columns.wrenches),
+        setting: &setting,
+        clock_set_s: clock_set.map(|trouble| trouble.first_s).collect(),
+    });
     let mut strokes: Vec<LogStroke> = Vec::new();
     for touch in &touches {
-        let outcome = match &air {
+        let outcome = match &weigher {
+            Some(weigher) => weigh(weigher, touch, surface_z_m),
             None => Err(NoStroke {
                 from_s: time(&survey, touch.blocks.start),
                 to_s: time(&survey, touch.blocks.end.saturating_sub(1)),
                 reason: no_air(&survey, surface_z_m),
                 refused: true,
             }),
-            Some(air) => {
-                let weigher = Weigher {
-                    columns: &columns,
-                    robot: &robot,
-                    survey: &survey,
-                    air,
-                    stops,
-                    setting: &setting,
-                    clock_set_s: of(&columns, |what| matches!(what, Oddity::ClockSet { .. })),
-                };
-                weigh(&weigher, touch, surface_z_m)
-            }
         };
         if touch.felt.is_none() && windows.is_none() && outcome.is_err() && touch.blocks.len() < 2 {
             continue;
@@ -259,8 +256,4 @@ fn touches(survey: &Survey, air: Option<&AirModel>, surface_z_m: f64) -> Vec<Tou
         deepest(survey, touch, surface_z_m).is_none_or(|depth| depth > 0.0) || lasts_s > BUMP_S
     })
     .collect()
-}
-
-fn of(columns: &Columns, wanted: impl Fn(Oddity) -> bool) -> Vec<f64> {
-    columns.troubles.iter().filter(|trouble| wanted(trouble.what)).map(|trouble| trouble.first_s).collect()
 }

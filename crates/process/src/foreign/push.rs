@@ -81,6 +81,14 @@ impl fmt::Display for NoPush {
     }
 }
 
+/// Where the edge was in a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Place {
+    block: usize,
+    t_s: f64,
+    edge_m: [f64; 3],
+}
+
 /// The push in some blocks; `surface_z_m` is the height of the soil, `least_m` the way from which on it is one.
 pub(crate) fn push(
     blocks: &[Block],
@@ -88,28 +96,31 @@ pub(crate) fn push(
     surface_z_m: f64,
     least_m: f64,
 ) -> Result<Push, NoPush> {
-    let places: Vec<(usize, f64, [f64; 3])> =
-        range.filter_map(|k| Some((k, blocks.get(k)?.t_s, blocks[k].posture?.tip_m))).collect();
+    let place = |block: usize| {
+        let at = blocks.get(block)?;
+        Some(Place { block, t_s: at.t_s, edge_m: at.posture?.tip_m })
+    };
+    let places: Vec<Place> = range.filter_map(place).collect();
     let none = |why, depth_m, travel_m| NoPush { why, depth_m, travel_m };
     if places.len() < 3 {
         return Err(none(Why::NoPosture, 0.0, 0.0));
     }
-    let depth = |place: &(usize, f64, [f64; 3])| surface_z_m - place.2[2];
+    let depth = |place: &Place| surface_z_m - place.edge_m[2];
     let mut depths: Vec<f64> = places.iter().map(depth).filter(|depth| *depth > 0.0).collect();
     depths.sort_by(f64::total_cmp);
     let Some(lowest) = quantile(&depths, LOWEST) else {
         let closest = places.iter().map(depth).fold(f64::NEG_INFINITY, f64::max);
         return Err(none(Why::Above, closest, 0.0));
     };
-    let deep = |place: &(usize, f64, [f64; 3])| depth(place) >= DEEP * lowest;
+    let deep = |place: &Place| depth(place) >= DEEP * lowest;
     let first = places.iter().position(deep).unwrap_or(0);
     let last = places.iter().rposition(deep).map_or(places.len(), |last| last + 1);
     let places = settled(&places[first..last], lowest);
-    let jitter = |axis: usize| noise(&places.iter().map(|place| place.2[axis]).collect::<Vec<_>>());
+    let jitter = |axis: usize| noise(&places.iter().map(|place| place.edge_m[axis]).collect::<Vec<_>>());
     let motion_m = MOTION_M.max(MOTION_SD * jitter(0).max(jitter(1)));
     let early = &places[..(places.len() / 50).clamp(1, 10).min(places.len())];
-    let start = [0, 1].map(|i| median(&mut early.iter().map(|place| place.2[i]).collect::<Vec<_>>()));
-    let way = |place: &(usize, f64, [f64; 3])| (place.2[0] - start[0]).hypot(place.2[1] - start[1]);
+    let start = [0, 1].map(|i| median(&mut early.iter().map(|place| place.edge_m[i]).collect::<Vec<_>>()));
+    let way = |place: &Place| (place.edge_m[0] - start[0]).hypot(place.edge_m[1] - start[1]);
     let Some(far) = (0..places.len()).max_by(|a, b| way(&places[*a]).total_cmp(&way(&places[*b]))) else {
         return Err(none(Why::NoTravel, lowest, 0.0));
     };
@@ -120,11 +131,11 @@ pub(crate) fn push(
     let moves = places[..far].iter().rposition(|place| way(place) < motion_m).unwrap_or(0);
     // Afterwards it rests.
     let end = places[..far].iter().position(|place| way(place) > travel_m - motion_m).unwrap_or(far);
-    let moves_s = places[moves].1;
-    let from = places[..=moves].partition_point(|place| place.1 < moves_s - REST_S);
-    let direction = [0, 1].map(|i| (places[far].2[i] - start[i]) / travel_m);
+    let moves_s = places[moves].t_s;
+    let from = places[..=moves].partition_point(|place| place.t_s < moves_s - REST_S);
+    let direction = [0, 1].map(|i| (places[far].edge_m[i] - start[i]) / travel_m);
     Ok(Push {
-        blocks: places[from].0..places[end].0 + 1,
+        blocks: places[from].block..places[end].block + 1,
         moves_s,
         direction,
         travel_m,
@@ -134,20 +145,20 @@ pub(crate) fn push(
 
 /// Without the insertion at the beginning and the pull-out at the end: times at which the edge goes down or up, and not mostly
 /// along the ground.
-fn settled(places: &[(usize, f64, [f64; 3])], lowest_m: f64) -> &[(usize, f64, [f64; 3])] {
+fn settled(places: &[Place], lowest_m: f64) -> &[Place] {
     let tolerance_m = SETTLE_M.max(SETTLE * lowest_m);
-    let rests = |a: &(usize, f64, [f64; 3]), b: &(usize, f64, [f64; 3])| {
-        let across = (b.2[2] - a.2[2]).abs();
-        let along = (b.2[0] - a.2[0]).hypot(b.2[1] - a.2[1]);
+    let rests = |a: &Place, b: &Place| {
+        let across = (b.edge_m[2] - a.edge_m[2]).abs();
+        let along = (b.edge_m[0] - a.edge_m[0]).hypot(b.edge_m[1] - a.edge_m[1]);
         across < tolerance_m || along > LEVEL * across
     };
     let first = (0..places.len()).find(|k| {
-        let ahead = places[*k..].iter().find(|place| place.1 >= places[*k].1 + SETTLE_S);
+        let ahead = places[*k..].iter().find(|place| place.t_s >= places[*k].t_s + SETTLE_S);
         ahead.or(places.last()).is_some_and(|ahead| rests(&places[*k], ahead))
     });
     let first = first.unwrap_or(0);
     let last = (first..places.len()).rev().find(|k| {
-        let before = places[first..*k].iter().rev().find(|place| place.1 <= places[*k].1 - SETTLE_S);
+        let before = places[first..*k].iter().rev().find(|place| place.t_s <= places[*k].t_s - SETTLE_S);
         before.or(places.get(first)).is_some_and(|before| rests(before, &places[*k]))
     });
     &places[first..last.map_or(places.len(), |last| last + 1)]

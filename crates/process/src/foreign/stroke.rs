@@ -22,6 +22,7 @@ const FEWEST_SAMPLES: usize = 20;
 /// What strokes of a log share.
 pub(crate) struct Weigher<'a> {
     pub(crate) columns: &'a Columns,
+    pub(crate) joints: Joints<'a>,
     pub(crate) robot: &'a Robot,
     pub(crate) survey: &'a Survey,
     pub(crate) air: &'a AirModel,
@@ -96,7 +97,7 @@ impl Weigher<'_> {
     /// Samples of wrenches `from..to`, beside the tare.
     fn samples(&self, from: usize, to: usize) -> Vec<RobotSample> {
         let raw = &self.columns.wrenches;
-        let mut joints = Joints::new(&self.columns.joints);
+        let mut joints = self.joints.starting(raw.t_s.get(from).copied().unwrap_or_default());
         let mut samples: Vec<RobotSample> = Vec::with_capacity(to - from);
         for k in from..to {
             let (t_s, wrench) = (raw.t_s[k], raw.values[k]);

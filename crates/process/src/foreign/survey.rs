@@ -95,6 +95,7 @@ pub(crate) fn usual_interval(t_s: &[f64]) -> f64 {
 }
 
 /// Positions of all joints at rising times.
+#[derive(Debug, Clone)]
 pub(crate) struct Joints<'a> {
     series: &'a [Series<f64>],
     most_gap_s: Vec<f64>,
@@ -108,6 +109,15 @@ impl<'a> Joints<'a> {
         let most_gap_s = series.iter().map(|s| MOST_GAP_S.max(3.0 * usual_interval(&s.t_s))).collect();
         let (places, positions) = (vec![0; series.len()], vec![0.0; series.len()]);
         Self { series, most_gap_s, places, positions }
+    }
+
+    /// The same from a time on.
+    pub(crate) fn starting(&self, t_s: f64) -> Self {
+        let mut started = self.clone();
+        for (place, series) in started.places.iter_mut().zip(self.series) {
+            *place = series.t_s.partition_point(|known| *known <= t_s).saturating_sub(1);
+        }
+        started
     }
 
     /// Linear between neighbours; `None` before the first of any joint, after the last, or in a gap in which it moved. Times must
@@ -160,6 +170,8 @@ mod tests {
         assert_eq!(joints.at(1.7), None);
         assert_eq!(joints.at(2.2), Some(&[3.0, 1.0][..]));
         assert_eq!(joints.at(9.0), None);
+        assert_eq!(joints.starting(0.1).at(0.12), Joints::new(&series).at(0.12));
+        assert_eq!(joints.starting(-1.0).at(0.05), Some(&[0.5, 1.0][..]));
         assert_eq!(Joints::new(&[Series::default()]).at(0.0), None);
     }
 }

@@ -46,35 +46,6 @@ pub enum Oddity {
     NoPosture,
 }
 
-impl Oddity {
-    /// Whether data are missing because of it.
-    #[must_use]
-    pub fn is_loss(self) -> bool {
-        match self {
-            Self::Malformed | Self::NotFinite | Self::Gap { .. } | Self::NoPosture => true,
-            Self::Duplicate
-            | Self::Unstamped
-            | Self::WrongStamps
-            | Self::Disordered
-            | Self::ClockSet { .. } => false,
-        }
-    }
-
-    /// Whether what was measured when rests on the log's time.
-    #[must_use]
-    pub fn is_of_clock(self) -> bool {
-        match self {
-            Self::Unstamped | Self::WrongStamps | Self::ClockSet { .. } => true,
-            Self::Malformed
-            | Self::NotFinite
-            | Self::Duplicate
-            | Self::Disordered
-            | Self::Gap { .. }
-            | Self::NoPosture => false,
-        }
-    }
-}
-
 impl fmt::Display for Trouble {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { topic, count, first_s, last_s, .. } = self;
@@ -102,7 +73,7 @@ impl fmt::Display for Trouble {
                 write!(out, "{topic}: {gaps}, the longest of {longest_s:.3} s")?;
             }
             Oddity::NoPosture => {
-                write!(out, "{topic}: {messages} have no joint states close before and after")?;
+                write!(out, "{topic}: {messages} without joint states close before and after")?;
             }
         }
         if *count > 1 {

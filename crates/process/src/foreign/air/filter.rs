@@ -15,6 +15,8 @@ pub(super) struct Reading {
     pub(super) y: Vector3<f64>,
     /// Three rows, a column a parameter.
     pub(super) seen: DMatrix<f64>,
+    /// Time that it is the mean of, in s.
+    pub(super) length_s: f64,
     /// Variance of each component.
     pub(super) variance: Vector3<f64>,
 }
@@ -151,5 +153,67 @@ impl Track {
             mean: &now.mean + &gain * (&later.mean - &ahead.mean),
             covariance: &now.covariance + &gain * (&later.covariance - &ahead.covariance) * gain.transpose(),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+
+    /// Without a walk all readings are one least-squares problem, which is solved at once here.
+    #[test]
+    fn without_a_walk_it_is_least_squares() {
+        let prior =
+            Prior { bias: 50.0, drift: 0.1, parameter: DVector::from_element(1, 2.0), parameter_sd: 20.0 };
+        let readings: Vec<Reading> = (0..12)
+            .map(|k| {
+                let t_s = 3.0 * f64::from(k);
+                let lean = 0.2 * f64::from(k % 5);
+                let seen = DMatrix::from_column_slice(3, 1, &[lean.sin(), 0.1, -lean.cos()]);
+                let bump = 0.01 * f64::from((7 * k) % 11);
+                let y = Vector3::new(1.0 + bump, -2.0 + 0.002 * t_s, 4.0) + 3.4 * seen.column(0);
+                Reading { t_s, y, seen, length_s: 0.5, variance: Vector3::new(1e-4, 2e-4, 3e-4) }
+            })
+            .collect();
+        let track = Track::of(&readings, &prior, 0.0).unwrap();
+        let at_s = 17.0;
+        // Unknown is the state at that time; the prior holds at the first reading.
+        let first = transition(7, readings[0].t_s - at_s);
+        let sds = [50.0, 50.0, 50.0, 0.1, 0.1, 0.1, 20.0].map(|sd: f64| 1.0 / (sd * sd));
+        let weight = DMatrix::from_diagonal(&DVector::from_row_slice(&sds));
+        let mut mean = DVector::zeros(7);
+        mean[6] = 2.0;
+        let mut normal = first.transpose() * &weight * &first;
+        let mut right = first.transpose() * &weight * mean;
+        for reading in &readings {
+            let h = observation(&reading.seen) * transition(7, reading.t_s - at_s);
+            let inverse =
+                DMatrix::from_diagonal(&DVector::from_iterator(3, reading.variance.iter().map(|v| 1.0 / v)));
+            normal += h.transpose() * &inverse * &h;
+            right += h.transpose() * &inverse * DVector::from_column_slice(reading.y.as_slice());
+        }
+        let covariance = normal.try_inverse().unwrap();
+        let found = track.at(at_s).unwrap();
+        assert!((&found.mean - &covariance * right).amax() < 1e-6);
+        assert!((&found.covariance - &covariance).amax() < 1e-6 * covariance.amax());
+    }
+
+    /// Between two times with readings a random walk is least certain halfway, by the variance of a Brownian bridge.
+    #[test]
+    fn a_walk_is_least_certain_between_readings() {
+        let prior = Prior { bias: 1e3, drift: 1e-9, parameter: DVector::zeros(1), parameter_sd: 1e-9 };
+        let reading = |t_s: f64| Reading {
+            t_s,
+            y: Vector3::zeros(),
+            seen: DMatrix::zeros(3, 1),
+            length_s: 0.5,
+            variance: Vector3::from_element(1e-10),
+        };
+        let track = Track::of(&[reading(0.0), reading(10.0)], &prior, 0.04).unwrap();
+        let variance = |t_s: f64| track.at(t_s).unwrap().covariance[(0, 0)];
+        assert!((variance(5.0) / (0.04 * 5.0 * 5.0 / 10.0) - 1.0).abs() < 1e-3, "{}", variance(5.0));
+        assert!((variance(2.0) / (0.04 * 2.0 * 8.0 / 10.0) - 1.0).abs() < 1e-3);
+        assert!((variance(14.0) / (0.04 * 4.0) - 1.0).abs() < 1e-3);
     }
 }

@@ -68,8 +68,10 @@ impl AirModel {
     ) -> Option<Self> {
         let noise = Noise::of(survey, wrenches, air)?;
         let pieces = noise::pieces(&survey.blocks, air, PIECE_S);
-        let mut readings: Vec<[Reading; 2]> =
-            pieces.into_iter().filter_map(|piece| reading(&survey.blocks[piece], &noise)).collect();
+        let mut readings: Vec<[Reading; 2]> = pieces
+            .into_iter()
+            .filter_map(|piece| reading(&survey.blocks[piece], &noise, survey.interval_s))
+            .collect();
         let all = readings.len();
         let mut scale = 1.0;
         let mut found = None;
@@ -116,14 +118,29 @@ impl AirModel {
 
     /// Size of a block's force beside the tare in N; `None` where the direction of gravity is not known.
     pub(crate) fn force_n(&self, block: &Block) -> Option<f64> {
+        self.rest(block).map(|(rest, _)| rest.norm())
+    }
+
+    /// A block's force beside the tare in N, and the covariance of the tare.
+    pub(crate) fn rest(&self, block: &Block) -> Option<(Vector3<f64>, Matrix3<f64>)> {
         let gravity = block.gravity?;
-        let tare = self.tare(block.t_s, gravity, gravity);
-        Some(Vector3::from_fn(|i, _| block.wrench[i] - tare.wrench[i]).norm())
+        let tare = self.force_tare(block.t_s, gravity, gravity);
+        Some((Vector3::from_fn(|i, _| block.wrench[i] - tare.wrench[i]), tare.covariance))
     }
 
     /// What would be read in free air at a time, gravity pointing to `gravity` in the sensor's frame, as in `begin` when the contact
     /// began.
     pub(crate) fn tare(&self, t_s: f64, gravity: [f64; 3], begin: [f64; 3]) -> Tare {
+        let mut tare = self.force_tare(t_s, gravity, begin);
+        if let Some(state) = self.torque.as_ref().and_then(|track| track.at(t_s)) {
+            let (torque, _) = state.read(&turned_moment(gravity));
+            tare.wrench[3..].copy_from_slice(torque.as_slice());
+        }
+        tare
+    }
+
+    /// [`Self::tare`] without a torque that was fitted.
+    fn force_tare(&self, t_s: f64, gravity: [f64; 3], begin: [f64; 3]) -> Tare {
         if let Some(given) = self.given {
             let turned = |i: usize| given.weight_n.unwrap_or(0.0) * (gravity[i] - begin[i]);
             let mut wrench = given.tare;
@@ -146,16 +163,12 @@ impl AirModel {
             let along: Vector3<f64> = with.fixed_rows::<3>(0) + Vector3::from(gravity) * weight;
             of_weight = along * along.transpose() / weight;
         }
-        if let Some(state) = self.torque.as_ref().and_then(|track| track.at(t_s)) {
-            let (torque, _) = state.read(&turned_moment(gravity));
-            wrench[3..].copy_from_slice(torque.as_slice());
-        }
         Tare { wrench, covariance, of_weight }
     }
 }
 
 /// Mean force and torque of a piece of free air; `None` without a posture.
-fn reading(blocks: &[Block], noise: &Noise) -> Option<[Reading; 2]> {
+fn reading(blocks: &[Block], noise: &Noise, interval_s: f64) -> Option<[Reading; 2]> {
     let n = blocks.len() as f64;
     let t_s = blocks.iter().map(|block| block.t_s).sum::<f64>() / n;
     let mean = |axis: usize| blocks.iter().map(|block| block.wrench[axis]).sum::<f64>() / n;
@@ -171,6 +184,7 @@ fn reading(blocks: &[Block], noise: &Noise) -> Option<[Reading; 2]> {
     };
     let of = |from: usize, seen: DMatrix<f64>| Reading {
         t_s,
+        length_s: blocks.iter().map(|block| block.samples.len()).sum::<usize>() as f64 * interval_s,
         y: Vector3::from_fn(|i, _| mean(from + i)),
         seen,
         variance: Vector3::from_fn(|i, _| variance(from + i)),

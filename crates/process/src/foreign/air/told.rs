@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::filter::{Reading, State, Track};
-use super::{Noise, PIECE_S, WEIGHT_SD_N};
+use super::{Noise, WEIGHT_SD_N};
 
 /// Postures whose directions of gravity differ by less than this, in rad, are one.
 const ONE_POSTURE: f64 = 0.02;
@@ -70,7 +70,7 @@ pub(super) fn tell(
 ) -> FreeAir {
     let middle_s = readings.get(readings.len() / 2).map_or(0.0, |reading| reading[0].t_s);
     let mut told = FreeAir { noise: Some(noise), left_out, ..FreeAir::unseen() };
-    told.seconds = readings.len() as f64 * PIECE_S;
+    told.seconds = readings.iter().map(|reading| reading[0].length_s).sum();
     let put = |state: &State, from: usize, told: &mut FreeAir| {
         for i in 0..3 {
             told.bias[from + i] = state.mean[i];
