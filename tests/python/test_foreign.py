@@ -153,4 +153,4 @@ def test_a_press_is_no_stroke(soilctl, tmp_path, level):
     assert contact["from_s"] == pytest.approx(23.0, abs=0.2)
     tare = found["free_air"]["bias"]
     assert tare[0] == pytest.approx(bag.case.bias[0], abs=0.03) and tare[1] == pytest.approx(bag.case.bias[1], abs=0.03)
-    assert any("no joint states" in words for words in answer["logs"][0]["unusable"])
+    assert any("without joint states" in words for words in answer["logs"][0]["unusable"])
