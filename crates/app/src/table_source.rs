@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_direct_shear::{ShearSeries, parse_shear_points, read_shear_points};
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
-use crate::AppError;
+use crate::{AppError, files};
 
 /// Stands for the file in messages about a table that has none.
 const NAME: &str = "the table";
@@ -40,6 +40,14 @@ impl TableSource {
     #[must_use]
     pub fn name(&self) -> String {
         self.path().map_or_else(|| NAME.to_owned(), |path| path.display().to_string())
+    }
+
+    /// Its text.
+    pub(crate) fn text(&self) -> Result<String, AppError> {
+        match self {
+            Self::Path(path) => files::read_text(path),
+            Self::Text { csv } => Ok(csv.clone()),
+        }
     }
 
     pub(crate) fn strokes(&self, options: ReadOptions) -> Result<StrokeTable, AppError> {

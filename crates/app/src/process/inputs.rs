@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use soilctl_jobs::Shard;
-use soilctl_process::log::LogSettings;
+use soilctl_process::log::{LogSettings, Sense};
 use soilctl_process::table::Form;
 
-use super::request::{Bag, Request};
+use super::request::{Bag, Request, WrenchSense};
 use super::windows::windows;
 use crate::AppError;
 use crate::files::failed;
@@ -146,6 +146,10 @@ fn settings(bag: &Bag) -> Result<LogSettings, AppError> {
         delta_set_deg: bag.delta_set_deg,
         tare,
         tool_weight_n: bag.tool_weight_n,
-        windows: bag.strokes.as_deref().map(windows).transpose()?,
+        sense: match bag.wrench_sense {
+            WrenchSense::SoilOnPlate => Sense::SoilOnPlate,
+            WrenchSense::PlateOnSoil => Sense::PlateOnSoil,
+        },
+        windows: bag.strokes.as_ref().map(windows).transpose()?,
     })
 }

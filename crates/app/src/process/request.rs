@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_jobs::Shard;
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
+use crate::TableSource;
 use crate::request::finite;
 use crate::topics::Topics;
 
@@ -108,9 +109,24 @@ pub struct Bag {
     #[arg(long = "tool-weight", value_name = "N", value_parser = finite)]
     pub tool_weight_n: Option<f64>,
 
-    /// CSV with the columns start and end (s, on the clock of the stamps) [default: strokes are looked for]
+    /// What the wrenches are, if not the force of the soil on the plate: then all readings, `--tare` too, change their sign
+    #[arg(long, value_enum, value_name = "SENSE", default_value_t)]
+    pub wrench_sense: WrenchSense,
+
+    /// CSV with the columns start and end of each push (s, on the clock of the stamps) [default: strokes are looked for]
     #[arg(long, value_name = "FILE")]
-    pub strokes: Option<PathBuf>,
+    pub strokes: Option<TableSource>,
+}
+
+/// Whose force on whom a sensor's driver tells.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum WrenchSense {
+    /// The force of the soil on the plate
+    #[default]
+    SoilOnPlate,
+    /// The force of the plate on the soil
+    PlateOnSoil,
 }
 
 /// What is made of the strokes.

@@ -1,15 +1,13 @@
 //! When strokes begin and end, as somebody has read it off.
 
-use std::path::Path;
-
 use crate::request::finite;
-use crate::{AppError, files};
+use crate::{AppError, TableSource};
 
-/// Begin and end of strokes in s from a CSV file with these two columns.
-pub(super) fn windows(path: &Path) -> Result<Vec<[f64; 2]>, AppError> {
+/// Begin and end of strokes in s from a table with these two columns.
+pub(super) fn windows(table: &TableSource) -> Result<Vec<[f64; 2]>, AppError> {
     let wrong =
-        |line: u64, problem: String| AppError::Request(format!("{}, line {line}: {problem}", path.display()));
-    let text = files::read_text(path)?;
+        |line: u64, problem: String| AppError::Request(format!("{}, line {line}: {problem}", table.name()));
+    let text = table.text()?;
     let text = text.trim_start_matches('\u{feff}');
     let mut reader =
         csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(text.as_bytes());

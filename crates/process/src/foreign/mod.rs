@@ -126,6 +126,7 @@ pub(crate) fn read(
     let Look { joint_topics, wrench_topic, robot } = look(path, settings, stop)?;
     let mut columns = columns::read(path, &joint_topics, &wrench_topic, robot.joint_names(), stop)?;
     check(&columns, &joint_topics, &wrench_topic, robot.joint_names())?;
+    columns.wrenches.values.iter_mut().for_each(|wrench| *wrench = settings.sense.on_plate(*wrench));
     check_units(&columns, &robot)?;
     let survey = Survey::of(&columns, &robot);
     if survey.interval_s > SLOWEST_S {
@@ -239,7 +240,9 @@ fn free_air(
         air = free;
     }
     match settings.tare {
-        Some(tare) => Some(AirModel::given(tare, settings.tool_weight_n, found, survey)),
+        Some(tare) => {
+            Some(AirModel::given(settings.sense.on_plate(tare), settings.tool_weight_n, found, survey))
+        }
         None => found,
     }
 }

@@ -141,7 +141,8 @@ impl Weigher<'_> {
         (mean > sd.max(1e-9)).then(|| {
             format!(
                 "the force pushes the plate ahead, by {mean:.2} N in the mean of the second half of its way, which soil cannot do: the \
-                 wrench is that of the plate on the soil, or the sensor's frame is not that of its wrenches (--sensor-frame)"
+                 wrench is that of the plate on the soil (--wrench-sense plate-on-soil), or the sensor's frame is not that of its wrenches \
+                 (--sensor-frame)"
             )
         })
     }

@@ -48,8 +48,31 @@ pub struct LogSettings {
     /// Weight in N of what the sensor carries, if it is known: it turns with the sensor. Without it a log of another program tells it by
     /// free air in several postures.
     pub tool_weight_n: Option<f64>,
+    /// Whose force the wrenches of a log of another program are.
+    pub sense: Sense,
     /// Begin and end of each stroke in s, on the clock of the stamps; without them strokes are looked for.
     pub windows: Option<Vec<[f64; 2]>>,
+}
+
+/// Whose force on whom wrenches are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sense {
+    /// The force of the soil on the plate, and the weight of the tool on the sensor.
+    #[default]
+    SoilOnPlate,
+    /// What holds against them: all readings have the other sign.
+    PlateOnSoil,
+}
+
+impl Sense {
+    /// A reading as the force of the soil on the plate, with the bias and the weight that are in it.
+    #[must_use]
+    pub fn on_plate(self, wrench: [f64; 6]) -> [f64; 6] {
+        match self {
+            Self::SoilOnPlate => wrench,
+            Self::PlateOnSoil => wrench.map(|part| -part),
+        }
+    }
 }
 
 impl LogSettings {
@@ -58,6 +81,7 @@ impl LogSettings {
         self.joint_topic.is_some()
             || self.wrench_topic.is_some()
             || self.urdf.is_some()
+            || self.sense != Sense::default()
             || self.windows.is_some()
     }
 }

@@ -4,7 +4,7 @@ mod contents;
 mod reader;
 
 pub use self::contents::BagContents;
-pub(super) use self::reader::read_wrench;
+
 pub use self::reader::{BagMessage, BagReader, JOINT_STATE, WRENCH};
 
 fn listed<T: AsRef<str>>(names: impl Iterator<Item = T>) -> String {

@@ -105,7 +105,7 @@ impl BagReader {
 }
 
 /// Header and wrench of a message.
-pub(in crate::log) fn read_wrench(message: &[u8]) -> Option<(Header, [f64; 6])> {
+fn read_wrench(message: &[u8]) -> Option<(Header, [f64; 6])> {
     let WrenchStamped { header, wrench } = decode(message).ok()?;
     let [f, t] = [wrench.force, wrench.torque];
     Some((header, [f.x, f.y, f.z, t.x, t.y, t.z]))
