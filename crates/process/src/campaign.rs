@@ -5,6 +5,9 @@ use soilctl_stats::{mean_and_sd, t_quantile, two_sided_p};
 
 use crate::error::{ProcessError, positive};
 
+/// Tool angles that differ by less, in deg, were set to be the same.
+const SAME_ANGLE_DEG: f64 = 0.5;
+
 /// A failure force and where it was measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CampaignStroke {
@@ -130,6 +133,26 @@ pub fn campaign_statistics(
         dependence(&rows)
     };
     Ok(CampaignStatistics { radius: over(|s| s.radius_m), base: over(|s| s.base_deg), groups })
+}
+
+/// The tool angle that each stroke was meant to have: a plate that came to 69.98 and to 70.01 deg was set to one angle. Strokes whose
+/// angles lie within half a degree of the least of them are of one kind, and the middle one of them stands for all.
+#[must_use]
+pub fn meant_angles_deg(alpha_deg: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..alpha_deg.len()).collect();
+    order.sort_by(|a, b| alpha_deg[*a].total_cmp(&alpha_deg[*b]));
+    let mut meant = alpha_deg.to_vec();
+    let mut left = order.as_slice();
+    while let Some(least) = left.first() {
+        let within =
+            left.iter().take_while(|place| alpha_deg[**place] - alpha_deg[*least] <= SAME_ANGLE_DEG).count();
+        // At least one, also where an angle is no number.
+        let (kind, rest) = left.split_at(within.max(1));
+        let middle = alpha_deg[kind[kind.len() / 2]];
+        kind.iter().for_each(|place| meant[*place] = middle);
+        left = rest;
+    }
+    meant
 }
 
 fn group(strokes: &[CampaignStroke], scaled: &[f64], alpha_deg: f64) -> AngleGroup {

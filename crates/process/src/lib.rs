@@ -14,7 +14,9 @@ mod slip;
 pub mod table;
 mod trace;
 
-pub use campaign::{AngleGroup, CampaignStatistics, CampaignStroke, Dependence, campaign_statistics};
+pub use campaign::{
+    AngleGroup, CampaignStatistics, CampaignStroke, Dependence, campaign_statistics, meant_angles_deg,
+};
 pub use depth_law::{DepthLaw, DepthPoint, depth_law};
 pub use error::ProcessError;
 pub use failure::{

@@ -24,6 +24,9 @@ const AFTER_S: f64 = 1.0;
 /// Way down over the depth that is no play of the arm.
 const SLID_REL: f64 = 0.02;
 
+/// A hundredth of a degree, finer than any arm is known, changes no force; strokes at one angle shall have one.
+const ANGLE_STEPS_PER_DEG: f64 = 100.0;
+
 /// Samples over which a direction is taken.
 const STEADY: usize = 25;
 
@@ -82,6 +85,8 @@ pub struct Evaluated {
 /// and the friction angle is the inclination minus that of the plate's normal, `alpha - 90 deg` and how far the plate has
 /// turned since.
 ///
+/// A tool angle that nobody stated is that of the plate, to a hundredth of a degree.
+///
 /// # Errors
 /// [`ProcessError::OutOfRange`] if the plate's depth or width is not above 0, or its angle is not between 0 and 180 deg;
 /// errors of [`Trace::new`].
@@ -96,7 +101,10 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         positive("depth of the plate below the surface", setting.surface_z_m - median(&mut heights), "m")?;
     let alpha_deg = match setting.alpha_deg {
         Some(alpha) => alpha,
-        None => tool_angle_deg(along(first.down_plate), first.down_plate[2]),
+        None => {
+            let angle_deg = tool_angle_deg(along(first.down_plate), first.down_plate[2]);
+            (angle_deg * ANGLE_STEPS_PER_DEG).round() / ANGLE_STEPS_PER_DEG
+        }
     };
     if !(alpha_deg > 0.0 && alpha_deg < 180.0) {
         return Err(ProcessError::OutOfRange {

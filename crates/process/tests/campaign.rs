@@ -6,8 +6,16 @@ mod common;
 use common::Random;
 use soilctl_process::{
     CampaignStroke, DepthPoint, ProcessError, SweepStroke, campaign_statistics, depth_law,
-    interface_friction, rubbing_peak,
+    interface_friction, meant_angles_deg, rubbing_peak,
 };
+
+#[test]
+fn angles_that_were_meant_to_be_the_same_are() {
+    let meant = meant_angles_deg(&[80.0, 69.98, 90.3, 70.02, 70.0, 89.9]);
+    assert_eq!(meant, [80.0, 70.0, 90.3, 70.0, 70.0, 90.3]);
+    assert_eq!(meant_angles_deg(&[70.0, 70.4, 70.8]), [70.4, 70.4, 70.8]);
+    assert!(meant_angles_deg(&[]).is_empty() && meant_angles_deg(&[f64::NAN])[0].is_nan());
+}
 
 #[test]
 fn an_exact_power_is_recovered() {

@@ -7,7 +7,8 @@ use soilctl_earth_pressure::{Case, ForceModel, model};
 use soilctl_process::log::read_wrenches;
 use soilctl_process::table::StrokeRecord;
 use soilctl_process::{
-    CampaignStroke, DepthPoint, SweepStroke, campaign_statistics, depth_law, interface_friction, rubbing_peak,
+    CampaignStroke, DepthPoint, SweepStroke, campaign_statistics, depth_law, interface_friction,
+    meant_angles_deg, rubbing_peak,
 };
 use soilctl_strokes::Campaign;
 
@@ -77,21 +78,23 @@ fn sweep(strokes: &[StrokeRecord]) -> Result<Friction, String> {
     })
 }
 
-/// Tool angles, each once.
-fn angles(strokes: &[StrokeRecord]) -> Vec<f64> {
-    let mut all: Vec<f64> = strokes.iter().map(|s| s.row.alpha_deg).collect();
-    all.sort_by(f64::total_cmp);
-    all.dedup();
-    all
+/// The tool angle that each stroke was meant to have.
+fn meant_deg(strokes: &[StrokeRecord]) -> Vec<f64> {
+    meant_angles_deg(&strokes.iter().map(|s| s.row.alpha_deg).collect::<Vec<_>>())
 }
 
 fn depth_laws(strokes: &[StrokeRecord], campaign: &Campaign) -> Result<Vec<Law>, AppError> {
     let mut laws = Vec::new();
-    for alpha_deg in angles(strokes) {
+    let meant = meant_deg(strokes);
+    let mut angles = meant.clone();
+    angles.sort_by(f64::total_cmp);
+    angles.dedup();
+    for alpha_deg in angles {
         let points: Vec<DepthPoint> = strokes
             .iter()
-            .filter(|s| s.row.alpha_deg == alpha_deg)
-            .map(|s| DepthPoint { depth_m: s.row.depth_m, force_n: s.row.force_n })
+            .zip(&meant)
+            .filter(|(_, meant)| **meant == alpha_deg)
+            .map(|(s, _)| DepthPoint { depth_m: s.row.depth_m, force_n: s.row.force_n })
             .collect();
         let (low, high) = points
             .iter()
@@ -119,8 +122,9 @@ fn statistics(
 ) -> Result<(), AppError> {
     let rows: Vec<CampaignStroke> = strokes
         .iter()
-        .map(|s| CampaignStroke {
-            alpha_deg: s.row.alpha_deg,
+        .zip(meant_deg(strokes))
+        .map(|(s, alpha_deg)| CampaignStroke {
+            alpha_deg,
             depth_m: s.row.depth_m,
             force_n: s.row.force_n,
             radius_m: s.row.radius_m,
