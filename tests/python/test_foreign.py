@@ -5,7 +5,8 @@ import dataclasses
 import json
 
 import pytest
-from foreign import bags, score
+from conftest import DATA
+from foreign import bags, example, score
 
 
 BASE = bags.Case(seed=5, strokes=3, noise=0.1, wrench_hz=500.0, force=(5.0, 30.0), tool_n=3.0)
@@ -115,6 +116,26 @@ def test_what_cannot_be_weighed_is_refused_with_its_reason(soilctl, tmp_path, ma
     else:
         assert answer["strokes"] == []
         assert all(words in reason for reason in reasons(answer)), reasons(answer)
+
+
+def test_wrenches_of_the_plate_on_the_soil_change_their_sign(soilctl, tmp_path, made):
+    bag = made("seven")
+    done, answer = run(soilctl, tmp_path, bag, "--wrench-sense", "plate-on-soil", trouble=("sign",))
+    assert done.returncode == 0, done.stderr
+    pairs, invented = score.match(bag, answer)
+    assert not invented and all(pair.is_right for pair in pairs)
+
+
+def test_the_example_leads_from_a_bag_to_its_soil(soilctl, tmp_path):
+    folder, table = DATA / "other_arm", tmp_path / "strokes.csv"
+    options = ["--plate-frame", "blade_edge", "--surface-z", 0.08, "--width", example.WIDTH, "--out", table]
+    found = soilctl.json("process", folder / "bag", "--urdf", folder / "arm.urdf", *options)
+    rows = found["strokes"]
+    assert sorted(row["alpha_deg"] for row in rows) == sorted(example.ALPHAS * example.REPEATS)
+    for row in rows:
+        assert row["force_n"] == pytest.approx(example.force_n(row["alpha_deg"]), rel=0.06)
+        assert row["depth_m"] == pytest.approx(example.DEPTH, abs=1e-4) and row["flags"] == ""
+    assert [group["strokes"] for group in found["groups"]] == [example.REPEATS] * len(example.ALPHAS)
 
 
 @pytest.mark.parametrize(("by", "words"), [(0.3, "never above the surface"), (-0.2, "above the surface as given")])

@@ -32,6 +32,8 @@ class Case:
     alpha: tuple = (60.0, 90.0)
     depth: tuple = (0.02, 0.05)
     width: float = 0.1
+    plan: tuple = ()  # of each stroke: kind, force, tool angle; drawn if empty
+    delta: tuple = (10.0, 20.0)
     wall_s: float = 1.7e9  # first stamp
     posture: float = 0.3  # how far the wrist turns in free air, rad; 0: one posture
     presses: int = 0  # contacts without travel
@@ -81,12 +83,17 @@ def make(case):
     order = ["stroke"] * case.strokes + ["press"] * case.presses
     rng.shuffle(order)
     for number, what in enumerate(order):
+        planned = case.plan[number] if case.plan else None
+        if planned:
+            alphas[number] = planned[2]
         here = np.array(arm.reach) + rng.uniform(-1, 1, 2) * np.array(arm.span)
         depth = rng.uniform(*case.depth)
         travel = 0.0 if what == "press" else rng.uniform(0.025, 0.05)
         row = script.stroke(here, alphas[number], depth, travel, rng, 0.0 if case.arm == "gantry" else case.posture)
         row.update(kind=rng.choice(case.kinds), force=np.exp(rng.uniform(*np.log(case.force))), depth=depth,
                    alpha=alphas[number], travel=travel, law=rng.choice(["exponential", "tanh", "power", "sine"]))
+        if planned:
+            row.update(kind=planned[0], force=planned[1])
         rows.append(row)
     script.rest(rng.uniform(1.5, 3.0))
     end = script.time
@@ -199,7 +206,7 @@ def soil_force(case, arm, rows, t, tip, heading, rng):
         normal = np.array([-down[2] * ahead[0], -down[2] * ahead[1], np.cos(alpha)])  # ahead of the plate
         here = np.outer(-vertical, down)
         if row["travel"]:
-            delta = np.radians(rng.uniform(10, 20))
+            delta = np.radians(rng.uniform(*case.delta))
             if row["kind"] == "drastic":
                 at = rng.uniform(0.2, 0.5) * row["travel"]
                 curve = soils.drastic(u, row["force"], at, rng.uniform(0.55, 0.8), 0.0015)
