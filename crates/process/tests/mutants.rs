@@ -13,11 +13,7 @@ use soilctl_process::log::{LogSettings, read_log};
 
 /// No mutant of these files, a few tens of kB each, may take longer.
 const LONGEST: Duration = Duration::from_secs(10);
-const URDF: &str = r#"<robot name="gantry"><link name="world"/><link name="cart"/><link name="lift"/><link name="ft"/><link name="edge"/>
-<joint name="base" type="revolute"><parent link="world"/><child link="cart"/><axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
-<joint name="arm" type="continuous"><parent link="cart"/><child link="lift"/><origin xyz="0 0 0.1" rpy="0 0.1 0"/><axis xyz="0 0 1"/></joint>
-<joint name="cell" type="fixed"><parent link="lift"/><child link="ft"/></joint>
-<joint name="edge" type="fixed"><parent link="lift"/><child link="edge"/><origin xyz="0 0 -0.1" rpy="3.1416 0 0"/></joint></robot>"#;
+const URDF: &str = include_str!("../../../fuzz/corpus/urdf/arm.urdf");
 
 fn below(random: &mut Random, end: usize) -> usize {
     ((random.uniform() * end as f64) as usize).min(end.saturating_sub(1))
