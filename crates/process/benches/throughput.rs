@@ -1,7 +1,9 @@
-//! Logs a second on one core, from zstd and uncompressed, against what a user would otherwise write in Python, in one run:
-//! `cargo bench -p soilctl-process`, after `cargo xtask setup`, which gets Python's packages. The bars: 120 MB/s of decompressed bytes
+//! Logs a second on one core, from zstd and uncompressed, against what a user would otherwise write in Python or Rust, in one run; then a
+//! recording of another program against the crates `mcap` and `cdr-encoding`: `cargo bench -p soilctl-process`, after `cargo xtask setup`, which gets Python's packages. The bars: 120 MB/s of decompressed bytes
 //! from zstd, 200 MB/s uncompressed, ten times Python.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark")]
+
+mod rust_peer;
 
 use std::path::Path;
 use std::process::Command;
@@ -27,9 +29,12 @@ strokes = [
 
 /// The strokes of a log with a failure force.
 fn strokes(log: &Path) -> usize {
+    strokes_with(log, &LogSettings::default())
+}
+
+fn strokes_with(log: &Path, settings: &LogSettings) -> usize {
     let mut count = 0;
-    let settings = LogSettings::default();
-    read_log(log, &settings, &AtomicBool::new(false), &mut |found| {
+    read_log(log, settings, &AtomicBool::new(false), &mut |found| {
         count += usize::from(matches!(found, Candidate::Stroke(_)));
     })
     .unwrap();
@@ -70,6 +75,14 @@ fn main() {
         strokes(log);
         let ours_s = clock.elapsed().as_secs_f64();
         println!("{name}: {:.0} MB/s", megabytes / ours_s);
+        let clock = Instant::now();
+        rust_peer::wrenches_of_steps(log);
+        let peer_s = clock.elapsed().as_secs_f64();
+        println!(
+            "{name}: Rust, mcap, six numbers of each step: {:.0} MB/s, {:.2} times our time",
+            megabytes / peer_s,
+            peer_s / ours_s
+        );
         for how in ["wrench", "decoder"] {
             let answer: serde_json::Value =
                 serde_json::from_slice(&run("read_steps.py", &[Path::new(how), log])).unwrap();
@@ -81,5 +94,26 @@ fn main() {
             );
         }
     }
+    let other = here.join("../../data/other_arm");
+    let settings = LogSettings {
+        urdf: Some(std::fs::read_to_string(other.join("arm.urdf")).unwrap()),
+        plate_frame: Some("blade_edge".into()),
+        surface_z_m: Some(0.08),
+        width_m: Some(0.1),
+        ..LogSettings::default()
+    };
+    let bag = other.join("bag/bag.mcap");
+    let (joints, wrenches) = rust_peer::columns(&bag);
+    println!(
+        "a recording of another program: {joints} joint states, {wrenches} wrenches, {} strokes",
+        strokes_with(&bag, &settings)
+    );
+    let mut group = criterion.benchmark_group("another program's recording");
+    group.sampling_mode(SamplingMode::Flat);
+    group.throughput(Throughput::Elements((joints + wrenches) as u64));
+    group.bench_function("process", |b| b.iter(|| strokes_with(&bag, &settings)));
+    group.bench_function("soilctl-bag alone, into columns", |b| b.iter(|| rust_peer::our_columns(&bag)));
+    group.bench_function("mcap and cdr-encoding, into columns", |b| b.iter(|| rust_peer::columns(&bag)));
+    group.finish();
     criterion.final_summary();
 }
