@@ -21,13 +21,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, TypedDict
 
 from ._progress import Progress
 from ._record import Answer, Record
 from ._run import run
 from ._table import PathLike, Table
 '''
+#: Use cases whose keyword arguments another function of the package hands on, with those that it takes itself.
+FORWARDED = {"process": ("out", "shard")}
 RAISES = {
     "InputError": "If a value makes no sense, is missing or outside its range; the message names it.",
     "FileError": "If a file cannot be read or written.",
@@ -50,6 +52,10 @@ def use_cases(schemas: list[tuple[str, str, str, str]]) -> str:
             records |= answer_records(prefix, {**json.loads(answer), "description": summary})
         functions.append(function(name, json.loads(request), kind))
         names.append(function_name(name))
+        if name in FORWARDED:
+            arguments = f"{prefix}Arguments"
+            functions.append(keywords(arguments, name, json.loads(request), FORWARDED[name]))
+            names.append(arguments)
     listed = "".join(f'    "{name}",\n' for name in sorted([*records, *names]))
     return "\n".join([HEAD, f"__all__ = [\n{listed}]\n", *records.values(), *functions])
 
@@ -192,6 +198,17 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
     called = function_name(name)
     given = f"run({json.dumps(name)}, {called}, locals(), {answer}" + (f", tables=({listed}))" if tables else ")")
     return f"\ndef {called}(\n{signature}) -> {answer}:\n{docstring(text, 4)}    return {given}\n"
+
+
+def keywords(kind: str, name: str, schema: dict[str, Any], without: tuple[str, ...]) -> str:
+    """The keyword arguments of a use case as a type, but for some."""
+    scope = Scope("", dict(schema.get("$defs", {})))
+    lines = []
+    for key, about in schema["properties"].items():
+        if key not in (*schema.get("required", []), *without):
+            lines.append(f"    {key}: {union([parameter_type(about, scope)[0], 'None'])}\n")
+    told = docstring(f"Keyword arguments of :func:`{function_name(name)}`, which tells what they mean.", 4)
+    return f"\nclass {kind}(TypedDict, total=False):\n{told}\n" + "".join(lines)
 
 
 def parameter_type(about: dict[str, Any], scope: Scope) -> tuple[str, bool]:

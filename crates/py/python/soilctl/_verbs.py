@@ -7,7 +7,7 @@ import operator
 import os
 from collections.abc import Iterable
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import use_cases
 from ._native import Certificate, Solution, answer_command
@@ -16,6 +16,10 @@ from ._record import table
 from ._run import run
 from ._table import PathLike, Table
 from .errors import InputError, InputTypeError
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
 
 class CommandAnswer(dict[str, Any]):
     """An answer of the command line: a dict that a notebook shows as a table, with links to the pages that were written."""
@@ -153,12 +157,14 @@ def process(
     shard: tuple[int, int] | None = None,
     report: PathLike | None = None,
     progress: Progress = None,
-    **request: Any,
+    **request: Unpack[use_cases.ProcessArguments],
 ) -> use_cases.ProcessAnswer:
     """Failure forces of the strokes in logs, and what they say together.
 
+    ``pandas.DataFrame(found.strokes)`` is the stroke table, which :func:`soilctl.estimate` takes.
+
     Args:
-        logs: A log (.mcap), a folder with logs, or several.
+        logs: A log (.mcap, .db3, .bag, or the folder of a split bag), a folder with logs, or several.
         out: Stroke table to write (.csv or .parquet), with which the same call reads only what is new.
         shard: ``(i, n)``: reads only each n-th log, starting with the i-th, and writes no table. The shards may run at the same time
             in any executor or on other machines, if they see the same folder; the same call without ``shard`` then takes what they
@@ -166,7 +172,7 @@ def process(
         report: One HTML page to write.
         progress: Called with the number of logs that are done and of all, or True for a bar of tqdm.
         request: All other arguments of :func:`soilctl.use_cases.process`, such as ``threads``, and for bags of other programs
-            ``urdf``, ``surface_z_m`` and ``width_m``.
+            ``urdf``, ``surface_z_m`` and ``width_m``; ``strokes``, the times of the pushes, may be columns ``start`` and ``end``.
 
     Raises:
         InputError: If no log can be used, or a value makes no sense.
