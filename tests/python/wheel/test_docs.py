@@ -15,7 +15,7 @@ ROOT = Path(__file__).parents[3]
 DOCS = ROOT / "docs"
 # By their place in the folder of the pages.
 README = "../README.md"
-PAGES = ["tutorial.md", "python.md", *(f"how/{path.name}" for path in sorted((DOCS / "how").glob("*.md")))]
+PAGES = ["tutorial.md", "python.md", "own-robot.md", *(f"how/{path.name}" for path in sorted((DOCS / "how").glob("*.md")))]
 BLOCK = re.compile(r"(<!-- not run: [^>]*-->\n)?^```(\w+)\n(.*?)^```$", flags=re.MULTILINE | re.DOTALL)
 COMMAND = Path(sys.executable).with_name("soilctl")
 matplotlib.use("Agg")
