@@ -6,6 +6,7 @@ use soilctl_stats::{median, sd_of_median_abs};
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
+use crate::friction::COMMON_SD_DEG;
 use crate::failure::{Analysis, FailureSettings, ForceNoise, Indiscernible, Outcome, failure_force};
 use crate::robot::RobotSample;
 use crate::slip::Slip;
@@ -24,6 +25,8 @@ const AFTER_S: f64 = 1.0;
 /// Way down over the depth that is no play of the arm.
 const SLID_REL: f64 = 0.02;
 
+/// So many independent readings of the inclination are in the half second before a failure: it wanders slowly.
+const INDEPENDENT: f64 = 4.0;
 /// Samples over which a direction is taken.
 const STEADY: usize = 25;
 
@@ -72,8 +75,6 @@ pub struct Evaluated {
     pub analysis: Analysis,
     /// Inclination of the force after the failure.
     pub slip: Option<Slip>,
-    /// How far the tool angle had grown at failure since the beginning, in deg.
-    pub turned_deg: Option<f64>,
 }
 
 /// Evaluates a recorded stroke.
@@ -147,9 +148,8 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         x_step_m: step(trace.displacement_m()),
         ..StrokeRow::default()
     };
-    let mut turned_deg = None;
     if let Outcome::Found(point) = &analysis.outcome {
-        turned_deg =
+        row.turned_deg =
             before(&trace, Some(&columns(&|s| tool_deg(s))), point.time_s).map(|angle| angle - early_deg);
         row.force_n = point.force_n;
         row.force_sd_n = Some(point.sd_n);
@@ -157,6 +157,9 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         row.post_slope_norm = point.post_slope_norm;
         row.residual_ratio = point.residual_ratio;
         row.friction_angle_deg = before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s);
+        row.friction_angle_sd_deg =
+            spread_before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s)
+                .map(|spread| (spread / INDEPENDENT.sqrt()).hypot(COMMON_SD_DEG));
         row.z_drift_m =
             before(&trace, trace.channels().z_m.as_deref(), point.time_s).map(|z| z - median(&mut heights));
         // The force is that of the depth where the soil failed.
@@ -176,7 +179,7 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
             row.tare_after_n = stroke.tare_after.map(share);
         }
     }
-    Ok(Evaluated { row, trace, analysis, slip, turned_deg })
+    Ok(Evaluated { row, trace, analysis, slip })
 }
 
 /// Finds the failure on the force across the plate, and gives it as that of the resultant.
@@ -262,12 +265,23 @@ fn tool_angle_deg(down_along: f64, down_up: f64) -> f64 {
     (-down_up).atan2(down_along).to_degrees()
 }
 
+/// How far a channel wanders over the same time.
+fn spread_before(trace: &Trace, values: Option<&[f64]>, time_s: f64) -> Option<f64> {
+    let part = just_before(trace, values?, time_s)?;
+    let middle = median(&mut part.to_vec());
+    Some(sd_of_median_abs(part.iter().map(|value| value - middle)))
+}
+
 /// Median of a channel over the half second before failure, less its last tenth.
 fn before(trace: &Trace, values: Option<&[f64]>, time_s: f64) -> Option<f64> {
+    Some(median(&mut just_before(trace, values?, time_s)?.to_vec()))
+}
+
+/// A channel over that time; `None` of fewer than three samples.
+fn just_before<'v>(trace: &Trace, values: &'v [f64], time_s: f64) -> Option<&'v [f64]> {
     let first = trace.t_s().partition_point(|t| *t < time_s - 0.5);
     let last = trace.t_s().partition_point(|t| *t < time_s - 0.05);
-    let part = values?.get(first..last).filter(|part| part.len() >= 3)?;
-    Some(median(&mut part.to_vec()))
+    values.get(first..last).filter(|part| part.len() >= 3)
 }
 
 /// Holds the last value where there is none; `None` if more than half is missing.

@@ -65,8 +65,8 @@ pub(super) fn all(
         });
     let table = folder.file("measurements.csv");
     let campaign = Campaign::read_beside(&table)?.unwrap_or_default();
-    let rows = chosen.iter().map(|stroke| stroke.at_failure(interval_deg, &campaign));
-    write(&table, &rows.collect::<Result<Vec<_>, _>>()?)?;
+    let rows: Vec<StrokeRow> = chosen.iter().map(|stroke| stroke.at_failure(interval_deg)).collect();
+    write(&table, &rows)?;
     answer.files.measurements = Some(table.display().to_string());
     let known = |measurements| Known {
         measurements,
@@ -82,9 +82,9 @@ pub(super) fn all(
     let true_table = folder.file("measurements_true.csv");
     let true_rows = chosen.iter().filter_map(|stroke| {
         let truth = answer.each.iter().find(|one| one.stroke_id == stroke.row.stroke_id)?;
-        Some(stroke.in_truth(truth.true_force_n?, truth.true_depth_m?, interval_deg, &campaign))
+        Some(stroke.in_truth(truth.true_force_n?, truth.true_depth_m?, interval_deg))
     });
-    let true_rows = true_rows.collect::<Result<Vec<_>, _>>()?;
+    let true_rows: Vec<StrokeRow> = true_rows.collect();
     if !true_rows.is_empty() {
         write(&true_table, &true_rows)?;
         wanted.push((TRUE_FORCES, None, known(&true_table).request(None)));
