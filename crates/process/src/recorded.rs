@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use soilctl_stats::{median, sd_of_median_abs};
+use soilctl_stats::{mean_and_sd, median, sd_of_median_abs};
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
@@ -25,8 +25,8 @@ const AFTER_S: f64 = 1.0;
 /// Way down over the depth that is no play of the arm.
 const SLID_REL: f64 = 0.02;
 
-/// So many independent readings of the inclination are in the half second before a failure: it wanders slowly.
-const INDEPENDENT: f64 = 4.0;
+/// Parts of the half second before a failure between which the inclination of the force wanders.
+const BLOCKS: usize = 5;
 /// Samples over which a direction is taken.
 const STEADY: usize = 25;
 
@@ -158,8 +158,8 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         row.residual_ratio = point.residual_ratio;
         row.friction_angle_deg = before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s);
         row.friction_angle_sd_deg =
-            spread_before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s)
-                .map(|spread| (spread / INDEPENDENT.sqrt()).hypot(COMMON_SD_DEG));
+            wander_before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s)
+                .map(|wander| (0.5 * wander).hypot(COMMON_SD_DEG));
         row.z_drift_m =
             before(&trace, trace.channels().z_m.as_deref(), point.time_s).map(|z| z - median(&mut heights));
         // The force is that of the depth where the soil failed.
@@ -265,11 +265,12 @@ fn tool_angle_deg(down_along: f64, down_up: f64) -> f64 {
     (-down_up).atan2(down_along).to_degrees()
 }
 
-/// How far a channel wanders over the same time.
-fn spread_before(trace: &Trace, values: Option<&[f64]>, time_s: f64) -> Option<f64> {
+/// How far a channel wanders over the same time, without its noise.
+fn wander_before(trace: &Trace, values: Option<&[f64]>, time_s: f64) -> Option<f64> {
     let part = just_before(trace, values?, time_s)?;
-    let middle = median(&mut part.to_vec());
-    Some(sd_of_median_abs(part.iter().map(|value| value - middle)))
+    let blocks: Vec<f64> =
+        part.chunks(part.len().div_ceil(BLOCKS)).map(|block| median(&mut block.to_vec())).collect();
+    mean_and_sd(&blocks).map(|(_, sd)| sd)
 }
 
 /// Median of a channel over the half second before failure, less its last tenth.

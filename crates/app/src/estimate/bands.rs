@@ -12,9 +12,10 @@ use crate::text::number;
 /// Strokes are of one kind if their tool angles differ by no more than this from that of the first, in deg,
 const SAME_ALPHA_DEG: f64 = 1.0;
 /// the inclinations that their forces were to have by no more than this, in deg,
-const SAME_FRICTION_DEG: f64 = 2.0;
-/// their depths by no more than this share, and their widths by no more than the other.
-const SAME_DEPTH: f64 = 0.15;
+const SAME_FRICTION_DEG: f64 = 6.0;
+/// their depths by no more than this share, and their widths by no more than the other. Models are exact in depth, and the friction is
+/// that at failure, which is closer together than what was asked for.
+const SAME_DEPTH: f64 = 0.35;
 const SAME_WIDTH: f64 = 1e-3;
 /// Forces are carried over some degrees and tenths of the depth by Chen and Liu's model in a soil of this friction angle and density.
 const USUAL_PHI_DEG: f64 = 40.0;
