@@ -3,15 +3,26 @@
 use super::answer::{Answer, Region};
 use crate::text::number;
 
+/// A range of friction angles, in deg, that says nothing of a sand.
+const OPEN_DEG: f64 = 15.0;
+
 /// Two or three sentences: friction angle and density with how sure they are, interface friction, and the truth.
 pub(super) fn in_words(answer: &Answer) -> String {
     let truth = &answer.truth;
     let (weighed, unknown) = (&answer.density_weighed, &answer.density_unknown);
     let mut text = match (weighed.as_ref().and_then(ranges), unknown.as_ref().and_then(ranges)) {
-        (Some([phi, _]), Some([phi_unknown, density_unknown])) => format!(
-            "The forces say that the friction angle of the soil is {phi} deg with its density as weighed, or {phi_unknown} deg and \
-             {density_unknown} kg/m3 with the density unknown"
-        ),
+        (Some([phi, _]), Some([phi_unknown, density_unknown])) => {
+            let open = unknown.as_ref().and_then(|region| region.phi_deg);
+            let without = match open {
+                Some([low, high]) if high - low > OPEN_DEG => {
+                    format!("without the density these strokes leave it open, {phi_unknown} deg")
+                }
+                _ => format!("without it {phi_unknown} deg at {density_unknown} kg/m3"),
+            };
+            format!(
+                "The forces say that the friction angle of the soil is {phi} deg, with its density as weighed; {without}"
+            )
+        }
         (None, Some([phi, density])) | (Some([phi, density]), None) => format!(
             "The forces say that the friction angle of the soil is {phi} deg and its density {density} kg/m3"
         ),
@@ -26,12 +37,12 @@ pub(super) fn in_words(answer: &Answer) -> String {
     };
     let regions = [weighed, unknown].into_iter().flatten();
     if let Some(confidence) = regions.clone().find_map(|region| region.confidence) {
-        text += &format!(" (bands that all hold with {} %)", number(100.0 * confidence));
+        text += &format!(". All bands hold with {} %", number(100.0 * confidence));
     }
     let held = if regions.clone().filter(|region| region.consistent).all(|region| region.holds_truth) {
-        "inside"
+        "which lies inside"
     } else {
-        "outside"
+        "which lies outside"
     };
     text += &format!(
         ". In truth it is {} deg at {} kg/m3, {held}.",

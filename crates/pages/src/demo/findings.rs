@@ -125,7 +125,7 @@ pub(super) fn estimate(page: &mut HtmlReport, answer: &Answer, drawn: &Drawn) ->
     }
     if answer.strokes.used_for_phi > 0 {
         page.paragraph(format!(
-            "From {} strokes whose set-point is near δ. Those of one tool angle, depth and set-point are one band. All bands together hold \
+            "From {} strokes in which the soil failed as the model has it. Those of one tool angle are one band. All bands together hold \
              their true forces with {} %; what depth, density of a preparation, sensor and model add is part of them.",
             answer.strokes.used_for_phi,
             number(100.0 * answer.regions().find_map(|(_, region)| region.confidence).unwrap_or(0.0))
