@@ -96,7 +96,8 @@ fn strokes_of_one_kind_are_one_band_that_says_how_it_came_about() {
         assert!((part("common") - 0.0313).abs() < 5e-4, "{band}");
     }
     let (low, high) = (range(&answer, "phi_deg")[0], range(&answer, "phi_deg")[1]);
-    assert!(low < 38.0 && 38.0 < high && high - low < 15.0, "{low} {high}");
+    // Two tool angles, density unknown.
+    assert!(low < 38.0 && 38.0 < high && high - low < 20.0, "{low} {high}");
     // Each stroke by itself, with --sigma.
     let own = json(&["estimate", file, "--model", "chen", "--sigma", "3"]).1;
     assert_eq!(own["measurements"].as_array().map(Vec::len), Some(8));
