@@ -63,7 +63,7 @@ pub struct Pool {
 ///
 /// Deviations are relative, and normal in the logarithm. That of a mean is `sqrt(mean of s_i^2 / n)`. Where it is stated how far a
 /// stroke is off, the scatter about the means of all kinds may enlarge the `s_i`, all by the same factor, never lessen them; the
-/// statement counts as [eight degrees of freedom](https://www.bipm.org/en/publications/guides) and what the scatter has adds to
+/// statement counts as eight degrees of freedom and what the scatter has adds to
 /// them. Where nothing is stated, the scatter of all such kinds together is the deviation. What strokes share is added in
 /// squares. The quantile is Student's with the effective degrees of freedom of Welch and Satterthwaite, at the confidence
 /// `confidence^(1/m)` for each of `m` bands: by Šidák (1967) they hold jointly with at least `confidence`, however their errors are
@@ -205,8 +205,8 @@ mod tests {
         let one = kind(&[5.0], Some(&[0.02]), 0.0);
         let found = pool("s", &[one.clone(), one], 0.95).unwrap();
         assert!((1.0 - found.each - 0.025_320_565).abs() < 1e-9);
-        // t(8) at 0.025321 on both sides together.
-        assert!((found.bands[0].deviations - 2.744_6).abs() < 1e-3, "{}", found.bands[0].deviations);
+        // t(8) at 0.025321 on both sides together, by scipy 1.17: t.ppf(1 - 0.025320565 / 2, 8).
+        assert!((found.bands[0].deviations - 2.743_279_026).abs() < 1e-6, "{}", found.bands[0].deviations);
     }
 
     #[test]
