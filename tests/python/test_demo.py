@@ -71,8 +71,7 @@ def test_the_estimate_is_that_of_the_verb(demo, soilctl):
     if answer["delta_used_deg"] is None:
         pytest.skip("there is no estimate to repeat")
     # Each stroke has the inclination of the force when its soil failed, within a degree.
-    options = ["--delta", "column", "--delta-tol", 1, "--sigma", 3]
-    again = soilctl("estimate", answer["files"]["measurements"], *options, "--format", "json", cwd=folder)
+    again = soilctl("estimate", answer["files"]["measurements"], "--format", "json", cwd=folder)
     found = json.loads(again.stdout)
     assert found == json.loads((folder / "shown" / "estimate.json").read_text(encoding="utf-8"))
     assert found["consistent"] == answer["density_unknown"]["consistent"]

@@ -265,6 +265,15 @@ impl NumberOrColumn {
     }
 }
 
+impl std::fmt::Display for NumberOrColumn {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Number(value) => write!(f, "{value}"),
+            Self::Column => f.write_str("column"),
+        }
+    }
+}
+
 impl FromStr for NumberOrColumn {
     type Err = String;
 

@@ -45,10 +45,6 @@ fn other(folder: &Path, model: &str, [low, high]: [f64; 2]) -> Option<[f64; 2]> 
     let answer = json(&[
         "estimate",
         folder.join("measurements.csv").to_str().unwrap(),
-        "--delta",
-        "column",
-        "--sigma",
-        "3",
         "--density",
         &density.to_string(),
         "--density-tol",

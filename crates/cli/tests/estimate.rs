@@ -51,6 +51,59 @@ fn columns_of_the_table_are_used_when_told_so() {
     assert_eq!(by_option["phi_deg"], by_column["phi_deg"]);
 }
 
+/// A table without repeated strokes and without depth_sd_m is as before: bands of one deviation; what is left out is what the column says.
+#[test]
+fn without_delta_the_column_counts_and_without_it_a_message_says_what_to_give() {
+    let file = soil("ticino_rained");
+    let given = json(&["estimate", &file, "--delta", "23", "--density", "1600"]).1;
+    let left_out = json(&["estimate", &file, "--density", "1600"]).1;
+    assert_eq!(given["phi_deg"], left_out["phi_deg"]);
+    assert!(left_out["confidence"].is_null() && left_out["measurements"][0]["pooled"].is_null());
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("strokes.csv");
+    std::fs::write(&file, "alpha_deg,depth_m,width_m,force_n,force_sd_n\n80,0.025,0.127,5,0.2\n").unwrap();
+    let message = refused(&["estimate", file.to_str().unwrap()]);
+    assert!(message.contains("line 2") && message.contains("--delta 23"), "{message}");
+}
+
+/// Four strokes at each angle by Chen & Liu's own forces: 4 % of scatter averages out to 2 %, and what strokes share stays.
+#[test]
+fn strokes_of_one_kind_are_one_band_that_says_how_it_came_about() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("strokes.csv");
+    let mut csv = String::from("alpha_deg,depth_m,depth_sd_m,width_m,force_n,force_sd_n,delta_set_deg,batch\n");
+    for alpha in ["70", "90"] {
+        let soil = ["--phi", "38", "--delta", "21", "--density", "1500", "--depth", "0.025", "--width", "0.127"];
+        let force = json(&[&["predict", "--alpha", alpha][..], &soil[..]].concat()).1["force_n"].as_f64().unwrap();
+        for off in [0.96, 0.99, 1.01, 1.04] {
+            csv += &format!("{alpha},0.025,0.0003,0.127,{},{},21,a\n", force * off, 0.03 * force * off);
+        }
+    }
+    std::fs::write(&file, &csv).unwrap();
+    let file = file.to_str().unwrap();
+    let (code, answer) = json(&["estimate", file, "--model", "chen"]);
+    assert_eq!((code, &answer["confidence"]), (0, &Value::from(0.95)));
+    let each = answer["confidence_each"].as_f64().unwrap();
+    assert!((each * each - 0.95).abs() < 1e-12);
+    let bands = answer["measurements"].as_array().unwrap();
+    assert_eq!(bands.iter().map(|m| m["strokes"].as_u64().unwrap()).collect::<Vec<_>>(), [4, 4]);
+    for band in bands {
+        let part = |key: &str| band["pooled"][key].as_f64().unwrap();
+        // 3 % of force, 2.4 % of depth, and the set-point within 1 deg: some 3 % at 70 deg, 4 % at 90.
+        assert!((part("mean") - 0.5 * part("stated")).abs() < 1e-12 && (0.045..0.06).contains(&part("stated")));
+        assert!((0.033..0.036).contains(&part("scatter")), "{band}");
+        // 1 % of gain, 2.5 % of soil, 1.6 % of the datum; one preparation has one density.
+        assert!((part("common") - 0.0313).abs() < 5e-4, "{band}");
+    }
+    let (low, high) = (range(&answer, "phi_deg")[0], range(&answer, "phi_deg")[1]);
+    // Two tool angles, density unknown.
+    assert!(low < 38.0 && 38.0 < high && high - low < 20.0, "{low} {high}");
+    // Each stroke by itself, with --sigma.
+    let own = json(&["estimate", file, "--model", "chen", "--sigma", "3"]).1;
+    assert_eq!(own["measurements"].as_array().map(Vec::len), Some(8));
+    assert!(own["confidence"].is_null());
+}
+
 #[test]
 fn loose_ticino_under_chen_is_a_negative_answer_that_names_the_conflict() {
     let file = soil("ticino_loose");
@@ -117,7 +170,9 @@ fn bad_options_are_refused_with_value_and_range() {
         (vec!["--delta", "23", "--model", "rankine"], vec!["rankine", "coulomb"]),
         (vec!["--delta", "23", "--cohesion", "50"], vec!["cohesion", "table"]),
         (vec!["--delta", "23", "--phi-range", "45:30"], vec!["LOW must be below HIGH"]),
-        (vec![], vec!["--delta"]),
+        (vec!["--confidence", "1"], vec!["confidence is 1", "below 1"]),
+        (vec!["--confidence", "0.9", "--sigma", "2"], vec!["--confidence", "--sigma", "leave one out"]),
+        (vec!["--confidence", "0.9", "--uncertainty", "bounds"], vec!["--confidence", "bounds"]),
     ] {
         let message = refused(&[&["estimate", file.as_str()], &args[..]].concat());
         for part in parts {

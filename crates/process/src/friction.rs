@@ -43,7 +43,7 @@ const SIGNIFICANT: f64 = 3.0;
 /// Step of the search for the angle in deg.
 const STEP_DEG: f64 = 0.02;
 /// What strokes share, in deg: the sensor's axes, the posture of the plate.
-const COMMON_SD_DEG: f64 = 0.3;
+pub(crate) const COMMON_SD_DEG: f64 = 0.3;
 /// The force turns by at most what is missing, and by no less than this share of it: the rest would be other causes.
 const LEAST_RATE: f64 = 0.3;
 /// Searched so far beyond the set-points, in deg.

@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use soilctl_stats::{median, sd_of_median_abs};
+use soilctl_stats::{mean_and_sd, median, sd_of_median_abs};
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
+use crate::friction::COMMON_SD_DEG;
 use crate::failure::{Analysis, FailureSettings, ForceNoise, Indiscernible, Outcome, failure_force};
 use crate::robot::RobotSample;
 use crate::slip::Slip;
@@ -27,6 +28,8 @@ const SLID_REL: f64 = 0.02;
 /// A hundredth of a degree, finer than any arm is known, changes no force; strokes at one angle shall have one.
 const ANGLE_STEPS_PER_DEG: f64 = 100.0;
 
+/// Parts of the half second before a failure between which the inclination of the force wanders.
+const BLOCKS: usize = 5;
 /// Samples over which a direction is taken.
 const STEADY: usize = 25;
 
@@ -75,8 +78,6 @@ pub struct Evaluated {
     pub analysis: Analysis,
     /// Inclination of the force after the failure.
     pub slip: Option<Slip>,
-    /// How far the tool angle had grown at failure since the beginning, in deg.
-    pub turned_deg: Option<f64>,
 }
 
 /// Evaluates a recorded stroke.
@@ -155,9 +156,8 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         x_step_m: step(trace.displacement_m()),
         ..StrokeRow::default()
     };
-    let mut turned_deg = None;
     if let Outcome::Found(point) = &analysis.outcome {
-        turned_deg =
+        row.turned_deg =
             before(&trace, Some(&columns(&|s| tool_deg(s))), point.time_s).map(|angle| angle - early_deg);
         row.force_n = point.force_n;
         row.force_sd_n = Some(point.sd_n);
@@ -165,6 +165,9 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
         row.post_slope_norm = point.post_slope_norm;
         row.residual_ratio = point.residual_ratio;
         row.friction_angle_deg = before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s);
+        row.friction_angle_sd_deg =
+            wander_before(&trace, trace.channels().friction_angle_deg.as_deref(), point.time_s)
+                .map(|wander| (0.5 * wander).hypot(COMMON_SD_DEG));
         row.z_drift_m =
             before(&trace, trace.channels().z_m.as_deref(), point.time_s).map(|z| z - median(&mut heights));
         // The force is that of the depth where the soil failed.
@@ -184,7 +187,7 @@ pub fn evaluate(stroke: &Recorded, setting: &Setting) -> Result<Evaluated, Proce
             row.tare_after_n = stroke.tare_after.map(share);
         }
     }
-    Ok(Evaluated { row, trace, analysis, slip, turned_deg })
+    Ok(Evaluated { row, trace, analysis, slip })
 }
 
 /// Finds the failure on the force across the plate, and gives it as that of the resultant.
@@ -270,12 +273,24 @@ fn tool_angle_deg(down_along: f64, down_up: f64) -> f64 {
     (-down_up).atan2(down_along).to_degrees()
 }
 
+/// How far a channel wanders over the same time, without its noise.
+fn wander_before(trace: &Trace, values: Option<&[f64]>, time_s: f64) -> Option<f64> {
+    let part = just_before(trace, values?, time_s)?;
+    let blocks: Vec<f64> =
+        part.chunks(part.len().div_ceil(BLOCKS)).map(|block| median(&mut block.to_vec())).collect();
+    mean_and_sd(&blocks).map(|(_, sd)| sd)
+}
+
 /// Median of a channel over the half second before failure, less its last tenth.
 fn before(trace: &Trace, values: Option<&[f64]>, time_s: f64) -> Option<f64> {
+    Some(median(&mut just_before(trace, values?, time_s)?.to_vec()))
+}
+
+/// A channel over that time; `None` of fewer than three samples.
+fn just_before<'v>(trace: &Trace, values: &'v [f64], time_s: f64) -> Option<&'v [f64]> {
     let first = trace.t_s().partition_point(|t| *t < time_s - 0.5);
     let last = trace.t_s().partition_point(|t| *t < time_s - 0.05);
-    let part = values?.get(first..last).filter(|part| part.len() >= 3)?;
-    Some(median(&mut part.to_vec()))
+    values.get(first..last).filter(|part| part.len() >= 3)
 }
 
 /// Holds the last value where there is none; `None` if more than half is missing.

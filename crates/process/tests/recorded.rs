@@ -226,7 +226,7 @@ fn a_plate_that_turns_has_the_same_friction_angle() {
         let Outcome::Found(point) = &found.analysis.outcome else { panic!("{:?}", found.analysis.outcome) };
         assert!((found.row.friction_angle_deg.unwrap() - 23.0).abs() < 0.3);
         assert!((found.slip.unwrap().angle_deg - 23.0).abs() < 0.3);
-        let turned_deg = found.turned_deg.unwrap();
+        let turned_deg = found.row.turned_deg.unwrap();
         assert!((turned_deg - turn_deg * point.displacement_m / 0.02).abs() < 0.2, "{turned_deg}");
     }
 }

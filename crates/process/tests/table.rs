@@ -30,10 +30,10 @@ fn csv_has_what_is_filled_and_all_that_is_said_of_the_failure() {
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(
         lines[0],
-        "stroke_id,order,time_s,alpha_deg,depth_m,width_m,force_n,failure_time_s,turned_deg,lift_deg,lift_sd_deg,\
+        "stroke_id,order,time_s,alpha_deg,depth_m,width_m,force_n,failure_time_s,lift_deg,lift_sd_deg,\
          two_lines_force_n,mobilised,method,failure,flags,log"
     );
-    assert_eq!(lines[1], "a,3,0.5,80,0.02,0.127,5.25,,,,,,,drop,,,\"a, b.mcap\"");
+    assert_eq!(lines[1], "a,3,0.5,80,0.02,0.127,5.25,,,,,,drop,,,\"a, b.mcap\"");
     let table = StrokeTable::from_reader(text.as_bytes(), "s.csv", ReadOptions::default()).unwrap();
     assert_eq!(table.rows().next().unwrap().order, Some(3));
     assert!(write_table(Form::Csv, &[stroke("a"), stroke("a")], Vec::new()).is_err());

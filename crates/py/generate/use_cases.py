@@ -178,6 +178,7 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
     properties = schema.get("properties", {})
     first = [(key, properties[key]) for key in required]
     others = [(key, properties[key]) for key in schema.get("propertyOrder", []) if key not in required]
+    others.sort(key=lambda pair: not pair[1].get("positional", False))
     names = list(properties)
     head, told, tables = [], [], []
     for key, about in first + others:
@@ -188,7 +189,8 @@ def function(name: str, schema: dict[str, Any], answer: str) -> str:
             kind = union([kind, "None"])
         head.append(f"    {key}: {kind}{default},\n")
         told.append(described(key, [in_python(sentences(about), names), limits(about)]))
-    at = len(required)
+    # What used to be required stays positional when it has a default.
+    at = len(required) + sum(1 for _, about in others if about.get("positional"))
     signature = "".join([*head[:at], "    *,\n", *head[at:], "    progress: Progress = None,\n"])
     told.append(described("progress", ["Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm."]))
     text = in_python(sentences(schema), names) + "\n\nArgs:\n" + "\n".join(told)

@@ -151,7 +151,7 @@ fn without_uncertainty(file: &str, own_sd: Option<f64>, found: Measurement) -> S
     }
 }
 
-fn listed(lines: &[usize]) -> String {
+pub(crate) fn listed(lines: &[usize]) -> String {
     let mut text = lines.iter().take(LISTED).map(usize::to_string).collect::<Vec<_>>().join(", ");
     if lines.len() > LISTED {
         text += ", ...";

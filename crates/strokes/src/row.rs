@@ -25,6 +25,8 @@ columns! {
             "Tool angle, from the ground ahead to the plate", [estimate predict diagnose], Logs;
         depth_m: f64, "m", Range::Positive,
             "Vertical depth of the plate's lower edge below the surface where the soil failed", [estimate predict diagnose], Logs;
+        depth_sd_m: Option<f64>, "m", Range::AtLeastZero,
+            "Standard deviation of `depth_m`: how well surface and edge are known", [estimate], Logs;
         width_m: f64, "m", Range::Positive,
             "Width of the plate", [estimate predict diagnose], Logs;
         speed_mps: Option<f64>, "m/s", Range::AtLeastZero,
@@ -52,7 +54,11 @@ columns! {
         cmd_minus_force_n: Option<f64>, "N", Range::Signed,
             "Force from the motor torques minus that of the sensor, before failure", [diagnose], Logs;
         friction_angle_deg: Option<f64>, "deg", Range::Signed,
-            "Measured friction angle just before failure", [diagnose], Logs;
+            "Measured friction angle just before failure", [estimate diagnose], Logs;
+        friction_angle_sd_deg: Option<f64>, "deg", Range::AtLeastZero,
+            "Standard deviation of `friction_angle_deg`", [estimate], Logs;
+        turned_deg: Option<f64>, "deg", Range::Signed,
+            "How far the tool angle had grown at failure, since the arm turns the plate while it pulls", [estimate demo], Logs;
         z_drift_m: Option<f64>, "m", Range::Signed,
             "Drift of the plate's lower edge up to failure, up positive", [diagnose], Logs;
         displacement_at_failure_m: Option<f64>, "m", Range::Signed,

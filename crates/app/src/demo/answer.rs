@@ -25,6 +25,8 @@ pub struct Answer {
     pub seed: u64,
     /// Whether everything ran to its end; otherwise the same command goes on.
     pub complete: bool,
+    /// What was found, beside the truth, in words; empty if the work was stopped.
+    pub found: String,
     /// What is true of the soil. Only comparisons use it.
     pub truth: Truth,
     /// What became of the strokes.
@@ -113,6 +115,8 @@ pub struct Delta {
 pub struct Region {
     /// Whether any soil does.
     pub consistent: bool,
+    /// Probability with which all bands together hold their true forces.
+    pub confidence: Option<f64>,
     /// Range of the friction angle (deg); null if inconsistent.
     pub phi_deg: Option<[f64; 2]>,
     /// Range of the density (kg/m3); null if inconsistent.

@@ -52,21 +52,15 @@ pub(super) fn all(
     density_kg_m3: Option<f64>,
 ) -> Result<Vec<Estimated>, AppError> {
     let interval_deg = delta::interval_deg(answer.delta.as_ref(), answer.delta_guess_deg);
-    let chosen: Vec<&StrokeRecord> =
-        strokes.iter().filter(|stroke| stroke.failed_as_modelled(interval_deg)).collect();
-    if chosen.is_empty() {
-        answer.no_estimate = Some("no stroke near the interface friction has a failure force".into());
+    if strokes.is_empty() {
+        answer.no_estimate = Some("no stroke has a failure force".into());
         return Ok(Vec::new());
     }
     answer.delta_used_deg = Some(interval_deg);
-    answer.strokes.used_for_phi =
-        mark(&mut answer.each, chosen.iter().filter_map(|s| s.row.stroke_id.as_ref()), |s| {
-            &mut s.used_for_phi
-        });
     let table = folder.file("measurements.csv");
     let campaign = Campaign::read_beside(&table)?.unwrap_or_default();
-    let rows = chosen.iter().map(|stroke| stroke.at_failure(interval_deg, &campaign));
-    write(&table, &rows.collect::<Result<Vec<_>, _>>()?)?;
+    let rows: Vec<StrokeRow> = strokes.iter().map(|stroke| stroke.at_failure(interval_deg)).collect();
+    write(&table, &rows)?;
     answer.files.measurements = Some(table.display().to_string());
     let known = |measurements| Known {
         measurements,
@@ -80,11 +74,11 @@ pub(super) fn all(
         (DENSITY_WEIGHED, Some("estimate_weighed.json"), known(&table).request(Some(density)))
     }));
     let true_table = folder.file("measurements_true.csv");
-    let true_rows = chosen.iter().filter_map(|stroke| {
+    let true_rows = strokes.iter().filter_map(|stroke| {
         let truth = answer.each.iter().find(|one| one.stroke_id == stroke.row.stroke_id)?;
-        Some(stroke.in_truth(truth.true_force_n?, truth.true_depth_m?, interval_deg, &campaign))
+        Some(stroke.in_truth(truth.true_force_n?, truth.true_depth_m?, interval_deg))
     });
-    let true_rows = true_rows.collect::<Result<Vec<_>, _>>()?;
+    let true_rows: Vec<StrokeRow> = true_rows.collect();
     if !true_rows.is_empty() {
         write(&true_table, &true_rows)?;
         wanted.push((TRUE_FORCES, None, known(&true_table).request(None)));
@@ -102,7 +96,17 @@ pub(super) fn all(
             answer.no_estimate.get_or_insert_with(|| format!("{name}: {problem}"));
         }
         match name {
-            DENSITY_UNKNOWN => answer.density_unknown = found,
+            DENSITY_UNKNOWN => {
+                if let Ok(work) = &work {
+                    let is_out = |id: &String| {
+                        work.answer.left_out.iter().any(|out| out.stroke_id.as_ref() == Some(id))
+                    };
+                    let names = strokes.iter().filter_map(|s| s.row.stroke_id.as_ref());
+                    answer.strokes.used_for_phi =
+                        mark(&mut answer.each, names.filter(|id| !is_out(id)), |s| &mut s.used_for_phi);
+                }
+                answer.density_unknown = found;
+            }
             DENSITY_WEIGHED => answer.density_weighed = found,
             _ => answer.true_forces = found,
         }

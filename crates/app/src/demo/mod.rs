@@ -5,6 +5,7 @@ mod compare;
 mod delta;
 mod estimates;
 mod folder;
+mod found;
 mod recovered;
 mod region;
 mod request;
@@ -12,6 +13,5 @@ mod steps;
 
 pub use answer::{Answer, Delta, EachStroke, Files, Forces, Region, StrokeCount, TRUE_FORCES, Truth};
 pub use estimates::Estimated;
-pub use region::SIGMA;
 pub use request::Request;
 pub use steps::{Demonstration, Work, run};

@@ -1,7 +1,6 @@
 //! What a demonstration did not recover.
 
 use super::answer::Answer;
-use super::region::SIGMA;
 
 /// Largest median and 95th percentile of the errors of forces with which they count as recovered.
 const MEDIAN_ERROR: f64 = 0.03;
@@ -58,7 +57,7 @@ pub(super) fn not_recovered(answer: &Answer) -> Vec<String> {
     for (name, region) in answer.regions() {
         if !region.consistent {
             list.push(format!(
-                "{name}: no friction angle and density explain all forces within {SIGMA} standard deviations",
+                "{name}: no friction angle and density explain all forces within their bands",
             ));
         } else if !region.holds_truth {
             list.push(format!("{name}: the truth lies outside the region"));

@@ -7,8 +7,6 @@ use crate::estimate::{self, Estimation};
 use crate::request::{Loads, NumberOrColumn};
 use crate::{AppError, Unwatched};
 
-/// Standard deviations of a band: with 3, sixteen bands hold all their true forces in 96 of 100 campaigns.
-pub const SIGMA: f64 = 3.0;
 /// Half width of what is known of the inclination at failure, in deg.
 const INCLINATION_DEG: f64 = 1.0;
 /// A weighed box is right within this share.
@@ -33,7 +31,6 @@ impl Known<'_> {
             delta_tol_deg: INCLINATION_DEG,
             density_kg_m3: weighed_kg_m3.map(NumberOrColumn::Number),
             density_tol: WEIGHED + self.density_sd_rel,
-            sigma: Some(SIGMA),
             loads: Loads {
                 cohesion_pa: self.cohesion_pa,
                 gravity_m_s2: self.gravity_m_s2,
@@ -63,6 +60,7 @@ pub(super) fn region(work: &Estimation, truth: &Truth) -> Region {
         |range: Option<[f64; 2]>, value: f64| range.is_some_and(|[low, high]| (low..=high).contains(&value));
     Region {
         consistent: found.consistent,
+        confidence: found.confidence,
         phi_deg: found.phi_deg,
         density_kg_m3: found.density_kg_m3,
         density_known_kg_m3: found.density_known_kg_m3,

@@ -6,7 +6,7 @@ use super::answer::{Answer, Files, StrokeCount, Truth};
 use super::compare::{self, Batch};
 use super::estimates::{self, Estimated};
 use super::folder::{Folder, Made};
-use super::{Request, delta, recovered};
+use super::{Request, delta, found, recovered};
 use crate::files::save;
 use crate::{AppError, Watch, process, simulate};
 
@@ -91,6 +91,7 @@ fn work(
     let estimates = estimates::all(answer, folder, &plan, &processed.strokes, density_kg_m3)?;
     answer.complete = true;
     answer.not_recovered = recovered::not_recovered(answer);
+    answer.found = found::in_words(answer);
     Ok(Some(Work { plan, processed, estimates, density_kg_m3 }))
 }
 
@@ -120,6 +121,7 @@ fn begun(soil: &SoilPreset, plan: &Plan, folder: &Folder, guess_deg: f64) -> Ans
         model: plan.file().model.clone(),
         seed: plan.file().seed,
         complete: false,
+        found: String::new(),
         truth: Truth {
             phi_deg: soil.phi_deg,
             delta_deg: soil.delta_deg,

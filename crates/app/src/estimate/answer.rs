@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_estimator::{Candidate, Fit, LocalMinimum, Observation, Optimiser, Ring};
+use soilctl_strokes::PooledBand;
 
 use super::ExactAnswer;
 use crate::Outcome;
@@ -33,10 +34,34 @@ pub struct Measured {
     pub force_high_n: f64,
     /// Strokes behind it.
     pub strokes: usize,
+    /// How the band came about, where strokes of one kind are taken together; otherwise null.
+    pub pooled: Option<Pooled>,
+}
+
+/// How a band of strokes of one kind came about. Deviations are relative.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct Pooled {
+    /// Standard deviation of one stroke by the scatter of these; null of a single stroke.
+    pub scatter: Option<f64>,
+    /// Standard deviation of one stroke by what the table says of force, depth and friction on the plate; null if it says nothing.
+    pub stated: Option<f64>,
+    /// Standard error of the mean.
+    pub mean: f64,
+    /// Standard deviation of what the strokes share: the sensor's gain, the datum of depths, density, the soil ahead.
+    pub common: f64,
+    /// So many of both together the band reaches on either side, in the logarithm of the force.
+    pub deviations: f64,
 }
 
 impl Measured {
-    pub(super) fn of(observation: &Observation, strokes: usize) -> Self {
+    pub(super) fn of(observation: &Observation, strokes: usize, band: Option<&PooledBand>) -> Self {
+        let pooled = band.map(|band| Pooled {
+            scatter: band.scatter_rel,
+            stated: band.stated_rel,
+            mean: band.mean_rel,
+            common: band.common_rel,
+            deviations: band.deviations,
+        });
         Self {
             label: observation.label().into(),
             alpha_deg: observation.plate().tool_angle().degrees(),
@@ -45,8 +70,20 @@ impl Measured {
             force_low_n: observation.low_n(),
             force_high_n: observation.high_n(),
             strokes,
+            pooled,
         }
     }
+}
+
+/// A stroke that does not count.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct LeftOut {
+    /// Its line in the stroke table.
+    pub line: usize,
+    /// Its name; null if it has none.
+    pub stroke_id: Option<String>,
+    /// Why.
+    pub reason: String,
 }
 
 /// A single soil.
@@ -219,8 +256,17 @@ pub struct Answer {
     pub best_estimate: Option<Point>,
     /// Limits of the search that the region touches: it may reach further.
     pub cut_by: Vec<&'static str>,
+    /// Probability with which all bands together hold their true forces; null if strokes of one kind are not taken together.
+    pub confidence: Option<f64>,
+    /// Probability of each band, by Šidák's correction; null if strokes of one kind are not taken together.
+    pub confidence_each: Option<f64>,
+    /// Scatter of repeated strokes over what the table states of them; above 1 the bands are wider for it. Null if nothing was repeated,
+    /// stated, or taken together.
+    pub scatter_over_stated: Option<f64>,
     /// The measurements.
     pub measurements: Vec<Measured>,
+    /// Strokes in which the soil did not fail as models have it; empty unless strokes of one kind are taken together.
+    pub left_out: Vec<LeftOut>,
     /// What breaks consistency; null if nothing does.
     pub disagreement: Option<Disagreement>,
     /// The result in words.

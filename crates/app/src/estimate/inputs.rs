@@ -5,18 +5,21 @@ use soilctl_effects::Loaded;
 use soilctl_estimator::{Observation, Setup};
 use soilctl_soil::{Angle, Plate};
 use soilctl_strokes::{
-    Campaign, Measurement, ReadOptions, StrokeRow, StrokeTable, Uncertainty as Deviations, measurements,
+    Campaign, Measurement, PooledBand, ReadOptions, StrokeRow, StrokeTable, Uncertainty as Deviations, measurements,
 };
 
-use super::request::{Request, Uncertainty};
+use super::bands::{self, Bands};
+use super::request::{BandKind, Request, Uncertainty};
 use crate::AppError;
 use crate::request::NumberOrColumn;
 
 /// What a request knows: measurements, and what is known beside them.
 #[derive(Debug, Clone)]
 pub struct Inputs {
-    /// Strokes of one geometry together, as the stroke table has them.
+    /// Strokes of one geometry together, as the stroke table has them, or those of one kind at their reference.
     pub measurements: Vec<Measurement>,
+    /// Bands of strokes of one kind, one a measurement; `None` if each measurement has a band by its own deviation.
+    pub bands: Option<Bands>,
     /// Accuracies of the campaign, or the defaults.
     pub campaign: Campaign,
     /// Interval of the interface friction (deg).
@@ -32,17 +35,30 @@ const HIGH_ANGLE_DEG: f64 = 90.0;
 
 impl Inputs {
     /// Reads the table and what is known beside it. Exact data need no standard deviations.
-    pub(super) fn read(request: &Request, exact: bool) -> Result<Self, AppError> {
-        request.deviations()?;
+    pub(super) fn read(request: &Request, exact: bool, model: &dyn ForceModel) -> Result<Self, AppError> {
         let mut table = request.file.strokes(ReadOptions { allow_zero_sd: exact })?;
         if let Some(path) = &request.model_file {
             table = without_effects(&table, &Loaded::read(path)?)?;
         }
-        let wanted = if exact { Deviations::ExactAllowed } else { Deviations::Required };
-        let measurements = measurements(&table, wanted)?;
         let campaign = request.file.campaign()?;
+        let confidence = match request.band_kind()? {
+            BandKind::Joint(confidence) => Some(confidence),
+            BandKind::AsTold(confidence) => bands::tells_scatter(&table).then_some(confidence),
+            BandKind::Own => None,
+        };
+        let bands = match confidence {
+            Some(confidence) => Some(bands::bands(request, &table, &campaign, model, confidence)?),
+            None => None,
+        };
+        let measurements = match &bands {
+            Some(bands) => bands.measurements.clone(),
+            None => with_depth(&table, exact)?,
+        };
         let mut warnings = Vec::new();
-        let (low, high) = spread(request, request.delta_deg, "delta", &measurements, |m| m.delta_set_deg)?;
+        let (low, high) = match (request.delta_deg, bands.as_ref().and_then(|bands| bands.friction_deg)) {
+            (NumberOrColumn::Column, Some(friction_deg)) => (friction_deg, friction_deg),
+            _ => spread(request, request.delta_deg, "delta", &measurements, |m| m.delta_set_deg)?,
+        };
         let mut delta_deg = (low - request.delta_tol_deg, high + request.delta_tol_deg);
         if low < 0.0 {
             return Err(AppError::Request(format!("--delta is {low} deg; it must be at least 0 deg")));
@@ -66,7 +82,7 @@ impl Inputs {
                     .into(),
             );
         }
-        Ok(Self { measurements, campaign, delta_deg, density_kg_m3, warnings })
+        Ok(Self { measurements, bands, campaign, delta_deg, density_kg_m3, warnings })
     }
 
     /// The setup of the estimator.
@@ -75,14 +91,34 @@ impl Inputs {
         request: &Request,
         model: &'m dyn ForceModel,
     ) -> Result<Setup<'m>, AppError> {
-        let observations =
-            self.measurements.iter().map(|m| observation(request, m)).collect::<Result<_, _>>()?;
+        let all = self.measurements.iter().enumerate();
+        let observations = all.map(|(place, m)| observation(request, m, self.band(place)));
+        let observations = observations.collect::<Result<_, _>>()?;
         let mut setup = Setup::new(model, observations, self.delta_deg);
         setup.density_kg_m3 = self.density_kg_m3;
         setup.phi_search_deg = request.phi_range_deg;
         setup.gravity_m_s2 = request.loads.gravity_m_s2;
         setup.loads = request.loads.into();
         Ok(setup)
+    }
+
+    /// The band of a measurement, where strokes of one kind are taken together.
+    pub(super) fn band(&self, place: usize) -> Option<&PooledBand> {
+        self.bands.as_ref().and_then(|bands| bands.pool.bands.get(place))
+    }
+
+    /// What a band is, in words.
+    #[must_use]
+    pub fn band_in_words(&self, request: &Request) -> String {
+        match (&self.bands, request.uncertainty) {
+            (Some(bands), _) => {
+                format!("bands of {} % together", crate::text::number(100.0 * bands.confidence))
+            }
+            (None, Uncertainty::Sigma) => {
+                format!("bands of {} σ", crate::text::number(request.deviations()))
+            }
+            (None, Uncertainty::Bounds) => "bands between hard bounds".into(),
+        }
     }
 
     /// Deltas at which sections are shown.
@@ -108,15 +144,39 @@ fn without_effects(table: &StrokeTable, model: &Loaded) -> Result<StrokeTable, A
     Ok(StrokeTable::new(table.name(), &rows)?)
 }
 
-fn observation(request: &Request, m: &Measurement) -> Result<Observation, AppError> {
+/// Measurements by their own deviations. What a table says of the uncertainty of its depths belongs to them.
+fn with_depth(table: &StrokeTable, exact: bool) -> Result<Vec<Measurement>, AppError> {
+    if exact {
+        return Ok(measurements(table, Deviations::ExactAllowed)?);
+    }
+    let mut rows: Vec<StrokeRow> = table.rows().collect();
+    if rows.iter().all(|row| row.depth_sd_m.is_none()) {
+        return Ok(measurements(table, Deviations::Required)?);
+    }
+    for row in &mut rows {
+        // The force goes with the square of the depth.
+        let by_depth_n = 2.0 * row.force_n * row.depth_sd_m.unwrap_or(0.0) / row.depth_m;
+        row.force_sd_n = row.force_sd_n.map(|sd| sd.hypot(by_depth_n));
+    }
+    Ok(measurements(&StrokeTable::new(table.name(), &rows)?, Deviations::Required)?)
+}
+
+fn observation(
+    request: &Request,
+    m: &Measurement,
+    band: Option<&PooledBand>,
+) -> Result<Observation, AppError> {
     let alpha = Angle::from_degrees(m.alpha_deg);
     let plate = Plate::new(alpha, Angle::from_degrees(request.loads.beta_deg), m.depth_m, m.width_m)?;
-    let observation = match request.uncertainty {
-        Uncertainty::Sigma => {
-            Observation::new(&m.label, plate, m.force_n, request.deviations()? * m.force_sd_n)?
+    let observation = match (band, request.uncertainty) {
+        (Some(band), _) => {
+            Observation::from_bounds(&m.label, plate, band.force_n, band.low_n, band.high_n)?
         }
-        Uncertainty::Bounds if m.count == 1 => Observation::new(&m.label, plate, m.force_n, m.force_sd_n)?,
-        Uncertainty::Bounds => {
+        (None, Uncertainty::Sigma) => {
+            Observation::new(&m.label, plate, m.force_n, request.deviations() * m.force_sd_n)?
+        }
+        (None, Uncertainty::Bounds) if m.count == 1 => Observation::new(&m.label, plate, m.force_n, m.force_sd_n)?,
+        (None, Uncertainty::Bounds) => {
             Observation::from_bounds(&m.label, plate, m.force_n, m.force_min_n, m.force_max_n)?
         }
     };
@@ -139,10 +199,11 @@ fn spread(
     for m in measurements {
         let value = column(m).ok_or_else(|| {
             AppError::Request(format!(
-                "{}, line {}: --{option} column needs a value in every row of that column; fill the cell or give \
-                 a number",
+                "{}, line {}: --{option} column, which is the default of --delta, needs a value in every row of that column; \
+                 fill the cell or give a number, such as --{option} {}",
                 request.file.name(),
-                m.lines.first().copied().unwrap_or_default()
+                m.lines.first().copied().unwrap_or_default(),
+                if option == "delta" { "23" } else { "1600" }
             ))
         })?;
         ends = Some(ends.map_or((value, value), |(low, high)| (low.min(value), high.max(value))));

@@ -1,6 +1,7 @@
 //! Set-membership estimation: every soil that explains the measured forces within their uncertainty.
 
 mod answer;
+mod bands;
 mod exact;
 mod inputs;
 mod request;
@@ -12,7 +13,8 @@ use soilctl_estimator::{
     conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
 };
 
-pub use answer::{Answer, Centre, Disagreement, Measured, Minimum, NextStroke, Point, Section, distinct};
+pub use answer::{Answer, Centre, Disagreement, LeftOut, Measured, Minimum, NextStroke, Point, Pooled, Section, distinct};
+pub use bands::Bands;
 pub use exact::{ContourSection, Crossing, ExactAnswer};
 pub use inputs::Inputs;
 pub use request::{Request, Uncertainty};
@@ -55,8 +57,8 @@ impl Estimation {
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError> {
     requests::check(request)?;
     let exact_data = request.exact;
-    let inputs = Inputs::read(request, exact_data)?;
     let model = model(&request.model)?;
+    let inputs = Inputs::read(request, exact_data, &*model)?;
     let setup = inputs.setup(request, &*model)?;
     let deltas = inputs.sections(request);
     // Exact data have bands of no width, which meet nowhere but in theory: contours take their place.
@@ -98,12 +100,17 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
         centre: centre(&estimate),
         best_estimate,
         cut_by: words::limits(&estimate),
+        confidence: inputs.bands.as_ref().map(|bands| bands.confidence),
+        confidence_each: inputs.bands.as_ref().map(|bands| bands.pool.each),
+        scatter_over_stated: inputs.bands.as_ref().and_then(|bands| bands.pool.scatter_over_stated),
         measurements: setup
             .observations
             .iter()
             .zip(&inputs.measurements)
-            .map(|(observation, m)| Measured::of(observation, m.count))
+            .enumerate()
+            .map(|(place, (observation, m))| Measured::of(observation, m.count, inputs.band(place)))
             .collect(),
+        left_out: inputs.bands.as_ref().map_or_else(Vec::new, |bands| bands.left_out.clone()),
         disagreement,
         verdict: String::new(),
         next_strokes: next,
@@ -161,7 +168,8 @@ fn menu(request: &Request, inputs: &Inputs, setup: &Setup<'_>) -> StrokeMenu {
         depths_m,
         width_m: inputs.measurements[0].width_m,
         force_scatter: relative.sum::<f64>() / setup.observations.len() as f64,
-        depth_error_m: inputs.campaign.depth_sd_m,
+        // Bands of strokes of one kind have it in them.
+        depth_error_m: if inputs.bands.is_some() { 0.0 } else { inputs.campaign.depth_sd_m },
         force_limit_n: request.force_limit_n,
     }
 }

@@ -38,8 +38,10 @@ pub struct Request {
     #[arg(long, value_name = "PATCH")]
     pub model_file: Option<PathBuf>,
 
-    /// Friction angle between soil and plate (deg), or `column` for delta_set_deg of the table
-    #[arg(long = "delta", value_name = "DEG|column", allow_negative_numbers = true)]
+    /// Friction angle between soil and plate (deg), or `column` for what the table says: the measured friction_angle_deg where strokes
+    /// of one kind are taken together, otherwise delta_set_deg
+    #[arg(long = "delta", value_name = "DEG|column", default_value_t = Request::default().delta_deg, allow_negative_numbers = true)]
+    #[schemars(extend("positional" = true))]
     pub delta_deg: NumberOrColumn,
 
     /// Half width of what is known of delta (deg)
@@ -58,7 +60,14 @@ pub struct Request {
     #[schemars(range(min = 0.0), extend("exclusiveMaximum" = 1.0))]
     pub density_tol: f64,
 
-    /// Standard deviations that a band reaches on either side of the force [default: 1]
+    /// Probability with which all bands together hold their true forces, where strokes of one kind are taken together [default: 0.95].
+    /// Left out, they are if the table says how forces scatter: if strokes are repeated, or it has depth_sd_m
+    #[arg(long, value_name = "P", value_parser = finite, allow_negative_numbers = true)]
+    #[schemars(extend("exclusiveMinimum" = 0.0, "exclusiveMaximum" = 1.0))]
+    pub confidence: Option<f64>,
+
+    /// Standard deviations that a band reaches on either side of the force; each stroke with force_sd_n has a band of its own then
+    /// [default: 1 where strokes are not taken together]
     #[arg(long, value_name = "K", value_parser = finite, allow_negative_numbers = true)]
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub sigma: Option<f64>,
@@ -123,6 +132,7 @@ impl Default for Request {
             delta_tol_deg: 1.0,
             density_kg_m3: None,
             density_tol: 0.04,
+            confidence: None,
             sigma: None,
             uncertainty: Uncertainty::Sigma,
             adjust_high_angles: 0.0,
@@ -139,23 +149,45 @@ impl Default for Request {
     }
 }
 
+/// How bands are made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum BandKind {
+    /// Strokes of one kind together, all bands with this probability.
+    Joint(f64),
+    /// The same if the table says how forces scatter, otherwise by own deviations.
+    AsTold(f64),
+    /// Each measurement by its own deviation.
+    Own,
+}
+
+/// Probability of all bands together, if nothing else is asked for.
+const CONFIDENCE: f64 = 0.95;
+
 impl Request {
-    /// Standard deviations on either side; bounds know none.
-    pub(super) fn deviations(&self) -> Result<f64, AppError> {
-        match (self.sigma, self.uncertainty) {
-            (Some(_), Uncertainty::Bounds) => Err(AppError::Request(
-                "--sigma has no meaning with --uncertainty bounds; leave one out".into(),
-            )),
-            (sigma, _) => Ok(sigma.unwrap_or(1.0)),
-        }
+    /// Standard deviations on either side of a measurement with a band of its own.
+    pub(super) fn deviations(&self) -> f64 {
+        self.sigma.unwrap_or(1.0)
     }
 
-    /// What a band is, in words.
-    #[must_use]
-    pub fn band_in_words(&self) -> String {
-        match self.uncertainty {
-            Uncertainty::Sigma => format!("bands of {} σ", crate::text::number(self.sigma.unwrap_or(1.0))),
-            Uncertainty::Bounds => "bands between hard bounds".into(),
+    /// How bands are made.
+    pub(super) fn band_kind(&self) -> Result<BandKind, AppError> {
+        let refused = |words: &str| Err(AppError::Request(words.to_owned()));
+        match (self.confidence, self.sigma, self.uncertainty) {
+            (_, Some(_), Uncertainty::Bounds) => {
+                refused("--sigma has no meaning with --uncertainty bounds; leave one out")
+            }
+            (Some(_), _, Uncertainty::Bounds) => {
+                refused("--confidence has no meaning with --uncertainty bounds; leave one out")
+            }
+            (Some(_), Some(_), Uncertainty::Sigma) => refused(
+                "--confidence is for strokes of one kind together, --sigma for each by itself; leave one out",
+            ),
+            (Some(_), None, Uncertainty::Sigma) if self.exact => {
+                refused("--confidence has no meaning with --exact; leave one out")
+            }
+            (Some(confidence), None, Uncertainty::Sigma) => Ok(BandKind::Joint(confidence)),
+            (None, None, Uncertainty::Sigma) if !self.exact => Ok(BandKind::AsTold(CONFIDENCE)),
+            (None, _, _) => Ok(BandKind::Own),
         }
     }
 }

@@ -30,6 +30,7 @@ pub(super) fn instrument(random: &mut Random) -> Instrument {
         joint_stiffness_n_per_m: random.between(6e3, 1.5e4),
         encoder_step_m: 2.5e-4,
         post_slope_sd: 0.0,
+        ..Instrument::default()
     }
 }
 

@@ -1,6 +1,6 @@
 //! What was found: forces, interface friction, friction angle and density; and what was not.
 
-use soilctl_app::demo::{Answer, EachStroke, SIGMA};
+use soilctl_app::demo::{Answer, EachStroke};
 use soilctl_app::text::{number, sentence_case};
 use soilctl_figure::{Align, CalloutKind, HtmlReport, Table};
 
@@ -125,9 +125,10 @@ pub(super) fn estimate(page: &mut HtmlReport, answer: &Answer, drawn: &Drawn) ->
     }
     if answer.strokes.used_for_phi > 0 {
         page.paragraph(format!(
-            "From {} strokes whose set-point is near δ. The band of each force reaches {SIGMA} standard deviations on either \
-             side; what depth, density of a preparation and model add is part of them.",
-            answer.strokes.used_for_phi
+            "From {} strokes in which the soil failed as the model has it. Those of one tool angle are one band. All bands together hold \
+             their true forces with {} %; what depth, density of a preparation, sensor and model add is part of them.",
+            answer.strokes.used_for_phi,
+            number(100.0 * answer.regions().find_map(|(_, region)| region.confidence).unwrap_or(0.0))
         ));
     }
     if answer.true_forces.is_some() {

@@ -1,6 +1,6 @@
 //! The page: the soil, what the arm did, what was found, and how far that is from the truth.
 
-use soilctl_app::demo::{Answer, SIGMA, Work};
+use soilctl_app::demo::{Answer, Work};
 use soilctl_app::text::{number, range, yes};
 use soilctl_figure::{Align, CalloutKind, HtmlReport, RichText, Table};
 
@@ -38,7 +38,7 @@ fn summary(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {
             .to_owned(),
         list => format!("{}.", list.join("; ")),
     };
-    page.verdict(kind, &title, text);
+    page.verdict(kind, &title, format!("{} {text}", answer.found));
     let columns = [
         ("", Align::Left),
         ("estimate", Align::Right),
@@ -137,7 +137,7 @@ fn again(page: &mut HtmlReport, answer: &Answer, work: &Work) {
     if let (Some(table), Some(estimated)) = (&answer.files.measurements, estimated) {
         let request = &estimated.request;
         let mut line = format!(
-            "soilctl report {table} --model {} --delta column --delta-tol {:.2} --sigma {SIGMA} --gravity {}",
+            "soilctl report {table} --model {} --delta column --delta-tol {:.2} --gravity {}",
             request.model, request.delta_tol_deg, request.loads.gravity_m_s2
         );
         if request.loads.cohesion_pa > 0.0 {

@@ -45,7 +45,7 @@ fn subtitle(work: &Estimation) -> String {
         a.model,
         number(a.delta_deg[0]),
         number(a.delta_deg[1]),
-        work.request.band_in_words(),
+        work.inputs.band_in_words(&work.request),
     )
 }
 
@@ -105,18 +105,37 @@ fn measurements(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageErro
         ("force (N)", Align::Right),
         ("band from (N)", Align::Right),
         ("to (N)", Align::Right),
+        ("scatter (%)", Align::Right),
+        ("stated (%)", Align::Right),
+        ("of mean (%)", Align::Right),
+        ("in common (%)", Align::Right),
     ];
-    let mut table = Table::new("Failure forces and the bands they allow", columns);
+    let is_pooled = work.answer.confidence.is_some();
+    let shown = if is_pooled { columns.len() } else { columns.len() - 4 };
+    let mut table = Table::new("Failure forces and the bands they allow", columns.into_iter().take(shown));
+    let percent = |share: Option<f64>| share.map_or("–".into(), |x| format!("{:.1}", 100.0 * x));
     for m in &work.answer.measurements {
-        table.row([
+        let mut row = vec![
             m.label.clone(),
             m.strokes.to_string(),
             format!("{:.3}", m.force_n),
             format!("{:.3}", m.force_low_n),
             format!("{:.3}", m.force_high_n),
-        ])?;
+        ];
+        if let Some(p) = &m.pooled {
+            row.extend([percent(p.scatter), percent(p.stated), percent(Some(p.mean)), percent(Some(p.common))]);
+        }
+        table.row(row)?;
     }
     page.table(table);
+    if let (Some(all), Some(each)) = (work.answer.confidence, work.answer.confidence_each) {
+        page.paragraph(format!(
+            "Strokes of one kind are one band. Deviations are those of one stroke by the scatter and as the table states it, of the mean, and of \
+             what the strokes of a kind share. All bands together hold their true forces with {} %, each with {:.2} %.",
+            number(100.0 * all),
+            100.0 * each
+        ));
+    }
     Ok(())
 }
 

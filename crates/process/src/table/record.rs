@@ -12,8 +12,6 @@ columns! {
     pub struct FailureRow {} columns {
         failure_time_s: Option<f64>, "s", Range::Signed,
             "Time of the failure on the clock of the log", [diagnose], Logs;
-        turned_deg: Option<f64>, "deg", Range::Signed,
-            "How far the tool angle had grown at failure, since the arm turns the plate while it pulls", [demo], Logs;
         lift_deg: Option<f64>, "deg", Range::Signed,
             "Inclination of the force while failed soil slips along the plate, above the set-point, or without one above that \
              before the failure", [process], Logs;
@@ -71,7 +69,6 @@ impl StrokeRecord {
             row: StrokeRow { stroke_id: Some(stroke_id), ..row.clone() },
             failure: FailureRow {
                 failure_time_s: Some(point.time_s),
-                turned_deg: stroke.evaluated.turned_deg,
                 lift_deg: lift.map(|(slip, asked_deg)| slip.angle_deg - asked_deg),
                 lift_sd_deg: lift.map(|(slip, _)| slip.sd_deg),
                 two_lines_force_n: two_lines_force_n.filter(|force| force.is_finite()),

@@ -136,8 +136,8 @@ def estimate(
 def estimate(
     strokes: TableInMemory,
     /,
-    *,
     delta_deg: _OrColumn = "column",
+    *,
     delta_tol_deg: float = 1.0,
     density_kg_m3: _OrColumn | None = None,
     density_tol: float = 0.04,
@@ -149,13 +149,13 @@ def estimate(*arguments: Any, **options: Any) -> Any:
     """Of a table of strokes in memory, ``estimate(strokes, delta_deg=23, density_kg_m3=1600)``: as from its file.
 
     The table is a DataFrame of pandas or polars, or a dict of arrays, with the columns of a stroke table: ``alpha_deg``, ``depth_m``,
-    ``width_m``, ``force_n``, for strokes that are not repeated ``force_sd_n``, and others of them. Strokes of one geometry are taken
-    together. Keywords are those of :func:`soilctl.use_cases.estimate`, which gives the answer; ``delta_deg`` is by default the column
-    ``delta_set_deg``.
+    ``width_m``, ``force_n``, for strokes that are not repeated ``force_sd_n``, and others of them. Strokes of one kind are taken
+    together. Keywords are those of :func:`soilctl.use_cases.estimate`, which gives the answer; ``delta_deg``, which may be
+    given by its place, is by default what the columns ``friction_angle_deg`` or ``delta_set_deg`` say.
     """
     if arguments and is_table(arguments[0]):
-        (strokes,) = arguments
-        return use_cases.estimate(strokes, **{"delta_deg": "column", **options})
+        strokes, *delta_deg = arguments
+        return use_cases.estimate(strokes, *(delta_deg or [options.pop("delta_deg", "column")]), **options)
     return _native.estimate(*arguments, **options)
 
 

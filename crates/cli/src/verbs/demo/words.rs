@@ -20,6 +20,8 @@ fn text(answer: &Answer) -> String {
     if !answer.complete {
         return text + "stopped before the end; the same command goes on\n";
     }
+    // What a colleague would ask first.
+    text = format!("{}\n\n{text}", answer.found);
     let truth = &answer.truth;
     let mut rows = vec![["", "estimate", "truth", "holds it"].map(String::from).to_vec()];
     if let Some(delta) = &answer.delta {

@@ -22,13 +22,7 @@ impl Words for Answer {
             text += &columns(&rows);
         }
         text += "\n";
-        let mut rows = vec![["measurement", "strokes", "force (N)", "from", "to"].map(String::from).to_vec()];
-        for m in &self.measurements {
-            let force = |x: f64| format!("{x:.3}");
-            let cells = [force(m.force_n), force(m.force_low_n), force(m.force_high_n)];
-            rows.push([m.label.clone(), m.strokes.to_string()].into_iter().chain(cells).collect());
-        }
-        text += &columns(&rows);
+        text += &bands(self);
         if let Some(next) = &self.next_strokes {
             text += "\nnext strokes, the best first\n";
             let heading = [
@@ -72,4 +66,38 @@ impl Words for Answer {
         }
         text
     }
+}
+
+/// The measurements with their bands, and how these came about.
+fn bands(answer: &Answer) -> String {
+    let mut heading = vec!["measurement", "strokes", "force (N)", "from", "to"];
+    let is_pooled = answer.confidence.is_some();
+    if is_pooled {
+        heading.extend(["scatter", "stated", "of mean", "in common"]);
+    }
+    let mut rows = vec![heading.into_iter().map(String::from).collect::<Vec<_>>()];
+    let percent = |share: Option<f64>| share.map_or_else(|| "-".into(), |x| format!("{:.1} %", 100.0 * x));
+    for m in &answer.measurements {
+        let force = |x: f64| format!("{x:.3}");
+        let cells = [force(m.force_n), force(m.force_low_n), force(m.force_high_n)];
+        let mut row: Vec<String> = [m.label.clone(), m.strokes.to_string()].into_iter().chain(cells).collect();
+        if let Some(p) = &m.pooled {
+            row.extend([percent(p.scatter), percent(p.stated), percent(Some(p.mean)), percent(Some(p.common))]);
+        }
+        rows.push(row);
+    }
+    let mut text = columns(&rows);
+    for out in &answer.left_out {
+        let name = out.stroke_id.clone().unwrap_or_else(|| format!("line {}", out.line));
+        text += &format!("left out: {name}, for {}\n", out.reason);
+    }
+    if let (Some(all), Some(each)) = (answer.confidence, answer.confidence_each) {
+        text += &format!(
+            "bands hold their true forces with {} % together, {:.2} % each; deviations of one stroke by its scatter and as stated, of \
+             the mean, and in common\n",
+            number(100.0 * all),
+            100.0 * each
+        );
+    }
+    text
 }

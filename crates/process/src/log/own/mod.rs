@@ -1,5 +1,6 @@
 //! Logs of our own controller: `/controller/step` has all that is needed, the metadata records say what a stroke was.
 
+mod depth;
 mod geometry;
 mod joints;
 mod sample;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use soilctl_kinematics::{Arm, Frame, JointAngles, JointTorques};
 use soilctl_stats::median;
 
+use super::depth::depth_sd_m;
 use super::joints::{flexed, half_steps, joined, mean_gap};
 use super::sample::{Phase, Sample, mean_wrench, tip_and_sensor};
 use super::surface::touched;
@@ -92,7 +93,8 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
         -(x * direction[0] + y * direction[1])
     });
     let pulls: Vec<f64> = pulls.collect();
-    let (joints, jumped) = joined(&logged.stroke, &pulls, &half_steps(arm)?);
+    let half_steps = half_steps(arm)?;
+    let (joints, jumped) = joined(&logged.stroke, &pulls, &half_steps);
     if jumped {
         flags.push("encoder_jump");
     }
@@ -111,7 +113,8 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
         });
         tips[1].push(tip_and_sensor(arm, &sample.motor)?.0.origin_m);
     }
-    let surface = touched(arm, &logged.approach, &tare)?.or_else(|| {
+    let touch = touched(arm, &logged.approach, &tare)?;
+    let surface = touch.or_else(|| {
         flags.push("surface_as_stated");
         logged.stated_surface_m
     });
@@ -143,6 +146,7 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
     row.radius_m = logged.number("radius_m").or(row.radius_m);
     row.base_deg = logged.number("base_deg").map(degrees).or(row.base_deg);
     row.x_step_m = encoder_step(&course.external_m);
+    row.depth_sd_m = Some(depth_sd_m(arm, &joints[0], &half_steps, touch.is_some())?);
     if let Outcome::Found(point) = &evaluated.analysis.outcome {
         // At the beginning the external encoders stand at some count; the insertion tells the height more exactly.
         if let Some(start_z_m) = start_z_m {
