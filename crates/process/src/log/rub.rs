@@ -3,10 +3,9 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use soilctl_session::read::{Item, scan};
+use soilctl_bag::{Item, Readers, Reading, scan};
 
 use super::LogSettings;
-use super::bag::{WRENCH, read_wrench};
 use crate::ProcessError;
 
 /// What the sensor reads between plate and ground, its tare taken off.
@@ -34,26 +33,25 @@ pub fn read_wrenches(
     stop: &AtomicBool,
 ) -> Result<Vec<RubSample>, ProcessError> {
     let wanted = settings.wrench_topic.as_deref().unwrap_or("/wrench");
-    let mut readings: Vec<(i64, [f64; 6])> = Vec::new();
+    let (mut readers, mut readings) = (Readers::new(), Vec::<(i64, [f64; 6])>::new());
     scan(path, &mut |item| {
         if stop.load(Ordering::Relaxed) {
             return Err(ProcessError::Stopped);
         }
         if let Item::Message(message) = item
             && message.channel.topic == wanted
-            && message.channel.message_type == WRENCH
-            && let Some((header, wrench)) = read_wrench(message.data)
+            && let Some(Ok(Reading::Wrench { stamp_ns, wrench, .. })) = readers.read(&message)
             && wrench.iter().all(|part| part.is_finite())
         {
             let logged = i64::try_from(message.log_time_ns).unwrap_or(i64::MAX);
-            readings.push((header.stamp.ns().unwrap_or(logged), wrench));
+            readings.push((stamp_ns.unwrap_or(logged), wrench));
         }
         Ok(())
     })?;
     readings.sort_by_key(|reading| reading.0);
     let Some(&(origin, _)) = readings.first() else {
         let (wanted, known) = (wanted.to_owned(), "no wrenches there".to_owned());
-        return Err(ProcessError::Topic { wanted, message_type: WRENCH, known });
+        return Err(ProcessError::Topic { wanted, message_type: "geometry_msgs/msg/WrenchStamped", known });
     };
     let seconds = |ns: i64| ns.saturating_sub(origin) as f64 * 1e-9;
     let tare = match settings.tare {
