@@ -457,7 +457,7 @@ def test_the_viewer_is_opened_or_told_of(soilctl, log, tmp_path):
 def test_wrong_use_is_refused(soilctl, log, tmp_path, data):
     out = tmp_path / "a.rrd"
     soilctl.refuses("view", tmp_path / "none.mcap", "--no-open", mentions=["none.mcap"])
-    soilctl.refuses("view", data / "soils.csv", "--no-open", "--out", out, mentions=["soils.csv", "not an MCAP file"])
+    soilctl.refuses("view", data / "soils.csv", "--no-open", "--out", out, mentions=["soils.csv", "not a recording"])
     soilctl.refuses("view", log, "--no-open", "--out", tmp_path / "a.mcap", mentions=["a.mcap", "must end in .rrd"])
     soilctl.refuses("view", log, "--no-open", "--out", tmp_path / "no" / "a.rrd", mentions=["a.rrd", "check the path"])
     copy = tmp_path / "log.rrd"

@@ -183,7 +183,12 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .run()?;
     // Every byte of a recording or a robot may be wrong.
     cargo(workspace, "recordings made to do harm")
-        .args(["test", "--release", "--locked", "-p", "soilctl-process", "--test", "mutants"])
+        .args(["test", "--release", "--locked", "-p", "soilctl-process", "-p", "soilctl-motion", "--test", "mutants"])
+        .env("SOILCTL_MUTANTS", "2500")
+        .run()?;
+    cargo(workspace, "the same, to be looked at")
+        .args(["test", "--release", "--locked", "-p", "soilctl-recording", "-p", "soilctl-monitor"])
+        .args(["--tests", "every_container_and_its_mutants"])
         .env("SOILCTL_MUTANTS", "2500")
         .run()?;
     setup(workspace)?;

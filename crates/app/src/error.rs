@@ -1,5 +1,6 @@
 //! Why a use case gave no answer.
 
+use soilctl_bag::BagError;
 use soilctl_campaign::CampaignError;
 use soilctl_certificate::CertificateError;
 use soilctl_controller::ControllerError;
@@ -11,6 +12,7 @@ use soilctl_estimator::EstimatorError;
 use soilctl_jobs::JobsError;
 use soilctl_kinematics::KinematicsError;
 use soilctl_limit_analysis::{DescriptionError, LimitError};
+use soilctl_motion::MotionError;
 use soilctl_process::ProcessError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
@@ -67,6 +69,9 @@ pub enum AppError {
     /// A log.
     #[error(transparent)]
     Session(#[from] SessionError),
+    /// A recording of another program.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
     /// None of several logs can be used; a note has told of each.
     #[error("none of {logs} logs can be used; the first: {first}")]
     NoLog {
@@ -138,6 +143,10 @@ impl AppError {
                 | Self::Certificate(CertificateError::File { .. })
                 | Self::Session(
                     SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
+                )
+                | Self::Motion(
+                    MotionError::Write { .. }
+                        | MotionError::Bag(BagError::File { .. } | BagError::NotARecording { .. })
                 )
                 | Self::Campaign(CampaignError::File { .. })
                 | Self::Jobs(JobsError::File { .. } | JobsError::NoResult { .. } | JobsError::Damaged { .. })

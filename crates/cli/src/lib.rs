@@ -5,6 +5,7 @@
 
 mod args;
 mod command;
+mod bag_args;
 mod error;
 mod output;
 mod progress;

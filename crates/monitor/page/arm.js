@@ -1,49 +1,48 @@
-// The arm as its URDF describes it: a tree of joints, and plain bodies on its links. Links without one are drawn as bones.
+// The arm: a tree of joints, and plain bodies on its links. Links without one are drawn as bones.
 class Arm {
   // `rods`: what hangs behind a joint hangs on something.
-  constructor(urdf, rods) {
-    const robot = new DOMParser().parseFromString(urdf, 'application/xml').documentElement;
-    const numbers = (text, other) => text ? text.trim().split(/\s+/).map(Number) : other;
-    const origin = node => {
-      const place = node.querySelector(':scope > origin');
-      return Matrix.times(Matrix.move(numbers(place?.getAttribute('xyz'), [0, 0, 0])),
-                          Matrix.attitude(numbers(place?.getAttribute('rpy'), [0, 0, 0])));
-    };
-    const colours = {};
-    for (const material of robot.querySelectorAll(':scope > material'))
-      colours[material.getAttribute('name')] = numbers(material.querySelector('color')?.getAttribute('rgba'));
+  constructor({bodies, joints}, rods) {
     this.bodies = [];
-    for (const visual of robot.querySelectorAll(':scope > link > visual')) {
-      const shape = visual.querySelector(':scope > geometry')?.firstElementChild, number = name => Number(shape.getAttribute(name));
-      const mesh = shape?.tagName === 'cylinder' ? Shapes.cylinder(number('radius'), number('length'))
-        : shape?.tagName === 'sphere' ? Shapes.sphere(number('radius'))
-        : shape?.tagName === 'box' ? Shapes.box(numbers(shape.getAttribute('size'))) : null;
+    for (const {link, place, shape, colour} of bodies) {
+      if (shape.kind === 'mesh') {
+        // Drawn once it is there.
+        this.bodies.push({link, place: Matrix.times(place, Matrix.scale(shape.scale)), number: shape.number, colour, corners: corners(...shape.bounds)});
+        continue;
+      }
+      const {kind, size, radius, length} = shape, at = place.slice(12, 15), reach = Vector.size(at);
+      const mesh = kind === 'cylinder' ? Shapes.cylinder(radius, length) : kind === 'sphere' ? Shapes.sphere(radius)
+        : kind === 'capsule' ? Shapes.capsule(radius, length) : kind === 'box' ? Shapes.box(size) : null;
       if (!mesh) continue;
-      const name = visual.querySelector(':scope > material')?.getAttribute('name');
-      const own = visual.querySelector(':scope > material > color')?.getAttribute('rgba');
-      const at = origin(visual).slice(12, 15), reach = Vector.size(at);
-      if (rods && shape.tagName === 'sphere' && reach > 2 * number('radius') && at[2] < 0)
-        this.bodies.push({link: visual.parentElement.getAttribute('name'), place: Matrix.move(Vector.times(at, .5)), mesh: Shapes.cylinder(.007, reach), colour: [.55, .56, .58, 1]});
-      this.bodies.push({link: visual.parentElement.getAttribute('name'), place: origin(visual), mesh,
-                        colour: numbers(own) ?? colours[name] ?? [.7, .7, .7, 1], metal: shape.tagName === 'box',
-                        size: shape.tagName === 'box' ? numbers(shape.getAttribute('size')) : null});
+      if (rods && kind === 'sphere' && reach > 2 * radius && at[2] < 0)
+        this.bodies.push({link, place: Matrix.move(Vector.times(at, .5)), mesh: Shapes.cylinder(.007, reach), colour: [.55, .56, .58, 1]});
+      this.bodies.push({link, place, mesh, colour: colour ?? [.7, .7, .7, 1], metal: kind === 'box', size: kind === 'box' ? size : null});
     }
-    for (const body of this.bodies) body.corners = Shapes.around(body.mesh);
-    this.joints = [...robot.querySelectorAll(':scope > joint')].map(joint => {
-      const type = joint.getAttribute('type'), mimic = joint.querySelector(':scope > mimic');
-      return {
-        name: joint.getAttribute('name'), parent: joint.querySelector('parent').getAttribute('link'), child: joint.querySelector('child').getAttribute('link'),
-        place: origin(joint), axis: Vector.unit(numbers(joint.querySelector('axis')?.getAttribute('xyz'), [1, 0, 0])),
-        turns: ['revolute', 'continuous'].includes(type), slides: type === 'prismatic',
-        mimic: mimic && {joint: mimic.getAttribute('joint'), factor: Number(mimic.getAttribute('multiplier') ?? 1), offset: Number(mimic.getAttribute('offset') ?? 0)},
-      };
-    });
+    for (const body of this.bodies) body.corners ??= Shapes.around(body.mesh);
+    this.joints = joints;
     const drawn = new Set(this.bodies.map(body => body.link));
     this.bones = this.joints.filter(joint => joint.slides || !drawn.has(joint.parent));
-    // How far it can reach at most, sliding joints left out.
-    const parent = Object.fromEntries(this.joints.map(joint => [joint.child, joint]));
-    const out = link => parent[link] ? out(parent[link].parent) + Vector.size(parent[link].place.slice(12, 15)) : 0;
-    this.reach_m = Math.max(...this.joints.map(joint => out(joint.child)));
+  }
+  // Asks for the meshes; whether there were any.
+  async fetchMeshes() {
+    const numbers = [...new Set(this.bodies.filter(body => !body.mesh).map(body => body.number))];
+    const parts = new Map(await Promise.all(numbers.map(async number => {
+      const answer = await fetch(`mesh/${number}`).catch(() => null);
+      return [number, answer?.ok ? Arm.parts(await answer.arrayBuffer()) : []];
+    })));
+    this.bodies = this.bodies.flatMap(body => body.mesh ? [body] : parts.get(body.number).map((part, k) => (
+      {...body, mesh: part, colour: body.colour ?? part.colour, corners: k ? [] : body.corners})));
+    return numbers.length > 0;
+  }
+  // Parts of a mesh as the monitor packs them.
+  static parts(buffer) {
+    const words = new Uint32Array(buffer), values = new Float32Array(buffer), parts = [];
+    for (let k = 0, at = 1; k < words[0]; k++) {
+      const [red, green, blue, opacity] = values.subarray(at, at + 4), points = 6 * words[at + 4], count = words[at + 5];
+      at += 6;
+      parts.push({points: values.subarray(at, at + points), faces: words.subarray(at + points, at + points + count), colour: [red, green, blue, opacity < 0 ? 1 : opacity]});
+      at += points + count;
+    }
+    return parts;
   }
   // Positions by name, in rad or m: of the states of another program in the order of `names`, else in the order of the joints that turn.
   values(state, names) {

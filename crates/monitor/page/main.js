@@ -96,8 +96,10 @@ const hear = {
     page.scene.scaleForces(Math.max(0, ...message.overview_n));
     page.player.open(message, keptPlace());
     showLink('log', message.damage.length ? 'log, damaged' : 'log');
-    get('damage').hidden = !message.damage.length;
-    get('damage').querySelector('ul').replaceChildren(...message.damage.map(words => Object.assign(document.createElement('li'), {textContent: words})));
+    for (const [id, lines] of [['damage', message.damage], ['notes', message.notes ?? []]]) {
+      get(id).hidden = !lines.length;
+      get(id).querySelector('ul').replaceChildren(...lines.map(words => Object.assign(document.createElement('li'), {textContent: words})));
+    }
   },
   history(message) { page.charts.add(message); },
   soil(message) { page.scene.patch(message); },

@@ -94,22 +94,24 @@ class Scene {
   describe(description) {
     if (description.urdf !== this.description?.urdf) this.camera.points = null;
     this.description = description;
-    this.arm = new Arm(description.urdf, description.sandbox);
+    this.arm = new Arm(description.arm, description.sandbox);
     this.soil = description.sandbox && new Soil(description.sandbox);
     this.state = null;
     this.forceScale = FORCE_SCALE;
     this.ground = description.ground_z_m ?? 0;
     const before = JSON.stringify(this.space);
-    this.space = spaceOf(description, this.arm.reach_m);
+    this.space = spaceOf(description);
     if (JSON.stringify(this.space) !== before) this.show(this.camera.view);
     if (this.ready) this.build();
+    const {arm} = this;
+    arm.fetchMeshes().then(found => { if (found && this.arm === arm && this.ready) this.build(); });
   }
   // What the graphics processor has to know; it forgets it with its context.
   build() {
     const {gl, description} = this, {middle, size} = this.space;
     for (const mesh of this.meshes.splice(this.lasting)) { gl.deleteVertexArray(mesh.array); gl.deleteBuffer(mesh.points); gl.deleteBuffer(mesh.faces); }
     this.light = Matrix.times(Matrix.box(.85 * size, .5 * size, 4 * size), Matrix.look(Vector.plus(middle, Vector.times(SUN, 2 * size)), middle, [0, 0, 1]));
-    this.bodies = this.arm.bodies.map(body => ({...body, mesh: this.mesh(body.mesh)}));
+    this.bodies = this.arm.bodies.filter(body => body.mesh).map(body => ({...body, mesh: this.mesh(body.mesh)}));
     this.edges = description.sandbox ? this.arm.bodies.filter(body => body.size).map(body => ({...body, mesh: this.mesh(Shapes.edges(body.size))})) : [];
     this.sand = this.skirt = this.arrowMesh = this.safeMesh = undefined;
     if (this.soil) this.soil.changed = true;
@@ -374,10 +376,11 @@ class Scene {
   }
 }
 
-function spaceOf({sandbox, tip_box_m}, reach_m) {
+// Around all that the arm takes.
+function spaceOf({sandbox, space_m}) {
   if (sandbox) return OWN_SPACE;
-  const [low, high] = tip_box_m, size = Math.max(reach_m, Vector.size(Vector.minus(high, low)), .05);
-  return {middle: Vector.times(Vector.plus(low, high), .5), size: size / .75};
+  const [low, high] = space_m, size = Math.max(Vector.size(Vector.minus(high, low)), .05);
+  return {middle: Vector.times(Vector.plus(low, high), .5), size: size / 1.1};
 }
 
 // Two directions across a third one.

@@ -29,6 +29,11 @@ const Shapes = {
     }
     return {points, faces};
   },
+  // A cylinder with half a ball on each end.
+  capsule(radius, length) {
+    const arc = (from, z) => Array.from({length: 9}, (_, k) => (from + k / 8) * Math.PI / 2).map(a => [radius * Math.cos(a), z + radius * Math.sin(a)]);
+    return Shapes.turned([...arc(-1, -length / 2), ...arc(0, length / 2)]);
+  },
   box([x, y, z]) {
     const points = [], faces = [], half = [x / 2, y / 2, z / 2];
     for (let axis = 0; axis < 3; axis++) for (const side of [-1, 1]) {

@@ -1,7 +1,7 @@
 use std::net::SocketAddr;
 
 use soilctl_live::LiveError;
-use soilctl_process::ProcessError;
+use soilctl_motion::MotionError;
 use soilctl_session::SessionError;
 use thiserror::Error;
 
@@ -23,7 +23,7 @@ pub enum MonitorError {
         /// Name of the log.
         file: String,
         /// What is wrong and what to do.
-        problem: ProcessError,
+        problem: MotionError,
     },
     /// The arm file in a log, or of a session, is not allowed.
     #[error("the description of the arm is wrong: {0}")]

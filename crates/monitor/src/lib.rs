@@ -1,9 +1,11 @@
 #![doc = include_str!("../README.md")]
 
+mod arm;
 mod error;
 mod feed;
 mod film;
 mod live;
+mod meshes;
 mod messages;
 mod monitor;
 mod scene;
@@ -11,5 +13,5 @@ mod soil;
 mod web;
 
 pub use error::MonitorError;
-pub use film::BagSettings;
 pub use monitor::{Counts, Monitor, Settings, Source};
+pub use soilctl_motion::Settings as BagSettings;

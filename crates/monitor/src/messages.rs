@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use soilctl_live::protocol::{Event, StateMessage};
 
+use crate::arm::ArmMessage;
+
 /// A message as text. Numbers that are not finite become null.
 pub(crate) fn text<T: Serialize>(message: &T) -> String {
     // Our messages have text keys only, so nothing can fail.
@@ -45,6 +47,8 @@ pub(crate) struct SceneMessage {
     /// Words that [`PageRequest::Line`] knows, and what they do.
     pub(crate) words: Vec<[&'static str; 2]>,
     pub(crate) urdf: String,
+    /// What the URDF says, checked.
+    pub(crate) arm: ArmMessage,
     /// The link whose origin is the end-point.
     pub(crate) tip_link: String,
     /// None of a log of another program, as is the box.
@@ -58,6 +62,8 @@ pub(crate) struct SceneMessage {
     pub(crate) ground_z_m: Option<f64>,
     /// Corners of the space in which the end-point and the base are, where there is no box.
     pub(crate) tip_box_m: Option<[[f32; 3]; 2]>,
+    /// Corners of the space that all of the arm takes, where there is no box.
+    pub(crate) space_m: Option<[[f64; 3]; 2]>,
     /// Whether forces are known.
     pub(crate) has_force: bool,
 }
@@ -108,6 +114,9 @@ pub(crate) struct LogMessage {
     pub(crate) overview_n: Vec<f32>,
     /// What is wrong with the file.
     pub(crate) damage: Vec<String>,
+    /// What was odd about another program's recording, or could not be used.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) notes: Vec<String>,
 }
 
 /// A stroke in a log.

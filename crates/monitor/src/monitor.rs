@@ -6,7 +6,8 @@ use std::thread::JoinHandle;
 
 use crate::MonitorError;
 use crate::feed::Feed;
-use crate::film::{BagSettings, Film};
+use crate::BagSettings;
+use crate::film::Film;
 use crate::live::{Hub, Operator, Upstream};
 use crate::web::{Guard, Server, Shared, random_hex};
 
@@ -55,6 +56,7 @@ pub struct Monitor {
     shared: Arc<Shared>,
     hub: Option<Arc<Hub>>,
     damage: Vec<String>,
+    notes: Vec<String>,
     threads: Vec<JoinHandle<()>>,
 }
 
@@ -73,7 +75,7 @@ impl Monitor {
         let address = listener.local_addr().map_err(failed)?;
         let stop = Arc::new(AtomicBool::new(false));
         let mut threads = Vec::new();
-        let (mut hub, mut damage) = (None, Vec::new());
+        let (mut hub, mut damage, mut notes, mut meshes) = (None, Vec::new(), Vec::new(), Vec::new());
         let (feed, greeting): (Box<dyn Fn() -> _ + Send + Sync>, _) = match source {
             Source::Session(path) => {
                 let shared = Arc::new(Hub::default());
@@ -85,7 +87,8 @@ impl Monitor {
             Source::Log { path, from_s, bag } => {
                 let film = Film::load(&path, &bag)?;
                 let greeting = film.greeting(&path);
-                damage = film.damage().to_vec();
+                (damage, notes) = (film.damage().to_vec(), film.notes().to_vec());
+                meshes = film.meshes();
                 (Box::new(move || Ok(Feed::Log(Box::new(film.player(from_s)?)))), greeting)
             }
         };
@@ -95,6 +98,7 @@ impl Monitor {
             token,
             feed,
             greeting,
+            meshes,
             note,
             stop,
             open: AtomicUsize::new(0),
@@ -108,7 +112,7 @@ impl Monitor {
             shared.stop.store(true, Ordering::Relaxed);
             MonitorError::Thread { thread: "server", reason }
         })?);
-        Ok(Self { address, shared, hub, damage, threads })
+        Ok(Self { address, shared, hub, damage, notes, threads })
     }
 
     /// Where it listens.
@@ -140,6 +144,12 @@ impl Monitor {
     #[must_use]
     pub fn damage(&self) -> &[String] {
         &self.damage
+    }
+
+    /// What was odd about another program's recording, or could not be used.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// What it has counted so far.

@@ -1,14 +1,18 @@
 //! What does not move: the arm's shape, the box and where its sand begins.
 
+use std::collections::BTreeMap;
+
 use soilctl_campaign::Plan;
 use soilctl_controller::ControllerConfig;
 use soilctl_controller::laws::SafeForceSet;
 use soilctl_kinematics::Arm;
 use soilctl_live::protocol::{COMMANDS, Configuration, SafeForce};
 use soilctl_plant::PlantParams;
+use soilctl_robot::Urdf;
 use soilctl_session::SessionSetup;
 
 use crate::MonitorError;
+use crate::arm::ArmMessage;
 use crate::messages::{PlateSize, Sandbox, SceneMessage};
 
 /// Angle of repose in degrees where nobody says which soil it is.
@@ -44,7 +48,7 @@ impl Scene {
             plan: configuration.plan.clone(),
             seed: 0,
             model: configuration.model.clone(),
-            notes: std::collections::BTreeMap::new(),
+            notes: BTreeMap::new(),
         };
         let params = setup.params().map_err(|error| refused(&error))?;
         let plan = Plan::from_record(&configuration.plan);
@@ -82,12 +86,15 @@ impl Scene {
     /// The scene for a page.
     pub(crate) fn message(&self, name: &str, live: bool, commands: bool) -> SceneMessage {
         let plate = self.arm.config().plate;
+        let urdf = soilctl_kinematics::urdf(&self.arm);
         SceneMessage {
             name: name.to_owned(),
             live,
             commands,
             words: COMMANDS.iter().map(|word| [word.name, word.help]).collect(),
-            urdf: soilctl_kinematics::urdf(&self.arm),
+            // Ours can be read.
+            arm: Urdf::parse(&urdf).map(|urdf| ArmMessage::of(&urdf, &BTreeMap::new())).unwrap_or_default(),
+            urdf,
             tip_link: "plate_tip".to_owned(),
             plate: Some(PlateSize {
                 width_m: plate.width_m,
@@ -99,6 +106,7 @@ impl Scene {
             joints: Vec::new(),
             ground_z_m: Some(self.sandbox.surface_z_m),
             tip_box_m: None,
+            space_m: None,
             has_force: true,
         }
     }

@@ -1,4 +1,5 @@
 use soilctl_bag::{BagError, Kind};
+use soilctl_motion::MotionError;
 use thiserror::Error;
 
 /// What can be wrong with recorded strokes.
@@ -134,6 +135,18 @@ impl From<BagError> for ProcessError {
                 };
                 Self::Topic { wanted, message_type, known }
             }
+            other => Self::Log(other.to_string()),
+        }
+    }
+}
+
+impl From<MotionError> for ProcessError {
+    fn from(error: MotionError) -> Self {
+        match error {
+            MotionError::Bag(error) => error.into(),
+            MotionError::Urdf(error) => error.into(),
+            MotionError::Missing { what, advice } => Self::Missing { what, advice },
+            MotionError::Joints { topic, missing, named } => Self::Joints { topic, missing, named },
             other => Self::Log(other.to_string()),
         }
     }

@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 use common::{LIMIT_N, Random};
 use soilctl_kinematics::{Arm, JointAngles, TaskPose, urdf};
 use soilctl_process::foreign::{ContactKind, ForeignLog, Oddity};
-use soilctl_process::log::{Candidate, JOINT_STATE, LogSettings, WRENCH, read_log};
+use soilctl_process::log::{Candidate, LogSettings, read_log};
 use soilctl_process::{Evaluated, Method, Outcome, ProcessError, Robot};
 use soilctl_session::messages::{Header, JointState, Time, Wrench, WrenchStamped, encode};
 
@@ -108,7 +108,10 @@ fn read(moments: &[Moment], joints_every: usize, swap: usize) -> (Vec<Evaluated>
         let schema = writer.add_schema(kind, "ros2msg", b"").unwrap();
         writer.add_channel(schema, topic, "cdr", &BTreeMap::new()).unwrap()
     };
-    let channels = [channel("/joint_states", JOINT_STATE), channel("/wrench", WRENCH)];
+    let channels = [
+        channel("/joint_states", "sensor_msgs/msg/JointState"),
+        channel("/wrench", "geometry_msgs/msg/WrenchStamped"),
+    ];
     let header = |t_s: f64, frame: &str| Header {
         stamp: Time { sec: t_s as i32, nanosec: (t_s.fract() * 1e9) as u32 },
         frame_id: frame.to_owned(),

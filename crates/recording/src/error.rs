@@ -1,5 +1,6 @@
 use std::path::PathBuf;
 
+use soilctl_motion::MotionError;
 use soilctl_session::SessionError;
 use thiserror::Error;
 
@@ -38,4 +39,12 @@ pub enum RecordingError {
     /// The log.
     #[error(transparent)]
     Session(#[from] SessionError),
+    /// A recording of another program.
+    #[error("{file} cannot be shown: {problem}")]
+    Motion {
+        /// The recording.
+        file: String,
+        /// What is wrong, and what to do.
+        problem: MotionError,
+    },
 }

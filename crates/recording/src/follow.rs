@@ -9,12 +9,12 @@ use serde::de::DeserializeOwned;
 use soilctl_controller::{Params, StrokePlan};
 use soilctl_kinematics::{Arm, JointAngles};
 use soilctl_live::protocol::{Memory, SafeForce, StateMessage};
+use soilctl_robot::Urdf;
 use soilctl_session::messages::{
     ControllerStep, JointState, SoilTruth, StringMessage, TfMessage, WrenchStamped, decode,
 };
 use soilctl_session::read::{Item, RawMessage};
 use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD, STROKE_RECORD, SessionError, topics};
-use urdf_rs::Robot;
 
 use crate::about::about;
 use crate::rrd::{WriteError, Writer};
@@ -24,6 +24,9 @@ use crate::style::{TRUE_DEPTH, styles};
 use crate::{FORCE_M_PER_N, LEAD_SCALE, Recording, RecordingError, rows, sandbox, unwritten};
 
 const STATES: [&str; 3] = ["/state/mode", "/state/trajectory", "/state/sequence"];
+
+/// Links above a link that its entity names; no arm of ours has so many.
+const MOST_DEPTH: usize = 100;
 
 type Record = BTreeMap<String, String>;
 
@@ -119,8 +122,8 @@ impl Follower {
         let done = match message.channel.topic.as_str() {
             topics::ROBOT_DESCRIPTION => {
                 let text: StringMessage = self.read(topics::ROBOT_DESCRIPTION, message)?;
-                let robot = urdf_rs::read_from_string(&text.data).map_err(|error| self.wrong_arm(&error))?;
-                self.robot(&robot)
+                let urdf = Urdf::parse(&text.data).map_err(|error| self.wrong_arm(&error))?;
+                self.robot(&urdf)
             }
             topics::TF => {
                 let frames: TfMessage = self.read(topics::TF, message)?;
@@ -181,24 +184,14 @@ impl Follower {
     }
 
     /// Each link has an entity below that of the link that it hangs on.
-    fn robot(&mut self, robot: &Robot) -> Result<(), WriteError> {
-        let parents: BTreeMap<&str, &str> = robot
-            .joints
-            .iter()
-            .map(|joint| (joint.child.link.as_str(), joint.parent.link.as_str()))
-            .collect();
-        let shapes = shapes(robot);
-        for link in &robot.links {
-            let mut names = vec![link.name.as_str()];
-            // No chain is longer than the tree, unless it bites its tail.
-            while let Some(parent) = names.last().and_then(|name| parents.get(name))
-                && names.len() <= robot.links.len()
-            {
-                names.push(parent);
-            }
-            let entity = names.iter().rev().fold("/world".to_owned(), |path, name| format!("{path}/{name}"));
-            for (name, columns) in shapes.get(&link.name).into_iter().flatten() {
-                self.writer.fixed(&format!("{entity}/{name}"), columns)?;
+    fn robot(&mut self, urdf: &Urdf) -> Result<(), WriteError> {
+        let above = |link: &usize| Some(urdf.joints().get(urdf.joint_above(*link)?)?.parent);
+        for (place, link) in urdf.links().iter().enumerate() {
+            let way: Vec<usize> = std::iter::successors(Some(place), above).take(MOST_DEPTH).collect();
+            let names = way.iter().rev().filter_map(|place| Some(&urdf.links().get(*place)?.name));
+            let entity = names.fold("/world".to_owned(), |path, name| format!("{path}/{name}"));
+            for (name, columns) in shapes(link, &BTreeMap::new()) {
+                self.writer.fixed(&format!("{entity}/{name}"), &columns)?;
             }
             self.frames.insert(link.name.clone(), entity);
         }
@@ -338,7 +331,7 @@ impl Follower {
         let out = self.out.clone();
         let written = self.writer.fixed("/about", &rows::page(&page)).and_then(|()| self.writer.finish());
         let entities = written.map_err(|error| unwritten(&out, &error))?;
-        Ok(Recording { entities, steps, span_s, damage })
+        Ok(Recording { entities, steps, span_s, damage, foreign: None })
     }
 }
 

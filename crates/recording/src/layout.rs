@@ -15,7 +15,7 @@ const fn view(class: &'static str, name: &'static str, origin: &'static str) -> 
     Part::View { class, name, origin }
 }
 
-fn window() -> Part {
+fn own() -> Part {
     let curves = |name, origin| view("TimeSeries", name, origin);
     let texts = Part::Tabs(vec![
         view("TextLog", "Events", "/events"),
@@ -39,8 +39,26 @@ fn window() -> Part {
     Part::Row(vec![(scene, 3.0), (right, 2.0)])
 }
 
-/// The layout as entities.
-pub(crate) fn layout() -> Vec<(String, Vec<Column>)> {
+/// Of a recording of another program.
+fn foreign() -> Part {
+    let curves = |name, origin| view("TimeSeries", name, origin);
+    let about = view("TextDocument", "About this log", "/about");
+    let scene = Part::Column(vec![(view("3D", "Arm and force", "/world"), 4.0), (about, 1.3)]);
+    let joints = Part::Tabs(vec![
+        curves("Joints that turn (deg)", "/joints/turning"),
+        curves("Joints that slide (mm)", "/joints/sliding"),
+    ]);
+    let right = Part::Column(vec![
+        (curves("Force as read (N)", "/force_sensor"), 3.0),
+        (curves("Torque as read (N m)", "/torque_sensor"), 2.0),
+        (curves("End-point (m)", "/end_point"), 2.0),
+        (joints, 2.0),
+    ]);
+    Part::Row(vec![(scene, 3.0), (right, 2.0)])
+}
+
+/// The layout as entities; of a log of ours, or of another program's recording.
+pub(crate) fn layout(of_ours: bool) -> Vec<(String, Vec<Column>)> {
     const ROOT: Component = Component::layout("ViewportBlueprint", "root_container", "RootContainer");
     const OWN_LAYOUT: Component = Component::layout("ViewportBlueprint", "auto_layout", "AutoLayout");
     const OWN_VIEWS: Component = Component::layout("ViewportBlueprint", "auto_views", "AutoViews");
@@ -50,7 +68,7 @@ pub(crate) fn layout() -> Vec<(String, Vec<Column>)> {
     const HIDDEN: u8 = 1;
     const COLLAPSED: u8 = 2;
     let mut made = Made::default();
-    let (_, root) = made.part(window());
+    let (_, root) = made.part(if of_ours { own() } else { foreign() });
     let state = |component, state| Column::row(component, Values::Bytes(vec![state]));
     let flag = |component| Column::row(component, Values::Flags(vec![false]));
     made.put(

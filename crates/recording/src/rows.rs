@@ -27,6 +27,27 @@ pub(crate) fn arrow(from: [f64; 3], vector: [f64; 3]) -> Vec<Column> {
     vec![Column::row(ORIGINS, vectors(from)), Column::row(VECTORS, vectors(vector))]
 }
 
+/// Bones from points along vectors.
+pub(crate) fn bones(bones: &[([f64; 3], [f64; 3])]) -> Vec<Column> {
+    const ORIGINS: Component = Component::new("Arrows3D", "origins", "Position3D");
+    const VECTORS: Component = Component::new("Arrows3D", "vectors", "Vector3D");
+    let all = |part: fn(&([f64; 3], [f64; 3])) -> [f64; 3]| {
+        Values::Vectors(bones.iter().map(|bone| single(part(bone))).collect())
+    };
+    vec![Column::row(ORIGINS, all(|bone| bone.0)), Column::row(VECTORS, all(|bone| bone.1))]
+}
+
+/// How bones are drawn.
+pub(crate) fn bone_style(radius_m: f32) -> Vec<Column> {
+    const COLOURS: Component = Component::new("Arrows3D", "colors", "Color");
+    const RADII: Component = Component::new("Arrows3D", "radii", "Radius");
+    const GREY: u32 = 0x9ea8_b3ff;
+    vec![
+        Column::row(COLOURS, Values::Colours(vec![GREY])),
+        Column::row(RADII, Values::Single(vec![radius_m])),
+    ]
+}
+
 /// How an arrow is drawn.
 pub(crate) fn arrow_style(label: &str, colour: u32, radius_m: f32) -> Vec<Column> {
     const COLOURS: Component = Component::new("Arrows3D", "colors", "Color");

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use urdf_rs::{Geometry, Pose, Robot, Visual};
+use nalgebra::{Isometry3, Point3, Translation3, Vector3};
+use soilctl_motion::{Mesh, Part};
+use soilctl_robot::{Geometry, Link, Visual};
 
 use crate::rows::single;
 use crate::rrd::{Column, Component, Values};
@@ -12,103 +14,158 @@ const GREY: [f64; 4] = [0.7, 0.7, 0.72, 1.0];
 /// Filled, not as wires.
 const SOLID: u8 = 3;
 
-/// What is drawn of each link: name below the link's entity, and columns. Meshes are left out, since a log has none.
-pub(crate) fn shapes(robot: &Robot) -> BTreeMap<String, Vec<(String, Vec<Column>)>> {
-    let colours: BTreeMap<&str, [f64; 4]> = robot
-        .materials
-        .iter()
-        .filter_map(|material| Some((material.name.as_str(), material.color.as_ref()?.rgba.0)))
-        .collect();
-    let of_link = |visuals: &[Visual]| {
-        visuals
-            .iter()
-            .enumerate()
-            .filter_map(|(number, visual)| {
-                Some((format!("shape_{number}"), shape(visual, colour(visual, &colours))?))
+/// What is drawn of a link: name below the link's entity, and columns. Meshes are in files of their own.
+pub(crate) fn shapes(link: &Link, meshes: &BTreeMap<String, Mesh>) -> Vec<(String, Vec<Column>)> {
+    let numbered = link.visuals.iter().enumerate();
+    numbered
+        .flat_map(|(number, visual)| {
+            let parts = parts(visual, meshes).into_iter().enumerate();
+            parts.map(move |(part, columns)| match part {
+                0 => (format!("shape_{number}"), columns),
+                more => (format!("shape_{number}_{more}"), columns),
             })
-            .collect()
-    };
-    robot.links.iter().map(|link| (link.name.clone(), of_link(&link.visual))).collect()
+        })
+        .collect()
 }
 
-fn colour(visual: &Visual, known: &BTreeMap<&str, [f64; 4]>) -> u32 {
-    let material = visual.material.as_ref();
-    let own = material.and_then(|material| Some(material.color.as_ref()?.rgba.0));
-    let rgba = own.or_else(|| known.get(material?.name.as_str()).copied()).unwrap_or(GREY);
+/// Red, green, blue and opacity in a number.
+fn packed(colour: [f64; 4]) -> u32 {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 255")]
-    let bytes = rgba.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8);
+    let bytes = colour.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8);
     u32::from_be_bytes(bytes)
 }
 
-fn shape(visual: &Visual, colour: u32) -> Option<Vec<Column>> {
-    let (archetype, mut columns) = match &visual.geometry {
-        Geometry::Box { size } => {
-            let half = single(size.0.map(|length| 0.5 * length));
+fn parts(visual: &Visual, meshes: &BTreeMap<String, Mesh>) -> Vec<Vec<Column>> {
+    let (origin, colour) = (&visual.origin, packed(visual.colour.unwrap_or(GREY)));
+    match &visual.geometry {
+        &Geometry::Box { size_m } => {
+            let half = single(size_m.map(|length| 0.5 * length));
             let sizes = Component::new("Boxes3D", "half_sizes", "HalfSize3D");
-            ("Boxes3D", vec![Column::row(sizes, Values::Vectors(vec![half]))])
+            vec![placed("Boxes3D", vec![Column::row(sizes, Values::Vectors(vec![half]))], origin, colour)]
         }
-        Geometry::Cylinder { radius, length } => {
-            let [radius, length] = single([*radius, *length]);
-            let lengths = Component::new("Cylinders3D", "lengths", "Length");
-            let radii = Component::new("Cylinders3D", "radii", "Radius");
-            let column = |component, value| Column::row(component, Values::Single(vec![value]));
-            ("Cylinders3D", vec![column(lengths, length), column(radii, radius)])
+        &Geometry::Cylinder { radius_m, length_m } => vec![cylinder(radius_m, length_m, origin, colour)],
+        &Geometry::Sphere { radius_m } => vec![ball(radius_m, origin, colour)],
+        &Geometry::Capsule { radius_m, length_m } => {
+            let end = |side: f64| origin * Translation3::new(0.0, 0.0, side * 0.5 * length_m);
+            vec![
+                cylinder(radius_m, length_m, origin, colour),
+                ball(radius_m, &end(-1.0), colour),
+                ball(radius_m, &end(1.0), colour),
+            ]
         }
-        Geometry::Sphere { radius } => {
-            let sizes = Component::new("Ellipsoids3D", "half_sizes", "HalfSize3D");
-            ("Ellipsoids3D", vec![Column::row(sizes, Values::Vectors(vec![single([*radius; 3])]))])
+        Geometry::Mesh { filename, scale } => {
+            let parts = meshes.get(filename).into_iter().flat_map(|mesh| &mesh.parts);
+            parts.map(|part| triangles(part, scale, origin, visual.colour, colour)).collect()
         }
-        Geometry::Capsule { .. } | Geometry::Mesh { .. } => return None,
+        _ => Vec::new(),
+    }
+}
+
+/// Triangles in the link's frame; the URDF's colour counts before that of the file.
+fn triangles(
+    part: &Part,
+    scale: &[f64; 3],
+    origin: &Isometry3<f64>,
+    of_urdf: Option<[f64; 4]>,
+    colour: u32,
+) -> Vec<Column> {
+    const POSITIONS: Component = Component::new("Mesh3D", "vertex_positions", "Position3D");
+    const NORMALS: Component = Component::new("Mesh3D", "vertex_normals", "Vector3D");
+    const TRIANGLES: Component = Component::new("Mesh3D", "triangle_indices", "TriangleIndices");
+    const COLOUR: Component = Component::new("Mesh3D", "albedo_factor", "AlbedoFactor");
+    let scaled = |point: &[f32; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|axis| f64::from(point[axis]) * scale[axis]);
+        single((origin * Point3::new(x, y, z)).into())
     };
-    let Pose { xyz, rpy } = &visual.origin;
+    let turned = |normal: &[f32; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|axis| f64::from(normal[axis]) / scale[axis]);
+        let normal = Vector3::new(x, y, z).try_normalize(0.0).unwrap_or_else(Vector3::z);
+        single((origin.rotation * normal).into())
+    };
+    // A mirror turns triangles over.
+    let mirrored = scale.iter().product::<f64>() < 0.0;
+    let around = |[a, b, c]: &[u32; 3]| if mirrored { [*a, *c, *b] } else { [*a, *b, *c] };
+    let colour = match (of_urdf, part.colour) {
+        (None, Some(of_file)) => packed(of_file.map(f64::from)),
+        _ => colour,
+    };
+    vec![
+        Column::row(COLOUR, Values::Colours(vec![colour])),
+        Column::row(TRIANGLES, Values::Triangles(part.triangles.iter().map(around).collect())),
+        Column::row(NORMALS, Values::Vectors(part.normals.iter().map(turned).collect())),
+        Column::row(POSITIONS, Values::Vectors(part.points.iter().map(scaled).collect())),
+    ]
+}
+
+/// Ground around the root, so wide.
+pub(crate) fn ground(z_m: f64, size_m: f64) -> Vec<Column> {
+    const SAND: u32 = 0xd8c0_90ff;
+    let thick_m = 0.005 * size_m;
+    let sizes = Component::new("Boxes3D", "half_sizes", "HalfSize3D");
+    let half = single([size_m, size_m, 0.5 * thick_m]);
+    let origin = Isometry3::translation(0.0, 0.0, z_m - 0.5 * thick_m);
+    placed("Boxes3D", vec![Column::row(sizes, Values::Vectors(vec![half]))], &origin, SAND)
+}
+
+fn cylinder(radius_m: f64, length_m: f64, origin: &Isometry3<f64>, colour: u32) -> Vec<Column> {
+    let [radius, length] = single([radius_m, length_m]);
+    let lengths = Component::new("Cylinders3D", "lengths", "Length");
+    let radii = Component::new("Cylinders3D", "radii", "Radius");
+    let column = |component, value| Column::row(component, Values::Single(vec![value]));
+    placed("Cylinders3D", vec![column(lengths, length), column(radii, radius)], origin, colour)
+}
+
+fn ball(radius_m: f64, origin: &Isometry3<f64>, colour: u32) -> Vec<Column> {
+    let sizes = Component::new("Ellipsoids3D", "half_sizes", "HalfSize3D");
+    let sizes = Column::row(sizes, Values::Vectors(vec![single([radius_m; 3])]));
+    placed("Ellipsoids3D", vec![sizes], origin, colour)
+}
+
+/// The shape where it is on its link, in its colour.
+fn placed(
+    archetype: &'static str,
+    mut columns: Vec<Column>,
+    origin: &Isometry3<f64>,
+    colour: u32,
+) -> Vec<Column> {
     let part = |field, kind| Component::new(archetype, field, kind);
     columns.extend([
-        Column::row(part("centers", "Translation3D"), Values::Vectors(vec![single(xyz.0)])),
+        Column::row(
+            part("centers", "Translation3D"),
+            Values::Vectors(vec![single(origin.translation.vector.into())]),
+        ),
         Column::row(
             part("quaternions", "RotationQuat"),
-            Values::Quaternions(vec![single(quaternion(rpy.0))]),
+            // Without the sign of a zero, which says nothing.
+            Values::Quaternions(vec![single(origin.rotation.coords.map(|part| part + 0.0).into())]),
         ),
         Column::row(part("colors", "Color"), Values::Colours(vec![colour])),
         Column::row(part("fill_mode", "FillMode"), Values::Bytes(vec![SOLID])),
     ]);
-    Some(columns)
-}
-
-/// URDF's roll, pitch and yaw, about fixed axes in this order, as a quaternion x, y, z, w.
-fn quaternion([roll, pitch, yaw]: [f64; 3]) -> [f64; 4] {
-    let [(sr, cr), (sp, cp), (sy, cy)] = [roll, pitch, yaw].map(|angle| (0.5 * angle).sin_cos());
-    [
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-        cr * cp * cy + sr * sp * sy,
-    ]
+    columns
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use soilctl_robot::Urdf;
 
-    /// Quarter turns whose result is seen without computing: x goes to y, y to z, z to x.
-    #[test]
-    fn angles_turn_as_urdf_says() {
-        let half = std::f64::consts::FRAC_1_SQRT_2;
-        let quarter = std::f64::consts::FRAC_PI_2;
-        let close = |a: [f64; 4], b: [f64; 4]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-15);
-        assert!(close(quaternion([quarter, 0.0, 0.0]), [half, 0.0, 0.0, half]));
-        assert!(close(quaternion([0.0, quarter, 0.0]), [0.0, half, 0.0, half]));
-        assert!(close(quaternion([0.0, 0.0, quarter]), [0.0, 0.0, half, half]));
-        // Roll first, then yaw, about the axes that stand still: the third of a turn about the diagonal.
-        assert!(close(quaternion([quarter, 0.0, quarter]), [0.5, 0.5, 0.5, 0.5]));
-    }
+    use super::*;
 
     #[test]
     fn every_shape_of_the_arm_is_drawn() {
         let text = soilctl_kinematics::urdf(&soilctl_kinematics::Arm::thesis());
-        let robot = urdf_rs::read_from_string(&text).unwrap();
-        let found = shapes(&robot);
-        let count: usize = found.values().map(Vec::len).sum();
-        assert_eq!(count, text.matches("<visual>").count());
-        assert!(found["base_link"].is_empty() && found["hand_link"].len() == 2, "{:?}", found.keys());
+        let urdf = Urdf::parse(&text).unwrap();
+        let counts: Vec<usize> = urdf.links().iter().map(|link| shapes(link, &BTreeMap::new()).len()).collect();
+        assert_eq!(counts.iter().sum::<usize>(), text.matches("<visual>").count());
+        let of = |name| counts[urdf.link_index(name).unwrap()];
+        assert_eq!((of("base_link"), of("hand_link")), (0, 2));
+    }
+
+    #[test]
+    fn a_capsule_is_a_cylinder_with_two_balls() {
+        let text = r#"<robot name="r"><link name="a"><visual><geometry><capsule radius="0.1" length="0.4"/></geometry></visual></link></robot>"#;
+        let found = shapes(&Urdf::parse(text).unwrap().links()[0], &BTreeMap::new());
+        let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["shape_0", "shape_0_1", "shape_0_2"]);
     }
 }

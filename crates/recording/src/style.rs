@@ -36,9 +36,37 @@ const ARROWS: [(&str, &str, u32, f32); 4] = [
     ("/world/lead", "lead", ORANGE, 0.003),
 ];
 
+/// Of another program's recording; `joints` with whether they slide, and the radius of bones in m.
+pub(crate) fn foreign_styles<W: Write>(
+    writer: &mut Writer<W>,
+    name: &str,
+    joints: &[(String, bool)],
+    radius_m: f32,
+) -> Result<(), WriteError> {
+    const ALL: [u32; 5] = [BLUE, ORANGE, GREEN, RED, PINK];
+    writer.layout(&layout(false))?;
+    writer.fixed("/__properties", &rows::name(name))?;
+    writer.fixed("/world", &rows::axes())?;
+    for entity in ["/force_sensor", "/torque_sensor", "/end_point"] {
+        writer.fixed(entity, &rows::curve_style(&[("x", BLUE), ("y", GREEN), ("z", ORANGE)]))?;
+    }
+    for (entity, slide) in [("/joints/turning", false), ("/joints/sliding", true)] {
+        let names = joints.iter().filter(|(_, slides)| *slides == slide).map(|(name, _)| name.as_str());
+        let names: Vec<(&str, u32)> = names.zip(ALL.into_iter().cycle()).collect();
+        if !names.is_empty() {
+            writer.fixed(entity, &rows::curve_style(&names))?;
+        }
+    }
+    writer.fixed(
+        "/world/force",
+        &rows::arrow_style("force as read, bias included", BLUE, 0.6 * radius_m),
+    )?;
+    writer.fixed("/world/bones", &rows::bone_style(radius_m))
+}
+
 /// Writes all of it; `name` is that of the recording.
 pub(crate) fn styles<W: Write>(writer: &mut Writer<W>, name: &str) -> Result<(), WriteError> {
-    writer.layout(&layout())?;
+    writer.layout(&layout(true))?;
     writer.fixed("/__properties", &rows::name(name))?;
     writer.fixed("/world", &rows::axes())?;
     for (entity, names) in CURVES.iter().chain([&TRUE_DEPTH]) {

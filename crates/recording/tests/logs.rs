@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use soilctl_controller::{Commands, Mode, Outputs, Params, Sensed, StrokeSpec};
-use soilctl_recording::{Recording, RecordingError, record};
-use soilctl_session::{LogWriter, SessionError, SessionSetup, StepRecord, Truth};
+use soilctl_recording::{Recording, RecordingError, Settings, record};
+use soilctl_session::{LogWriter, SessionSetup, StepRecord, Truth};
 use tempfile::TempDir;
 
 const STEPS: u64 = 5000;
@@ -50,7 +50,7 @@ fn rows(recording: &Recording, entity: &str) -> u64 {
 }
 
 fn refused(log: &Path, out: &Path) -> RecordingError {
-    let error = record(log, out).unwrap_err();
+    let error = record(log, out, &Settings::default()).unwrap_err();
     let left = std::fs::read_dir(out.parent().unwrap()).unwrap();
     assert!(left.flatten().all(|file| file.path() == log), "a file is left after: {error}");
     error
@@ -60,7 +60,7 @@ fn refused(log: &Path, out: &Path) -> RecordingError {
 fn every_step_is_a_row_whatever_the_sensor_said() {
     let (_folder, log, out) = folder();
     write_log(&log, STEPS);
-    let recording = record(&log, &out).unwrap();
+    let recording = record(&log, &out, &Settings::default()).unwrap();
     assert_eq!((recording.steps, recording.damage.len()), (STEPS, 0));
     for entity in ["/force/plate", "/world/force/sensor", "/world/force/truth", "/joints/position"] {
         assert_eq!(rows(&recording, entity), STEPS, "{entity}");
@@ -77,7 +77,7 @@ fn a_log_that_is_cut_is_shown_as_far_as_it_goes() {
     write_log(&log, STEPS);
     let whole = std::fs::read(&log).unwrap();
     std::fs::write(&log, &whole[..whole.len() / 2]).unwrap();
-    let recording = record(&log, &out).unwrap();
+    let recording = record(&log, &out, &Settings::default()).unwrap();
     assert!(recording.steps > 0 && recording.steps < STEPS, "{}", recording.steps);
     assert_eq!(rows(&recording, "/force/plate"), recording.steps);
     assert!(recording.damage[0].contains("in the middle"), "{:?}", recording.damage);
@@ -93,7 +93,7 @@ fn a_wrong_byte_is_never_a_panic() {
         let mut wrong = whole.clone();
         wrong[place] ^= 0x55;
         std::fs::write(&log, wrong).unwrap();
-        match record(&log, &out) {
+        match record(&log, &out, &Settings::default()) {
             Ok(recording) => assert!(recording.steps <= 600),
             Err(error) => assert!(!error.to_string().is_empty()),
         }
@@ -110,9 +110,10 @@ fn logs_without_settings_or_steps_are_refused() {
     foreign.write_to_known_channel(&header, b"{}").unwrap();
     foreign.finish().unwrap();
     drop(foreign);
+    // Of another program it would need the arm's URDF.
     let error = refused(&log, &out);
-    assert!(matches!(error, RecordingError::NotOurs { .. }), "{error}");
-    assert!(error.to_string().contains("no record of the configuration"), "{error}");
+    assert!(matches!(error, RecordingError::Motion { .. }), "{error}");
+    assert!(error.to_string().contains("--urdf"), "{error}");
 
     write_log(&log, 0);
     assert!(refused(&log, &out).to_string().contains("no step of the controller"));
@@ -122,11 +123,11 @@ fn logs_without_settings_or_steps_are_refused() {
 fn files_that_are_no_logs_are_refused() {
     let (_folder, log, out) = folder();
     let missing = refused(&log, &out);
-    assert!(matches!(missing, RecordingError::Session(SessionError::File { .. })), "{missing}");
+    assert!(matches!(missing, RecordingError::Motion { .. }), "{missing}");
     std::fs::write(&log, "time,force\n0,1\n").unwrap();
     let error = refused(&log, &out);
-    assert!(matches!(error, RecordingError::Session(SessionError::NotALog { .. })), "{error}");
+    assert!(matches!(error, RecordingError::Motion { .. }), "{error}");
     write_log(&log, 10);
-    let error = record(&log, &log.with_file_name("nowhere").join("out.rrd")).unwrap_err();
+    let error = record(&log, &log.with_file_name("nowhere").join("out.rrd"), &Settings::default()).unwrap_err();
     assert!(matches!(error, RecordingError::Write { .. }), "{error}");
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use soilctl_motion::Table;
 use soilctl_session::{Export, Info, Recovery};
 
 use crate::Outcome;
@@ -27,11 +28,11 @@ pub struct Answer {
 }
 
 /// What is in a log.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct Content {
-    /// Log time of the first message in s; null if there is none.
+    /// Log time of the first message in s, of a recording of another program the earliest time on its clock; null if there is none.
     pub start_s: Option<f64>,
-    /// Log time of the last message in s.
+    /// Log time of the last message in s, or the latest time.
     pub end_s: Option<f64>,
     /// Steps of the controller.
     pub steps: u64,
@@ -47,10 +48,35 @@ pub struct Content {
     pub topics: Vec<Topic>,
     /// Names of the attachments.
     pub attachments: Vec<String>,
+    /// What else was found; only of recordings of other programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub found: Option<Found>,
+}
+
+/// What else was found in a recording of another program.
+#[derive(Debug, Default, Serialize, JsonSchema)]
+pub struct Found {
+    /// What it is kept in, such as `MCAP` or `ROS 1 bag`.
+    pub container: String,
+    /// Compressions of its chunks, messages or file; empty if nothing is compressed.
+    pub compression: Vec<String>,
+    /// Where the times of this answer begin, in s of the stamps: a whole second of a wall clock, or 0. It is the clock of
+    /// `process --strokes`.
+    pub clock_origin_s: i64,
+    /// From the earliest to the latest time in s.
+    pub duration_s: f64,
+    /// Whether there is a URDF in it.
+    pub has_urdf: bool,
+    /// What wrote it, as it says; may be empty.
+    pub library: String,
+    /// What is odd about the messages of joint states and wrenches, such as clocks that were set.
+    pub oddities: Vec<String>,
+    /// Numbers that cannot be in the units of ROS.
+    pub implausible: Vec<String>,
 }
 
 /// A topic.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct Topic {
     /// Its name.
     pub topic: String,
@@ -59,6 +85,37 @@ pub struct Topic {
     pub message_type: String,
     /// How many there are.
     pub messages: u64,
+    /// What they tell: `joints`, `wrench` or `text`, if one of these. This and what follows is there only of recordings of other
+    /// programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kind: Option<&'static str>,
+    /// Earliest time in s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_s: Option<f64>,
+    /// Latest time in s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_s: Option<f64>,
+    /// Messages a second, by the median of the times between two; missing for fewer than three of these.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rate_hz: Option<f64>,
+    /// Times between two messages that are longer than five medians.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gaps: Option<u64>,
+    /// The longest of them, ten at most, in order of time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub longest_gaps: Option<Vec<Gap>>,
+    /// Why the messages cannot be read, if they cannot.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub problem: Option<String>,
+}
+
+/// A time without messages.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct Gap {
+    /// Time of the message before it in s.
+    pub from_s: f64,
+    /// Time of the message after it in s.
+    pub to_s: f64,
 }
 
 /// What was written.
@@ -72,6 +129,9 @@ pub struct Written {
     pub rows: u64,
     /// Columns of the table; null for `recover`.
     pub columns: Option<usize>,
+    /// Where `time_s` begins, in s of the stamps; only of recordings of other programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clock_origin_s: Option<i64>,
 }
 
 impl Answer {
@@ -98,7 +158,7 @@ impl Answer {
             damage: saved.ending.damage,
             problems: Vec::new(),
             content: Some(Content::new(new)),
-            written: Some(Written { file, topic: None, rows: saved.messages, columns: None }),
+            written: Some(Written { file, topic: None, rows: saved.messages, columns: None, clock_origin_s: None }),
         }
     }
 
@@ -112,6 +172,23 @@ impl Answer {
                 topic: Some(topic.to_owned()),
                 rows: table.rows,
                 columns: Some(table.columns),
+                clock_origin_s: None,
+            }),
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn foreign_export(table: Table, topic: &str, out: &Path) -> Self {
+        Self {
+            action: "export",
+            whole: table.ending.is_whole(),
+            damage: table.ending.damage,
+            written: Some(Written {
+                file: out.display().to_string(),
+                topic: Some(topic.to_owned()),
+                rows: table.rows,
+                columns: Some(table.columns),
+                clock_origin_s: Some(table.clock.origin_s),
             }),
             ..Self::default()
         }
@@ -148,6 +225,7 @@ impl Content {
             topic,
             message_type: found.message_type,
             messages: found.messages,
+            ..Topic::default()
         });
         Self {
             start_s: info.start_ns.map(seconds),
@@ -159,6 +237,7 @@ impl Content {
             strokes: info.strokes,
             topics: topics.collect(),
             attachments: info.attachments,
+            found: None,
         }
     }
 }

@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_session::{Form, export_until, topics};
+use soilctl_jobs::Beside;
+use soilctl_motion::write_table;
+use soilctl_session::{Form, export_until, is_own, topics};
 
 pub use super::Answer;
 use super::{differ, watched};
@@ -14,14 +16,15 @@ use crate::{AppError, Watch};
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[serde(default)]
 pub struct Request {
-    /// A log (.mcap)
+    /// A log (.mcap), or a recording of any program (.mcap, .db3, .bag, or the folder of a bag)
     pub log: PathBuf,
 
     /// File to write (.csv or .parquet)
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 
-    /// The topic: /controller/step, /joint_states, /motor_states, /wrench, /truth/joint_states or /truth/soil
+    /// The topic: /controller/step, /joint_states, /motor_states, /wrench, /truth/joint_states or /truth/soil; of another program's
+    /// recording any topic
     #[arg(long, value_name = "TOPIC", default_value_t = Request::default().topic)]
     pub topic: String,
 }
@@ -35,13 +38,22 @@ impl Default for Request {
 /// Writes the messages of a topic as a table.
 ///
 /// # Errors
-/// [`AppError::Session`] if the log cannot be read, has no such topic, or the table cannot be written, [`AppError::Request`] if
+/// [`AppError::Session`] or [`AppError::Motion`] if the log cannot be read, has no such topic, or the table cannot be written, [`AppError::Request`] if
 /// the name of the table makes no sense.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let Request { log, out, topic } = request;
     watched(watch, |stop| {
         differ(log, out)?;
-        Ok(Answer::export(export_until(log, topic, out, form(out)?, stop)?, topic, out))
+        let form = form(out)?;
+        if is_own(log, stop) {
+            return Ok(Answer::export(export_until(log, topic, out, form, stop)?, topic, out));
+        }
+        let beside = Beside::new(out);
+        let table = write_table(log, topic, beside.path(), form, stop)?;
+        beside
+            .keep()
+            .map_err(|problem| AppError::File { path: out.display().to_string(), problem })?;
+        Ok(Answer::foreign_export(table, topic, out))
     })
 }
 

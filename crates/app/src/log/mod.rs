@@ -3,13 +3,14 @@
 mod answer;
 pub mod doctor;
 pub mod export;
+mod foreign;
 pub mod info;
 pub mod recover;
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-pub use answer::{Answer, Content, Topic, Written};
+pub use answer::{Answer, Content, Found, Gap, Topic, Written};
 
 use crate::{AppError, Interrupted, Watch};
 

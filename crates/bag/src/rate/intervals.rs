@@ -13,6 +13,8 @@ const MOST_GAPS: usize = 10;
 /// thousand at most, with the sum of each, so that the mean of the middle bin is the median to much better than that.
 #[derive(Debug, Default)]
 pub(super) struct Intervals {
+    /// The earliest time so far.
+    pub(super) earliest: Option<i64>,
     /// The latest time so far.
     pub(super) latest: Option<i64>,
     count: u64,
@@ -22,6 +24,7 @@ pub(super) struct Intervals {
 
 impl Intervals {
     pub(super) fn note(&mut self, ns: i64) {
+        self.earliest = Some(self.earliest.map_or(ns, |earliest| earliest.min(ns)));
         let Some(latest) = self.latest.replace(self.latest.map_or(ns, |latest| latest.max(ns))) else {
             return;
         };

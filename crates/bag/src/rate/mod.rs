@@ -28,6 +28,8 @@ pub struct Rate {
     pub last_ns: u64,
     /// Which times the intervals and gaps are taken from.
     pub clock: Clock,
+    /// The earliest and the latest of these times in ns.
+    pub span_ns: [i64; 2],
     /// The median interval in ns, to about a hundredth; nothing for fewer than three intervals.
     pub interval_ns: Option<f64>,
     /// How many intervals are longer than five medians.
@@ -148,12 +150,14 @@ impl Gauge {
         };
         let intervals = if clock == Clock::Stamp { self.stamp } else { self.log };
         let interval_ns = intervals.median();
+        let span_ns = [intervals.earliest, intervals.latest].map(Option::unwrap_or_default);
         let (gaps, longest_gaps) = interval_ns.map(|median| intervals.gaps(median)).unwrap_or_default();
         Rate {
             messages: self.messages,
             first_ns: self.first_ns,
             last_ns: self.last_ns,
             clock,
+            span_ns,
             interval_ns,
             gaps,
             longest_gaps,

@@ -35,6 +35,18 @@ pub enum Kind {
     Text,
 }
 
+impl Kind {
+    /// In one word: `joints`, `wrench` or `text`.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Joints => "joints",
+            Self::Wrench => "wrench",
+            Self::Text => "text",
+        }
+    }
+}
+
 impl std::fmt::Display for Kind {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {

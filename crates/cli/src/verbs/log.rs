@@ -1,7 +1,7 @@
 //! `soilctl log`: what is in a log, whether it is well, saving what can be saved, and tables.
 
-use soilctl_app::log::{Answer, Content, doctor, export, info, recover};
-use soilctl_app::text::{columns, number};
+use soilctl_app::log::{Answer, Content, Found, Topic, doctor, export, info, recover};
+use soilctl_app::text::{columns, number, number_or_dash};
 use soilctl_app::{Answer as _, Outcome};
 
 use crate::error::CliError;
@@ -51,7 +51,11 @@ impl Words for Answer {
         for damage in &self.damage {
             text += &format!("damaged: {damage}\n");
         }
-        for problem in &self.problems {
+        let told = self.content.as_ref().and_then(|content| content.found.as_ref());
+        let told = |problem: &&String| {
+            !told.is_some_and(|found| found.oddities.iter().chain(&found.implausible).any(|one| one == *problem))
+        };
+        for problem in self.problems.iter().filter(told) {
             text += &format!("problem: {problem}\n");
         }
         if self.action == "doctor" && self.is_well() {
@@ -62,6 +66,9 @@ impl Words for Answer {
 }
 
 fn content_text(content: &Content) -> String {
+    if let Some(found) = &content.found {
+        return foreign_text(content, found);
+    }
     let mut text = String::new();
     for (key, value) in &content.session {
         text += &format!("{key}: {value}\n");
@@ -86,4 +93,47 @@ fn content_text(content: &Content) -> String {
         text += &format!("attachment: {name}\n");
     }
     text
+}
+
+/// A recording of another program.
+fn foreign_text(content: &Content, found: &Found) -> String {
+    let mut text = format!("container: {}", found.container);
+    if !found.compression.is_empty() {
+        text += &format!(", {}", found.compression.join(", "));
+    }
+    if !found.library.is_empty() {
+        text += &format!(", by {}", found.library);
+    }
+    let [start_s, end_s] = [content.start_s, content.end_s].map(number_or_dash);
+    text += &format!("\ntime: {start_s} to {end_s} s ({} s)", number(found.duration_s));
+    text += &match found.clock_origin_s {
+        0 => "\n".to_owned(),
+        origin_s => format!("; times count from {origin_s} s of the stamps\n"),
+    };
+    let heading = ["messages", "Hz", "gaps", "longest s", "topic", "type", ""].map(str::to_owned);
+    let rows = std::iter::once(heading.to_vec()).chain(content.topics.iter().map(topic_row));
+    text += &columns(&rows.collect::<Vec<_>>());
+    text += if found.has_urdf { "URDF: yes\n" } else { "URDF: none\n" };
+    for name in &content.attachments {
+        text += &format!("attachment: {name}\n");
+    }
+    for (what, all) in [("odd", &found.oddities), ("implausible", &found.implausible)] {
+        for words in all {
+            text += &format!("{what}: {words}\n");
+        }
+    }
+    text
+}
+
+fn topic_row(topic: &Topic) -> Vec<String> {
+    let gaps = topic.longest_gaps.iter().flatten().map(|gap| gap.to_s - gap.from_s);
+    vec![
+        topic.messages.to_string(),
+        number_or_dash(topic.rate_hz),
+        topic.gaps.unwrap_or(0).to_string(),
+        number_or_dash(gaps.max_by(f64::total_cmp)),
+        topic.topic.clone(),
+        topic.message_type.clone(),
+        topic.problem.clone().or(topic.kind.map(str::to_owned)).unwrap_or_default(),
+    ]
 }

@@ -12,10 +12,10 @@ use serde::Serialize;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use soilctl_app::Outcome;
 use soilctl_app::request::finite;
-use soilctl_app::topics::Topics;
-use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
+use soilctl_monitor::{Monitor, Settings, Source};
 use tempfile::NamedTempFile;
 
+use crate::bag_args::BagArgs;
 use crate::error::CliError;
 use crate::output::{Output, Words};
 
@@ -23,7 +23,7 @@ use crate::output::{Output, Words};
 #[command(
     after_help = "Prints the page's address, serves it, and ends at Ctrl-C. Nobody beyond this machine reaches it unless --listen \
     says so. With --commands the address carries a token; whoever has it may do to the arm what `soilctl console` does. \
-    Of a log of another program (ROS 2, .mcap) the joint states move the arm of the URDF in it, or of --urdf. Exit code 3: the log is \
+    Of a recording of another program the joint states move the arm of the URDF in it, or of --urdf. Exit code 3: the log is \
     damaged, and what can be read is played. docs/monitor.md tells keys, messages and limits."
 )]
 pub(crate) struct Args {
@@ -31,7 +31,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "PATH", required_unless_present = "play", conflicts_with = "play")]
     connect: Option<PathBuf>,
 
-    /// A log to play (.mcap), of soilctl or any other program
+    /// A log to play (.mcap), or a recording of any program (.mcap, .db3, .bag, or the folder of a bag)
     #[arg(long, value_name = "LOG")]
     play: Option<PathBuf>,
 
@@ -59,31 +59,6 @@ pub(crate) struct Args {
     open: bool,
 }
 
-/// What a log of another program does not say.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Logs of other programs")]
-struct BagArgs {
-    #[command(flatten)]
-    topics: Topics,
-
-    /// Link whose origin is marked [default: plate_tip, or the link behind most joints]
-    #[arg(long, value_name = "LINK")]
-    plate_frame: Option<String>,
-}
-
-impl BagArgs {
-    fn settings(&self) -> Result<BagSettings, CliError> {
-        Ok(BagSettings {
-            urdf: self.topics.urdf_text()?,
-            joint_topic: self.topics.joint_topic.clone(),
-            wrench_topic: self.topics.wrench_topic.clone(),
-            end_link: self.plate_frame.clone(),
-            sensor_link: self.topics.sensor_frame.clone(),
-            surface_z_m: self.topics.surface_z_m,
-        })
-    }
-}
-
 /// Where a monitor serves.
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct MonitorAnswer {
@@ -95,6 +70,9 @@ pub(crate) struct MonitorAnswer {
     commands: bool,
     /// What is wrong with the log that is played; it is left out.
     damage: Vec<String>,
+    /// What was odd about another program's recording, or could not be used, such as meshes that are not at hand.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
 }
 
 impl soilctl_app::Answer for MonitorAnswer {
@@ -141,9 +119,13 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     for what in &damage {
         output.note(&format!("damaged: {what}"));
     }
+    let notes = monitor.notes().to_vec();
+    for note in &notes {
+        output.note(note);
+    }
     let outcome = if damage.is_empty() { Outcome::Done } else { Outcome::Partial };
     let answer =
-        MonitorAnswer { url: monitor.url(), listen: address.to_string(), commands: args.commands, damage };
+        MonitorAnswer { url: monitor.url(), listen: address.to_string(), commands: args.commands, damage, notes };
     output.answer(&answer)?;
     output.note("Ctrl-C ends");
     // Kept as long as the monitor.

@@ -6,12 +6,14 @@ mod player;
 
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
-pub use self::bag::BagSettings;
 pub(crate) use self::player::Player;
 use crate::MonitorError;
 use crate::messages::{PageMessage, text};
 use soilctl_live::protocol::ServerMessage;
+use soilctl_motion::Settings;
+use soilctl_session::is_own;
 
 /// What a player plays: states in the order of time.
 trait Reel: Send {
@@ -37,14 +39,14 @@ pub(crate) enum Film {
 
 impl Film {
     /// Reads a log; as a bag if it is not one of ours, or if the settings say how.
-    pub(crate) fn load(path: &Path, settings: &BagSettings) -> Result<Self, MonitorError> {
-        if settings.wants_bag() {
-            return Ok(Self::Bag(Arc::new(bag::load(path, settings, None)?)));
+    pub(crate) fn load(path: &Path, settings: &Settings) -> Result<Self, MonitorError> {
+        if *settings == Settings::default()
+            && is_own(path, &AtomicBool::new(false))
+            && let Some(track) = own::load(path)?
+        {
+            return Ok(Self::Own(Arc::new(track)));
         }
-        Ok(match own::load(path)? {
-            own::Loaded::Own(track) => Self::Own(Arc::new(*track)),
-            own::Loaded::Other(contents) => Self::Bag(Arc::new(bag::load(path, settings, Some(contents))?)),
-        })
+        Ok(Self::Bag(Arc::new(bag::load(path, settings)?)))
     }
 
     /// What each page is greeted with.
@@ -68,6 +70,22 @@ impl Film {
         match self {
             Self::Own(track) => track.damage(),
             Self::Bag(track) => track.damage(),
+        }
+    }
+
+    /// What was odd, or could not be used.
+    pub(crate) fn notes(&self) -> &[String] {
+        match self {
+            Self::Own(_) => &[],
+            Self::Bag(track) => track.notes(),
+        }
+    }
+
+    /// Meshes that pages ask for by their numbers.
+    pub(crate) fn meshes(&self) -> Vec<Arc<[u8]>> {
+        match self {
+            Self::Own(_) => Vec::new(),
+            Self::Bag(track) => track.meshes().to_vec(),
         }
     }
 

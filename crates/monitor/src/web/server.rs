@@ -24,6 +24,9 @@ const NAP: Duration = Duration::from_millis(5);
 /// Where the WebSocket is.
 const SOCKET_PATH: &str = "/socket";
 
+/// Where meshes are, by their numbers.
+const MESH_PATH: &str = "/mesh/";
+
 /// Accepts connections.
 pub(crate) struct Server {
     pub(crate) listener: TcpListener,
@@ -114,9 +117,13 @@ fn connection(mut stream: TcpStream, peer: SocketAddr, shared: &Shared) {
     let served = match (head.method.as_str(), head.path.as_str()) {
         ("GET", SOCKET_PATH) => return upgrade(stream, peer, &head, shared),
         ("GET" | "HEAD", "/") => send_page(&mut stream, head.method == "GET"),
-        ("GET" | "HEAD", path) => {
-            words(&mut stream, "404 Not Found", &format!("there is nothing at {path}; the page is at /"))
-        }
+        ("GET" | "HEAD", path) => match mesh(path, shared) {
+            Some(mesh) => {
+                let fields = [("Content-Type", "application/octet-stream")];
+                answer(&mut stream, "200 OK", &fields, mesh, head.method == "GET")
+            }
+            None => words(&mut stream, "404 Not Found", &format!("there is nothing at {path}; the page is at /")),
+        },
         (method, _) => {
             let what = format!("the method {method} is not served here");
             return refuse(&mut stream, "405 Method Not Allowed", &what);
@@ -127,6 +134,12 @@ fn connection(mut stream: TcpStream, peer: SocketAddr, shared: &Shared) {
     {
         shared.refuse(peer, &format!("it did not take its answer: {error}"));
     }
+}
+
+/// A mesh by its number; a page never says the name of a file.
+fn mesh<'a>(path: &str, shared: &'a Shared) -> Option<&'a [u8]> {
+    let number: usize = path.strip_prefix(MESH_PATH)?.parse().ok()?;
+    shared.meshes.get(number).map(AsRef::as_ref)
 }
 
 fn send_page(stream: &mut TcpStream, with_content: bool) -> std::io::Result<()> {

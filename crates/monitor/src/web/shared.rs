@@ -15,6 +15,8 @@ pub(crate) struct Shared {
     pub(crate) feed: Box<dyn Fn() -> Result<Feed, MonitorError> + Send + Sync>,
     /// What a page is greeted with, beside its feed.
     pub(crate) greeting: Vec<String>,
+    /// Meshes by their numbers.
+    pub(crate) meshes: Vec<Arc<[u8]>>,
     /// Takes notes for the operator.
     pub(crate) note: Box<dyn Fn(&str) + Send + Sync>,
     pub(crate) stop: Arc<AtomicBool>,

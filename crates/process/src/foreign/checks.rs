@@ -1,14 +1,10 @@
 //! What makes a log useless as a whole, said in words; and what is missing in it.
 
-use super::columns::Columns;
+use soilctl_motion::{Columns, MOST_M, MOST_RAD, Oddity};
+
 use super::contact::depth;
 use super::survey::Survey;
-use super::trouble::Oddity;
 use crate::{ProcessError, Robot};
-
-/// Joints that turn further than this, or slide further, are not given in rad or m.
-const MOST_RAD: f64 = 30.0;
-const MOST_M: f64 = 50.0;
 
 /// Refuses columns that tell nothing.
 pub(super) fn check(

@@ -1,19 +1,16 @@
 //! Logs of other programs: joint states and wrenches of any arm, in which strokes are found and weighed.
 //!
-//! The whole log is looked at first: one clock for all topics (`clock.rs`), what free air says of the sensor (`air/`), where the
+//! The whole log is looked at first: one clock for all topics (`soilctl_motion`), what free air says of the sensor (`air/`), where the
 //! plate touched the soil (`contact.rs`), what it did there (`push.rs`). Only then a stroke is weighed (`stroke.rs`), beside the
 //! tare of its time and posture.
 
 mod air;
 mod checks;
-mod clock;
-mod columns;
 mod contact;
 mod look;
 mod push;
 mod stroke;
 mod survey;
-mod trouble;
 mod trust;
 mod verdict;
 
@@ -23,16 +20,16 @@ use std::sync::atomic::AtomicBool;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use soilctl_motion::{Columns, Joints, WALL_CLOCK_S, Wanted, columns};
+pub use soilctl_motion::{Oddity, Trouble};
 
 use self::air::AirModel;
 pub use self::air::{FreeAir, Noise};
 use self::checks::{check, check_units, no_air, note_gaps};
-use self::columns::Columns;
 use self::contact::{Touch, depth};
 use self::look::{Look, look};
 use self::stroke::Weigher;
-use self::survey::{Joints, Survey};
-pub use self::trouble::{Oddity, Trouble};
+use self::survey::Survey;
 use self::trust::{Doubt, Stops};
 use self::verdict::{contact as told, deepest, time, weigh};
 use crate::log::{Candidate, LogSettings, LogStroke, NoStroke};
@@ -124,7 +121,12 @@ pub(crate) fn read(
         ..Setting::default()
     };
     let Look { joint_topics, wrench_topic, robot } = look(path, settings, stop)?;
-    let mut columns = columns::read(path, &joint_topics, &wrench_topic, robot.joint_names(), stop)?;
+    let wanted = Wanted {
+        joint_topics: &joint_topics,
+        wrench_topic: Some(&wrench_topic),
+        joints: robot.joint_names(),
+    };
+    let mut columns = columns(path, &wanted, stop)?;
     check(&columns, &joint_topics, &wrench_topic, robot.joint_names())?;
     columns.wrenches.values.iter_mut().for_each(|wrench| *wrench = settings.sense.on_plate(*wrench));
     check_units(&columns, &robot)?;
@@ -139,7 +141,7 @@ pub(crate) fn read(
     note_gaps(&mut columns, &survey, &wrench_topic);
     let windows: Option<Vec<Range<usize>>> = settings.windows.as_ref().map(|windows| {
         let mut sorted: Vec<[f64; 2]> =
-            windows.iter().map(|window| window.map(|t_s| on_clock(t_s, columns.origin_s))).collect();
+            windows.iter().map(|window| window.map(|t_s| on_clock(t_s, columns.clock.origin_s))).collect();
         sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
         sorted.iter().map(|[from, to]| survey.within(*from, *to)).collect()
     });
@@ -153,7 +155,7 @@ pub(crate) fn read(
         air.as_ref().and_then(|air| air.told.noise).map(|noise| noise.of_force(survey.interval_s));
     let mut log = ForeignLog {
         air: air.as_ref().map(|air| air.told.clone()),
-        origin_s: columns.origin_s,
+        origin_s: columns.clock.origin_s,
         damage: std::mem::take(&mut columns.damage),
         bytes: columns.bytes,
         ..ForeignLog::default()
@@ -207,7 +209,7 @@ pub(crate) fn read(
 /// A time on the log's clock, of one that may be meant on a wall clock.
 fn on_clock(t_s: f64, origin_s: i64) -> f64 {
     #[allow(clippy::cast_precision_loss, reason = "seconds of a wall clock are exact")]
-    let (wall_s, origin_s) = (columns::WALL_CLOCK_S as f64, origin_s as f64);
+    let (wall_s, origin_s) = (WALL_CLOCK_S as f64, origin_s as f64);
     if t_s >= wall_s { t_s - origin_s } else { t_s }
 }
 

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 
 use super::air::{AirModel, Tare};
-use super::columns::Columns;
+use soilctl_motion::{Columns, Joints};
 use super::push::Push;
-use super::survey::{Joints, Survey};
+use super::survey::Survey;
 use super::trust::{Doubt, Stops, gap};
 use crate::log::{LogStroke, NoStroke};
 use crate::robot::{Robot, RobotSample};

@@ -1,6 +1,6 @@
 //! What makes a stroke doubtful: said as flags in its row, or a reason to refuse it.
 
-use super::columns::Series;
+use soilctl_motion::Series;
 use super::survey::Survey;
 
 /// So many equal readings in a row at the end of an axis's range are a sensor that can't follow.

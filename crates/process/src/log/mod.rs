@@ -4,7 +4,6 @@
 //! stroke was meant. Of any other bag only joint states and wrenches are used; [`LogSettings`] tells the rest.
 //! Topics under `/truth` are never looked at.
 
-mod bag;
 mod own;
 mod rub;
 
@@ -16,7 +15,6 @@ use soilctl_session::messages::{TfMessage, decode};
 use soilctl_session::read::{Item, scan};
 use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD, SessionError};
 
-pub use self::bag::{BagContents, BagMessage, BagReader, JOINT_STATE, WRENCH};
 use self::own::OwnLog;
 pub use self::rub::{RubSample, read_wrenches};
 use crate::foreign::{self, ForeignLog};

@@ -22,6 +22,15 @@ pub(crate) struct ViewAnswer {
     start_s: f64,
     /// Log time of the last step in s.
     end_s: f64,
+    /// States of the arm that are shown; only of another program's recording.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    states: Option<usize>,
+    /// Where times begin, in s of the stamps; only of another program's recording.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clock_origin_s: Option<i64>,
+    /// What was odd, or could not be used; only of another program's recording.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    notes: Option<Vec<String>>,
     /// What the recording shows over time.
     entities: Vec<Entity>,
     /// What is wrong with the log; empty if it is whole.
@@ -45,6 +54,7 @@ impl ViewAnswer {
         viewer: Option<String>,
     ) -> Self {
         let [start_s, end_s] = recording.span_s;
+        let foreign = recording.foreign;
         Self {
             recording: out.display().to_string(),
             foxglove_layout: layout.map(|path| path.display().to_string()),
@@ -52,6 +62,9 @@ impl ViewAnswer {
             steps: recording.steps,
             start_s,
             end_s,
+            states: foreign.as_ref().map(|foreign| foreign.states),
+            clock_origin_s: foreign.as_ref().map(|foreign| foreign.clock_origin_s),
+            notes: foreign.map(|foreign| foreign.notes),
             entities: recording.entities.into_iter().map(|(entity, rows)| Entity { entity, rows }).collect(),
             damage: recording.damage,
         }
@@ -71,7 +84,11 @@ impl Words for ViewAnswer {
         if let Some(viewer) = &self.viewer {
             text += &format!("opened with: {viewer}\n");
         }
-        text += &format!("{} steps, {} to {} s\n", self.steps, number(self.start_s), number(self.end_s));
+        let what = match self.states {
+            Some(states) => format!("{states} states"),
+            None => format!("{} steps", self.steps),
+        };
+        text += &format!("{what}, {} to {} s\n", number(self.start_s), number(self.end_s));
         let rows = self.entities.iter().map(|entity| vec![entity.rows.to_string(), entity.entity.clone()]);
         text + &columns(&rows.collect::<Vec<_>>())
     }

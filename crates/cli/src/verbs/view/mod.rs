@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 pub(crate) use answer::ViewAnswer;
 use soilctl_recording::{FOXGLOVE_LAYOUT, record};
 
+use crate::bag_args::BagArgs;
 use crate::error::CliError;
 use crate::output::Output;
 
@@ -19,8 +20,11 @@ use crate::output::Output;
     is where."
 )]
 pub(crate) struct Args {
-    /// A log that soilctl wrote (.mcap)
+    /// A log (.mcap), or a recording of any program (.mcap, .db3, .bag, or the folder of a bag)
     log: PathBuf,
+
+    #[command(flatten)]
+    bag: BagArgs,
 
     /// The recording to write; left out: beside the log, ending in .rrd
     #[arg(long, value_name = "FILE")]
@@ -47,8 +51,9 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     if same(&args.log, &out) {
         return Err(CliError::Usage(format!("{} is the log itself; give another --out", out.display())));
     }
+    let settings = args.bag.settings()?;
     let spinner = output.spinner("reading the log");
-    let recording = record(&args.log, &out);
+    let recording = record(&args.log, &out, &settings);
     spinner.finish_and_clear();
     let recording = recording?;
     if let Some(path) = &args.foxglove_layout {
@@ -56,6 +61,9 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     }
     for damage in &recording.damage {
         output.note(&format!("damaged: {damage}"));
+    }
+    for note in recording.foreign.iter().flat_map(|foreign| &foreign.notes) {
+        output.note(note);
     }
     let opened = if args.no_open { None } else { viewer::open(args.viewer.as_deref(), &out)? };
     if opened.is_none() {

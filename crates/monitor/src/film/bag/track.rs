@@ -1,7 +1,9 @@
 use std::sync::Arc;
 
 use soilctl_live::protocol::{Hello, PROTOCOL_VERSION, SafeForce};
+use soilctl_motion::Motion;
 
+use crate::arm::ArmMessage;
 use crate::film::{Reel, curve, halve, overview};
 use crate::messages::{History, LogMessage, PageMessage, PoseMessage, SceneMessage, text};
 
@@ -32,34 +34,57 @@ impl Moment {
 /// A bag, ready to be played.
 #[derive(Debug)]
 pub(crate) struct Track {
-    pub(super) urdf: String,
-    pub(super) end_link: String,
-    /// Names of the joints in the order in which they came up.
-    pub(super) joints: Vec<String>,
-    pub(super) ground_z_m: Option<f64>,
-    pub(super) has_force: bool,
+    urdf: String,
+    arm: ArmMessage,
+    space_m: [[f64; 3]; 2],
+    /// Meshes as pages take them, by their numbers.
+    pub(super) meshes: Vec<Arc<[u8]>>,
+    end_link: String,
+    /// Names of the joints in the order of the URDF.
+    joints: Vec<String>,
+    ground_z_m: Option<f64>,
+    has_force: bool,
     pub(super) moments: Vec<Moment>,
     pub(super) interval_s: f64,
-    /// What is wrong with the file, and what could not be used.
+    /// What is wrong with the file.
     pub(super) damage: Vec<String>,
+    /// What was odd, or could not be used.
+    pub(super) notes: Vec<String>,
 }
 
 impl Track {
-    pub(super) const fn new(
-        urdf: String,
-        end_link: String,
+    pub(super) fn new(
+        motion: &Motion,
+        arm: ArmMessage,
+        space_m: [[f64; 3]; 2],
         ground_z_m: Option<f64>,
-        has_force: bool,
     ) -> Self {
         Self {
-            urdf,
-            end_link,
-            joints: Vec::new(),
+            urdf: motion.text.clone(),
+            arm,
+            space_m,
+            end_link: motion.end_link.clone(),
+            joints: motion.joints.clone(),
             ground_z_m,
-            has_force,
+            has_force: !motion.columns.wrenches.t_s.is_empty(),
+            ..Self::empty()
+        }
+    }
+
+    fn empty() -> Self {
+        Self {
+            urdf: String::new(),
+            arm: ArmMessage::default(),
+            space_m: [[0.0; 3]; 2],
+            meshes: Vec::new(),
+            end_link: String::new(),
+            joints: Vec::new(),
+            ground_z_m: None,
+            has_force: false,
             moments: Vec::new(),
             interval_s: INTERVAL_S,
             damage: Vec::new(),
+            notes: Vec::new(),
         }
     }
 
@@ -92,6 +117,16 @@ impl Track {
             tip_m: some(moment.tip_m),
             force_n: some(moment.force_n),
         })
+    }
+
+    /// What was odd, or could not be used.
+    pub(crate) fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Meshes by their numbers.
+    pub(crate) fn meshes(&self) -> &[Arc<[u8]>] {
+        &self.meshes
     }
 
     /// What is wrong with the file.
@@ -136,6 +171,8 @@ impl Track {
             commands: false,
             words: Vec::new(),
             urdf: self.urdf.clone(),
+            arm: self.arm.clone(),
+            space_m: Some(self.space_m),
             tip_link: self.end_link.clone(),
             plate: None,
             sandbox: None,
@@ -157,6 +194,7 @@ impl Track {
             events_left_out: 0,
             overview_n: overview(self.moments.iter().map(|moment| moment.size_n().max(0.0))),
             damage: self.damage.clone(),
+            notes: self.notes.clone(),
         }
     }
 }
@@ -186,7 +224,7 @@ mod tests {
 
     #[test]
     fn a_long_log_stays_small_and_whole() {
-        let mut track = Track::new(String::new(), String::new(), None, false);
+        let mut track = Track::empty();
         let count = MOST_MOMENTS * 3;
         for number in 0..count {
             #[allow(clippy::cast_precision_loss, reason = "small")]

@@ -2,7 +2,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use soilctl_live::protocol::{Configuration, Event, Hello, Memory, PROTOCOL_VERSION, StateMessage};
-use soilctl_process::log::BagContents;
 use soilctl_session::messages::{ControllerStep, JointState, decode};
 use soilctl_session::read::{Item, scan};
 use soilctl_session::{SessionError, topics};
@@ -22,26 +21,16 @@ const MOST_SURFACES: usize = 64;
 /// States between two kept surfaces, to begin with.
 const SURFACE_STATES: usize = 300;
 
-/// What a log is.
-pub(in crate::film) enum Loaded {
-    /// One of ours.
-    Own(Box<Track>),
-    /// One of another program, or without a step; what it holds.
-    Other(BagContents),
-}
-
-/// Reads a log. What is damaged is left out and said.
-pub(in crate::film) fn load(path: &Path) -> Result<Loaded, MonitorError> {
+/// Reads a log of ours; nothing if it has no step. What is damaged is left out and said.
+pub(in crate::film) fn load(path: &Path) -> Result<Option<Track>, MonitorError> {
     let mut loader = Loader::default();
     let ending = scan::<Stop>(path, &mut |item| loader.item(item)).map_err(|Stop(error)| *error)?;
-    Ok(match loader.track {
-        Some((mut track, _)) if !track.samples.is_empty() => {
-            track.strokes = loader.strokes;
-            track.damage = ending.damage;
-            Loaded::Own(Box::new(track))
-        }
-        _ => Loaded::Other(loader.contents),
-    })
+    let Some((mut track, _)) = loader.track.filter(|(track, _)| !track.samples.is_empty()) else {
+        return Ok(None);
+    };
+    track.strokes = loader.strokes;
+    track.damage = ending.damage;
+    Ok(Some(track))
 }
 
 /// Ends a scan.
@@ -55,8 +44,6 @@ impl From<SessionError> for Stop {
 
 #[derive(Default)]
 struct Loader {
-    /// What the log holds before its first step.
-    contents: BagContents,
     program: String,
     configuration: Option<Configuration>,
     track: Option<(Track, Surface)>,
@@ -72,9 +59,6 @@ struct Loader {
 
 impl Loader {
     fn item(&mut self, item: Item<'_>) -> Result<(), Stop> {
-        if self.track.is_none() {
-            self.contents.note(&item);
-        }
         match item {
             Item::Metadata { name: "soilctl.session", content } => {
                 self.program = format!("soilctl {}", text(content, "program_version"));

@@ -5,6 +5,6 @@ mod reel;
 mod sample;
 mod track;
 
-pub(super) use load::{Loaded, load};
+pub(super) use load::load;
 pub(super) use reel::OwnReel;
 pub(crate) use track::Track;

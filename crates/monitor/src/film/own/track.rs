@@ -96,6 +96,7 @@ impl Track {
             events_left_out: self.events_left_out,
             overview_n: overview(self.samples.iter().map(Sample::force_n)),
             damage: self.damage.clone(),
+            notes: Vec::new(),
         }
     }
 }

@@ -11,7 +11,7 @@ use self::filter::{Prior, Reading, Track};
 pub use self::noise::Noise;
 pub use self::told::FreeAir;
 use self::told::tell;
-use super::columns::Series;
+use soilctl_motion::Series;
 use super::survey::{Block, Survey};
 
 /// Readings in free air are averaged over up to so long, in s: a posture hardly changes meanwhile.

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_stats::median;
 
-use super::super::columns::Series;
+use soilctl_motion::Series;
 use super::super::survey::{Block, Survey};
 use crate::ForceNoise;
 

@@ -4,49 +4,59 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use soilctl_bag::{Item, Readers, Reading, scan};
+use soilctl_bag::{BagError, Item, Readers, Reading, scan};
 
-use super::clock::{Repaired, Times, repair};
-use super::trouble::{Oddity, Trouble};
-use crate::ProcessError;
+use crate::clock::{Clock, Repaired, Times, repair};
+use crate::gaps::TopicClock;
+use crate::trouble::{Oddity, Trouble};
+use crate::MotionError;
 
-/// Stamps from this one on, in s, are taken to be those of a wall clock; times count from the whole second before the first.
-pub(crate) const WALL_CLOCK_S: i64 = 1_000_000;
 /// More wrenches than this are refused: they would need gigabytes of memory.
 const MOST_WRENCHES: usize = 30_000_000;
 /// Stamps that repeat with other numbers in more than this share of the messages are too coarse to be used.
 const COARSE: f64 = 0.02;
-/// Clocks of two senders that differ by more than this are not the same clock, in ns.
-const SAME_CLOCK_NS: i64 = 1_000_000_000;
 
 /// Values over time.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Series<T> {
+pub struct Series<T> {
     /// Times in s, rising.
-    pub(crate) t_s: Vec<f64>,
+    pub t_s: Vec<f64>,
     /// What was measured then.
-    pub(crate) values: Vec<T>,
+    pub values: Vec<T>,
 }
 
 /// What a log says of the joints that matter and of the wrench.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Columns {
-    /// Where the clock begins, in s of the stamps: 0, or a whole second of a wall clock.
-    pub(crate) origin_s: i64,
+pub struct Columns {
+    /// The clock of all times.
+    pub clock: Clock,
     /// Position of each joint asked for, in rad or m.
-    pub(crate) joints: Vec<Series<f64>>,
+    pub joints: Vec<Series<f64>>,
     /// Force in N and torque in N m in the sensor's frame.
-    pub(crate) wrenches: Series<[f64; 6]>,
+    pub wrenches: Series<[f64; 6]>,
     /// The frame that the first wrench names.
-    pub(crate) frame: String,
+    pub frame: String,
     /// Names of joints that messages had.
-    pub(crate) named: Vec<String>,
+    pub named: Vec<String>,
     /// What was odd.
-    pub(crate) troubles: Vec<Trouble>,
+    pub troubles: Vec<Trouble>,
     /// What is damaged in the file.
-    pub(crate) damage: Vec<String>,
+    pub damage: Vec<String>,
     /// Bytes of the file.
-    pub(crate) bytes: u64,
+    pub bytes: u64,
+    /// How regularly each topic came on this clock, joint states first.
+    pub topics: Vec<TopicClock>,
+}
+
+/// What is to be read.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted<'a> {
+    /// Topics of joint states, which may share out the joints among them.
+    pub joint_topics: &'a [String],
+    /// The topic of the wrenches.
+    pub wrench_topic: Option<&'a str>,
+    /// Names of the joints.
+    pub joints: &'a [String],
 }
 
 /// Messages of one topic in the order of the log.
@@ -57,30 +67,25 @@ struct Topic<T> {
     malformed: Vec<i64>,
 }
 
-/// Reads the topics of joint states, which may share out the joints among them, and one of wrenches.
+/// Reads topics of joint states, and one of wrenches.
 ///
 /// # Errors
-/// [`ProcessError::Log`] if the file cannot be read, is no log or holds too many wrenches, [`ProcessError::Stopped`].
-pub(crate) fn read(
-    path: &Path,
-    joint_topics: &[String],
-    wrench_topic: &str,
-    joints: &[String],
-    stop: &AtomicBool,
-) -> Result<Columns, ProcessError> {
+/// [`MotionError::Bag`] if the file cannot be read, is no recording, or to stop; [`MotionError::TooMany`].
+pub fn columns(path: &Path, wanted: &Wanted<'_>, stop: &AtomicBool) -> Result<Columns, MotionError> {
+    let Wanted { joint_topics, wrench_topic, joints } = *wanted;
     let mut readers = Readers::default();
     let mut states: Vec<Topic<Vec<(usize, f64)>>> = joint_topics.iter().map(|_| Topic::default()).collect();
     let mut wrenches: Topic<[f64; 6]> = Topic::default();
     let mut columns = Columns::default();
     let mut named: BTreeMap<String, Option<usize>> = BTreeMap::new();
-    let ending = scan(path, &mut |item| -> Result<(), ProcessError> {
+    let ending = scan(path, &mut |item| -> Result<(), MotionError> {
         if stop.load(Ordering::Relaxed) {
-            return Err(ProcessError::Stopped);
+            return Err(BagError::Stopped.into());
         }
         let Item::Message(message) = item else { return Ok(()) };
         let topic = message.channel.topic.as_str();
         let logged_ns = i64::try_from(message.log_time_ns).unwrap_or(i64::MAX);
-        if topic == wrench_topic {
+        if Some(topic) == wrench_topic {
             match readers.read(&message) {
                 Some(Ok(Reading::Wrench { stamp_ns, frame, wrench })) => {
                     if wrenches.values.is_empty() {
@@ -92,9 +97,7 @@ pub(crate) fn read(
                 _ => wrenches.malformed.push(logged_ns),
             }
             if wrenches.values.len() > MOST_WRENCHES {
-                return Err(ProcessError::Log(format!(
-                    "it has more than {MOST_WRENCHES} wrenches; split it into shorter recordings"
-                )));
+                return Err(MotionError::TooMany { what: "wrenches", most: MOST_WRENCHES });
             }
         } else if let Some(number) = joint_topics.iter().position(|known| known == topic)
             && let Some(state) = states.get_mut(number)
@@ -127,42 +130,35 @@ impl Columns {
         &mut self,
         joint_topics: &[String],
         states: Vec<Topic<Vec<(usize, f64)>>>,
-        (wrench_topic, wrenches): (&str, Topic<[f64; 6]>),
+        (wrench_topic, wrenches): (Option<&str>, Topic<[f64; 6]>),
         joints: usize,
     ) {
         let mut of_wrench = repair(&wrenches.times);
         let mut of_states: Vec<Repaired> = states.iter().map(|state| repair(&state.times)).collect();
         // The clock is that of the wrenches' stamps, or else of the joint states'.
         let latency_ns = of_wrench.latency_ns.or_else(|| of_states.iter().find_map(|state| state.latency_ns));
-        if let Some(latency_ns) = latency_ns {
-            onto(&mut of_wrench, latency_ns);
-            of_states.iter_mut().for_each(|state| onto(state, latency_ns));
-        }
+        of_wrench.onto(latency_ns);
+        of_states.iter_mut().for_each(|state| state.onto(latency_ns));
         let all = || of_states.iter().chain([&of_wrench]).flat_map(|repaired| &repaired.times_ns);
-        let first_s = all().min().map_or(0, |ns| ns.div_euclid(1_000_000_000));
-        self.origin_s = if first_s >= WALL_CLOCK_S { first_s } else { 0 };
-        let origin_ns = self.origin_s.saturating_mul(1_000_000_000);
-        #[allow(
-            clippy::cast_precision_loss,
-            reason = "a tenth of a microsecond after ten years from the origin"
-        )]
-        let seconds = |ns: i64| ns.saturating_sub(origin_ns) as f64 * 1e-9;
+        let clock = Clock::beginning(all().min().copied(), latency_ns);
+        self.clock = clock;
         for (topic, malformed) in joint_topics
             .iter()
             .map(String::as_str)
             .zip(states.iter().map(|state| &state.malformed))
-            .chain([(wrench_topic, &wrenches.malformed)])
+            .chain(wrench_topic.map(|topic| (topic, &wrenches.malformed)))
         {
-            let times = malformed.iter().map(|ns| seconds(ns.saturating_sub(latency_ns.unwrap_or(0))));
+            let times = malformed.iter().map(|ns| clock.seconds_of_log(*ns));
             self.trouble(topic, Oddity::Malformed, times);
         }
         self.joints = vec![Series::default(); joints];
         let mut values: Vec<Vec<(f64, f64)>> = vec![Vec::new(); joints];
         for ((topic, state), repaired) in joint_topics.iter().zip(&states).zip(&of_states) {
-            self.clock(topic, repaired, &seconds);
+            self.told(topic, repaired);
+            self.topics.push(TopicClock::of(topic, repaired, false, &clock));
             let mut not_finite = Vec::new();
             for (time, parts) in repaired.times_ns.iter().zip(&state.values) {
-                let t_s = seconds(*time);
+                let t_s = clock.seconds(*time);
                 if parts.iter().any(|(_, value)| !value.is_finite()) {
                     not_finite.push(t_s);
                 }
@@ -182,7 +178,9 @@ impl Columns {
         twice.sort_by(f64::total_cmp);
         twice.dedup();
         self.trouble(topic, Oddity::Duplicate, twice.into_iter());
-        self.wrenches(wrench_topic, wrenches, of_wrench, &seconds);
+        if let Some(topic) = wrench_topic {
+            self.wrenches(topic, wrenches, of_wrench);
+        }
     }
 
     fn wrenches(
@@ -190,20 +188,22 @@ impl Columns {
         topic: &str,
         messages: Topic<[f64; 6]>,
         mut repaired: Repaired,
-        seconds: &dyn Fn(i64) -> f64,
     ) {
-        if coarse(&repaired.times_ns, &messages.values) {
+        let clock = self.clock;
+        let coarse = coarse(&repaired.times_ns, &messages.values);
+        if coarse {
             let latency_ns = repaired.latency_ns.unwrap_or(0);
             repaired.times_ns =
                 messages.times.iter().map(|times| times.logged_ns.saturating_sub(latency_ns)).collect();
             repaired.wrong_stamps = messages.times.len() as u64;
             repaired.disordered = 0;
         }
-        self.clock(topic, &repaired, seconds);
+        self.told(topic, &repaired);
+        self.topics.push(TopicClock::of(topic, &repaired, coarse, &clock));
         let mut values = Vec::with_capacity(messages.values.len());
         let mut not_finite = Vec::new();
         for (time, wrench) in repaired.times_ns.iter().zip(messages.values) {
-            let t_s = seconds(*time);
+            let t_s = clock.seconds(*time);
             if wrench.iter().all(|part| part.is_finite()) {
                 values.push((t_s, wrench));
             } else {
@@ -217,9 +217,10 @@ impl Columns {
     }
 
     /// Tells what was odd about a topic's times.
-    fn clock(&mut self, topic: &str, repaired: &Repaired, seconds: &dyn Fn(i64) -> f64) {
+    fn told(&mut self, topic: &str, repaired: &Repaired) {
+        let clock = self.clock;
         let ends = [repaired.times_ns.iter().min(), repaired.times_ns.iter().max()]
-            .map(|time| time.map_or(0.0, |ns| seconds(*ns)));
+            .map(|time| time.map_or(0.0, |ns| clock.seconds(*ns)));
         for (what, count) in [
             (Oddity::Unstamped, repaired.unstamped),
             (Oddity::WrongStamps, repaired.wrong_stamps),
@@ -233,7 +234,7 @@ impl Columns {
         for step in &repaired.steps {
             #[allow(clippy::cast_precision_loss, reason = "to be read")]
             let what = Oddity::ClockSet { by_s: step.by_ns as f64 * 1e-9 };
-            let at_s = seconds(step.at_ns);
+            let at_s = clock.seconds(step.at_ns);
             self.troubles.push(Trouble {
                 topic: topic.to_owned(),
                 what,
@@ -244,7 +245,8 @@ impl Columns {
         }
     }
 
-    pub(crate) fn trouble(&mut self, topic: &str, what: Oddity, times_s: impl Iterator<Item = f64>) {
+    /// Adds what is odd about messages of a topic at some times in s; nothing without a time.
+    pub fn trouble(&mut self, topic: &str, what: Oddity, times_s: impl Iterator<Item = f64>) {
         let mut found: Option<Trouble> = None;
         for t_s in times_s {
             let trouble = found.get_or_insert_with(|| Trouble {
@@ -258,15 +260,6 @@ impl Columns {
             (trouble.first_s, trouble.last_s) = (trouble.first_s.min(t_s), trouble.last_s.max(t_s));
         }
         self.troubles.extend(found);
-    }
-}
-
-/// Moves a topic onto a clock that the log's time is ahead of by `latency_ns`, unless it is on it already.
-fn onto(repaired: &mut Repaired, latency_ns: i64) {
-    let own_ns = repaired.latency_ns.unwrap_or(0);
-    let apart_ns = own_ns.saturating_sub(latency_ns);
-    if repaired.latency_ns.is_none() || apart_ns.saturating_abs() > SAME_CLOCK_NS {
-        repaired.times_ns.iter_mut().for_each(|time| *time = time.saturating_add(apart_ns));
     }
 }
 

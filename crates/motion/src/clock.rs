@@ -15,41 +15,111 @@ const CONFIRMED: usize = 20;
 
 /// A message's two times, in ns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Times {
+pub struct Times {
     /// Stamp of the sender; `None` if it was not set.
-    pub(crate) stamp_ns: Option<i64>,
+    pub stamp_ns: Option<i64>,
     /// When it was logged.
-    pub(crate) logged_ns: i64,
+    pub logged_ns: i64,
 }
 
 /// A step of a sender's clock.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Step {
+pub struct Step {
     /// When, by the repaired clock, in ns.
-    pub(crate) at_ns: i64,
+    pub at_ns: i64,
     /// By how much the clock was set ahead, in ns; negative if back.
-    pub(crate) by_ns: i64,
+    pub by_ns: i64,
 }
 
 /// The times of a topic on one clock.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Repaired {
+pub struct Repaired {
     /// When each message was measured, in ns, in the order given.
-    pub(crate) times_ns: Vec<i64>,
+    pub times_ns: Vec<i64>,
     /// What the log's time is ahead of the stamps before any step, in ns: the latency, if both clocks agree. `None` without stamps.
-    pub(crate) latency_ns: Option<i64>,
+    pub latency_ns: Option<i64>,
     /// Steps of the sender's clock.
-    pub(crate) steps: Vec<Step>,
+    pub steps: Vec<Step>,
     /// Messages without a stamp, which got the log's time less the latency.
-    pub(crate) unstamped: u64,
+    pub unstamped: u64,
     /// Messages whose stamp lies after they were logged, or long before, and which got the log's time as well.
-    pub(crate) wrong_stamps: u64,
+    pub wrong_stamps: u64,
     /// Messages that stand behind a later one.
-    pub(crate) disordered: u64,
+    pub disordered: u64,
+}
+
+/// Stamps from this one on, in s, are taken to be those of a wall clock; times count from the whole second before the first.
+pub const WALL_CLOCK_S: i64 = 1_000_000;
+/// Clocks of two senders that differ by more than this are not the same clock, in ns.
+const SAME_CLOCK_NS: i64 = 1_000_000_000;
+
+/// The one clock of a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Clock {
+    /// Where it begins, in s of the stamps: 0, or a whole second of a wall clock.
+    pub origin_s: i64,
+    /// By how much the log's time is ahead of it in ns; `None` if that is not known.
+    pub latency_ns: Option<i64>,
+}
+
+impl Clock {
+    /// A clock with its origin at the whole second before the first time, if that is one of a wall clock.
+    #[must_use]
+    pub fn beginning(first_ns: Option<i64>, latency_ns: Option<i64>) -> Self {
+        let first_s = first_ns.map_or(0, |ns| ns.div_euclid(1_000_000_000));
+        Self { origin_s: if first_s >= WALL_CLOCK_S { first_s } else { 0 }, latency_ns }
+    }
+
+    /// A time in ns of the stamps as s on this clock.
+    #[must_use]
+    pub fn seconds(&self, ns: i64) -> f64 {
+        let origin_ns = self.origin_s.saturating_mul(1_000_000_000);
+        #[allow(
+            clippy::cast_precision_loss,
+            reason = "a tenth of a microsecond after ten years from the origin"
+        )]
+        let since = ns.saturating_sub(origin_ns) as f64;
+        since * 1e-9
+    }
+
+    /// A time in s on this clock as ns of the stamps.
+    #[must_use]
+    pub fn ns(&self, t_s: f64) -> i64 {
+        #[allow(clippy::cast_possible_truncation, reason = "saturates")]
+        let since = (t_s * 1e9).round() as i64;
+        self.origin_s.saturating_mul(1_000_000_000).saturating_add(since)
+    }
+
+    /// A time of the log in ns as s on this clock.
+    #[must_use]
+    pub fn seconds_of_log(&self, logged_ns: i64) -> f64 {
+        self.seconds(logged_ns.saturating_sub(self.latency_ns.unwrap_or(0)))
+    }
+
+    /// The times of a topic's messages in ns of the stamps, on this clock.
+    #[must_use]
+    pub fn place(&self, messages: &[Times]) -> Repaired {
+        let mut repaired = repair(messages);
+        repaired.onto(self.latency_ns);
+        repaired
+    }
+}
+
+impl Repaired {
+    /// Moves a topic onto a clock that the log's time is ahead of by `latency_ns`, unless it is on it already.
+    pub(crate) fn onto(&mut self, latency_ns: Option<i64>) {
+        let Some(latency_ns) = latency_ns else { return };
+        let own_ns = self.latency_ns.unwrap_or(0);
+        let apart_ns = own_ns.saturating_sub(latency_ns);
+        if self.latency_ns.is_none() || apart_ns.saturating_abs() > SAME_CLOCK_NS {
+            self.times_ns.iter_mut().for_each(|time| *time = time.saturating_add(apart_ns));
+        }
+    }
 }
 
 /// Puts the messages of a topic, in the order of the log, on one clock.
-pub(crate) fn repair(messages: &[Times]) -> Repaired {
+#[must_use]
+pub fn repair(messages: &[Times]) -> Repaired {
     if log_is_of_no_use(messages) {
         let stamped = messages.iter().map(|m| Times { logged_ns: m.stamp_ns.unwrap_or(m.logged_ns), ..*m });
         let mut found = with_log(&stamped.collect::<Vec<_>>());
