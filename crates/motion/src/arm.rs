@@ -81,7 +81,7 @@ pub struct State {
 /// # Errors
 /// A [`MotionError`] if it cannot be read, has no joint states or URDF, or if joints that move the end-point or the sensor are not in it.
 pub fn motion(path: &Path, settings: &Settings, stop: &AtomicBool) -> Result<Motion, MotionError> {
-    let look = look_through(path, stop, &mut |_| {})?;
+    let look = look_through(path, stop, &mut |_| {})?.some()?;
     let wrench_topic = match look.wrench_topic(settings.wrench_topic.as_deref()) {
         Err(problem) if settings.wrench_topic.is_some() => return Err(problem),
         other => other.ok(),

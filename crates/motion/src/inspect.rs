@@ -70,7 +70,7 @@ pub struct TopicReport {
 /// Looks through a whole recording, twice.
 ///
 /// # Errors
-/// [`MotionError::Bag`] if it cannot be read, is no recording, or to stop; [`MotionError::Empty`]. Damage is part of the answer.
+/// [`MotionError::Bag`] if it cannot be read, is no recording, or to stop. Damage is part of the answer.
 pub fn inspect(path: &Path, stop: &AtomicBool) -> Result<Inspection, MotionError> {
     let container = kind(path)?;
     let mut rates = Rates::default();
@@ -202,6 +202,9 @@ impl Inspection {
     #[must_use]
     pub fn problems(&self) -> Vec<String> {
         let mut problems: Vec<String> = Vec::new();
+        if self.topics.is_empty() {
+            problems.push("there are no messages".to_owned());
+        }
         let of_arm = |kind| matches!(kind, Some(Kind::Joints | Kind::Wrench));
         for (name, topic) in &self.topics {
             if topic.gaps > 0 && topic.is_regular && of_arm(topic.kind) {

@@ -51,10 +51,10 @@ pub fn look(
     seen.some()
 }
 
-/// Looks at a whole recording, and shows its items to `also`.
+/// Looks at a whole recording, which may have no messages, and shows its items to `also`.
 ///
 /// # Errors
-/// Those of [`look()`].
+/// [`MotionError::Bag`].
 pub(crate) fn look_through(
     path: &Path,
     stop: &AtomicBool,
@@ -70,11 +70,11 @@ pub(crate) fn look_through(
         Ok(())
     })?;
     seen.contents.ending = ending;
-    seen.some()
+    Ok(seen)
 }
 
 impl Look {
-    fn some(self) -> Result<Self, MotionError> {
+    pub(crate) fn some(self) -> Result<Self, MotionError> {
         if self.contents.topics.is_empty() { Err(MotionError::Empty) } else { Ok(self) }
     }
 

@@ -24,7 +24,7 @@ pub(super) fn look(path: &Path, action: &'static str, stop: &AtomicBool) -> Resu
 }
 
 fn content(found: Inspection) -> Content {
-    let [start_s, end_s] = found.span_s;
+    let (some, [start_s, end_s]) = (!found.topics.is_empty(), found.span_s);
     let about = Found {
         container: found.container.to_string(),
         compression: found.ending.compressions.iter().cloned().collect(),
@@ -36,8 +36,8 @@ fn content(found: Inspection) -> Content {
         implausible: found.implausible,
     };
     Content {
-        start_s: Some(start_s),
-        end_s: Some(end_s),
+        start_s: some.then_some(start_s),
+        end_s: some.then_some(end_s),
         topics: found.topics.into_iter().map(|(name, report)| topic(name, report)).collect(),
         attachments: found.attachments,
         found: Some(about),
