@@ -203,7 +203,19 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .run()?;
     // From simulated strokes to the soil, against the truth; logs of gigabytes.
     cargo(workspace, "the whole chain")
-        .args(["test", "--release", "--locked", "-p", "soilctl", "--test", "memory", "--test", "chain", "--test", "coverage"])
+        .args([
+            "test",
+            "--release",
+            "--locked",
+            "-p",
+            "soilctl",
+            "--test",
+            "memory",
+            "--test",
+            "chain",
+            "--test",
+            "coverage",
+        ])
         .args(["--", "--ignored", "--nocapture"])
         .run()
 }

@@ -85,8 +85,12 @@ fn campaign((soil, phi_deg, delta_deg, density): (&'static str, f64, f64, f64), 
 fn contains(region: &Value, [x, y]: [f64; 2]) -> bool {
     let mut crossings = 0;
     for ring in region.as_array().unwrap().iter().flat_map(|polygon| polygon.as_array().unwrap()) {
-        let points: Vec<[f64; 2]> =
-            ring.as_array().unwrap().iter().map(|p| [p[0].as_f64().unwrap(), p[1].as_f64().unwrap()]).collect();
+        let points: Vec<[f64; 2]> = ring
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|p| [p[0].as_f64().unwrap(), p[1].as_f64().unwrap()])
+            .collect();
         for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
             if (a[1] > y) != (b[1] > y) && a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) > x {
                 crossings += 1;

@@ -6,8 +6,8 @@ use soilctl_stats::{mean_and_sd, median, sd_of_median_abs};
 use soilctl_strokes::StrokeRow;
 
 use crate::error::{ProcessError, positive};
-use crate::friction::COMMON_SD_DEG;
 use crate::failure::{Analysis, FailureSettings, ForceNoise, Indiscernible, Outcome, failure_force};
+use crate::friction::COMMON_SD_DEG;
 use crate::robot::RobotSample;
 use crate::slip::Slip;
 use crate::trace::{Channels, FEWEST_SAMPLES, Trace};

@@ -15,7 +15,7 @@ pub(super) fn in_words(answer: &Answer) -> String {
             let open = unknown.as_ref().and_then(|region| region.phi_deg);
             let without = match open {
                 Some([low, high]) if high - low > OPEN_DEG => {
-                    format!("without the density these strokes leave it open, {phi_unknown} deg")
+                    format!("without it the strokes leave it open, {phi_unknown} deg")
                 }
                 _ => format!("without it {phi_unknown} deg at {density_unknown} kg/m3"),
             };
@@ -27,7 +27,8 @@ pub(super) fn in_words(answer: &Answer) -> String {
             "The forces say that the friction angle of the soil is {phi} deg and its density {density} kg/m3"
         ),
         (None, None) => {
-            let why = answer.no_estimate.as_deref().unwrap_or("no soil explains all forces within their bands");
+            let why =
+                answer.no_estimate.as_deref().unwrap_or("no soil explains all forces within their bands");
             return format!(
                 "No friction angle was found: {why}. In truth it is {} deg, at {} kg/m3.",
                 number(truth.phi_deg),
@@ -37,7 +38,7 @@ pub(super) fn in_words(answer: &Answer) -> String {
     };
     let regions = [weighed, unknown].into_iter().flatten();
     if let Some(confidence) = regions.clone().find_map(|region| region.confidence) {
-        text += &format!(". All bands hold with {} %", number(100.0 * confidence));
+        text += &format!(". The bands of all forces hold together with {} %", number(100.0 * confidence));
     }
     let held = if regions.clone().filter(|region| region.consistent).all(|region| region.holds_truth) {
         "which lies inside"

@@ -5,7 +5,8 @@ use soilctl_effects::Loaded;
 use soilctl_estimator::{Observation, Setup};
 use soilctl_soil::{Angle, Plate};
 use soilctl_strokes::{
-    Campaign, Measurement, PooledBand, ReadOptions, StrokeRow, StrokeTable, Uncertainty as Deviations, measurements,
+    Campaign, Measurement, PooledBand, ReadOptions, StrokeRow, StrokeTable, Uncertainty as Deviations,
+    measurements,
 };
 
 use super::bands::{self, Bands};
@@ -169,13 +170,13 @@ fn observation(
     let alpha = Angle::from_degrees(m.alpha_deg);
     let plate = Plate::new(alpha, Angle::from_degrees(request.loads.beta_deg), m.depth_m, m.width_m)?;
     let observation = match (band, request.uncertainty) {
-        (Some(band), _) => {
-            Observation::from_bounds(&m.label, plate, band.force_n, band.low_n, band.high_n)?
-        }
+        (Some(band), _) => Observation::from_bounds(&m.label, plate, band.force_n, band.low_n, band.high_n)?,
         (None, Uncertainty::Sigma) => {
             Observation::new(&m.label, plate, m.force_n, request.deviations() * m.force_sd_n)?
         }
-        (None, Uncertainty::Bounds) if m.count == 1 => Observation::new(&m.label, plate, m.force_n, m.force_sd_n)?,
+        (None, Uncertainty::Bounds) if m.count == 1 => {
+            Observation::new(&m.label, plate, m.force_n, m.force_sd_n)?
+        }
         (None, Uncertainty::Bounds) => {
             Observation::from_bounds(&m.label, plate, m.force_n, m.force_min_n, m.force_max_n)?
         }

@@ -13,7 +13,9 @@ use soilctl_estimator::{
     conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
 };
 
-pub use answer::{Answer, Centre, Disagreement, LeftOut, Measured, Minimum, NextStroke, Point, Pooled, Section, distinct};
+pub use answer::{
+    Answer, Centre, Disagreement, LeftOut, Measured, Minimum, NextStroke, Point, Pooled, Section, distinct,
+};
 pub use bands::Bands;
 pub use exact::{ContourSection, Crossing, ExactAnswer};
 pub use inputs::Inputs;

@@ -30,7 +30,11 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let done = work::process(&inputs, watch)?;
     let campaign = outputs::campaign(&inputs)?;
     let rubbing = analysis::rubbing(&request.analysis.rubbing, &inputs)?;
-    let strokes = done.strokes();
+    let mut strokes = done.strokes();
+    // Logs of other programs do not tell how well depths are known.
+    for stroke in &mut strokes {
+        stroke.row.depth_sd_m.get_or_insert(campaign.depth_sd_m);
+    }
     let analysis = analysis::analyse(&request.analysis, &strokes, &campaign, rubbing)?;
     let written = if inputs.shard.is_none() && !done.stopped {
         outputs::write(&inputs, &done, &strokes, &campaign)?

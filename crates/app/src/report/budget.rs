@@ -5,10 +5,9 @@ use soilctl_soil::Angle;
 
 use crate::estimate::Estimation;
 
-/// Accuracy of a plate's angle, of the ground's level (deg) and of a force sensor in the range of these forces.
+/// Accuracy of a plate's angle and of the ground's level (deg).
 const TOOL_ANGLE_DEG: f64 = 1.0;
 const SURFACE_DEG: f64 = 1.0;
-const FORCE_SENSOR: f64 = 0.01;
 /// Friction angle (deg) where no soil is consistent.
 const USUAL_PHI_DEG: f64 = 40.0;
 /// Tool angles that are shown.
@@ -80,7 +79,7 @@ impl ErrorBudget {
         });
         let density = 100.0 * campaign.density_sd_rel;
         self.push(format!("density ± {density:.1} %"), |_| density);
-        let sensor = 100.0 * FORCE_SENSOR;
+        let sensor = 100.0 * campaign.instrument.force_gain_sd;
         self.push(format!("force sensor ± {sensor:.0} %"), |_| sensor);
         let all = |i: usize| self.sources.iter().map(|s| s.percent[i] * s.percent[i]).sum::<f64>().sqrt();
         let percent = (0..angles.len()).map(all).collect();

@@ -123,7 +123,12 @@ fn measurements(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageErro
             format!("{:.3}", m.force_high_n),
         ];
         if let Some(p) = &m.pooled {
-            row.extend([percent(p.scatter), percent(p.stated), percent(Some(p.mean)), percent(Some(p.common))]);
+            row.extend([
+                percent(p.scatter),
+                percent(p.stated),
+                percent(Some(p.mean)),
+                percent(Some(p.common)),
+            ]);
         }
         table.row(row)?;
     }

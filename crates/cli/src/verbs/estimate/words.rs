@@ -80,9 +80,15 @@ fn bands(answer: &Answer) -> String {
     for m in &answer.measurements {
         let force = |x: f64| format!("{x:.3}");
         let cells = [force(m.force_n), force(m.force_low_n), force(m.force_high_n)];
-        let mut row: Vec<String> = [m.label.clone(), m.strokes.to_string()].into_iter().chain(cells).collect();
+        let mut row: Vec<String> =
+            [m.label.clone(), m.strokes.to_string()].into_iter().chain(cells).collect();
         if let Some(p) = &m.pooled {
-            row.extend([percent(p.scatter), percent(p.stated), percent(Some(p.mean)), percent(Some(p.common))]);
+            row.extend([
+                percent(p.scatter),
+                percent(p.stated),
+                percent(Some(p.mean)),
+                percent(Some(p.common)),
+            ]);
         }
         rows.push(row);
     }
