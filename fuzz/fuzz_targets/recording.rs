@@ -15,6 +15,6 @@ static FILE: LazyLock<PathBuf> = LazyLock::new(|| {
 
 fuzz_target!(|bytes: &[u8]| {
     if std::fs::write(&*FILE, bytes).is_ok() {
-        common::process(&FILE, common::ARM);
+        common::read(&FILE, common::ARM);
     }
 });

@@ -9,5 +9,5 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {
     let recording = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/bag/tests/data/none.mcap");
-    common::process(Path::new(recording), text);
+    common::read(Path::new(recording), text);
 });

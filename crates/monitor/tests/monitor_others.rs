@@ -8,11 +8,11 @@ mod bags;
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use bags::{URDF, crane, folder};
 use common::{Page, monitor};
 use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
+use soilctl_mutants::{Random, count, in_time, recordings};
 
 fn play(path: &Path, bag: BagSettings) -> Source {
     Source::Log { path: path.to_owned(), from_s: 0.0, bag }
@@ -71,7 +71,6 @@ fn every_container_and_its_mutants() {
     const ARM: &str = r#"<robot name="arm"><link name="world"/><link name="cart"/><link name="lift"><visual><geometry><box size="1 2 3"/></geometry></visual></link>
 <joint name="base" type="revolute"><parent link="world"/><child link="cart"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
 <joint name="arm" type="continuous"><parent link="cart"/><child link="lift"/><origin xyz="0 0 0.1"/></joint></robot>"#;
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../bag/tests/data");
     let folder = tempfile::tempdir().unwrap();
     let start = |path: &Path| {
         let settings = Settings {
@@ -83,40 +82,19 @@ fn every_container_and_its_mutants() {
         let bag = BagSettings { urdf: Some(ARM.into()), ..BagSettings::default() };
         Monitor::start(play(path, bag), settings)
     };
-    let count: usize = std::env::var("SOILCTL_MUTANTS").ok().and_then(|text| text.parse().ok()).unwrap_or(40);
-    let mut seed = 51_u64;
-    let mut below = move |end: usize| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(seed >> 33).unwrap() % end.max(1)
-    };
-    let mut files: Vec<_> = std::fs::read_dir(&data).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.retain(|path| path.is_dir() || path.extension().is_some_and(|ending| ending != "py"));
-    files.sort();
-    for file in files {
-        let monitor = start(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let mut random = Random(51);
+    let (files, folders) = recordings();
+    for file in files.iter().chain(&folders) {
+        let monitor = start(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         drop(monitor);
         if file.is_dir() {
             continue;
         }
-        let bytes = std::fs::read(&file).unwrap();
+        let bytes = std::fs::read(file).unwrap();
         let path = folder.path().join(file.file_name().unwrap());
-        for _ in 0..count {
-            let mut changed = bytes.clone();
-            for _ in 0..=below(8) {
-                let at = below(changed.len());
-                match below(5) {
-                    0 => changed.truncate(at.max(1)),
-                    1 => drop(changed.drain(at..(at + below(64)).min(changed.len()))),
-                    _ => changed[at] = u8::try_from(below(256)).unwrap(),
-                }
-                if changed.is_empty() {
-                    changed.push(0);
-                }
-            }
-            std::fs::write(&path, changed).unwrap();
-            let begun = Instant::now();
-            drop(start(&path));
-            assert!(begun.elapsed() < Duration::from_secs(10), "{} takes {:?}", path.display(), begun.elapsed());
+        for _ in 0..count() {
+            std::fs::write(&path, random.mutant(&bytes)).unwrap();
+            in_time(&path, || drop(start(&path)));
         }
     }
 }

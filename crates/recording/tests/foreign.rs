@@ -4,10 +4,8 @@
 #[path = "../../motion/tests/common/mod.rs"]
 mod common;
 
-use std::path::Path;
-use std::time::{Duration, Instant};
-
 use common::{URDF, crane, folder};
+use soilctl_mutants::{Random, count, in_time, recordings};
 use soilctl_recording::{RecordingError, Settings, record};
 
 /// The joints of `crates/bag/tests/data`.
@@ -48,45 +46,23 @@ fn the_arm_its_wrenches_and_its_joints_are_shown() {
 
 #[test]
 fn every_container_and_its_mutants() {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../bag/tests/data");
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out.rrd");
     let settings = Settings { urdf: Some(ARM.into()), ..Settings::default() };
-    let count: usize = std::env::var("SOILCTL_MUTANTS").ok().and_then(|text| text.parse().ok()).unwrap_or(40);
-    let mut seed = 41_u64;
-    let mut below = move |end: usize| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(seed >> 33).unwrap() % end.max(1)
-    };
-    let mut files: Vec<_> = std::fs::read_dir(&data).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.retain(|path| soilctl_bag::is_recording(path) || path.is_dir());
-    files.sort();
-    for file in files {
-        let found = record(&file, &out, &settings).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let mut random = Random(41);
+    let (files, folders) = recordings();
+    for file in files.iter().chain(&folders) {
+        let found = record(file, &out, &settings).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         assert_eq!(found.entities["/world/links/a_b_c"], 16, "{}", file.display());
         assert_eq!(found.entities["/force_sensor"], 16, "{}", file.display());
         if file.is_dir() {
             continue;
         }
-        let bytes = std::fs::read(&file).unwrap();
+        let bytes = std::fs::read(file).unwrap();
         let path = folder.path().join(file.file_name().unwrap());
-        for _ in 0..count {
-            let mut changed = bytes.clone();
-            for _ in 0..=below(8) {
-                let at = below(changed.len());
-                match below(5) {
-                    0 => changed.truncate(at.max(1)),
-                    1 => drop(changed.drain(at..(at + below(64)).min(changed.len()))),
-                    _ => changed[at] = u8::try_from(below(256)).unwrap(),
-                }
-                if changed.is_empty() {
-                    changed.push(0);
-                }
-            }
-            std::fs::write(&path, changed).unwrap();
-            let begun = Instant::now();
-            let _ = record(&path, &out, &settings);
-            assert!(begun.elapsed() < Duration::from_secs(10), "{} takes {:?}", path.display(), begun.elapsed());
+        for _ in 0..count() {
+            std::fs::write(&path, random.mutant(&bytes)).unwrap();
+            in_time(&path, || drop(record(&path, &out, &settings)));
         }
     }
 }
