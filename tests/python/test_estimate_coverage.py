@@ -15,13 +15,10 @@ from scipy.interpolate import RegularGridInterpolator
 
 WIDTH_M = 0.127
 GRAVITY_M_S2 = 9.80665
-CAMPAIGNS = 200
-# Of 200 campaigns, each with a probability of 0.95, fewer than 184 hold by chance once in 40 times; the bands are wider than that.
-LEAST = 190
 
 
 class Bounds:
-    """Coefficients between the proven bounds, by cubic interpolation of their logarithms."""
+    """Coefficients between the proven bounds, their logarithms interpolated in between."""
 
     angles = (70.0, 80.0, 90.0, 100.0)
     options = ()
@@ -34,7 +31,6 @@ class Bounds:
         for row in rows:
             place = [axis.index(float(row[key])) for axis, key in zip(axes, ("alpha_deg", "phi_deg", "delta_deg"), strict=True)]
             grid[tuple(place)] = np.log([float(row["lower"]), float(row["upper"])])
-        # Interface friction does not exceed that of the soil: these cells have no neighbours to interpolate cubically with.
         self.of = RegularGridInterpolator(axes, grid, method="linear")
 
     def force_n(self, alpha_deg, soil, delta_deg, depth_m):
@@ -102,11 +98,14 @@ def holds(answer, soil):
     return crossings % 2 == 1
 
 
-@pytest.mark.parametrize(("kind", "repeats", "stated"), [(Bounds, 4, True), (Coulomb, 3, True), (Coulomb, 5, False)])
-def test_regions_hold_the_truth(soilctl, data, tmp_path, kind, repeats, stated):
+# Each call takes a fifth of a second; 200 of the last two hold as well.
+@pytest.mark.parametrize(
+    ("kind", "repeats", "stated", "campaigns"), [(Bounds, 4, True, 200), (Coulomb, 3, True, 60), (Coulomb, 5, False, 60)]
+)
+def test_regions_hold_the_truth(soilctl, data, tmp_path, kind, repeats, stated, campaigns):
     model, random = kind(data), np.random.default_rng(2001)
     held, widths = 0, []
-    for number in range(CAMPAIGNS):
+    for number in range(campaigns):
         soil, rows = campaign(model, random, repeats=repeats, stated=stated)
         file = tmp_path / f"{number}" / "strokes.csv"
         file.parent.mkdir()
@@ -120,6 +119,6 @@ def test_regions_hold_the_truth(soilctl, data, tmp_path, kind, repeats, stated):
             ends = (*answer["phi_deg"], *answer["density_kg_m3"])
             widths.append((ends[1] - ends[0], (ends[3] - ends[2]) / soil["density_kg_m3"]))
     width = np.median(widths, axis=0)
-    print(f"{kind.__name__}, {repeats} strokes a kind: {held} of {CAMPAIGNS}, median widths {width[0]:.1f} deg, {100 * width[1]:.0f} %")
-    assert held >= LEAST
+    print(f"{kind.__name__}, {repeats} strokes a kind: {held} of {campaigns}, median widths {width[0]:.1f} deg, {100 * width[1]:.0f} %")
+    assert held >= 0.95 * campaigns
     assert width[0] < 25.0
