@@ -1,9 +1,9 @@
 //! Recordings of other programs on pages: their arm with its shapes and meshes, in every container, whole and damaged.
 #![allow(clippy::unwrap_used)]
 
-mod common;
 #[path = "../../motion/tests/common/mod.rs"]
 mod bags;
+mod common;
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -116,7 +116,12 @@ fn every_container_and_its_mutants() {
             std::fs::write(&path, changed).unwrap();
             let begun = Instant::now();
             drop(start(&path));
-            assert!(begun.elapsed() < Duration::from_secs(10), "{} takes {:?}", path.display(), begun.elapsed());
+            assert!(
+                begun.elapsed() < Duration::from_secs(10),
+                "{} takes {:?}",
+                path.display(),
+                begun.elapsed()
+            );
         }
     }
 }

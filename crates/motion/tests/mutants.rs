@@ -69,7 +69,8 @@ fn corpus() -> Vec<PathBuf> {
 
 /// A text with three triangles, and a binary file of glTF with one.
 fn meshes() -> [(&'static str, Vec<u8>); 2] {
-    let facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     let json = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1],"rotation":[0,0,0,1]},
         {"mesh":0,"scale":[1,2,3]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],
         "materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],
@@ -77,8 +78,10 @@ fn meshes() -> [(&'static str, Vec<u8>); 2] {
         "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],"buffers":[{"byteLength":44}]}"#;
     let mut json = json.as_bytes().to_vec();
     json.resize(json.len().next_multiple_of(4), b' ');
-    let mut binary: Vec<u8> =
-        [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0].iter().flat_map(|value| value.to_le_bytes()).collect();
+    let mut binary: Vec<u8> = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+        .iter()
+        .flat_map(|value| value.to_le_bytes())
+        .collect();
     binary.extend([0, 0, 1, 0, 2, 0, 0, 0]);
     let word = |count: usize| u32::try_from(count).unwrap().to_le_bytes();
     let glb = [
@@ -97,6 +100,7 @@ fn meshes() -> [(&'static str, Vec<u8>); 2] {
 fn settings(urdf: &str, folder: &Path) -> Settings {
     Settings {
         urdf: Some(urdf.to_owned()),
+        sensor_link: Some("lift".into()),
         meshes: Sought { roots: vec![folder.to_owned()], urdf_folder: None },
         ..Settings::default()
     }
@@ -116,7 +120,13 @@ fn ask(path: &Path, settings: &Settings) {
     if let Ok(found) = motion(path, settings, &never) {
         found.states(found.times_s(0.0), &mut |state| {
             assert!(state.tip_m.iter().flatten().all(|part| part.is_finite()));
-            assert!(found.link_poses(&state.positions).iter().flatten().all(|pose| pose.translation.x.is_finite()));
+            assert!(
+                found
+                    .link_poses(&state.positions)
+                    .iter()
+                    .flatten()
+                    .all(|pose| pose.translation.x.is_finite())
+            );
         });
     }
     assert!(begun.elapsed() < LONGEST, "{} takes {:?}", path.display(), begun.elapsed());
@@ -173,7 +183,8 @@ fn robots_and_meshes() {
         for (name, bytes) in meshes() {
             std::fs::write(folder.path().join(name), random.mutant(&bytes)).unwrap();
         }
-        let urdf = if random.below(2) == 0 { URDF.to_owned() } else { String::from_utf8_lossy(&urdf).into_owned() };
+        let urdf =
+            if random.below(2) == 0 { URDF.to_owned() } else { String::from_utf8_lossy(&urdf).into_owned() };
         let _ = motion(&path, &settings(&urdf, folder.path()), &AtomicBool::new(false));
     }
 }

@@ -62,7 +62,8 @@ fn every_container_and_its_mutants() {
     files.retain(|path| soilctl_bag::is_recording(path) || path.is_dir());
     files.sort();
     for file in files {
-        let found = record(&file, &out, &settings).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        let found =
+            record(&file, &out, &settings).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         assert_eq!(found.entities["/world/links/a_b_c"], 16, "{}", file.display());
         assert_eq!(found.entities["/force_sensor"], 16, "{}", file.display());
         if file.is_dir() {
@@ -86,7 +87,12 @@ fn every_container_and_its_mutants() {
             std::fs::write(&path, changed).unwrap();
             let begun = Instant::now();
             let _ = record(&path, &out, &settings);
-            assert!(begun.elapsed() < Duration::from_secs(10), "{} takes {:?}", path.display(), begun.elapsed());
+            assert!(
+                begun.elapsed() < Duration::from_secs(10),
+                "{} takes {:?}",
+                path.display(),
+                begun.elapsed()
+            );
         }
     }
 }
