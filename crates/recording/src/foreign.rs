@@ -28,8 +28,9 @@ const BONE: f64 = 0.008;
 
 /// Writes all of it.
 pub(crate) fn write(log: &Path, settings: &Settings, out: &Path) -> Result<Recording, RecordingError> {
-    let motion = motion(log, settings, &AtomicBool::new(false))
-        .map_err(|problem| RecordingError::Motion { file: log.display().to_string(), problem })?;
+    let motion = motion(log, settings, &AtomicBool::new(false)).map_err(|problem| {
+        RecordingError::Motion { file: log.display().to_string(), problem: Box::new(problem) }
+    })?;
     let name = log.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let written = File::create(out)
         .map_err(WriteError::from)

@@ -13,7 +13,8 @@ const MEASURED: usize = 200;
 
 /// Reads a recording.
 pub(in crate::film) fn load(path: &Path, settings: &Settings) -> Result<Track, MonitorError> {
-    let refused = |problem| MonitorError::Bag { file: path.display().to_string(), problem };
+    let refused =
+        |problem| MonitorError::Bag { file: path.display().to_string(), problem: Box::new(problem) };
     let never = AtomicBool::new(false);
     let motion = motion(path, settings, &never).map_err(refused)?;
     let arm = ArmMessage::of(&motion.urdf, &motion.meshes);
