@@ -183,7 +183,17 @@ fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
         .run()?;
     // Every byte of a recording or a robot may be wrong.
     cargo(workspace, "recordings made to do harm")
-        .args(["test", "--release", "--locked", "-p", "soilctl-process", "-p", "soilctl-motion", "--test", "mutants"])
+        .args([
+            "test",
+            "--release",
+            "--locked",
+            "-p",
+            "soilctl-process",
+            "-p",
+            "soilctl-motion",
+            "--test",
+            "mutants",
+        ])
         .env("SOILCTL_MUTANTS", "2500")
         .run()?;
     cargo(workspace, "the same, to be looked at")

@@ -4,8 +4,8 @@
 //! same answers without a process of their own.
 
 mod args;
-mod command;
 mod bag_args;
+mod command;
 mod error;
 mod output;
 mod progress;

@@ -36,7 +36,8 @@ pub fn find(name: &str, sought: &Sought) -> Result<PathBuf, MeshError> {
     let parts: Vec<&str> = rest.split('/').filter(|part| !part.is_empty() && *part != ".").collect();
     let is_plain = |part: &&str| {
         let mut components = Path::new(part).components();
-        matches!((components.next(), components.next()), (Some(Component::Normal(_)), None)) && !part.contains('\0')
+        matches!((components.next(), components.next()), (Some(Component::Normal(_)), None))
+            && !part.contains('\0')
     };
     // A name may climb out of the URDF's folder, as `../meshes/a.stl` does, but not further than packages are looked for.
     let climbs = parts.iter().take_while(|part| **part == "..").count();
@@ -45,7 +46,8 @@ pub fn find(name: &str, sought: &Sought) -> Result<PathBuf, MeshError> {
         return Err(wrong("it has parts that are no names"));
     }
     let mut candidates: Vec<PathBuf> = Vec::new();
-    let below = |folder: &Path, parts: &[&str]| parts.iter().fold(folder.to_owned(), |path, part| path.join(part));
+    let below =
+        |folder: &Path, parts: &[&str]| parts.iter().fold(folder.to_owned(), |path, part| path.join(part));
     let above = |folder: &Path| -> Vec<PathBuf> {
         // So that a relative folder has others above it.
         let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());

@@ -53,8 +53,10 @@ pub fn load(name: &str, sought: &Sought, budget: &mut Budget) -> Result<Mesh, Me
 
 /// A whole file, if there is room for it.
 fn bytes(path: &Path, budget: &mut Budget) -> Result<Vec<u8>, MeshError> {
-    let failed =
-        |error: std::io::Error| MeshError::File { file: path.display().to_string(), reason: error.to_string() };
+    let failed = |error: std::io::Error| MeshError::File {
+        file: path.display().to_string(),
+        reason: error.to_string(),
+    };
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(failed)?;
     file.take(budget.bytes + 1).read_to_end(&mut bytes).map_err(failed)?;

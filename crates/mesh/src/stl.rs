@@ -50,7 +50,10 @@ fn binary(bytes: &[u8], most: u64) -> Result<Part, Fault> {
     for facet in bytes.get(HEAD..).unwrap_or_default().chunks_exact(FACET).take(count) {
         let value = |k: usize| {
             let at = 12 + 4 * k;
-            facet.get(at..at + 4).and_then(|four| <[u8; 4]>::try_from(four).ok()).map_or(0.0, f32::from_le_bytes)
+            facet
+                .get(at..at + 4)
+                .and_then(|four| <[u8; 4]>::try_from(four).ok())
+                .map_or(0.0, f32::from_le_bytes)
         };
         part.flat([0, 1, 2].map(|corner| [0, 1, 2].map(|axis| value(3 * corner + axis))));
     }

@@ -82,7 +82,10 @@ fn numbers_that_reach_too_far_are_refused() {
     refuse("\"bufferView\":0,", "\"bufferView\":9,");
     refuse("\"version\":\"2.0\"", "\"version\":\"1.0\"");
     refuse("\"mesh\":0,", "\"mesh\":7,");
-    refuse("\"nodes\":[{\"mesh\":0,", "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[0,0],\"mesh\":0,");
+    refuse(
+        "\"nodes\":[{\"mesh\":0,",
+        "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[0,0],\"mesh\":0,",
+    );
     // The third corner is the second one, which makes no triangle with flat shades, and one of no size with normals: harmless.
     refuse("\"componentType\":5121", "\"componentType\":5126");
     let mut far = buffer();
@@ -102,7 +105,8 @@ fn files_are_found_where_the_documentation_says() {
     };
     let mesh = place("ws/src/arm_description/meshes/visual/a.stl");
     fs::create_dir_all(folder.path().join("ws/src/arm_description/urdf")).unwrap();
-    let urdf = Sought { roots: Vec::new(), urdf_folder: Some(folder.path().join("ws/src/arm_description/urdf")) };
+    let urdf =
+        Sought { roots: Vec::new(), urdf_folder: Some(folder.path().join("ws/src/arm_description/urdf")) };
     let root = |path: &str| Sought { roots: vec![folder.path().join(path)], urdf_folder: None };
     let found = |name: &str, sought: &Sought| find(name, sought).map(|path| path.canonicalize().unwrap());
     for sought in [&urdf, &root("ws/src"), &root("ws/src/arm_description")] {
@@ -111,7 +115,14 @@ fn files_are_found_where_the_documentation_says() {
     assert_eq!(found("../meshes/visual/a.stl", &urdf).unwrap(), mesh);
     let name = "file:///home/other/ws/src/arm_description/meshes/visual/a.stl";
     assert_eq!(found(name, &root("ws/src")).unwrap(), mesh);
-    for outside in ["../../../../../../../../etc/passwd", "", "package://", "a/../../b", "http://example.org/a.stl", "a\0b"] {
+    for outside in [
+        "../../../../../../../../etc/passwd",
+        "",
+        "package://",
+        "a/../../b",
+        "http://example.org/a.stl",
+        "a\0b",
+    ] {
         assert!(matches!(find(outside, &urdf), Err(MeshError::Name { .. })), "{outside}");
     }
     assert!(matches!(find("/etc/passwd", &root("ws")), Err(MeshError::Missing { .. })));

@@ -38,12 +38,26 @@ pub(crate) struct Body {
 #[derive(Debug, Clone, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub(crate) enum Shape {
-    Box { size: [f64; 3] },
-    Cylinder { radius: f64, length: f64 },
-    Sphere { radius: f64 },
-    Capsule { radius: f64, length: f64 },
+    Box {
+        size: [f64; 3],
+    },
+    Cylinder {
+        radius: f64,
+        length: f64,
+    },
+    Sphere {
+        radius: f64,
+    },
+    Capsule {
+        radius: f64,
+        length: f64,
+    },
     /// The number of a mesh, the factors of its axes, and two corners of the box around it before.
-    Mesh { number: usize, scale: [f64; 3], bounds: [[f32; 3]; 2] },
+    Mesh {
+        number: usize,
+        scale: [f64; 3],
+        bounds: [[f32; 3]; 2],
+    },
 }
 
 #[derive(Debug, Clone, Serialize)]

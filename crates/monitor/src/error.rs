@@ -23,7 +23,7 @@ pub enum MonitorError {
         /// Name of the log.
         file: String,
         /// What is wrong and what to do.
-        problem: MotionError,
+        problem: Box<MotionError>,
     },
     /// The arm file in a log, or of a session, is not allowed.
     #[error("the description of the arm is wrong: {0}")]

@@ -16,7 +16,7 @@ pub(crate) fn text<T: Serialize>(message: &T) -> String {
 #[serde(tag = "type", rename_all = "snake_case")]
 pub(crate) enum PageMessage<'a> {
     /// What does not move.
-    Scene(SceneMessage),
+    Scene(Box<SceneMessage>),
     /// The log that is played, as a whole.
     Log(&'a LogMessage),
     /// Curves.

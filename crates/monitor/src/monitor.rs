@@ -4,9 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::thread::JoinHandle;
 
+use crate::BagSettings;
 use crate::MonitorError;
 use crate::feed::Feed;
-use crate::BagSettings;
 use crate::film::Film;
 use crate::live::{Hub, Operator, Upstream};
 use crate::web::{Guard, Server, Shared, random_hex};

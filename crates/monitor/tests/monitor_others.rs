@@ -1,9 +1,9 @@
 //! Recordings of other programs on pages: their arm with its shapes and meshes, in every container, whole and damaged.
 #![allow(clippy::unwrap_used)]
 
-mod common;
 #[path = "../../motion/tests/common/mod.rs"]
 mod bags;
+mod common;
 
 use std::io::{Read, Write};
 use std::net::TcpStream;

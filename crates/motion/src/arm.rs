@@ -195,9 +195,11 @@ impl Motion {
             });
             let wrench = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, wrench)| wrench);
             let tip_m = self.end.pose(&positions).map(|pose| pose.translation.vector.into());
-            let force_n = self.sensor.pose(&positions).zip(wrench).map(|(pose, [x, y, z, ..])| {
-                (pose.rotation * Vector3::new(x, y, z)).into()
-            });
+            let force_n = self
+                .sensor
+                .pose(&positions)
+                .zip(wrench)
+                .map(|(pose, [x, y, z, ..])| (pose.rotation * Vector3::new(x, y, z)).into());
             show(State { t_s, positions, tip_m, wrench, force_n });
         }
     }

@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use soilctl_bag::{BagError, Item, Readers, Reading, scan};
 
+use crate::MotionError;
 use crate::clock::{Clock, Repaired, Times, repair};
 use crate::gaps::TopicClock;
 use crate::trouble::{Oddity, Trouble};
-use crate::MotionError;
 
 /// More wrenches than this are refused: they would need gigabytes of memory.
 const MOST_WRENCHES: usize = 30_000_000;
@@ -183,12 +183,7 @@ impl Columns {
         }
     }
 
-    fn wrenches(
-        &mut self,
-        topic: &str,
-        messages: Topic<[f64; 6]>,
-        mut repaired: Repaired,
-    ) {
+    fn wrenches(&mut self, topic: &str, messages: Topic<[f64; 6]>, mut repaired: Repaired) {
         let clock = self.clock;
         let coarse = coarse(&repaired.times_ns, &messages.values);
         if coarse {

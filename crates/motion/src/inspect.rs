@@ -214,7 +214,8 @@ impl Inspection {
                 && malformed > 0
                 && !of_arm(topic.kind)
             {
-                problems.push(format!("{name}: {malformed} messages are not of the type {}", topic.message_type));
+                problems
+                    .push(format!("{name}: {malformed} messages are not of the type {}", topic.message_type));
             }
         }
         problems.extend(self.troubles.iter().map(ToString::to_string));
@@ -227,11 +228,7 @@ fn gaps_in_words(name: &str, topic: &TopicReport) -> String {
     let longest = topic.longest_gaps.iter().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
     let [from_s, to_s] = longest.copied().unwrap_or_default();
     let usual_s = topic.rate_hz.map_or(0.0, |rate_hz| 1.0 / rate_hz);
-    let gaps = if topic.gaps == 1 {
-        "a gap".to_owned()
-    } else {
-        format!("{} gaps, the longest", topic.gaps)
-    };
+    let gaps = if topic.gaps == 1 { "a gap".to_owned() } else { format!("{} gaps, the longest", topic.gaps) };
     format!(
         "{name}: {gaps} of {:.3} s, from {from_s:.3} to {to_s:.3} s, where messages come every {usual_s:.4} s",
         to_s - from_s

@@ -145,8 +145,8 @@ impl Look {
     pub fn urdf<'a>(&'a self, given: Option<&'a str>) -> Result<&'a str, MotionError> {
         given.or(self.contents.urdf.as_deref()).ok_or(MotionError::Missing {
             what: "--urdf",
-            advice:
-                "the log has neither a /robot_description nor a URDF attached; give the arm's URDF".into(),
+            advice: "the log has neither a /robot_description nor a URDF attached; give the arm's URDF"
+                .into(),
         })
     }
 
@@ -192,9 +192,8 @@ impl Look {
         first: Vec<String>,
         matters: &dyn Fn(&str) -> bool,
     ) -> (Vec<String>, BTreeSet<String>) {
-        let joints_of = |topic: &str| {
-            self.named.get(topic).into_iter().flatten().filter(|name| matters(name)).cloned()
-        };
+        let joints_of =
+            |topic: &str| self.named.get(topic).into_iter().flatten().filter(|name| matters(name)).cloned();
         let mut found: BTreeSet<String> = first.iter().flat_map(|topic| joints_of(topic)).collect();
         let mut topics = first;
         let usual = self.of_joints().into_iter().filter(|topic| *topic == JOINTS);

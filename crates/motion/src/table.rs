@@ -110,7 +110,9 @@ pub fn table(
         }
         for (name, cell) in cells {
             let place = plan.places.get(&column_name(name)).map(|place| place + 1);
-            if let Some((place, (_, kind))) = place.and_then(|place| Some((row.get_mut(place)?, header.get(place)?))) {
+            if let Some((place, (_, kind))) =
+                place.and_then(|place| Some((row.get_mut(place)?, header.get(place)?)))
+            {
                 *place = match kind {
                     Kind::Text if cell != Cell::Missing => Cell::Text(cell.to_string().into()),
                     _ => cell,

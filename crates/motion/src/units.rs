@@ -22,7 +22,8 @@ pub(crate) fn implausible(columns: &Columns, joints: &[String], urdf: Option<&st
         let (most, unit, instead) = match kind.map(|joint| joint.kind) {
             Some(JointKind::Revolute) => (MOST_RAD, "rad", "degrees"),
             Some(JointKind::Prismatic) => (MOST_M, "m", "mm"),
-            Some(JointKind::Continuous | JointKind::Fixed | JointKind::Floating | JointKind::Planar) | None => {
+            Some(JointKind::Continuous | JointKind::Fixed | JointKind::Floating | JointKind::Planar)
+            | None => {
                 continue;
             }
         };

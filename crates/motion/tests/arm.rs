@@ -29,7 +29,8 @@ fn the_end_point_and_the_force_are_where_formulas_say() {
         if state.t_s < 5.0 {
             // A quarter about y turns x down, and z ahead.
             let (ahead, side, down) = (3.0, 2.0, 1.0 + state.t_s.sin());
-            let force = [ahead * turn.cos() - side * turn.sin(), ahead * turn.sin() + side * turn.cos(), -down];
+            let force =
+                [ahead * turn.cos() - side * turn.sin(), ahead * turn.sin() + side * turn.cos(), -down];
             for (found, expected) in state.force_n.unwrap().iter().zip(force) {
                 assert!((found - expected).abs() < 1e-9);
             }

@@ -18,7 +18,18 @@ fn look(path: &Path) -> Inspection {
 #[test]
 fn every_container_tells_the_same() {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../bag/tests/data");
-    let names = ["none.mcap", "zstd.mcap", "lz4.mcap", "unchunked.mcap", "none.bag", "bz2.bag", "lz4.bag", "sqlite", "split", "mcap"];
+    let names = [
+        "none.mcap",
+        "zstd.mcap",
+        "lz4.mcap",
+        "unchunked.mcap",
+        "none.bag",
+        "bz2.bag",
+        "lz4.bag",
+        "sqlite",
+        "split",
+        "mcap",
+    ];
     for name in names {
         let found = look(&data.join(name));
         assert!(found.ending.is_whole() && found.problems().is_empty(), "{name}: {:?}", found.problems());
@@ -72,7 +83,12 @@ fn a_clock_that_is_set_is_told_on_the_repaired_clock() {
             position: vec![t_s],
             ..Default::default()
         };
-        bag.put("/joint_states", common::JOINTS, t_s + 0.002, &soilctl_session::messages::encode(&message).unwrap());
+        bag.put(
+            "/joint_states",
+            common::JOINTS,
+            t_s + 0.002,
+            &soilctl_session::messages::encode(&message).unwrap(),
+        );
     }
     bag.finish();
     let found = look(&path);

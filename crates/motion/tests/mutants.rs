@@ -4,8 +4,8 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use soilctl_mutants::{Random, count, in_time, recordings};
 use soilctl_motion::{Settings, Sought, inspect, motion, table};
+use soilctl_mutants::{Random, count, in_time, recordings};
 
 /// An arm with the joints of `crates/bag/tests/data`, and a mesh on each link.
 const URDF: &str = r#"<robot name="arm"><link name="world"/>
@@ -24,6 +24,7 @@ const MESHES: [(&str, &[u8]); 2] = [
 fn settings(urdf: &str, folder: &Path) -> Settings {
     Settings {
         urdf: Some(urdf.to_owned()),
+        sensor_link: Some("lift".into()),
         meshes: Sought { roots: vec![folder.to_owned()], urdf_folder: None },
         ..Settings::default()
     }
@@ -101,7 +102,8 @@ fn robots_and_meshes() {
         for (name, bytes) in MESHES {
             std::fs::write(folder.path().join(name), random.mutant(bytes)).unwrap();
         }
-        let urdf = if random.below(2) == 0 { URDF.to_owned() } else { String::from_utf8_lossy(&urdf).into_owned() };
+        let urdf =
+            if random.below(2) == 0 { URDF.to_owned() } else { String::from_utf8_lossy(&urdf).into_owned() };
         let _ = motion(&path, &settings(&urdf, folder.path()), &AtomicBool::new(false));
     }
 }

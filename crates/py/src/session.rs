@@ -37,7 +37,9 @@ impl Column {
     /// An empty column of a kind.
     const fn of(kind: Kind) -> Self {
         match kind {
-            Kind::Float | Kind::Decimal | Kind::OptionalFloat | Kind::OptionalWhole => Self::Floats(Vec::new()),
+            Kind::Float | Kind::Decimal | Kind::OptionalFloat | Kind::OptionalWhole => {
+                Self::Floats(Vec::new())
+            }
             Kind::Integer => Self::Integers(Vec::new()),
             Kind::Flag => Self::Flags(Vec::new()),
             Kind::Text => Self::Texts(Vec::new()),
@@ -148,7 +150,8 @@ fn foreign_table(path: &Path, topic: &str, stop: &AtomicBool) -> Result<Vec<(Str
                     cell => column.push(cell),
                 };
                 if !taken {
-                    let reason = format!("{name} is {cell}, which does not fit into an array of 64-bit integers");
+                    let reason =
+                        format!("{name} is {cell}, which does not fit into an array of 64-bit integers");
                     return Err(MotionError::Unreadable { topic: topic.to_owned(), reason });
                 }
             }
@@ -277,7 +280,9 @@ impl From<SessionError> for Fail {
 impl From<MotionError> for Fail {
     fn from(problem: MotionError) -> Self {
         match problem {
-            MotionError::Bag(BagError::File { .. } | BagError::NotARecording { .. } | BagError::TooLarge { .. })
+            MotionError::Bag(
+                BagError::File { .. } | BagError::NotARecording { .. } | BagError::TooLarge { .. },
+            )
             | MotionError::Write { .. } => file(problem),
             MotionError::Empty | MotionError::Unreadable { .. } => no_answer(problem),
             _ => input(problem),

@@ -45,6 +45,6 @@ pub enum RecordingError {
         /// The recording.
         file: String,
         /// What is wrong, and what to do.
-        problem: MotionError,
+        problem: Box<MotionError>,
     },
 }

@@ -28,8 +28,9 @@ const BONE: f64 = 0.008;
 
 /// Writes all of it.
 pub(crate) fn write(log: &Path, settings: &Settings, out: &Path) -> Result<Recording, RecordingError> {
-    let motion = motion(log, settings, &AtomicBool::new(false))
-        .map_err(|problem| RecordingError::Motion { file: log.display().to_string(), problem })?;
+    let motion = motion(log, settings, &AtomicBool::new(false)).map_err(|problem| {
+        RecordingError::Motion { file: log.display().to_string(), problem: Box::new(problem) }
+    })?;
     let name = log.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let written = File::create(out)
         .map_err(WriteError::from)
@@ -62,7 +63,8 @@ impl<'a> Shown<'a> {
     fn new(motion: &'a Motion, writer: Writer<BufWriter<File>>) -> Self {
         let urdf = &motion.urdf;
         let mut entities = BTreeSet::new();
-        let drawn = urdf.links().iter().enumerate().filter(|(_, link)| !shapes(link, &motion.meshes).is_empty());
+        let drawn =
+            urdf.links().iter().enumerate().filter(|(_, link)| !shapes(link, &motion.meshes).is_empty());
         let links: Vec<(usize, String)> = drawn
             .take(MOST_LINKS)
             .map(|(place, link)| (place, entity(&link.name, place, &mut entities)))
@@ -73,7 +75,8 @@ impl<'a> Shown<'a> {
         };
         let bones = urdf.joints().iter().filter(bare).take(MOST_LINKS);
         let bones = bones.map(|joint| (joint.parent, joint.child)).collect();
-        let kind = |name: &String| urdf.joints().iter().find(|joint| joint.name == *name).map(|joint| joint.kind);
+        let kind =
+            |name: &String| urdf.joints().iter().find(|joint| joint.name == *name).map(|joint| joint.kind);
         let slides = motion.joints.iter().map(|name| kind(name) == Some(JointKind::Prismatic)).collect();
         Self { motion, writer, links, bones, slides }
     }
@@ -218,7 +221,8 @@ impl<'a> Shown<'a> {
 /// The entity of a link: Rerun's paths have a meaning of their own for most signs.
 fn entity(name: &str, place: usize, known: &mut BTreeSet<String>) -> String {
     const MOST_LETTERS: usize = 100;
-    let plain = |letter: char| if letter.is_ascii_alphanumeric() || "_-.".contains(letter) { letter } else { '_' };
+    let plain =
+        |letter: char| if letter.is_ascii_alphanumeric() || "_-.".contains(letter) { letter } else { '_' };
     let name: String = name.chars().take(MOST_LETTERS).map(plain).collect();
     let mut entity = format!("/world/links/{name}");
     if name.is_empty() || !known.insert(entity.clone()) {

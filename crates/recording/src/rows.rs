@@ -31,10 +31,9 @@ pub(crate) fn arrow(from: [f64; 3], vector: [f64; 3]) -> Vec<Column> {
 pub(crate) fn bones(bones: &[([f64; 3], [f64; 3])]) -> Vec<Column> {
     const ORIGINS: Component = Component::new("Arrows3D", "origins", "Position3D");
     const VECTORS: Component = Component::new("Arrows3D", "vectors", "Vector3D");
-    let all = |part: fn(&([f64; 3], [f64; 3])) -> [f64; 3]| {
-        Values::Vectors(bones.iter().map(|bone| single(part(bone))).collect())
-    };
-    vec![Column::row(ORIGINS, all(|bone| bone.0)), Column::row(VECTORS, all(|bone| bone.1))]
+    let origins = bones.iter().map(|(origin, _)| single(*origin)).collect();
+    let vectors = bones.iter().map(|(_, vector)| single(*vector)).collect();
+    vec![Column::row(ORIGINS, Values::Vectors(origins)), Column::row(VECTORS, Values::Vectors(vectors))]
 }
 
 /// How bones are drawn.

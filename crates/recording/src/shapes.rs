@@ -155,7 +155,8 @@ mod tests {
     fn every_shape_of_the_arm_is_drawn() {
         let text = soilctl_kinematics::urdf(&soilctl_kinematics::Arm::thesis());
         let urdf = Urdf::parse(&text).unwrap();
-        let counts: Vec<usize> = urdf.links().iter().map(|link| shapes(link, &BTreeMap::new()).len()).collect();
+        let counts: Vec<usize> =
+            urdf.links().iter().map(|link| shapes(link, &BTreeMap::new()).len()).collect();
         assert_eq!(counts.iter().sum::<usize>(), text.matches("<visual>").count());
         let of = |name| counts[urdf.link_index(name).unwrap()];
         assert_eq!((of("base_link"), of("hand_link")), (0, 2));

@@ -57,10 +57,7 @@ pub(crate) fn foreign_styles<W: Write>(
             writer.fixed(entity, &rows::curve_style(&names))?;
         }
     }
-    writer.fixed(
-        "/world/force",
-        &rows::arrow_style("force as read, bias included", BLUE, 0.6 * radius_m),
-    )?;
+    writer.fixed("/world/force", &rows::arrow_style("force as read, bias included", BLUE, 0.6 * radius_m))?;
     writer.fixed("/world/bones", &rows::bone_style(radius_m))
 }
 

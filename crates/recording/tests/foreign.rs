@@ -52,7 +52,8 @@ fn every_container_and_its_mutants() {
     let mut random = Random(41);
     let (files, folders) = recordings();
     for file in files.iter().chain(&folders) {
-        let found = record(file, &out, &settings).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        let found =
+            record(file, &out, &settings).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         assert_eq!(found.entities["/world/links/a_b_c"], 16, "{}", file.display());
         assert_eq!(found.entities["/force_sensor"], 16, "{}", file.display());
         if file.is_dir() {

@@ -128,6 +128,7 @@ fn files_that_are_no_logs_are_refused() {
     let error = refused(&log, &out);
     assert!(matches!(error, RecordingError::Motion { .. }), "{error}");
     write_log(&log, 10);
-    let error = record(&log, &log.with_file_name("nowhere").join("out.rrd"), &Settings::default()).unwrap_err();
+    let error =
+        record(&log, &log.with_file_name("nowhere").join("out.rrd"), &Settings::default()).unwrap_err();
     assert!(matches!(error, RecordingError::Write { .. }), "{error}");
 }

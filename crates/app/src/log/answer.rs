@@ -158,7 +158,13 @@ impl Answer {
             damage: saved.ending.damage,
             problems: Vec::new(),
             content: Some(Content::new(new)),
-            written: Some(Written { file, topic: None, rows: saved.messages, columns: None, clock_origin_s: None }),
+            written: Some(Written {
+                file,
+                topic: None,
+                rows: saved.messages,
+                columns: None,
+                clock_origin_s: None,
+            }),
         }
     }
 

@@ -50,9 +50,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         }
         let beside = Beside::new(out);
         let table = write_table(log, topic, beside.path(), form, stop)?;
-        beside
-            .keep()
-            .map_err(|problem| AppError::File { path: out.display().to_string(), problem })?;
+        beside.keep().map_err(|problem| AppError::File { path: out.display().to_string(), problem })?;
         Ok(Answer::foreign_export(table, topic, out))
     })
 }

@@ -53,7 +53,9 @@ impl Words for Answer {
         }
         let told = self.content.as_ref().and_then(|content| content.found.as_ref());
         let told = |problem: &&String| {
-            !told.is_some_and(|found| found.oddities.iter().chain(&found.implausible).any(|one| one == *problem))
+            !told.is_some_and(|found| {
+                found.oddities.iter().chain(&found.implausible).any(|one| one == *problem)
+            })
         };
         for problem in self.problems.iter().filter(told) {
             text += &format!("problem: {problem}\n");

@@ -124,8 +124,13 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         output.note(note);
     }
     let outcome = if damage.is_empty() { Outcome::Done } else { Outcome::Partial };
-    let answer =
-        MonitorAnswer { url: monitor.url(), listen: address.to_string(), commands: args.commands, damage, notes };
+    let answer = MonitorAnswer {
+        url: monitor.url(),
+        listen: address.to_string(),
+        commands: args.commands,
+        damage,
+        notes,
+    };
     output.answer(&answer)?;
     output.note("Ctrl-C ends");
     // Kept as long as the monitor.

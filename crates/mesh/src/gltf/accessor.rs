@@ -87,7 +87,8 @@ fn elements<'a>(
     let view = document.views.get(view).ok_or_else(|| Fault::of("a view of a buffer is not there"))?;
     let buffer = buffers.0.get(view.buffer).ok_or_else(|| Fault::of("a buffer is not there"))?;
     let end = view.offset.checked_add(view.length).ok_or_else(cut)?;
-    let bytes = buffer.get(view.offset..end).and_then(|bytes| bytes.get(accessor.offset..)).ok_or_else(cut)?;
+    let bytes =
+        buffer.get(view.offset..end).and_then(|bytes| bytes.get(accessor.offset..)).ok_or_else(cut)?;
     let (stride, count) = (view.stride.unwrap_or(size), accessor.count);
     if stride < size {
         return Err(Fault::of("elements of a view lie over each other"));

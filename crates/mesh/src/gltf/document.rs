@@ -38,7 +38,10 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Few<T> {
                 let mut all = Vec::new();
                 while let Some(next) = source.next_element()? {
                     if all.len() >= Few::<T>::MOST {
-                        return Err(A::Error::custom(format_args!("a list has more than {} parts", Few::<T>::MOST)));
+                        return Err(A::Error::custom(format_args!(
+                            "a list has more than {} parts",
+                            Few::<T>::MOST
+                        )));
                     }
                     all.push(next);
                 }

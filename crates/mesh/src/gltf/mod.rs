@@ -39,7 +39,8 @@ pub(crate) fn read(bytes: &[u8], most: u64, beside: &mut Beside<'_>) -> Result<M
         return Err(Fault::of("its version is not 2"));
     }
     let buffers = Buffers::of(&document, binary, beside)?;
-    let mut reading = Reading { document: &document, buffers, mesh: Mesh::default(), nodes: 0, elements: 0, most };
+    let mut reading =
+        Reading { document: &document, buffers, mesh: Mesh::default(), nodes: 0, elements: 0, most };
     for root in roots(&document) {
         // What is up in glTF is y, and z in a URDF.
         reading.node(root, &y_up_to_z_up(), 0)?;
@@ -59,7 +60,8 @@ fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     while let (Some(length), Some(kind)) = (word(at), word(at.saturating_add(4))) {
         let from = at + 8;
         let length = usize::try_from(length).unwrap_or(usize::MAX);
-        let chunk = bytes.get(from..from.saturating_add(length)).ok_or_else(|| Fault::of("a chunk is cut"))?;
+        let chunk =
+            bytes.get(from..from.saturating_add(length)).ok_or_else(|| Fault::of("a chunk is cut"))?;
         match kind {
             JSON if json.is_none() => json = Some(chunk),
             BINARY if binary.is_none() => binary = Some(chunk),
@@ -106,9 +108,8 @@ impl Reading<'_> {
             return Err(Fault::of("its nodes are too many, too deep, or a ring"));
         }
         let place = above * Node::place(node);
-        let primitives = node.mesh.map(|mesh| {
-            document.meshes.get(mesh).ok_or_else(|| Fault::of("a mesh is not there"))
-        });
+        let primitives =
+            node.mesh.map(|mesh| document.meshes.get(mesh).ok_or_else(|| Fault::of("a mesh is not there")));
         for primitive in primitives.transpose()?.iter().flat_map(|mesh| mesh.primitives.iter()) {
             if primitive.mode.unwrap_or(TRIANGLES) == TRIANGLES {
                 self.primitive(primitive, &place)?;
@@ -144,7 +145,8 @@ impl Reading<'_> {
             [point.x as f32, point.y as f32, point.z as f32]
         };
         let points: Vec<[f32; 3]> = points.iter().map(placed).collect();
-        let normals = given.filter(|given| given.len() == points.len()).and_then(|given| turned(&given, place));
+        let normals =
+            given.filter(|given| given.len() == points.len()).and_then(|given| turned(&given, place));
         let triangles = corners.chunks_exact(3).filter_map(|three| <[u32; 3]>::try_from(three).ok());
         let at = |corner: u32| points.get(corner as usize).copied();
         match normals {

@@ -60,7 +60,7 @@ impl Film {
         };
         vec![
             text(&ServerMessage::Hello(hello)),
-            text(&PageMessage::Scene(scene)),
+            text(&PageMessage::Scene(Box::new(scene))),
             text(&PageMessage::Log(&log)),
         ]
     }

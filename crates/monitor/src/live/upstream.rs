@@ -94,7 +94,7 @@ impl Upstream {
         let name = self.path.display().to_string();
         Arc::new([
             text(&ServerMessage::Hello(connection.client.hello().clone())),
-            text(&PageMessage::Scene(connection.scene.message(&name, true, self.commands))),
+            text(&PageMessage::Scene(Box::new(connection.scene.message(&name, true, self.commands)))),
         ])
     }
 

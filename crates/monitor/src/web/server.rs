@@ -122,7 +122,9 @@ fn connection(mut stream: TcpStream, peer: SocketAddr, shared: &Shared) {
                 let fields = [("Content-Type", "application/octet-stream")];
                 answer(&mut stream, "200 OK", &fields, mesh, head.method == "GET")
             }
-            None => words(&mut stream, "404 Not Found", &format!("there is nothing at {path}; the page is at /")),
+            None => {
+                words(&mut stream, "404 Not Found", &format!("there is nothing at {path}; the page is at /"))
+            }
         },
         (method, _) => {
             let what = format!("the method {method} is not served here");

@@ -1,5 +1,11 @@
 //! Recordings as other programs write them, by the writer of the crate `mcap`.
-#![allow(dead_code, clippy::unwrap_used, clippy::missing_panics_doc, unreachable_pub, reason = "each test file uses some of it")]
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    clippy::missing_panics_doc,
+    unreachable_pub,
+    reason = "each test file uses some of it"
+)]
 
 use std::collections::BTreeMap;
 use std::fs::File;

@@ -3,13 +3,13 @@
 use nalgebra::Vector3;
 
 use super::air::{AirModel, Tare};
-use soilctl_motion::{Columns, Joints};
 use super::push::Push;
 use super::survey::Survey;
 use super::trust::{Doubt, Stops, gap};
 use crate::log::{LogStroke, NoStroke};
 use crate::robot::{Robot, RobotSample};
 use crate::{Outcome, Recorded, Setting, evaluate};
+use soilctl_motion::{Columns, Joints};
 
 /// A tare more uncertain than this share of the force is doubtful; one more uncertain than the second refuses the stroke.
 const DOUBTFUL_TARE: f64 = 0.03;

@@ -1,7 +1,7 @@
 //! What makes a stroke doubtful: said as flags in its row, or a reason to refuse it.
 
-use soilctl_motion::Series;
 use super::survey::Survey;
+use soilctl_motion::Series;
 
 /// So many equal readings in a row at the end of an axis's range are a sensor that can't follow.
 const CLIPPED: usize = 5;

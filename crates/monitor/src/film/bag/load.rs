@@ -13,7 +13,8 @@ const MEASURED: usize = 200;
 
 /// Reads a recording.
 pub(in crate::film) fn load(path: &Path, settings: &Settings) -> Result<Track, MonitorError> {
-    let refused = |problem| MonitorError::Bag { file: path.display().to_string(), problem };
+    let refused =
+        |problem| MonitorError::Bag { file: path.display().to_string(), problem: Box::new(problem) };
     let never = AtomicBool::new(false);
     let motion = motion(path, settings, &never).map_err(refused)?;
     let arm = ArmMessage::of(&motion.urdf, &motion.meshes);
@@ -32,7 +33,8 @@ pub(in crate::film) fn load(path: &Path, settings: &Settings) -> Result<Track, M
 
 #[allow(clippy::cast_possible_truncation, reason = "to be looked at")]
 fn moment(state: &State) -> Moment {
-    let small = |vector: Option<[f64; 3]>| vector.map_or([f32::NAN; 3], |vector| vector.map(|part| part as f32));
+    let small =
+        |vector: Option<[f64; 3]>| vector.map_or([f32::NAN; 3], |vector| vector.map(|part| part as f32));
     Moment {
         t_s: state.t_s,
         positions: state.positions.iter().map(|position| *position as f32).collect(),

@@ -11,8 +11,8 @@ use self::filter::{Prior, Reading, Track};
 pub use self::noise::Noise;
 pub use self::told::FreeAir;
 use self::told::tell;
-use soilctl_motion::Series;
 use super::survey::{Block, Survey};
+use soilctl_motion::Series;
 
 /// Readings in free air are averaged over up to so long, in s: a posture hardly changes meanwhile.
 const PIECE_S: f64 = 0.5;

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_stats::median;
 
-use soilctl_motion::Series;
 use super::super::survey::{Block, Survey};
 use crate::ForceNoise;
+use soilctl_motion::Series;
 
 /// Length of the pieces over which noise is looked at, in s; and the fewest samples in one.
 const PIECE_S: f64 = 1.0;
