@@ -57,6 +57,10 @@ pub(super) fn process(
     match summary {
         Ok(summary) => {
             entry.own = summary.own;
+            if !summary.own {
+                // Nobody raked the soil anew while it ran.
+                entry.strokes.iter_mut().for_each(|stroke| stroke.row.batch = Some(log.name.clone()));
+            }
             entry.damage = summary.damage;
             entry.unusable = summary.unusable;
             if let Some(foreign) = summary.foreign {
