@@ -840,11 +840,15 @@ def _restore_sensed(tick: int, motors: Any, external: Any, wrench: Any, amplifie
 def _restore_solution(path: _Path, origin_m: tuple[float, float]) -> Solution:
     """A saved solution with the origin that its file does not say."""
 def log_info(path: _Path) -> dict[str, Any]:
-    """What is in a log (.mcap): topics, times, strokes, problems. Ctrl-C ends the reading.
+    """What is in a log, or in a recording of any program (.mcap, .db3, .bag, or the folder of a bag): topics,
+    times, strokes, problems.
+    Ctrl-C ends the reading.
 
     Returns:
         A dict with ``topics`` (messages and type by name), ``start_ns``, ``end_ns``, ``steps``, ``missing_steps``,
-        ``keyframes``, ``session``, ``strokes``, ``attachments``, ``problems`` and ``damage``.
+        ``keyframes``, ``session``, ``strokes``, ``attachments``, ``problems`` and ``damage``. Of another program's recording
+        ``problems`` are gaps, clocks and units; topics also have ``kind``, ``start_s``, ``end_s``, ``rate_hz``, ``gaps`` and
+        ``longest_gaps``, and there are ``container``, ``compression``, ``clock_origin_s``, from which times in s count, and ``has_urdf``.
 
     Raises:
         FileError: If it cannot be read, or is no log.
@@ -863,14 +867,16 @@ def log_table(path: _Path, topic: str = "/controller/step") -> dict[str, Any]:
     """The messages of a topic as a table, a row a message.
 
     Args:
-        path: The log (.mcap).
+        path: The log (.mcap), or a recording of any program (.mcap, .db3, .bag, or the folder of a bag).
         topic: ``/controller/step``, ``/joint_states``, ``/motor_states``, ``/wrench``, ``/truth/joint_states`` or
-            ``/truth/soil``.
+            ``/truth/soil``; of another program's recording any topic.
 
     Returns:
         A dict of columns by name, in order: first ``time_s``, the log time in s, then the fields of the message; elements of
         arrays have columns of their own (``motor_counts_0`` ...). Numbers and flags are arrays of shape (n,), texts lists.
-        ``pandas.DataFrame`` takes it as it is. Of a damaged log, what can be read: ``log_info`` tells the damage.
+        ``pandas.DataFrame`` takes it as it is. Of a damaged log, what can be read: ``log_info`` tells the damage. Times of another
+        program's recording count from its ``clock_origin_s`` in ``log_info``, as those of ``process``; what a message does not have
+        is NaN or an empty text.
 
     Raises:
         FileError: If it cannot be read, or is no log.

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, TypedDict
 
 from ._progress import Progress
 from ._record import Answer, Record
@@ -56,13 +56,17 @@ __all__ = [
     "EstimateCrossing",
     "EstimateDisagreement",
     "EstimateExact",
+    "EstimateLeftOut",
     "EstimateMeasured",
     "EstimateMinimum",
     "EstimateNextStroke",
     "EstimatePoint",
+    "EstimatePooled",
     "EstimateSection",
     "LogAnswer",
     "LogContent",
+    "LogFound",
+    "LogGap",
     "LogTopic",
     "LogWritten",
     "PredictAnswer",
@@ -73,6 +77,7 @@ __all__ = [
     "PredictStrokePrediction",
     "ProcessAnalysis",
     "ProcessAnswer",
+    "ProcessArguments",
     "ProcessComparison",
     "ProcessContact",
     "ProcessEffect",
@@ -1388,6 +1393,24 @@ class EstimateExact(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class EstimateLeftOut(Record):
+    """A stroke that does not count.
+
+    Attributes:
+        line: Its line in the stroke table.
+        reason: Why.
+        stroke_id: Its name; null if it has none.
+    """
+
+    line: int
+    """Its line in the stroke table."""
+    reason: str
+    """Why."""
+    stroke_id: str | None
+    """Its name; null if it has none."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class EstimateMeasured(Record):
     """One measurement as the estimator saw it.
 
@@ -1398,6 +1421,7 @@ class EstimateMeasured(Record):
         force_low_n: Lower end of its interval (N).
         force_n: Failure force (N).
         label: Name.
+        pooled: How the band came about, where strokes of one kind are taken together; otherwise null.
         strokes: Strokes behind it.
     """
 
@@ -1413,6 +1437,8 @@ class EstimateMeasured(Record):
     """Failure force (N)."""
     label: str
     """Name."""
+    pooled: EstimatePooled | None
+    """How the band came about, where strokes of one kind are taken together; otherwise null."""
     strokes: int
     """Strokes behind it."""
 
@@ -1490,6 +1516,36 @@ class EstimatePoint(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class EstimatePooled(Record):
+    """How a band of strokes of one kind came about. Deviations are relative.
+
+    Attributes:
+        common: Standard deviation of what the strokes share: the sensor's gain, the datum of depths, density, the
+            soil ahead.
+        deviations: So many of both together the band reaches on either side, in the logarithm of the force.
+        mean: Standard error of the mean.
+        scatter: Standard deviation of one stroke by the scatter of these; null of a single stroke.
+        stated: Standard deviation of one stroke by what the table says of force, depth and friction on the plate;
+            null if it says nothing.
+    """
+
+    common: float
+    """Standard deviation of what the strokes share: the sensor's gain, the datum of depths, density, the soil
+    ahead.
+    """
+    deviations: float
+    """So many of both together the band reaches on either side, in the logarithm of the force."""
+    mean: float
+    """Standard error of the mean."""
+    scatter: float | None
+    """Standard deviation of one stroke by the scatter of these; null of a single stroke."""
+    stated: float | None
+    """Standard deviation of one stroke by what the table says of force, depth and friction on the plate; null if it
+    says nothing.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class EstimateSection(Record):
     """A section of the consistent set at one interface friction.
 
@@ -1514,6 +1570,10 @@ class EstimateAnswer(Answer):
         area_deg_kg_m3: Area of the region (deg kg/m3).
         best_estimate: Soil of least misfit inside the region.
         centre: Centroid of the region.
+        confidence: Probability with which all bands together hold their true forces; null if strokes of one kind
+            are not taken together.
+        confidence_each: Probability of each band, by Šidák's correction; null if strokes of one kind are not taken
+            together.
         consistent: Whether any soil explains all measurements.
         cut_by: Limits of the search that the region touches: it may reach further.
         delta_deg: What was known of delta (deg).
@@ -1522,6 +1582,8 @@ class EstimateAnswer(Answer):
         density_known_kg_m3: What was known of the density (kg/m3).
         disagreement: What breaks consistency; null if nothing does.
         exact: Results for exact data; null unless ``--exact``.
+        left_out: Strokes in which the soil did not fail as models have it; empty unless strokes of one kind are
+            taken together.
         measurements: The measurements.
         model: Force model.
         next_strokes: Strokes that would shrink the region most, the best first; null if not asked for.
@@ -1531,6 +1593,8 @@ class EstimateAnswer(Answer):
         region: Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi,
             density].
         regions: Sections at chosen deltas; empty if inconsistent.
+        scatter_over_stated: Scatter of repeated strokes over what the table states of them; above 1 the bands are
+            wider for it. Null if nothing was repeated, stated, or taken together.
         verdict: The result in words.
         volume_deg2_kg_m3: Volume of the consistent set (deg2 kg/m3).
         warnings: What to keep in mind.
@@ -1546,6 +1610,12 @@ class EstimateAnswer(Answer):
     """Soil of least misfit inside the region."""
     centre: EstimateCentre | None
     """Centroid of the region."""
+    confidence: float | None
+    """Probability with which all bands together hold their true forces; null if strokes of one kind are not taken
+    together.
+    """
+    confidence_each: float | None
+    """Probability of each band, by Šidák's correction; null if strokes of one kind are not taken together."""
     consistent: bool
     """Whether any soil explains all measurements."""
     cut_by: list[str]
@@ -1562,6 +1632,10 @@ class EstimateAnswer(Answer):
     """What breaks consistency; null if nothing does."""
     exact: EstimateExact | None
     """Results for exact data; null unless ``--exact``."""
+    left_out: list[EstimateLeftOut]
+    """Strokes in which the soil did not fail as models have it; empty unless strokes of one kind are taken
+    together.
+    """
     measurements: list[EstimateMeasured]
     """The measurements."""
     model: str
@@ -1578,6 +1652,10 @@ class EstimateAnswer(Answer):
     """Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi, density]."""
     regions: list[EstimateSection]
     """Sections at chosen deltas; empty if inconsistent."""
+    scatter_over_stated: float | None
+    """Scatter of repeated strokes over what the table states of them; above 1 the bands are wider for it. Null if
+    nothing was repeated, stated, or taken together.
+    """
     verdict: str
     """The result in words."""
     volume_deg2_kg_m3: float
@@ -2483,6 +2561,7 @@ class ProcessStrokeRecord(Record):
         delta_set_deg: Interface friction angle that the controller was set to (deg).
         density_kg_m3: Bulk density weighed for the batch (kg/m3).
         depth_m: Vertical depth of the plate's lower edge below the surface where the soil failed (m).
+        depth_sd_m: Standard deviation of ``depth_m``: how well surface and edge are known (m).
         displacement_at_failure_m: Displacement at failure, compensated for flexion (m).
         failure: ``drastic`` or ``gradual`` (text).
         failure_time_s: Time of the failure on the clock of the log (s).
@@ -2490,6 +2569,7 @@ class ProcessStrokeRecord(Record):
         force_n: Failure force: magnitude of the in-plane resultant, tare removed (N).
         force_sd_n: Standard deviation of the failure force (N).
         friction_angle_deg: Measured friction angle just before failure (deg).
+        friction_angle_sd_deg: Standard deviation of ``friction_angle_deg`` (deg).
         gap_prior_m: Edge distance to the nearest earlier stroke in this preparation (m).
         lift_deg: Inclination of the force while failed soil slips along the plate, above the set-point, or without
             one above that before the failure (deg).
@@ -2529,6 +2609,8 @@ class ProcessStrokeRecord(Record):
     """Bulk density weighed for the batch (kg/m3)."""
     depth_m: float
     """Vertical depth of the plate's lower edge below the surface where the soil failed (m)."""
+    depth_sd_m: float | None
+    """Standard deviation of ``depth_m``: how well surface and edge are known (m)."""
     displacement_at_failure_m: float | None
     """Displacement at failure, compensated for flexion (m)."""
     failure: str
@@ -2543,6 +2625,8 @@ class ProcessStrokeRecord(Record):
     """Standard deviation of the failure force (N)."""
     friction_angle_deg: float | None
     """Measured friction angle just before failure (deg)."""
+    friction_angle_sd_deg: float | None
+    """Standard deviation of ``friction_angle_deg`` (deg)."""
     gap_prior_m: float | None
     """Edge distance to the nearest earlier stroke in this preparation (m)."""
     lift_deg: float | None
@@ -3059,6 +3143,7 @@ class DemoRegion(Record):
     """Every soil that explains the forces.
 
     Attributes:
+        confidence: Probability with which all bands together hold their true forces.
         consistent: Whether any soil does.
         density_holds_truth: Whether the true density lies in its range.
         density_kg_m3: Range of the density (kg/m3); null if inconsistent.
@@ -3069,6 +3154,8 @@ class DemoRegion(Record):
         verdict: The result in words.
     """
 
+    confidence: float | None
+    """Probability with which all bands together hold their true forces."""
     consistent: bool
     """Whether any soil does."""
     density_holds_truth: bool
@@ -3155,6 +3242,7 @@ class DemoAnswer(Answer):
         each: Every stroke of the plan.
         files: Where everything is.
         forces: Failure forces against the truth; null without a stroke to compare.
+        found: What was found, beside the truth, in words; empty if the work was stopped.
         model: Force model of the simulated soil and of the estimate.
         no_delta: Why there is none, or why it does not count; null if it does.
         no_estimate: Why there is no estimate.
@@ -3195,6 +3283,8 @@ class DemoAnswer(Answer):
     """Where everything is."""
     forces: DemoForces | None
     """Failure forces against the truth; null without a stroke to compare."""
+    found: str
+    """What was found, beside the truth, in words; empty if the work was stopped."""
     model: str
     """Force model of the simulated soil and of the estimate."""
     no_delta: str | None
@@ -3225,20 +3315,22 @@ class LogContent(Record):
 
     Attributes:
         attachments: Names of the attachments.
-        end_s: Log time of the last message in s.
+        end_s: Log time of the last message in s, or the latest time.
         keyframes: Key frames, from which a replay can begin.
         missing_steps: Steps that are missing between them.
         session: What made the log, as the log says: version, seed, model.
-        start_s: Log time of the first message in s; null if there is none.
+        start_s: Log time of the first message in s, of a recording of another program the earliest time on its
+            clock; null if there is none.
         steps: Steps of the controller.
         strokes: Boundaries and settings of the strokes, as the log says.
         topics: Topics.
+        found: What else was found; only of recordings of other programs.
     """
 
     attachments: list[str]
     """Names of the attachments."""
     end_s: float | None
-    """Log time of the last message in s."""
+    """Log time of the last message in s, or the latest time."""
     keyframes: int
     """Key frames, from which a replay can begin."""
     missing_steps: int
@@ -3246,13 +3338,68 @@ class LogContent(Record):
     session: dict[str, str]
     """What made the log, as the log says: version, seed, model."""
     start_s: float | None
-    """Log time of the first message in s; null if there is none."""
+    """Log time of the first message in s, of a recording of another program the earliest time on its clock; null if
+    there is none.
+    """
     steps: int
     """Steps of the controller."""
     strokes: list[dict[str, str]]
     """Boundaries and settings of the strokes, as the log says."""
     topics: list[LogTopic]
     """Topics."""
+    found: LogFound | None = None
+    """What else was found; only of recordings of other programs."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class LogFound(Record):
+    """What else was found in a recording of another program.
+
+    Attributes:
+        clock_origin_s: Where the times of this answer begin, in s of the stamps: a whole second of a wall clock, or
+            0. It is the clock of ``process --strokes``.
+        compression: Compressions of its chunks, messages or file; empty if nothing is compressed.
+        container: What it is kept in, such as ``MCAP`` or ``ROS 1 bag``.
+        duration_s: From the earliest to the latest time in s.
+        has_urdf: Whether there is a URDF in it.
+        implausible: Numbers that cannot be in the units of ROS.
+        library: What wrote it, as it says; may be empty.
+        oddities: What is odd about the messages of joint states and wrenches, such as clocks that were set.
+    """
+
+    clock_origin_s: int
+    """Where the times of this answer begin, in s of the stamps: a whole second of a wall clock, or 0. It is the
+    clock of ``process --strokes``.
+    """
+    compression: list[str]
+    """Compressions of its chunks, messages or file; empty if nothing is compressed."""
+    container: str
+    """What it is kept in, such as ``MCAP`` or ``ROS 1 bag``."""
+    duration_s: float
+    """From the earliest to the latest time in s."""
+    has_urdf: bool
+    """Whether there is a URDF in it."""
+    implausible: list[str]
+    """Numbers that cannot be in the units of ROS."""
+    library: str
+    """What wrote it, as it says; may be empty."""
+    oddities: list[str]
+    """What is odd about the messages of joint states and wrenches, such as clocks that were set."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class LogGap(Record):
+    """A time without messages.
+
+    Attributes:
+        from_s: Time of the message before it in s.
+        to_s: Time of the message after it in s.
+    """
+
+    from_s: float
+    """Time of the message before it in s."""
+    to_s: float
+    """Time of the message after it in s."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -3263,6 +3410,14 @@ class LogTopic(Record):
         messages: How many there are.
         topic: Its name.
         type: Type of its messages.
+        end_s: Latest time in s.
+        gaps: Times between two messages that are longer than five medians.
+        kind: What they tell: ``joints``, ``wrench`` or ``text``, if one of these. This and what follows is there
+            only of recordings of other programs.
+        longest_gaps: The longest of them, ten at most, in order of time.
+        problem: Why the messages cannot be read, if they cannot.
+        rate_hz: Messages a second, by the median of the times between two; missing for fewer than three of these.
+        start_s: Earliest time in s.
     """
 
     messages: int
@@ -3271,6 +3426,22 @@ class LogTopic(Record):
     """Its name."""
     type: str
     """Type of its messages."""
+    end_s: float | None = None
+    """Latest time in s."""
+    gaps: int | None = None
+    """Times between two messages that are longer than five medians."""
+    kind: str | None = None
+    """What they tell: ``joints``, ``wrench`` or ``text``, if one of these. This and what follows is there only of
+    recordings of other programs.
+    """
+    longest_gaps: list[LogGap] | None = None
+    """The longest of them, ten at most, in order of time."""
+    problem: str | None = None
+    """Why the messages cannot be read, if they cannot."""
+    rate_hz: float | None = None
+    """Messages a second, by the median of the times between two; missing for fewer than three of these."""
+    start_s: float | None = None
+    """Earliest time in s."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -3282,6 +3453,7 @@ class LogWritten(Record):
         file: The file.
         rows: Messages, or rows of the table.
         topic: The exported topic; null for ``recover``.
+        clock_origin_s: Where ``time_s`` begins, in s of the stamps; only of recordings of other programs.
     """
 
     columns: int | None
@@ -3292,6 +3464,8 @@ class LogWritten(Record):
     """Messages, or rows of the table."""
     topic: str | None
     """The exported topic; null for ``recover``."""
+    clock_origin_s: int | None = None
+    """Where ``time_s`` begins, in s of the stamps; only of recordings of other programs."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -3826,13 +4000,14 @@ def table_check(
 
 def estimate(
     file: Table,
-    delta_deg: Literal["column"] | float,
+    delta_deg: Literal["column"] | float = "column",
     *,
     model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"] = "table",
     model_file: PathLike | None = None,
     delta_tol_deg: float = 1.0,
     density_kg_m3: Literal["column"] | float | None = None,
     density_tol: float = 0.04,
+    confidence: float | None = None,
     sigma: float | None = None,
     uncertainty: Literal["sigma", "bounds"] = "sigma",
     adjust_high_angles: float = 0.0,
@@ -3855,14 +4030,19 @@ def estimate(
 
     Args:
         file: Stroke table (CSV).
-        delta_deg: Friction angle between soil and plate (deg), or ``column`` for delta_set_deg of the table.
+        delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says: the measured
+            friction_angle_deg where strokes of one kind are taken together, otherwise delta_set_deg.
         model: Force model; ``table`` is the bracket of proven bounds.
         model_file: A model file, such as the patch of ``diagnose``: its effects are taken out of the measured
             forces first, at the soil of the file.
         delta_tol_deg: Half width of what is known of delta (deg). At least 0.
         density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of the table; left out: unknown.
         density_tol: Relative half width of what is known of the density. At least 0 and below 1.
-        sigma: Standard deviations that a band reaches on either side of the force. Above 0.
+        confidence: Probability with which all bands together hold their true forces, where strokes of one kind are
+            taken together. Left out, they are if the table says how forces scatter: if strokes are repeated, or it
+            has depth_sd_m. Above 0 and below 1.
+        sigma: Standard deviations that a band reaches on either side of the force; each stroke with force_sd_n has
+            a band of its own then. Above 0.
         uncertainty: What the uncertainty of a force means.
         adjust_high_angles: Allow that forces at tool angles of 90 deg and more were read low by up to this
             fraction, because friction was not fully mobilised when failure was read (0.1 in Hong 2001, section
@@ -4005,7 +4185,8 @@ def process(
     delta_set_deg: float | None = None,
     tare: Sequence[float] | None = None,
     tool_weight_n: float | None = None,
-    strokes: PathLike | None = None,
+    wrench_sense: Literal["soil-on-plate", "plate-on-soil"] = "soil-on-plate",
+    strokes: Table | None = None,
     slant_m: float = 0.0254,
     rubbing: Sequence[PathLike] = (),
     density_kg_m3: float | None = None,
@@ -4035,7 +4216,9 @@ def process(
         delta_set_deg: Interface friction that the controller was set to (deg).
         tare: Readings in free air: FX,FY,FZ or FX,FY,FZ,MX,MY,MZ (N, N m).
         tool_weight_n: Weight of what the sensor carries (N); it turns with the sensor.
-        strokes: CSV with the columns start and end (s, on the clock of the stamps).
+        wrench_sense: What the wrenches are, if not the force of the soil on the plate: then all readings,
+            ````tare```` too, change their sign.
+        strokes: CSV with the columns start and end of each push (s, on the clock of the stamps).
         slant_m: Slant length to which forces are scaled (m).
         rubbing: Logs of rubbing a sand-covered plate: the check of the interface friction.
         density_kg_m3: Density of the soil (kg/m3): matches a friction angle to the mean force of each tool angle.
@@ -4053,7 +4236,34 @@ def process(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("process", process, locals(), ProcessAnswer)
+    return run("process", process, locals(), ProcessAnswer, tables=("strokes",))
+
+
+class ProcessArguments(TypedDict, total=False):
+    """Keyword arguments of :func:`process`, which tells what they mean."""
+
+    alpha_deg: float | None
+    delta_deg: float | None
+    delta_set_deg: float | None
+    density_kg_m3: float | None
+    gravity_m_s2: float | None
+    joint_topic: str | None
+    model: str | None
+    phi_deg: float | None
+    plate_frame: str | None
+    rubbing: Sequence[PathLike] | None
+    sensor_frame: str | None
+    slant_m: float | None
+    strokes: Table | None
+    surface_z_m: float | None
+    tare: Sequence[float] | None
+    threads: int | None
+    tool_weight_n: float | None
+    trace_rate_hz: float | None
+    urdf: PathLike | None
+    width_m: float | None
+    wrench_sense: Literal["soil-on-plate", "plate-on-soil"] | None
+    wrench_topic: str | None
 
 
 def diagnose(
@@ -4154,7 +4364,7 @@ def log_info(
     """Says what is in a log.
 
     Args:
-        log: A log (.mcap).
+        log: A log (.mcap), or a recording of any program (.mcap, .db3, .bag, or the folder of a bag).
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
@@ -4172,10 +4382,11 @@ def log_doctor(
     *,
     progress: Progress = None,
 ) -> LogAnswer:
-    """Checks a log: whole, checksums, types, quality of service, missing steps, key frames.
+    """Checks a log: whole, checksums, types, quality of service, missing steps, key frames; of another program
+    gaps, clocks, units.
 
     Args:
-        log: A log (.mcap).
+        log: A log (.mcap), or a recording of any program (.mcap, .db3, .bag, or the folder of a bag).
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
@@ -4221,10 +4432,10 @@ def log_export(
     """Writes the messages of a topic as a table, one row a message.
 
     Args:
-        log: A log (.mcap).
+        log: A log (.mcap), or a recording of any program (.mcap, .db3, .bag, or the folder of a bag).
         out: File to write (.csv or .parquet).
         topic: The topic: /controller/step, /joint_states, /motor_states, /wrench, /truth/joint_states or
-            /truth/soil.
+            /truth/soil; of another program's recording any topic.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
     Returns:
