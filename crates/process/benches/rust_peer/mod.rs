@@ -45,7 +45,7 @@ fn each(path: &Path, take: &mut dyn FnMut(&str, &[u8])) {
 }
 
 /// The least that one can do with a log of ours: the wrench of each step, at its fixed place in the bytes.
-pub fn wrenches_of_steps(path: &Path) -> usize {
+pub(crate) fn wrenches_of_steps(path: &Path) -> usize {
     let mut wrenches: Vec<[f64; 6]> = Vec::new();
     each(path, &mut |topic, data| {
         if topic == "/controller/step" {
@@ -58,7 +58,7 @@ pub fn wrenches_of_steps(path: &Path) -> usize {
 }
 
 /// Columns of time and number of a recording of another program.
-pub fn columns(path: &Path) -> (usize, usize) {
+pub(crate) fn columns(path: &Path) -> (usize, usize) {
     let (mut joints, mut wrenches) = (Columns::default(), Columns::default());
     each(path, &mut |topic, data| match topic {
         "/arm/joint_states" => {
@@ -76,7 +76,7 @@ pub fn columns(path: &Path) -> (usize, usize) {
 }
 
 /// The same by the crate of this workspace, which looks up what a message means by its definition.
-pub fn our_columns(path: &Path) -> (usize, usize) {
+pub(crate) fn our_columns(path: &Path) -> (usize, usize) {
     let (mut joints, mut wrenches) = (Columns::default(), Columns::default());
     let mut readers = Readers::new();
     scan::<BagError>(path, &mut |item| {

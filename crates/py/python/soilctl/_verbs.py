@@ -185,7 +185,7 @@ def process(
         if name not in known:
             raise InputTypeError(f"{name} is unknown; known are {', '.join(known)}")
     arguments = {**request, "logs": paths, "out": out, "shard": _shard(shard), "progress": progress}
-    return run("process", use_cases.process, arguments, use_cases.ProcessAnswer, page=report)
+    return run("process", use_cases.process, arguments, use_cases.ProcessAnswer, tables=("strokes",), page=report)
 
 
 def _shard(shard: tuple[int, int] | None) -> str | None:
