@@ -135,7 +135,7 @@ def test_the_example_leads_from_a_bag_to_its_soil(soilctl, tmp_path):
     for row in rows:
         assert row["force_n"] == pytest.approx(example.force_n(row["alpha_deg"]), rel=0.06)
         assert row["depth_m"] == pytest.approx(example.DEPTH, abs=1e-4) and row["flags"] == ""
-    assert [group["strokes"] for group in found["groups"]] == [example.REPEATS] * len(example.ALPHAS)
+    assert [group["strokes"] for group in found["analysis"]["groups"]] == [example.REPEATS] * len(example.ALPHAS)
 
 
 @pytest.mark.parametrize(("by", "words"), [(0.3, "never above the surface"), (-0.2, "above the surface as given")])

@@ -236,6 +236,6 @@ def test_wrong_use_is_refused(soilctl, log, tmp_path, data):
     soilctl.refuses("log", "export", log, "--out", table, mentions=["table.xlsx", ".csv or .parquet"])
     soilctl.refuses("log", "export", log, "--topic", "/dig", "--out", tmp_path / "a.csv", mentions=["/dig", "/wrench"])
     soilctl.refuses("log", "recover", log, "--out", log, mentions=["the log itself"])
-    soilctl.refuses("log", "info", data / "soils.csv", mentions=["soils.csv", "not an MCAP file"])
+    soilctl.refuses("log", "info", data / "soils.csv", mentions=["soils.csv", "not a recording that can be read"])
     soilctl.refuses("log", "info", tmp_path / "none.mcap", mentions=["none.mcap"])
     soilctl.refuses("replay", log, "--from-keyframe", TICKS // 500, mentions=[f"no key frame {TICKS // 500}", f"has {TICKS // 500}"])
