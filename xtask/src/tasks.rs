@@ -105,6 +105,8 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     // Last, so that a log ends with pytest's summary.
     Step::new("Python tests", workspace.venv_python())
         .args(["-m", "pytest", "tests/python", "--ignore", "tests/python/wheel"])
+        // Two at a time, whatever the machine; a file's fixtures are made once.
+        .args(["--numprocesses", "2", "--dist", "loadfile"])
         .dir(workspace.root())
         .env("SOILCTL", soilctl)
         .run()
