@@ -119,11 +119,18 @@ def test_what_cannot_be_weighed_is_refused_with_its_reason(soilctl, tmp_path, ma
 
 
 def test_wrenches_of_the_plate_on_the_soil_change_their_sign(soilctl, tmp_path, made):
-    bag = made("seven")
+    bag = made("gantry")
     done, answer = run(soilctl, tmp_path, bag, "--wrench-sense", "plate-on-soil", trouble=("sign",))
     assert done.returncode == 0, done.stderr
     pairs, invented = score.match(bag, answer)
     assert not invented and all(pair.is_right for pair in pairs)
+    # A tare has the sign that its sensor has.
+    forces = []
+    for sign, more, trouble in [(1, [], ()), (-1, ["--wrench-sense", "plate-on-soil"], ("sign",))]:
+        tare = ",".join(str(sign * mean) for mean in bag.wrench[:500].mean(0))
+        _, answer = run(soilctl, tmp_path, bag, f"--tare={tare}", *more, trouble=trouble)
+        forces.append([row["force_n"] for row in answer["strokes"]])
+    assert forces[0] == pytest.approx(forces[1], rel=1e-9) and len(forces[0]) == 3
 
 
 def test_the_example_leads_from_a_bag_to_its_soil(soilctl, tmp_path):
@@ -135,6 +142,7 @@ def test_the_example_leads_from_a_bag_to_its_soil(soilctl, tmp_path):
     for row in rows:
         assert row["force_n"] == pytest.approx(example.force_n(row["alpha_deg"]), rel=0.06)
         assert row["depth_m"] == pytest.approx(example.DEPTH, abs=1e-4) and row["flags"] == ""
+        assert row["batch"] == "bag"  # Nobody prepared the soil anew while it was recorded.
     assert [group["strokes"] for group in found["analysis"]["groups"]] == [example.REPEATS] * len(example.ALPHAS)
 
 

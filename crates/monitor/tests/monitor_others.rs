@@ -12,7 +12,7 @@ use std::path::Path;
 use bags::{URDF, crane, folder};
 use common::{Page, monitor};
 use soilctl_monitor::{BagSettings, Monitor, Settings, Source};
-use soilctl_mutants::{Random, count, in_time, recordings};
+use soilctl_mutants::{each_mutant, recordings};
 
 fn play(path: &Path, bag: BagSettings) -> Source {
     Source::Log { path: path.to_owned(), from_s: 0.0, bag }
@@ -71,7 +71,6 @@ fn every_container_and_its_mutants() {
     const ARM: &str = r#"<robot name="arm"><link name="world"/><link name="cart"/><link name="lift"><visual><geometry><box size="1 2 3"/></geometry></visual></link>
 <joint name="base" type="revolute"><parent link="world"/><child link="cart"/><limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
 <joint name="arm" type="continuous"><parent link="cart"/><child link="lift"/><origin xyz="0 0 0.1"/></joint></robot>"#;
-    let folder = tempfile::tempdir().unwrap();
     let start = |path: &Path| {
         let settings = Settings {
             listen: "127.0.0.1:0".parse().unwrap(),
@@ -82,19 +81,10 @@ fn every_container_and_its_mutants() {
         let bag = BagSettings { urdf: Some(ARM.into()), ..BagSettings::default() };
         Monitor::start(play(path, bag), settings)
     };
-    let mut random = Random(51);
     let (files, folders) = recordings();
     for file in files.iter().chain(&folders) {
         let monitor = start(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
         drop(monitor);
-        if file.is_dir() {
-            continue;
-        }
-        let bytes = std::fs::read(file).unwrap();
-        let path = folder.path().join(file.file_name().unwrap());
-        for _ in 0..count() {
-            std::fs::write(&path, random.mutant(&bytes)).unwrap();
-            in_time(&path, || drop(start(&path)));
-        }
     }
+    each_mutant(51, |path| drop(start(path))).unwrap();
 }

@@ -1,6 +1,6 @@
 //! What a recording of any program holds, how regularly it came, and what is odd about it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
@@ -131,7 +131,7 @@ pub(crate) fn all_columns(
         let mut topics = look.contents.topics.iter();
         topics.find(|(_, topic)| topic.kind == Some(Kind::Wrench)).map(|(name, _)| name.clone())
     });
-    let joints: Vec<String> = names.into_iter().collect::<BTreeSet<_>>().into_iter().collect();
+    let joints: Vec<String> = names.into_iter().collect();
     if joint_topics.is_empty() && wrench_topic.is_none() {
         return Ok((None, joints));
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use soilctl_motion::{Settings, Sought, inspect, motion, table};
-use soilctl_mutants::{Random, count, in_time, recordings};
+use soilctl_mutants::{Random, count, each_mutant, in_time, recordings};
 
 /// An arm with the joints of `crates/bag/tests/data`, and a mesh on each link.
 const URDF: &str = r#"<robot name="arm"><link name="world"/>
@@ -55,16 +55,8 @@ fn ask(path: &Path, settings: &Settings) {
 fn recordings_of_every_container() {
     let folder = tempfile::tempdir().unwrap();
     let settings = settings(URDF, folder.path());
-    let mut random = Random(31);
-    for file in recordings().0 {
-        let bytes = std::fs::read(&file).unwrap();
-        let path = folder.path().join(file.file_name().unwrap());
-        ask(&file, &settings);
-        for _ in 0..count() {
-            std::fs::write(&path, random.mutant(&bytes)).unwrap();
-            ask(&path, &settings);
-        }
-    }
+    recordings().0.iter().for_each(|file| ask(file, &settings));
+    each_mutant(31, |path| ask(path, &settings)).unwrap();
 }
 
 #[test]

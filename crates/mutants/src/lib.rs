@@ -34,6 +34,27 @@ pub fn recordings() -> (Vec<PathBuf>, Vec<PathBuf>) {
     (files, folders)
 }
 
+/// Asks as many mutants of each file of [`recordings`] as [`count`] says, one after the other; none may take too long.
+///
+/// # Errors
+/// If a file cannot be read or written.
+///
+/// # Panics
+/// If one takes longer than [`LONGEST`].
+pub fn each_mutant(seed: u64, mut ask: impl FnMut(&Path)) -> std::io::Result<()> {
+    let folder = tempfile::tempdir()?;
+    let mut random = Random(seed);
+    for file in recordings().0 {
+        let bytes = std::fs::read(&file)?;
+        let path = folder.path().join(file.file_name().unwrap_or_default());
+        for _ in 0..count() {
+            std::fs::write(&path, random.mutant(&bytes))?;
+            in_time(&path, || ask(&path));
+        }
+    }
+    Ok(())
+}
+
 /// Fails if what is done with a file takes too long.
 ///
 /// # Panics

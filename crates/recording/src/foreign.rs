@@ -10,7 +10,7 @@ use nalgebra::Isometry3;
 use soilctl_motion::{Motion, State, motion};
 use soilctl_robot::JointKind;
 
-use crate::rrd::{WriteError, Writer};
+use crate::rrd::{Column, WriteError, Writer};
 use crate::shapes::{ground, shapes};
 use crate::style::foreign_styles;
 use crate::{Foreign, Recording, RecordingError, Settings, rows, unwritten};
@@ -48,12 +48,15 @@ fn id(motion: &Motion) -> String {
     format!("{:08x}-{:x}", crc32fast::hash(text.as_bytes()), motion.columns.bytes)
 }
 
+/// Shapes of a link by their names.
+type Shapes = Vec<(String, Vec<Column>)>;
+
 /// What is drawn of a motion.
 struct Shown<'a> {
     motion: &'a Motion,
     writer: Writer<BufWriter<File>>,
-    /// Links with shapes: place in the URDF, and entity.
-    links: Vec<(usize, String)>,
+    /// Links with shapes: place in the URDF, entity, and the shapes by name.
+    links: Vec<(usize, String, Shapes)>,
     /// Ends of bones, where links have no shape: places in the URDF.
     bones: Vec<(usize, usize)>,
     slides: Vec<bool>,
@@ -63,13 +66,15 @@ impl<'a> Shown<'a> {
     fn new(motion: &'a Motion, writer: Writer<BufWriter<File>>) -> Self {
         let urdf = &motion.urdf;
         let mut entities = BTreeSet::new();
-        let drawn =
-            urdf.links().iter().enumerate().filter(|(_, link)| !shapes(link, &motion.meshes).is_empty());
-        let links: Vec<(usize, String)> = drawn
+        let drawn = urdf.links().iter().enumerate().filter_map(|(place, link)| {
+            let shapes = shapes(link, &motion.meshes);
+            (!shapes.is_empty()).then_some((place, &link.name, shapes))
+        });
+        let links: Vec<(usize, String, Shapes)> = drawn
             .take(MOST_LINKS)
-            .map(|(place, link)| (place, entity(&link.name, place, &mut entities)))
+            .map(|(place, name, shapes)| (place, entity(name, place, &mut entities), shapes))
             .collect();
-        let shaped: BTreeSet<usize> = links.iter().map(|(place, _)| *place).collect();
+        let shaped: BTreeSet<usize> = links.iter().map(|(place, ..)| *place).collect();
         let bare = |joint: &&soilctl_robot::Joint| {
             joint.kind == JointKind::Prismatic || !shaped.contains(&joint.parent)
         };
@@ -95,10 +100,9 @@ impl<'a> Shown<'a> {
         if let Some(z_m) = settings.surface_z_m {
             self.writer.fixed("/world/ground", &ground(z_m, size_m))?;
         }
-        for (place, entity) in &self.links {
-            let link = motion.urdf.links().get(*place);
-            for (name, columns) in link.map(|link| shapes(link, &motion.meshes)).unwrap_or_default() {
-                self.writer.fixed(&format!("{entity}/{name}"), &columns)?;
+        for (_, entity, shapes) in &self.links {
+            for (name, columns) in shapes {
+                self.writer.fixed(&format!("{entity}/{name}"), columns)?;
             }
         }
         let mut failed = None;
@@ -159,7 +163,7 @@ impl<'a> Shown<'a> {
         let time_ns = ns(state.t_s);
         let poses = self.motion.link_poses(&state.positions);
         let pose = |place: usize| poses.get(place).copied().flatten();
-        for (place, entity) in &self.links {
+        for (place, entity, _) in &self.links {
             if let Some(Isometry3 { rotation, translation }) = pose(*place) {
                 let columns = rows::transform(translation.vector.into(), rotation.coords.into());
                 self.writer.row(entity, time_ns, columns)?;

@@ -56,9 +56,7 @@ pub(super) fn not_recovered(answer: &Answer) -> Vec<String> {
     }
     for (name, region) in answer.regions() {
         if !region.consistent {
-            list.push(
-                format!("{name}: no friction angle and density explain all forces within their bands",),
-            );
+            list.push(format!("{name}: no friction angle and density explain all forces within their bands"));
         } else if !region.holds_truth {
             list.push(format!("{name}: the truth lies outside the region"));
         }

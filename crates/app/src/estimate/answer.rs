@@ -53,6 +53,14 @@ pub struct Pooled {
     pub deviations: f64,
 }
 
+impl Pooled {
+    /// Its deviations in the order of the fields, as tables show them; nothing where one is not known.
+    #[must_use]
+    pub const fn shares(&self) -> [Option<f64>; 4] {
+        [self.scatter, self.stated, Some(self.mean), Some(self.common)]
+    }
+}
+
 impl Measured {
     pub(super) fn of(observation: &Observation, strokes: usize, band: Option<&PooledBand>) -> Self {
         let pooled = band.map(|band| Pooled {

@@ -55,7 +55,7 @@ impl Inputs {
             Some(bands) => bands.measurements.clone(),
             None => with_depth(&table, exact)?,
         };
-        let mut warnings = Vec::new();
+        let mut warnings = bands.as_ref().map(|bands| bands.warnings.clone()).unwrap_or_default();
         let (low, high) = match (request.delta_deg, bands.as_ref().and_then(|bands| bands.friction_deg)) {
             (NumberOrColumn::Column, Some(friction_deg)) => (friction_deg, friction_deg),
             _ => spread(request, request.delta_deg, "delta", &measurements, |m| m.delta_set_deg)?,
@@ -75,8 +75,9 @@ impl Inputs {
                 Some((low * (1.0 - request.density_tol), high * (1.0 + request.density_tol)))
             }
         };
-        let angle = |m: &Measurement| m.alpha_deg.to_bits();
-        if measurements.iter().all(|m| angle(m) == angle(&measurements[0])) {
+        let of_one_angle =
+            |m: &Measurement| (m.alpha_deg - measurements[0].alpha_deg).abs() <= bands::SAME_ALPHA_DEG;
+        if measurements.iter().all(of_one_angle) {
             warnings.push(
                 "all strokes are at one tool angle, which cannot tell friction angle from density; add strokes at \
                  other tool angles"

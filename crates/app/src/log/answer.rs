@@ -5,8 +5,7 @@ use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_motion::Table;
-use soilctl_session::{Export, Info, Recovery};
+use soilctl_session::{Info, Recovery};
 
 use crate::Outcome;
 
@@ -168,36 +167,10 @@ impl Answer {
         }
     }
 
-    pub(super) fn export(table: Export, topic: &str, out: &Path) -> Self {
-        Self {
-            action: "export",
-            whole: table.ending.is_whole(),
-            damage: table.ending.damage,
-            written: Some(Written {
-                file: out.display().to_string(),
-                topic: Some(topic.to_owned()),
-                rows: table.rows,
-                columns: Some(table.columns),
-                clock_origin_s: None,
-            }),
-            ..Self::default()
-        }
-    }
-
-    pub(super) fn foreign_export(table: Table, topic: &str, out: &Path) -> Self {
-        Self {
-            action: "export",
-            whole: table.ending.is_whole(),
-            damage: table.ending.damage,
-            written: Some(Written {
-                file: out.display().to_string(),
-                topic: Some(topic.to_owned()),
-                rows: table.rows,
-                columns: Some(table.columns),
-                clock_origin_s: Some(table.clock.origin_s),
-            }),
-            ..Self::default()
-        }
+    /// A table of the messages of a topic.
+    pub(super) fn exported(damage: Vec<String>, written: Written) -> Self {
+        let whole = damage.is_empty();
+        Self { action: "export", whole, damage, written: Some(written), ..Self::default() }
     }
 
     fn called(self, action: &'static str) -> Self {

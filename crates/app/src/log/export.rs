@@ -9,7 +9,9 @@ use soilctl_motion::write_table;
 use soilctl_session::{Form, export_until, is_own, topics};
 
 pub use super::Answer;
+use super::answer::Written;
 use super::{differ, watched};
+use crate::files::failed;
 use crate::{AppError, Watch};
 
 /// Writes the messages of a topic as a table, one row a message
@@ -45,13 +47,22 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     watched(watch, |stop| {
         differ(log, out)?;
         let form = form(out)?;
+        let written = |rows, columns, clock_origin_s| Written {
+            file: out.display().to_string(),
+            topic: Some(topic.clone()),
+            rows,
+            columns: Some(columns),
+            clock_origin_s,
+        };
         if is_own(log, stop) {
-            return Ok(Answer::export(export_until(log, topic, out, form, stop)?, topic, out));
+            let table = export_until(log, topic, out, form, stop)?;
+            return Ok(Answer::exported(table.ending.damage, written(table.rows, table.columns, None)));
         }
         let beside = Beside::new(out);
         let table = write_table(log, topic, beside.path(), form, stop)?;
-        beside.keep().map_err(|problem| AppError::File { path: out.display().to_string(), problem })?;
-        Ok(Answer::foreign_export(table, topic, out))
+        beside.keep().map_err(failed(out))?;
+        let written = written(table.rows, table.columns, Some(table.clock.origin_s));
+        Ok(Answer::exported(table.ending.damage, written))
     })
 }
 

@@ -123,12 +123,7 @@ fn measurements(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageErro
             format!("{:.3}", m.force_high_n),
         ];
         if let Some(p) = &m.pooled {
-            row.extend([
-                percent(p.scatter),
-                percent(p.stated),
-                percent(Some(p.mean)),
-                percent(Some(p.common)),
-            ]);
+            row.extend(p.shares().map(percent));
         }
         table.row(row)?;
     }

@@ -7,6 +7,7 @@ use soilctl_earth_pressure::ForceModel;
 use soilctl_strokes::{Campaign, Kind, Measurement, Pool, StrokeRow, StrokeTable, pool};
 
 use self::carrier::{Carrier, Reference};
+pub(super) use self::chosen::SAME_ALPHA_DEG;
 use self::chosen::{Chosen, Stroke, chosen, friction_deg, kinds};
 use super::answer::LeftOut;
 use super::request::Request;
@@ -25,6 +26,8 @@ pub struct Bands {
     pub friction_deg: Option<f64>,
     /// Strokes that do not count.
     pub left_out: Vec<LeftOut>,
+    /// What is doubtful about strokes or friction, in sentences.
+    pub warnings: Vec<String>,
 }
 
 /// Whether the table says how forces scatter, or how well depths are known: strokes are repeated, or depths have a deviation.
@@ -42,7 +45,7 @@ pub(super) fn bands(
     confidence: f64,
 ) -> Result<Bands, AppError> {
     let strokes = table.rows().map(|row| Stroke { friction_deg: friction_deg(request, &row), row });
-    let Chosen { strokes, friction_deg, left_out } = chosen(request, strokes.collect());
+    let Chosen { strokes, friction_deg, left_out, warnings } = chosen(request, strokes.collect());
     let batch = |stroke: &Stroke| stroke.row.batch.clone();
     let first = strokes.first().and_then(batch);
     // In one preparation there is one density, and that is the one to find.
@@ -67,7 +70,7 @@ pub(super) fn bands(
         measurement.force_n = band.force_n;
         measurement.force_sd_n = band.force_n * band.mean_rel.hypot(band.common_rel);
     }
-    Ok(Bands { measurements, pool, confidence, friction_deg, left_out })
+    Ok(Bands { measurements, pool, confidence, friction_deg, left_out, warnings })
 }
 
 fn measurement(reference: &Reference, kind: &Kind, members: &[&Stroke]) -> Measurement {

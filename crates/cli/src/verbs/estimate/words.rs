@@ -83,12 +83,7 @@ fn bands(answer: &Answer) -> String {
         let mut row: Vec<String> =
             [m.label.clone(), m.strokes.to_string()].into_iter().chain(cells).collect();
         if let Some(p) = &m.pooled {
-            row.extend([
-                percent(p.scatter),
-                percent(p.stated),
-                percent(Some(p.mean)),
-                percent(Some(p.common)),
-            ]);
+            row.extend(p.shares().map(percent));
         }
         rows.push(row);
     }
