@@ -171,7 +171,9 @@ impl Weigher<'_> {
                 "the tare at its time and posture is known to {sd_n:.2} N only, for a force of {:.2} N{}; record free air before and \
                  after each stroke, in its posture",
                 row.force_n,
-                if weight_sd_n > 0.7 * sd_n {
+                if self.air.is_given() && weight_sd_n <= 0.7 * sd_n {
+                    ": --tare lies that far from what free air in the log tells"
+                } else if weight_sd_n > 0.7 * sd_n {
                     ": the weight that the sensor carries cannot be told from its bias, since all free air has one posture \
                      (give --tool-weight)"
                 } else {

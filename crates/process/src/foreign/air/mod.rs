@@ -106,14 +106,16 @@ impl AirModel {
         Some(Self { told, force: Some(force), torque, given: None, block_sd_n })
     }
 
-    /// A tare that was given, as in the posture in which a contact begins. `seen` is what free air told beside, for noise.
+    /// A tare that was given, as in the posture in which a contact begins. `seen` is what free air told beside: contacts are found by it,
+    /// and how far the given tare lies from it is part of the tare's uncertainty.
     pub(crate) fn given(tare: [f64; 6], weight_n: Option<f64>, seen: Option<Self>, survey: &Survey) -> Self {
         let told = seen.as_ref().map_or_else(FreeAir::unseen, |seen| seen.told.clone());
         let rough = |axis: usize| {
             soilctl_stats::noise(&survey.blocks.iter().map(|block| block.wrench[axis]).collect::<Vec<_>>())
         };
-        let block_sd_n = seen.map_or_else(|| [0, 1, 2].map(rough), |seen| seen.block_sd_n);
-        Self { told, force: None, torque: None, given: Some(Given { tare, weight_n }), block_sd_n }
+        let block_sd_n = seen.as_ref().map_or_else(|| [0, 1, 2].map(rough), |seen| seen.block_sd_n);
+        let force = seen.and_then(|seen| seen.force);
+        Self { told, force, torque: None, given: Some(Given { tare, weight_n }), block_sd_n }
     }
 
     /// Size of a block's force beside the tare in N; `None` where the direction of gravity is not known.
@@ -121,10 +123,17 @@ impl AirModel {
         self.rest(block).map(|(rest, _)| rest.norm())
     }
 
-    /// A block's force beside the tare in N, and the covariance of the tare.
+    /// Whether the tare was given.
+    pub(crate) const fn is_given(&self) -> bool {
+        self.given.is_some()
+    }
+
+    /// A block's force beside the tare in N, and the covariance of the tare: the fitted one if there is one, since a given tare does not
+    /// drift as a sensor does.
     pub(crate) fn rest(&self, block: &Block) -> Option<(Vector3<f64>, Matrix3<f64>)> {
         let gravity = block.gravity?;
-        let tare = self.force_tare(block.t_s, gravity, gravity);
+        let tare =
+            self.fitted(block.t_s, gravity).unwrap_or_else(|| self.force_tare(block.t_s, gravity, gravity));
         Some((Vector3::from_fn(|i, _| block.wrench[i] - tare.wrench[i]), tare.covariance))
     }
 
@@ -148,22 +157,26 @@ impl AirModel {
             let step = Vector3::from(gravity) - Vector3::from(begin);
             let sd_n = given.weight_n.map_or(WEIGHT_SD_N, |weight| GIVEN_WEIGHT_SD_REL * weight);
             let of_weight = step * step.transpose() * (sd_n * sd_n);
-            return Tare { wrench, covariance: of_weight, of_weight };
+            let apart = self
+                .fitted(t_s, gravity)
+                .map_or_else(Vector3::zeros, |fitted| Vector3::from_fn(|i, _| wrench[i] - fitted.wrench[i]));
+            return Tare { wrench, covariance: of_weight + apart * apart.transpose(), of_weight };
         }
+        let nothing = Tare { wrench: [0.0; 6], covariance: Matrix3::zeros(), of_weight: Matrix3::zeros() };
+        self.fitted(t_s, gravity).unwrap_or(nothing)
+    }
+
+    /// The tare that free air tells; `None` if nothing was fitted.
+    fn fitted(&self, t_s: f64, gravity: [f64; 3]) -> Option<Tare> {
+        let state = self.force.as_ref()?.at(t_s)?;
+        let (force, covariance) = state.read(&DMatrix::from_column_slice(3, 1, &gravity));
+        // What would still be uncertain if the weight were known; by Schur's complement.
+        let weight = state.covariance[(6, 6)].max(f64::MIN_POSITIVE);
+        let with: DVector<f64> = state.covariance.column(6).into_owned();
+        let along: Vector3<f64> = with.fixed_rows::<3>(0) + Vector3::from(gravity) * weight;
         let mut wrench = [0.0; 6];
-        let (mut covariance, mut of_weight) = (Matrix3::zeros(), Matrix3::zeros());
-        let seen = DMatrix::from_column_slice(3, 1, &gravity);
-        if let Some(state) = self.force.as_ref().and_then(|track| track.at(t_s)) {
-            let (force, spread) = state.read(&seen);
-            wrench[..3].copy_from_slice(force.as_slice());
-            covariance = spread;
-            // What would still be uncertain if the weight were known; by Schur's complement.
-            let weight = state.covariance[(6, 6)].max(f64::MIN_POSITIVE);
-            let with: DVector<f64> = state.covariance.column(6).into_owned();
-            let along: Vector3<f64> = with.fixed_rows::<3>(0) + Vector3::from(gravity) * weight;
-            of_weight = along * along.transpose() / weight;
-        }
-        Tare { wrench, covariance, of_weight }
+        wrench[..3].copy_from_slice(force.as_slice());
+        Some(Tare { wrench, covariance, of_weight: along * along.transpose() / weight })
     }
 }
 
