@@ -9,12 +9,14 @@ mod error;
 mod python;
 mod run;
 mod tasks;
+mod verify;
 mod wheel;
 mod workspace;
 
 use std::process::ExitCode;
 
 use crate::tasks::Task;
+use crate::verify::Part;
 use crate::workspace::Workspace;
 
 fn main() -> ExitCode {
@@ -25,22 +27,35 @@ fn main() -> ExitCode {
             eprintln!("{}", tasks::usage());
             return ExitCode::SUCCESS;
         }
-        [word] => Task::from_word(word).ok_or_else(|| format!("there is no task {word:?}")),
         [] => Err("a task is missing".to_owned()),
-        [_, rest @ ..] => Err(format!("a task takes no further arguments, but got {}", rest.join(" "))),
+        [word, rest @ ..] => task(word, rest),
     };
-    let task = match task {
+    let (task, parts) = match task {
         Ok(task) => task,
         Err(problem) => {
             eprintln!("xtask: {problem}\n\n{}", tasks::usage());
             return ExitCode::from(2);
         }
     };
-    match Workspace::find().and_then(|workspace| task.run(&workspace)) {
+    match Workspace::find().and_then(|workspace| task.run(&workspace, &parts)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(problem) => {
             eprintln!("\nxtask {}: {problem}", task.word());
             ExitCode::FAILURE
+        }
+    }
+}
+
+/// The task of a name, and the parts of `verify`; no other task takes further words.
+fn task(word: &str, rest: &[String]) -> Result<(Task, Vec<Part>), String> {
+    let task = Task::from_word(word).ok_or_else(|| format!("there is no task {word:?}"))?;
+    match task {
+        Task::Verify => Ok((task, Part::from_words(rest)?)),
+        Task::Setup | Task::Test | Task::Lint | Task::Rows | Task::Pictures if rest.is_empty() => {
+            Ok((task, Vec::new()))
+        }
+        Task::Setup | Task::Test | Task::Lint | Task::Rows | Task::Pictures => {
+            Err(format!("{word} takes no further arguments, but got {}", rest.join(" ")))
         }
     }
 }

@@ -6,13 +6,7 @@ use crate::error::XtaskError;
 use crate::python::Environment;
 use crate::run::Step;
 use crate::workspace::Workspace;
-use crate::{chromium, wheel};
-
-/// Cases of each property test in `verify`; an ordinary test run takes proptest's 256.
-const VERIFY_CASES: &str = "20000";
-
-/// Tests that are ignored because what they ask for is not met yet; the others only take long.
-const NOT_MET: [&str; 1] = ["exact_strip_at_40_degrees_on_3000_elements"];
+use crate::{chromium, verify, wheel};
 
 /// What xtask can be asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,11 +31,7 @@ const TASKS: [(Task, &str, &str); 6] = [
         "setup, then all tests: Rust, Python package, documentation, command line, report in the browser",
     ),
     (Task::Lint, "lint", "format, clippy and documentation, warnings are errors"),
-    (
-        Task::Verify,
-        "verify",
-        "property tests with 20000 cases each, known collapse loads, other arms, tests that take minutes (optimised build)",
-    ),
+    (Task::Verify, "verify", "what takes long, whole or in the parts named after it"),
     (
         Task::Rows,
         "rows",
@@ -52,8 +42,13 @@ const TASKS: [(Task, &str, &str); 6] = [
 
 /// What to type.
 pub(crate) fn usage() -> String {
-    let lines = TASKS.map(|(_, word, does)| format!("  {word:<9}{does}"));
-    format!("usage: cargo xtask <task>\n\n{}", lines.join("\n"))
+    let tasks = TASKS.map(|(_, word, does)| format!("  {word:<12}{does}"));
+    let parts = verify::PARTS.map(|(_, word, does)| format!("  {word:<12}{does}"));
+    format!(
+        "usage: cargo xtask <task>\n\n{}\n\nparts of verify: cargo xtask verify [PART]...\n\n{}",
+        tasks.join("\n"),
+        parts.join("\n")
+    )
 }
 
 impl Task {
@@ -74,24 +69,26 @@ impl Task {
         }
     }
 
-    /// Runs its steps up to the first that fails.
-    pub(crate) fn run(self, workspace: &Workspace) -> Result<(), XtaskError> {
+    /// Runs its steps up to the first that fails; `parts` are for [`Task::Verify`].
+    pub(crate) fn run(self, workspace: &Workspace, parts: &[verify::Part]) -> Result<(), XtaskError> {
         match self {
             Self::Setup => setup(workspace),
             Self::Test => test(workspace),
             Self::Lint => lint(workspace),
-            Self::Verify => verify(workspace),
+            Self::Verify => verify::run(workspace, parts),
             Self::Rows => rows(workspace),
             Self::Pictures => pictures(workspace),
         }
     }
 }
 
-fn cargo(workspace: &Workspace, name: &str) -> Step {
+/// A step that runs the cargo that runs this program.
+pub(crate) fn cargo(workspace: &Workspace, name: &str) -> Step {
     Step::new(name, workspace.cargo()).dir(workspace.root())
 }
 
-fn setup(workspace: &Workspace) -> Result<(), XtaskError> {
+/// Makes what the Python tests need.
+pub(crate) fn setup(workspace: &Workspace) -> Result<(), XtaskError> {
     Environment::new(workspace.venv()).ensure(&workspace.requirements())?;
     wheel::ensure(workspace)?;
     chromium::ensure()
@@ -114,7 +111,7 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
 
 /// Asks cargo where the command-line tool is, which a configured target folder decides. It was built for the Rust tests; with
 /// other arguments much would be compiled once more.
-fn find_soilctl(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
+pub(crate) fn find_soilctl(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
     let name = "find soilctl";
     let messages = cargo(workspace, name)
         .args(["test", "--workspace", "--locked", "--no-run", "--message-format=json-render-diagnostics"])
@@ -156,81 +153,8 @@ fn lint(workspace: &Workspace) -> Result<(), XtaskError> {
         .run()
 }
 
-/// Leaves out what is not met.
-fn skipped() -> impl Iterator<Item = &'static str> {
-    NOT_MET.iter().flat_map(|name| ["--skip", name])
-}
-
-fn verify(workspace: &Workspace) -> Result<(), XtaskError> {
-    cargo(workspace, "property tests")
-        .args(["test", "--release", "--locked"])
-        .args(["-p", "soilctl-earth-pressure", "-p", "soilctl-estimator", "-p", "soilctl-strokes"])
-        .args(["-p", "soilctl-certificate", "-p", "soilctl-limit-analysis"])
-        .env("PROPTEST_CASES", VERIFY_CASES)
-        // Some tests draw again what does not suit them.
-        .env("PROPTEST_MAX_GLOBAL_REJECTS", VERIFY_CASES)
-        .env("PROPTEST_MAX_LOCAL_REJECTS", "10000000")
-        .run()?;
-    // Known collapse loads on finer meshes than the tests can afford.
-    cargo(workspace, "exact problems")
-        .args(["test", "--release", "--locked", "-p", "soilctl-limit-analysis", "--"])
-        .args(["--ignored", "exact", "--nocapture"])
-        .args(skipped())
-        .run()?;
-    // Millions of steps, and many killed processes.
-    cargo(workspace, "long tests of the arm")
-        .args(["test", "--release", "--locked", "-p", "soilctl-controller", "-p", "soilctl-plant"])
-        .args(["-p", "soilctl-session", "-p", "soilctl-live", "--tests", "--", "--ignored"])
-        .args(skipped())
-        .run()?;
-    // Every byte of a recording or a robot may be wrong.
-    cargo(workspace, "recordings made to do harm")
-        .args([
-            "test",
-            "--release",
-            "--locked",
-            "-p",
-            "soilctl-process",
-            "-p",
-            "soilctl-motion",
-            "--test",
-            "mutants",
-        ])
-        .env("SOILCTL_MUTANTS", "2500")
-        .run()?;
-    cargo(workspace, "the same, to be looked at")
-        .args(["test", "--release", "--locked", "-p", "soilctl-recording", "-p", "soilctl-monitor"])
-        .args(["--tests", "every_container_and_its_mutants"])
-        .env("SOILCTL_MUTANTS", "2500")
-        .run()?;
-    setup(workspace)?;
-    Step::new("strokes in bags of other arms", workspace.venv_python())
-        .args(["-m".into(), "foreign.score".into(), find_soilctl(workspace)?.into_os_string(), "60".into()])
-        .dir(&workspace.root().join("tests/python"))
-        .run()?;
-    // How often it names what is hidden, and how often something else.
-    cargo(workspace, "diagnosis of hidden campaigns")
-        .args(["test", "--release", "--locked", "-p", "soilctl-diagnosis", "--test", "rates"])
-        .args(["--", "--ignored", "--nocapture"])
-        .run()?;
-    // From simulated strokes to the soil, against the truth; logs of gigabytes.
-    cargo(workspace, "the whole chain")
-        .args([
-            "test",
-            "--release",
-            "--locked",
-            "-p",
-            "soilctl",
-            "--test",
-            "memory",
-            "--test",
-            "chain",
-            "--test",
-            "coverage",
-        ])
-        .args(["--", "--ignored", "--nocapture"])
-        .run()
-}
+/// A test that is ignored because what it asks for is not met yet; the others only take long.
+const NOT_MET: &str = "exact_strip_at_40_degrees_on_3000_elements";
 
 /// The tests that compare with the rows write them if they are told so. In the profile of the tests, so little is compiled.
 fn rows(workspace: &Workspace) -> Result<(), XtaskError> {
@@ -256,7 +180,7 @@ fn rows(workspace: &Workspace) -> Result<(), XtaskError> {
     ] {
         let words = ["test", "--workspace", "--locked"];
         let step = cargo(workspace, name).args(words).args(arguments).env("SOILCTL_ROWS", "write");
-        if arguments.contains(&"--") { step.args(skipped()) } else { step }.run()?;
+        if arguments.contains(&"--") { step.args(["--skip", NOT_MET]) } else { step }.run()?;
     }
     Ok(())
 }

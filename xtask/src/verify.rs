@@ -1,0 +1,153 @@
+//! What takes too long for every change: `cargo xtask verify`, whole or in parts.
+//!
+//! All of it runs in the profile of the tests, where the inner loops are optimised and arithmetic that overflows is found, with the
+//! whole workspace's features: what `cargo xtask test` compiled is not compiled again.
+
+use crate::error::XtaskError;
+use crate::run::Step;
+use crate::tasks::{cargo, find_soilctl, setup};
+use crate::workspace::Workspace;
+
+/// Cases of each property test; an ordinary test run takes proptest's 256.
+const CASES: &str = "20000";
+
+/// The same where a case is a mesh or a problem.
+const MESH_CASES: &str = "2000";
+
+/// Damaged copies of each recording.
+const MUTANTS: &str = "2500";
+
+/// Bags of other arms.
+const BAGS: &str = "60";
+
+/// Ignored tests that are not run: what they ask for is not met yet, or they only measure time.
+const LEFT_OUT: [&str; 2] = ["exact_strip_at_40_degrees_on_3000_elements", "speed"];
+
+/// A part that can be asked for alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    Properties,
+    Meshes,
+    Exact,
+    Arm,
+    Mutants,
+    Bags,
+    Diagnosis,
+    Chain,
+    Fuzz,
+}
+
+pub(crate) const PARTS: [(Part, &str, &str); 9] = [
+    (Part::Properties, "properties", "property tests with 20000 cases each"),
+    (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
+    (Part::Exact, "exact", "known collapse loads on fine meshes"),
+    (Part::Arm, "arm", "millions of steps, and many killed processes"),
+    (Part::Mutants, "mutants", "every byte of a recording or a robot may be wrong: 2500 copies of each"),
+    (Part::Bags, "bags", "strokes in 60 bags of other arms"),
+    (Part::Diagnosis, "diagnosis", "how often a hidden effect is named, and how often another"),
+    (Part::Chain, "chain", "from simulated strokes to the soil, against the truth; logs of gigabytes"),
+    (Part::Fuzz, "fuzz", "the targets of fuzz/ compile"),
+];
+
+impl Part {
+    /// The parts of words, all for none.
+    ///
+    /// # Errors
+    ///
+    /// A word that is no part.
+    pub(crate) fn from_words(words: &[String]) -> Result<Vec<Self>, String> {
+        if words.is_empty() {
+            return Ok(PARTS.map(|(part, ..)| part).to_vec());
+        }
+        let part = |word: &String| PARTS.into_iter().find(|(_, name, _)| name == word).map(|(part, ..)| part);
+        words.iter().map(|word| part(word).ok_or_else(|| format!("verify has no part {word:?}"))).collect()
+    }
+
+    fn run(self, workspace: &Workspace) -> Result<(), XtaskError> {
+        match self {
+            Self::Properties => properties(workspace),
+            Self::Meshes => tests(workspace, "meshes and problem files", &["mesh_random", "describe"])
+                .env("PROPTEST_CASES", MESH_CASES)
+                .run(),
+            Self::Exact => ignored(workspace, "known collapse loads", &["exact", "describe"], "exact"),
+            Self::Arm => ignored(workspace, "long tests of the arm", &["kill", "log", "no_allocation"], ""),
+            Self::Mutants => {
+                tests(workspace, "recordings made to do harm", &["mutants", "foreign", "monitor_others"])
+                    .env("SOILCTL_MUTANTS", MUTANTS)
+                    .run()
+            }
+            Self::Bags => bags(workspace),
+            Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates"], ""),
+            Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),
+            // A workspace of its own: its instrumentation is not for the others.
+            Self::Fuzz => cargo(workspace, "fuzz targets")
+                .args(["check", "--locked", "--manifest-path", "fuzz/Cargo.toml"])
+                .run(),
+        }
+    }
+}
+
+/// Runs the parts up to the first that fails, and says what each took.
+pub(crate) fn run(workspace: &Workspace, parts: &[Part]) -> Result<(), XtaskError> {
+    for part in parts {
+        let start = std::time::Instant::now();
+        part.run(workspace)?;
+        eprintln!("== {part:?}: {} s", start.elapsed().as_secs());
+    }
+    Ok(())
+}
+
+/// The library and these test programs of every crate that has them.
+fn tests(workspace: &Workspace, name: &str, programs: &[&str]) -> Step {
+    let programs = programs.iter().flat_map(|program| ["--test", program]);
+    cargo(workspace, name).args(["test", "--workspace", "--locked"]).args(programs)
+}
+
+/// The tests that are ignored elsewhere, those with `filter` in their name.
+fn ignored(workspace: &Workspace, name: &str, programs: &[&str], filter: &str) -> Result<(), XtaskError> {
+    let left_out = LEFT_OUT.iter().flat_map(|name| ["--skip", name]);
+    let step =
+        tests(workspace, name, programs).args(["--lib", "--", "--ignored", "--nocapture"]).args(left_out);
+    if filter.is_empty() { step.run() } else { step.args([filter]).run() }
+}
+
+fn properties(workspace: &Workspace) -> Result<(), XtaskError> {
+    const PROGRAMS: [&str; 9] = [
+        "estimator_properties",
+        "plate_bounds",
+        "fits",
+        "input",
+        "strokes",
+        "limits",
+        "properties",
+        "settling",
+        "forward_inverse",
+    ];
+    tests(workspace, "property tests", &PROGRAMS)
+        .args(["--lib"])
+        .env("PROPTEST_CASES", CASES)
+        // Some tests draw again what does not suit them.
+        .env("PROPTEST_MAX_GLOBAL_REJECTS", CASES)
+        .env("PROPTEST_MAX_LOCAL_REJECTS", "10000000")
+        .run()
+}
+
+fn bags(workspace: &Workspace) -> Result<(), XtaskError> {
+    setup(workspace)?;
+    Step::new("strokes in bags of other arms", workspace.venv_python())
+        .args(["-m".into(), "foreign.score".into(), find_soilctl(workspace)?.into_os_string(), BAGS.into()])
+        .dir(&workspace.root().join("tests/python"))
+        .run()
+}
+
+#[cfg(test)]
+mod checks {
+    use super::*;
+
+    #[test]
+    fn no_word_means_all_and_a_wrong_one_is_named() {
+        assert_eq!(Part::from_words(&[]).unwrap().len(), PARTS.len());
+        assert_eq!(Part::from_words(&["arm".into(), "bags".into()]).unwrap(), [Part::Arm, Part::Bags]);
+        assert!(Part::from_words(&["leg".into()]).unwrap_err().contains("\"leg\""));
+    }
+}
