@@ -58,11 +58,20 @@ pub(crate) fn on_path(program: &str) -> bool {
 }
 
 fn in_folders(program: &str, folders: impl IntoIterator<Item = PathBuf>) -> bool {
+    folders
+        .into_iter()
+        .any(|folder| is_program(&folder.join(format!("{program}{}", std::env::consts::EXE_SUFFIX))))
+}
+
+#[cfg(unix)]
+fn is_program(file: &Path) -> bool {
     use std::os::unix::fs::PermissionsExt;
-    folders.into_iter().any(|folder| {
-        let found = folder.join(program).metadata();
-        found.is_ok_and(|m| m.is_file() && m.permissions().mode() & 0o111 != 0)
-    })
+    file.metadata().is_ok_and(|m| m.is_file() && m.permissions().mode() & 0o111 != 0)
+}
+
+#[cfg(not(unix))]
+fn is_program(file: &Path) -> bool {
+    file.is_file()
 }
 
 #[cfg(test)]
@@ -73,7 +82,7 @@ mod tests {
     fn only_executable_files_count_as_programs() {
         let own = std::env::current_exe().unwrap();
         let (folder, name) =
-            (own.parent().unwrap().to_path_buf(), own.file_name().unwrap().to_str().unwrap());
+            (own.parent().unwrap().to_path_buf(), own.file_stem().unwrap().to_str().unwrap());
         assert!(in_folders(name, [folder.clone()]));
         assert!(!in_folders("no-such-program", [folder]));
         let sources = PathBuf::from(env!("CARGO_MANIFEST_DIR"));

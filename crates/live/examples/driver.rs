@@ -43,7 +43,7 @@ fn main() -> ExitCode {
 pub(crate) fn drive(socket: &std::path::Path) -> Result<u64, Box<dyn std::error::Error>> {
     let start = JointAngles::from_degrees([0.0, 40.0, 90.0, 0.0, 30.0]);
     let mut arm = Arm { plant: Plant::new(PlantParams::thesis(), None, &start, 1)? };
-    let server = DriverServer::bind(socket)?;
+    let mut server = DriverServer::bind(socket)?;
     let ticks = server.serve(&mut arm)?;
     std::fs::remove_file(socket)?;
     Ok(ticks)

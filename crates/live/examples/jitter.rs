@@ -6,7 +6,6 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use std::os::unix::net::UnixStream;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -28,7 +27,7 @@ fn main() {
             }
         });
     }
-    let lazy = UnixStream::connect(running.socket()).unwrap();
+    let lazy = soilctl_live::local::connect(running.socket()).unwrap();
     let readers: Vec<_> = (0..3)
         .map(|_| {
             let mut operator = running.operator();

@@ -1,9 +1,9 @@
 use std::io::{ErrorKind, Read, Write};
-use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::LiveError;
+use crate::local::{Stream, connect};
 use crate::protocol::{ClientMessage, Command, Hello, PROTOCOL_VERSION, ServerMessage};
 
 /// Longest line that a session is believed to send.
@@ -19,7 +19,7 @@ pub struct Client {
 /// What comes from a session, line by line.
 #[derive(Debug)]
 struct Messages {
-    stream: UnixStream,
+    stream: Stream,
     path: PathBuf,
     bytes: Vec<u8>,
     /// Bytes of `bytes` in which there is no line end.
@@ -29,7 +29,7 @@ struct Messages {
 /// Sends commands to a session.
 #[derive(Debug)]
 pub struct Commander {
-    stream: UnixStream,
+    stream: Stream,
     path: PathBuf,
     next_id: u64,
 }
@@ -64,7 +64,7 @@ impl Client {
     /// # Errors
     /// [`LiveError::Socket`] if nobody listens there, [`LiveError::Protocol`] if it is another protocol.
     pub fn connect(path: &Path) -> Result<Self, LiveError> {
-        let stream = UnixStream::connect(path).map_err(|error| LiveError::socket(path, &error))?;
+        let stream = connect(path).map_err(|error| LiveError::socket(path, &error))?;
         let mut messages = Messages { stream, path: path.to_owned(), bytes: Vec::new(), searched: 0 };
         let other =
             |found: String| LiveError::Protocol { path: path.to_owned(), known: PROTOCOL_VERSION, found };

@@ -1,9 +1,8 @@
 use std::time::Duration;
 
-use rustix::thread::{ClockId as SleepClock, clock_nanosleep_absolute};
-use rustix::time::{ClockId, Timespec, clock_gettime};
 use soilctl_controller::TICK_RATE_HZ;
 
+use crate::real_time::{SERVO_PRIORITY, fifo, lock_memory, now_ns, sleep_until};
 use crate::timing::Timing;
 
 /// Length of a tick in ns.
@@ -38,15 +37,7 @@ impl Clock {
             self.timing.skipped += skipped;
             self.next_ns += skipped * PERIOD_NS;
         } else {
-            #[allow(clippy::cast_possible_wrap, reason = "292 years after the machine was started")]
-            let deadline = Timespec {
-                tv_sec: (self.next_ns / 1_000_000_000) as i64,
-                tv_nsec: (self.next_ns % 1_000_000_000) as i64,
-            };
-            // A signal may wake it early.
-            while now_ns() < self.next_ns
-                && clock_nanosleep_absolute(SleepClock::Monotonic, &deadline).is_err()
-            {}
+            sleep_until(self.next_ns);
         }
         self.began_ns = now_ns();
         self.timing.lateness.add(Duration::from_nanos(self.began_ns.saturating_sub(self.next_ns)));
@@ -56,39 +47,6 @@ impl Clock {
     pub(crate) const fn timing(&self) -> &Timing {
         &self.timing
     }
-}
-
-#[allow(clippy::cast_sign_loss, reason = "the monotonic clock begins at 0")]
-fn now_ns() -> u64 {
-    let now = clock_gettime(ClockId::Monotonic);
-    now.tv_sec as u64 * 1_000_000_000 + now.tv_nsec as u64
-}
-
-/// Priority of the servo thread: below threads of the kernel's interrupts.
-const SERVO_PRIORITY: u8 = 40;
-/// Priority of the server thread, through which the emergency stop and the heartbeat come.
-pub(crate) const SERVER_PRIORITY: u8 = 10;
-
-/// Puts the calling thread under SCHED_FIFO, if that is permitted.
-pub(crate) fn fifo(priority: u8) -> bool {
-    use thread_priority::{
-        RealtimeThreadSchedulePolicy, ThreadPriority, ThreadSchedulePolicy, set_thread_priority_and_policy,
-        thread_native_id,
-    };
-    let policy = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
-    ThreadPriority::try_from(priority)
-        .is_ok_and(|priority| set_thread_priority_and_policy(thread_native_id(), priority, policy).is_ok())
-}
-
-/// Whether a thread of this process may have real-time priority, as `run --real-time` asks for.
-#[must_use]
-pub fn may_run_in_real_time() -> bool {
-    std::thread::spawn(|| fifo(SERVER_PRIORITY)).join().unwrap_or(false)
-}
-
-fn lock_memory() -> bool {
-    use rustix::mm::{MlockAllFlags, mlockall};
-    mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE).is_ok()
 }
 
 #[cfg(test)]

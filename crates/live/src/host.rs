@@ -8,11 +8,12 @@ use std::thread::JoinHandle;
 use soilctl_controller::{FaultRecord, Params, State, TICK_S};
 use soilctl_session::{LogReport, Logger, Pace, SessionError, SessionSetup};
 
-use crate::clock::{SERVER_PRIORITY, fifo};
 use crate::ending::Ending;
 use crate::links::{Shared, links};
+use crate::local::bind;
 use crate::protocol::{Configuration, Hello, PROTOCOL_VERSION, SafeForce};
-use crate::server::{Server, ServerReport, bind};
+use crate::real_time::{SERVER_PRIORITY, fifo};
+use crate::server::{Server, ServerReport};
 use crate::servo::{Servo, ServoReport};
 use crate::timing::Timing;
 use crate::{LiveError, Rig};
@@ -103,7 +104,6 @@ impl Host {
         let Session { rig, setup, state, real_time, most_ticks } = session;
         let params = setup.params()?;
         let listener = bind(socket)?;
-        listener.set_nonblocking(true).map_err(|error| LiveError::socket(socket, &error))?;
         let pace = if real_time { Pace::RealTime } else { Pace::Simulated };
         let (logger, recorder) = match log.map(|log| Logger::start(log, &setup, pace)).transpose()? {
             Some((logger, recorder)) => (Some(logger), Some(recorder)),

@@ -7,7 +7,6 @@ mod common;
 mod example;
 
 use std::io::{Read, Write};
-use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -15,7 +14,7 @@ use common::{Running, plant, session};
 use soilctl_controller::Sensed;
 use soilctl_live::driver::{DRIVE_BYTES, DriveFrame, DriverServer, ReadingsFrame, SocketDriver};
 use soilctl_live::protocol::{Command, parse_command};
-use soilctl_live::{Ending, LiveError, Report, Rig};
+use soilctl_live::{Ending, LiveError, Report, Rig, local};
 use soilctl_plant::{Drive, Hardware, Plant, PlantError};
 use soilctl_session::messages::ControllerStep;
 use soilctl_session::replay;
@@ -87,7 +86,7 @@ fn check_safe(running: &Running, kind: &str) -> u64 {
 
 fn spoilt(kind: &str, most_ticks: u64, spoil: impl FnMut(&mut Sensed, u64) + Send + 'static) {
     let (running, report) = run_on(Duration::from_secs(20), move |socket, ready| {
-        let server = DriverServer::bind(&socket).unwrap();
+        let mut server = DriverServer::bind(&socket).unwrap();
         ready.send(()).unwrap();
         server.serve(&mut Spoilt { plant: plant(3), spoil, tick: 0 }).unwrap();
     });
@@ -124,12 +123,12 @@ fn frozen_and_silent_sensors() {
 /// Half the readings of a driver's own: answers after `after` ticks as `how` says.
 fn raw_driver(
     after: u64,
-    mut how: impl FnMut(&mut std::os::unix::net::UnixStream, Sensed) -> bool,
+    mut how: impl FnMut(&mut local::Stream, Sensed) -> bool,
 ) -> impl FnOnce(PathBuf, std::sync::mpsc::Sender<()>) {
     move |socket, ready| {
-        let listener = UnixListener::bind(socket).unwrap();
+        let mut listener = local::bind(&socket).unwrap();
         ready.send(()).unwrap();
-        let (mut stream, _) = listener.accept().unwrap();
+        let mut stream = listener.accept().unwrap();
         let mut plant = plant(3);
         let mut bytes = [0; DRIVE_BYTES];
         while stream.read_exact(&mut bytes).is_ok() {

@@ -36,7 +36,7 @@ fn kill_after(ticks: u64) {
         .unwrap();
     let begin = Instant::now();
     let socket = dir.path().join("live");
-    while std::os::unix::net::UnixStream::connect(&socket).is_err() {
+    while soilctl_live::local::connect(&socket).is_err() {
         assert!(begin.elapsed() < LONG, "it does not start");
         std::thread::sleep(Duration::from_millis(10));
     }

@@ -1,7 +1,6 @@
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::Read;
-use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -96,10 +95,25 @@ fn told_size(file: &Path) -> Option<u64> {
     Some(size * u64::from(number(28)?))
 }
 
+/// For a database with a log: it is read without anybody's locks.
+const WITHOUT_LOCKS: &str =
+    if cfg!(windows) { "?mode=ro&vfs=win32-longpath-none" } else { "?mode=ro&vfs=unix-none" };
+
+#[cfg(unix)]
+fn bytes(path: &Path) -> Vec<u8> {
+    std::os::unix::ffi::OsStrExt::as_bytes(path.as_os_str()).to_vec()
+}
+
+/// `C:\folder` is `/C:/folder` in an address. A name that is not Unicode is not found then.
+#[cfg(not(unix))]
+fn bytes(path: &Path) -> Vec<u8> {
+    format!("/{}", path.display()).replace('\\', "/").into_bytes()
+}
+
 fn connect(file: &Path, has_log: bool) -> rusqlite::Result<Connection> {
     let absolute = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let mut uri = "file:".to_owned();
-    for &byte in absolute.as_os_str().as_bytes() {
+    for byte in bytes(&absolute) {
         if byte.is_ascii_alphanumeric() || b"/._-".contains(&byte) {
             uri.push(byte.into());
         } else {
@@ -107,7 +121,7 @@ fn connect(file: &Path, has_log: bool) -> rusqlite::Result<Connection> {
         }
     }
     // Nobody else's locks are waited for, and none is left behind. An immutable file is read without its log.
-    uri += if has_log { "?mode=ro&vfs=unix-none" } else { "?immutable=1" };
+    uri += if has_log { WITHOUT_LOCKS } else { "?immutable=1" };
     let flags =
         OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let connection = Connection::open_with_flags(uri, flags)?;

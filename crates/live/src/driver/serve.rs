@@ -1,5 +1,4 @@
 use std::io::{ErrorKind, Read, Write};
-use std::os::unix::net::UnixListener;
 use std::path::Path;
 
 use soilctl_kinematics::MotorTorques;
@@ -8,12 +7,12 @@ use thiserror::Error;
 
 use super::frames::{DRIVE_BYTES, DriveFrame, FrameError, ReadingsFrame};
 use crate::LiveError;
-use crate::server::bind;
+use crate::local::{Listener, bind};
 
 /// The driver's side: puts any [`Hardware`] behind a socket.
 #[derive(Debug)]
 pub struct DriverServer {
-    listener: UnixListener,
+    listener: Listener,
 }
 
 /// Why a driver stopped.
@@ -45,11 +44,11 @@ impl DriverServer {
     ///
     /// # Errors
     /// [`ServeError`].
-    pub fn serve<H>(&self, hardware: &mut H) -> Result<u64, ServeError<H::Error>>
+    pub fn serve<H>(&mut self, hardware: &mut H) -> Result<u64, ServeError<H::Error>>
     where
         H: Hardware<Error: std::error::Error + 'static>,
     {
-        let (mut stream, _) = self.listener.accept()?;
+        let mut stream = self.listener.accept()?;
         let mut ticks = 0;
         let mut bytes = [0; DRIVE_BYTES];
         let done = loop {

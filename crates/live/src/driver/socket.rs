@@ -1,5 +1,4 @@
 use std::io::{ErrorKind, Read, Write};
-use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -8,6 +7,7 @@ use soilctl_plant::{Drive, Hardware};
 
 use super::frames::{DriveFrame, READINGS_BYTES, ReadingsFrame};
 use crate::LiveError;
+use crate::local::{Stream, connect};
 
 /// A driver that is silent for so long, or for ten time-outs if that is longer, is taken to be gone.
 const SILENCE: Duration = Duration::from_secs(1);
@@ -19,7 +19,7 @@ const SILENCE: Duration = Duration::from_secs(1);
 #[derive(Debug)]
 pub struct SocketDriver {
     path: PathBuf,
-    stream: UnixStream,
+    stream: Stream,
     timeout: Duration,
     tick: u64,
     last: Sensed,
@@ -49,7 +49,7 @@ impl SocketDriver {
     /// # Errors
     /// [`LiveError::Socket`] if nobody listens there.
     pub fn connect(path: &Path, timeout: Duration) -> Result<Self, LiveError> {
-        let stream = UnixStream::connect(path).map_err(|error| LiveError::socket(path, &error))?;
+        let stream = connect(path).map_err(|error| LiveError::socket(path, &error))?;
         // A driver that does not take its frames must not stop the controller either.
         stream.set_write_timeout(Some(timeout)).map_err(|error| LiveError::socket(path, &error))?;
         Ok(Self {

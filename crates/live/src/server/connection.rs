@@ -1,7 +1,7 @@
 use std::io::{ErrorKind, Read, Write};
-use std::os::unix::net::UnixStream;
 use std::time::Instant;
 
+use crate::local::Stream;
 use crate::protocol::{
     ClientMessage, LINES_PER_SECOND, Line, LineReader, MOST_LINE_BYTES, Outbox, Problem, Rate,
     read_client_message,
@@ -15,7 +15,7 @@ pub(super) type Understood = Result<ClientMessage, (Option<u64>, Problem, String
 
 /// A client.
 pub(super) struct Connection {
-    stream: UnixStream,
+    stream: Stream,
     reader: LineReader,
     rate: Rate,
     pub(super) outbox: Outbox,
@@ -25,7 +25,7 @@ pub(super) struct Connection {
 }
 
 impl Connection {
-    pub(super) fn new(stream: UnixStream) -> std::io::Result<Self> {
+    pub(super) fn new(stream: Stream) -> std::io::Result<Self> {
         stream.set_nonblocking(true)?;
         let (reader, outbox) = (LineReader::default(), Outbox::default());
         Ok(Self { stream, reader, rate: Rate::new(Instant::now()), outbox, hung_up: false, warned: false })

@@ -1,22 +1,20 @@
-//! The server's thread: operators on a Unix socket. It may be as slow as it likes; the servo does not wait for it.
+//! The server's thread: operators on a local socket. It may be as slow as it likes; the servo does not wait for it.
 
-mod bind;
 mod connection;
 mod words;
 
 use std::collections::BTreeMap;
-use std::os::unix::net::UnixListener;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use soilctl_session::messages::{EventMessage, word};
 
-pub(crate) use bind::bind;
 use connection::Connection;
 use words::{advice, message};
 
 use crate::links::{Answer, Ask, REQUESTS, ServerEnds, Snapshot, What};
+use crate::local::Listener;
 use crate::protocol::{
     ClientMessage, Command, Configuration, Dropped, Event, Hello, PROTOCOL_VERSION, Problem, ServerMessage,
 };
@@ -36,7 +34,7 @@ const FAREWELL: Duration = Duration::from_millis(300);
 
 /// Serves operators.
 pub(crate) struct Server {
-    listener: UnixListener,
+    listener: Listener,
     path: PathBuf,
     hello: Hello,
     configuration: Configuration,
@@ -62,7 +60,7 @@ pub(crate) struct ServerReport {
 
 impl Server {
     pub(crate) fn new(
-        listener: UnixListener,
+        listener: Listener,
         path: PathBuf,
         hello: Hello,
         configuration: Configuration,
@@ -115,7 +113,7 @@ impl Server {
     }
 
     fn accept(&mut self) {
-        while let Ok((stream, _)) = self.listener.accept() {
+        while let Some(stream) = self.listener.poll() {
             if self.clients.len() >= MOST_CLIENTS {
                 continue;
             }

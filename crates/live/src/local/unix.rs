@@ -1,27 +1,62 @@
 use std::fs::Permissions;
 use std::io::ErrorKind;
 use std::os::unix::fs::{FileTypeExt, PermissionsExt};
-use std::os::unix::net::{UnixListener, UnixStream};
+use std::os::unix::net::UnixListener;
 use std::path::Path;
 
 use crate::LiveError;
 
+/// A connection.
+pub type Stream = std::os::unix::net::UnixStream;
+
+/// Takes those who connect to a path.
+#[derive(Debug)]
+pub struct Listener(UnixListener);
+
 /// Listens at `path`, for this user alone. A socket that nobody listens at any more is replaced.
-pub(crate) fn bind(path: &Path) -> Result<UnixListener, LiveError> {
+///
+/// # Errors
+/// [`LiveError::Taken`] or [`LiveError::Socket`].
+pub fn bind(path: &Path) -> Result<Listener, LiveError> {
     let failed = |error: std::io::Error| LiveError::socket(path, &error);
     let taken = |by| LiveError::Taken { path: path.to_owned(), by };
     match path.symlink_metadata() {
         Err(error) if error.kind() == ErrorKind::NotFound => {}
         Err(error) => return Err(failed(error)),
         Ok(found) if !found.file_type().is_socket() => return Err(taken("it is no socket")),
-        Ok(_) => match UnixStream::connect(path) {
+        Ok(_) => match Stream::connect(path) {
             Ok(_) => return Err(taken("another program listens there")),
             Err(_) => std::fs::remove_file(path).map_err(failed)?,
         },
     }
     let listener = UnixListener::bind(path).map_err(failed)?;
     std::fs::set_permissions(path, Permissions::from_mode(0o600)).map_err(failed)?;
-    Ok(listener)
+    Ok(Listener(listener))
+}
+
+/// Connects to who listens at `path`.
+///
+/// # Errors
+/// The system's, if nobody listens there.
+pub fn connect(path: &Path) -> std::io::Result<Stream> {
+    Stream::connect(path)
+}
+
+impl Listener {
+    /// The next who connects; waits for one.
+    ///
+    /// # Errors
+    /// The system's.
+    pub fn accept(&mut self) -> std::io::Result<Stream> {
+        self.0.set_nonblocking(false)?;
+        Ok(self.0.accept()?.0)
+    }
+
+    /// The next who has connected, or none.
+    pub fn poll(&mut self) -> Option<Stream> {
+        self.0.set_nonblocking(true).ok()?;
+        self.0.accept().ok().map(|(stream, _)| stream)
+    }
 }
 
 #[cfg(test)]
