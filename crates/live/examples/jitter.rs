@@ -27,7 +27,7 @@ fn main() {
             }
         });
     }
-    let lazy = soilctl_live::local::connect(running.socket()).unwrap();
+    let lazy = soilctl_live::local::connect(&running.socket()).unwrap();
     let readers: Vec<_> = (0..3)
         .map(|_| {
             let mut operator = running.operator();

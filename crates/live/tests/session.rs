@@ -85,7 +85,7 @@ fn the_same_script_gives_the_same_log() {
 #[test]
 fn bad_lines_are_refused_and_the_service_goes_on() {
     let mut running = Running::new(simulated());
-    let mut raw = local::connect(running.socket()).unwrap();
+    let mut raw = local::connect(&running.socket()).unwrap();
     let mut lines = Vec::new();
     let long = vec![b'x'; 100_000];
     for line in [
@@ -113,7 +113,7 @@ fn bad_lines_are_refused_and_the_service_goes_on() {
     ];
     assert_eq!(problems, wanted);
     // Another protocol is told so and hung up on.
-    let mut other = local::connect(running.socket()).unwrap();
+    let mut other = local::connect(&running.socket()).unwrap();
     other.write_all(b"{\"type\":\"hello\",\"protocol\":99}\n").unwrap();
     let mut text = String::new();
     other.set_read_timeout(Some(LONG)).unwrap();
@@ -143,7 +143,7 @@ fn errors(stream: &mut local::Stream, count: usize) -> Vec<(Option<u64>, Problem
 #[test]
 fn a_flood_is_cut_off_and_others_are_served() {
     let mut running = Running::new(simulated());
-    let mut flood = local::connect(running.socket()).unwrap();
+    let mut flood = local::connect(&running.socket()).unwrap();
     flood.set_write_timeout(Some(Duration::from_millis(100))).unwrap();
     let lines = b"{\"type\":\"command\",\"id\":1,\"command\":{\"name\":\"enable\"}}\n".repeat(100);
     let flooding = std::thread::spawn(move || {
@@ -185,7 +185,7 @@ fn a_client_that_does_not_read_costs_itself_messages_and_nothing_else() {
     let mut session = simulated();
     session.real_time = true;
     let mut running = Running::new(session);
-    let lazy = local::connect(running.socket()).unwrap();
+    let lazy = local::connect(&running.socket()).unwrap();
     let mut others: Vec<_> = (0..4).map(|_| running.operator()).collect();
     others[0].ask(Command::Enable).unwrap();
     // Events by the hundred: far more than the sockets hold.
