@@ -1,5 +1,7 @@
 //! Cubic between two nodes, and what a straight line between them may miss.
 
+use std::ops::Range;
+
 /// Abscissa and value.
 pub(super) type Knot = (f64, f64);
 
@@ -76,8 +78,19 @@ pub(super) fn cell_slopes(before: Option<Knot>, a: Knot, b: Knot, after: Option<
     (slope(left, middle, right), slope(middle, right, left))
 }
 
-/// `t (1 - t)` times this bounds what linear interpolation in a cell may miss.
-pub(super) fn cell_error(axis: &[f64], cell: usize, at: impl Fn(usize) -> Option<f64>) -> f64 {
+/// `t (1 - t)` times this bounds what linear interpolation in a cell may miss. A cell is inner if its own nodes and the next
+/// one on either side are among `seen`, those whose values were not made up; then 1.5 times the largest curvature around is
+/// allowed for, otherwise 3 times.
+///
+/// At `delta = phi` the function ends and the node beyond is made up. In slip-line fields the square roots of `phi - delta` in
+/// `ln K` cancel and `x^(3/2)`, with `x = phi - delta`, is the first term that is not smooth. Its chord over `0..h` misses `h^(3/2) t (1 - sqrt(t))`, at most `h^(3/2) t (1 - t)`; its second
+/// difference over `0, h, 2 h` is `0.83 h^(3/2)`, half of which, 3 times, is more than that, and 1.5 times is not.
+pub(super) fn cell_error(
+    axis: &[f64],
+    cell: usize,
+    seen: &Range<usize>,
+    at: impl Fn(usize) -> Option<f64>,
+) -> f64 {
     if cell + 1 >= axis.len() {
         return 0.0;
     }
@@ -93,6 +106,7 @@ pub(super) fn cell_error(axis: &[f64], cell: usize, at: impl Fn(usize) -> Option
         // Nothing is known about the curvature; allow twice the step of the cell.
         return at(cell).zip(at(cell + 1)).map_or(0.0, |(a, b)| 2.0 * (b - a).abs());
     }
-    let inner = curvature_at(cell).is_some() && curvature_at(cell + 1).is_some();
+    let inner =
+        seen.start < cell && cell + 2 < seen.end && curvature_at(cell).and(curvature_at(cell + 1)).is_some();
     0.5 * h * h * largest * if inner { 1.5 } else { 3.0 }
 }

@@ -3,8 +3,8 @@
 //!
 //! The margin is an estimate of how far off the result may be. Along each axis it is the largest error that
 //! **linear** interpolation can make of a function whose second derivative is the largest second difference seen
-//! at the four nodes around the cell, times 1.5 (3 in an outermost cell). It is 0 at a solved node. A test
-//! compares it with what interpolation really misses of a closed-form model.
+//! at the four nodes around the cell, times 1.5 (3 in an outermost cell and next to `delta = phi`). It is 0 at a solved node. A
+//! test compares it with what interpolation really misses of a closed-form model.
 
 use super::cubic::{cell_error, cell_slopes};
 use super::place::{Node, Place};
@@ -59,7 +59,7 @@ fn prepared(table: &PredictionTable, index: usize) -> Option<Prepared> {
         _ => (f64::NAN, f64::NAN),
     };
     let node = Node { ln_k: ln_k(i)?, margin };
-    Some(Prepared { node, slopes, error: cell_error(alphas, i, ln_k) })
+    Some(Prepared { node, slopes, error: cell_error(alphas, i, &(0..alphas.len()), ln_k) })
 }
 
 /// Margin of a cell that was itself filled in: its distance from the chord between the solved cells on
@@ -74,7 +74,7 @@ fn filled_in_margin(table: &PredictionTable, i: usize, j: usize, k: usize, ln_k:
     match Place::find(&x, deltas[k]) {
         Some(place) => {
             let chord = y[place.cell] + place.t * (y[(place.cell + 1).min(y.len() - 1)] - y[place.cell]);
-            let error = cell_error(&x, place.cell, |i| y.get(i).copied());
+            let error = cell_error(&x, place.cell, &(0..x.len()), |i| y.get(i).copied());
             (ln_k - chord).abs() + place.t * (1.0 - place.t) * error
         }
         // Nothing solved around it: as uncertain as a whole step of the table.
@@ -139,6 +139,23 @@ mod tests {
             let k = |p, d| slice.lookup(p, d).unwrap().k_net;
             prop_assert!(k(phi + step, delta) > k(phi, delta));
             prop_assert!(k(phi, delta + step) > k(phi, delta));
+        }
+    }
+
+    /// Where the table ends at delta = phi its curvature is least known.
+    #[test]
+    fn the_margin_covers_the_error_up_to_delta_equal_phi() {
+        let table = chen_table();
+        for alpha in grid(70.0, 100.0, 2.5) {
+            let slice = table.slice(alpha).unwrap();
+            for phi in grid(25.0, 30.0, 0.25) {
+                for delta in grid(phi - 5.0, phi, 0.125) {
+                    let exact = ChenLiu.predict(&Case::level_deg(alpha, phi, delta)).unwrap().k_net().0;
+                    let look = slice.lookup(phi, delta).unwrap();
+                    let error = (look.k_net / exact).ln().abs();
+                    assert!(error <= look.margin + 1e-6, "{alpha} {phi} {delta}: {error} {}", look.margin);
+                }
+            }
         }
     }
 

@@ -36,8 +36,11 @@ fn slope_at(grid: &impl Grid, j: usize, k: usize) -> f64 {
 
 fn errors_at(grid: &impl Grid, j: usize, k: usize) -> (f64, f64) {
     let ln_k = |j: usize, k: usize| Some(grid.node(j, k)?.ln_k);
-    let section = grid.section();
-    (cell_error(section.phi(), j, |j| ln_k(j, k)), cell_error(section.delta(), k, |k| ln_k(j, k)))
+    let (phi, delta) = (grid.section().phi(), grid.section().delta());
+    // Where delta > phi a node is made up.
+    let seen_phi = phi.partition_point(|&phi| phi < delta[k])..phi.len();
+    let seen_delta = 0..delta.partition_point(|&delta| delta <= phi[j]);
+    (cell_error(phi, j, &seen_phi, |j| ln_k(j, k)), cell_error(delta, k, &seen_delta, |k| ln_k(j, k)))
 }
 
 impl Interpolator {
