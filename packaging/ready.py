@@ -35,9 +35,10 @@ def missing(tag):
     for name, dependency in workspace["dependencies"].items():
         if "path" in dependency and dependency.get("version") != version:
             yield f"Cargo.toml asks for version {dependency.get('version')} of {name}, which is {version}"
-    for package in tomllib.loads(read("Cargo.lock"))["package"]:
-        if "source" not in package and package["version"] != version:
-            yield f"Cargo.lock has version {package['version']} of {package['name']}"
+    for name in ["Cargo.lock", "fuzz/Cargo.lock"]:
+        for package in tomllib.loads(read(name))["package"]:
+            if "source" not in package and package["name"] != "soilctl-fuzz" and package["version"] != version:
+                yield f"{name} has version {package['version']} of {package['name']}"
     for name, pattern in [("CITATION.cff", r"^version: \"?([^\"\s]+)"), ("packaging/conda/recipe.yaml", r"^  version: \"?([^\"\s]+)")]:
         found = re.search(pattern, read(name), re.M)
         if not found or found.group(1) != version:
