@@ -55,6 +55,9 @@ def on_page_markdown(markdown, page, config, files):
         there = (origin / path).resolve()
         if there == DOCS / "schemas":
             there = DOCS / "reference" / "schemas.md"
+        if there.parent == notebooks.SOURCES and there.parent != here.parent and there.exists():
+            # The page, with what the notebook showed; the file itself is linked there.
+            there = there.with_suffix(".md")
         if there.is_relative_to(DOCS):
             # MkDocs warns if it is not there.
             return f"{mark}[{text}]({os.path.relpath(there, here.parent)}{hash_}{anchor})"

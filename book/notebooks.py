@@ -6,7 +6,9 @@ in target/notebooks, from where the pages of the site take it.
 
 import base64
 import re
+import tomllib
 from pathlib import Path
+from urllib.parse import quote
 
 import nbformat
 from nbclient import NotebookClient
@@ -48,6 +50,18 @@ def _text(notebook):
     return [(cell.cell_type, cell.source) for cell in notebook.cells]
 
 
+def hosted(source):
+    """HTML with the addresses at which a notebook can be run: that of the version that the package index has."""
+    package = tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]["package"]
+    place = package["repository"].removeprefix("https://github.com/")
+    tag, file = f"v{package['version']}", source.relative_to(ROOT).as_posix()
+    addresses = {
+        "Colab": f"https://colab.research.google.com/github/{place}/blob/{tag}/{file}",
+        "Binder": f"https://mybinder.org/v2/gh/{place}/{tag}?labpath={quote(file, safe='')}",
+    }
+    return "\n".join(f'<a class="hosted" href="{address}">Open in {name}</a>' for name, address in addresses.items())
+
+
 def page(source):
     """Markdown of a page, and its figures by name."""
     parts, figures = [], {}
@@ -71,7 +85,7 @@ def page(source):
     download = f"This page is a notebook that the tests run: [{source.name}]({source.name})."
     title, *rest = parts
     head, _, body = title.partition("\n")
-    return "\n\n".join([head, download, body.strip(), *rest]) + "\n", figures
+    return "\n\n".join([head, download, hosted(source), body.strip(), *rest]) + "\n", figures
 
 
 def clear(source):
