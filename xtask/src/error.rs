@@ -16,6 +16,13 @@ pub(crate) enum XtaskError {
     Missing { step: String, what: String, remedy: String },
 }
 
+impl XtaskError {
+    /// A file that could not be read or written in a step.
+    pub(crate) fn file(step: &str, file: &std::path::Path, problem: std::io::Error) -> Self {
+        Self::File { step: step.to_owned(), file: file.display().to_string(), problem }
+    }
+}
+
 impl fmt::Display for XtaskError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use crate::apt;
 use crate::error::XtaskError;
 use crate::run::Step;
+use crate::workspace::PYTHON;
 
 /// Lives inside the environment; holds the requirements that are installed in it.
 const STAMP: &str = "installed-requirements.txt";
 /// Interpreters that are tried, best first; the last is Debian's own, should another one hide it.
-const INTERPRETERS: [&str; 3] = ["python3.11", "python3", "/usr/bin/python3"];
+const INTERPRETERS: [&str; 4] = ["python3.11", "python3", "python", "/usr/bin/python3"];
 /// The pinned packages need this version, and a venv needs ensurepip.
 const PROBE: &str = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))";
 
@@ -27,7 +28,7 @@ impl Environment {
 
     /// Its Python.
     pub(crate) fn python(&self) -> PathBuf {
-        self.folder.join("bin/python")
+        self.folder.join(PYTHON)
     }
 
     /// A call of its pip.
@@ -44,7 +45,7 @@ impl Environment {
     /// Makes sure that it holds the pinned requirements of a file, and no other ones.
     pub(crate) fn ensure(&self, file: &Path) -> Result<(), XtaskError> {
         let read = std::fs::read_to_string(file);
-        let requirements = read.map_err(|problem| file_error("read the requirements", file, problem))?;
+        let requirements = read.map_err(|problem| XtaskError::file("read the requirements", file, problem))?;
         let stamp = self.folder.join(STAMP);
         if up_to_date(&requirements, &stamp) && self.works() {
             return Ok(());
@@ -58,7 +59,19 @@ impl Environment {
             .run()?;
         self.pip("check the Python requirements").args(["check"]).run()?;
         std::fs::write(&stamp, requirements)
-            .map_err(|problem| file_error("stamp the environment", &stamp, problem))
+            .map_err(|problem| XtaskError::file("stamp the environment", &stamp, problem))
+    }
+
+    /// Makes sure that it holds these packages, pinned as `name==version`, with what they need.
+    pub(crate) fn ensure_tools(&self, packages: &[&str]) -> Result<(), XtaskError> {
+        let stamp = self.folder.join(STAMP);
+        let wanted = packages.join("\n");
+        if up_to_date(&wanted, &stamp) {
+            return Ok(());
+        }
+        self.create()?;
+        self.pip("install tools").args(["install", "--quiet"]).args(packages).run()?;
+        std::fs::write(&stamp, wanted).map_err(|problem| XtaskError::file("stamp the tools", &stamp, problem))
     }
 
     /// False if, for instance, the interpreter behind the environment was removed.
@@ -71,7 +84,7 @@ fn up_to_date(requirements: &str, stamp: &Path) -> bool {
     std::fs::read_to_string(stamp).is_ok_and(|installed| installed == requirements)
 }
 
-fn interpreter() -> Result<&'static str, XtaskError> {
+pub(crate) fn interpreter() -> Result<&'static str, XtaskError> {
     let usable = || {
         INTERPRETERS
             .into_iter()
@@ -90,10 +103,6 @@ fn interpreter() -> Result<&'static str, XtaskError> {
         what: "there is no Python 3.11 or later with its venv module".into(),
         remedy: "install one as python3.11 or python3".into(),
     })
-}
-
-fn file_error(step: &str, file: &Path, problem: std::io::Error) -> XtaskError {
-    XtaskError::File { step: step.to_owned(), file: file.display().to_string(), problem }
 }
 
 #[cfg(test)]

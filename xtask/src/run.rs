@@ -54,6 +54,13 @@ impl Step {
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
 
+    /// Runs it and says whether it succeeded; what it prints goes where ours goes.
+    pub(crate) fn attempt(mut self) -> Result<bool, XtaskError> {
+        self.announce();
+        let status = self.command.status();
+        Ok(status.map_err(|problem| self.not_started(problem))?.success())
+    }
+
     /// Whether it succeeds; prints nothing.
     pub(crate) fn succeeds(mut self) -> bool {
         self.command.stdout(Stdio::null()).stderr(Stdio::null());

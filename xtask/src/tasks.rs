@@ -5,79 +5,124 @@ use std::path::PathBuf;
 use crate::error::XtaskError;
 use crate::python::Environment;
 use crate::run::Step;
+use crate::verify::Part;
 use crate::workspace::Workspace;
-use crate::{chromium, verify, wheel};
+use crate::{chromium, dist, fuzz, rust, supply, systems, verify, wheel};
 
 /// What xtask can be asked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Task {
     Setup,
     Test,
     Lint,
-    Verify,
+    Verify(Vec<Part>),
     Rows,
     Pictures,
+    Msrv,
+    Targets,
+    Windows,
+    Deny,
+    Audit,
+    Fuzz(u32),
+    /// For a target, or for this machine.
+    Dist(Option<String>),
+    /// The same.
+    Wheels(Option<String>),
+    Reproducible,
+    Site,
 }
 
-const TASKS: [(Task, &str, &str); 6] = [
+/// Word, further words, what it does.
+const TASKS: [(&str, &str, &str); 16] = [
     (
-        Task::Setup,
         "setup",
+        "",
         "make the two environments with the pinned Python packages, install chromium if there is none",
     ),
-    (
-        Task::Test,
-        "test",
-        "setup, then all tests: Rust, Python package, documentation, command line, report in the browser",
-    ),
-    (Task::Lint, "lint", "format, clippy and documentation, warnings are errors"),
-    (Task::Verify, "verify", "what takes long, whole or in the parts named after it"),
-    (
-        Task::Rows,
-        "rows",
-        "write what docs/verification.md shows anew: published tables and exact solutions, minutes",
-    ),
-    (Task::Pictures, "pictures", "make the pictures of pages in docs/images anew, in the browser"),
+    ("test", "", "setup, then all tests: Rust, Python package, documentation, command line, report in the browser"),
+    ("lint", "", "format, clippy and documentation, warnings are errors"),
+    ("verify", "[PART]...", "what takes long, whole or in the parts named after it"),
+    ("rows", "", "write what docs/verification.md shows anew: published tables and exact solutions, minutes"),
+    ("pictures", "", "make the pictures of pages in docs/images anew, in the browser"),
+    ("msrv", "", "build with the oldest Rust that Cargo.toml promises"),
+    ("targets", "", "check for Windows, macOS on Arm and WebAssembly"),
+    ("windows", "", "build for Windows and test the program under wine, against the one built here"),
+    ("deny", "", "licences, advisories, sources and second versions of the dependencies, by cargo-deny"),
+    ("audit", "", "known weaknesses of the pinned Python packages, by pip-audit"),
+    ("fuzz", "[SECONDS]", "run each target of fuzz/ so long, 60 s by default, with nightly Rust"),
+    ("dist", "[TARGET]", "archive of the program with completions, man pages, notices, SBOM and checksums, in target/dist"),
+    ("wheels", "[TARGET]", "wheels of the Python package that others can install, in target/dist"),
+    ("reproducible", "", "build the archive in two folders and compare the bytes"),
+    ("site", "", "the documentation, with the notebooks' outputs, for any static host, in target/site"),
 ];
 
 /// What to type.
 pub(crate) fn usage() -> String {
-    let tasks = TASKS.map(|(_, word, does)| format!("  {word:<12}{does}"));
-    let parts = verify::PARTS.map(|(_, word, does)| format!("  {word:<12}{does}"));
+    let tasks = TASKS.map(|(word, further, does)| format!("  {:<19}{does}", format!("{word} {further}")));
+    let parts = verify::PARTS.map(|(_, word, does)| format!("  {word:<19}{does}"));
     format!(
-        "usage: cargo xtask <task>\n\n{}\n\nparts of verify: cargo xtask verify [PART]...\n\n{}",
+        "usage: cargo xtask <task>\n\n{}\n\nparts of verify\n\n{}",
         tasks.join("\n"),
         parts.join("\n")
     )
 }
 
 impl Task {
-    /// The task of a name.
-    pub(crate) fn from_word(word: &str) -> Option<Self> {
-        TASKS.into_iter().find(|(_, name, _)| *name == word).map(|(task, ..)| task)
-    }
-
-    /// Its name.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Self::Setup => "setup",
-            Self::Test => "test",
-            Self::Lint => "lint",
-            Self::Verify => "verify",
-            Self::Rows => "rows",
-            Self::Pictures => "pictures",
+    /// The task of words.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with them.
+    pub(crate) fn from_words(word: &str, further: &[String]) -> Result<Self, String> {
+        let alone = |task: Self| match further {
+            [] => Ok(task),
+            _ => Err(format!("{word} takes no further arguments, but got {}", further.join(" "))),
+        };
+        let target = || match further {
+            [] => Ok(None),
+            [target] => Ok(Some(target.clone())),
+            _ => Err(format!("{word} takes one target, but got {}", further.join(" "))),
+        };
+        match word {
+            "setup" => alone(Self::Setup),
+            "test" => alone(Self::Test),
+            "lint" => alone(Self::Lint),
+            "verify" => Ok(Self::Verify(Part::from_words(further)?)),
+            "rows" => alone(Self::Rows),
+            "pictures" => alone(Self::Pictures),
+            "msrv" => alone(Self::Msrv),
+            "targets" => alone(Self::Targets),
+            "windows" => alone(Self::Windows),
+            "deny" => alone(Self::Deny),
+            "audit" => alone(Self::Audit),
+            "fuzz" => Ok(Self::Fuzz(fuzz::seconds(further)?)),
+            "dist" => Ok(Self::Dist(target()?)),
+            "wheels" => Ok(Self::Wheels(target()?)),
+            "reproducible" => alone(Self::Reproducible),
+            "site" => alone(Self::Site),
+            _ => Err(format!("there is no task {word:?}")),
         }
     }
 
-    /// Runs its steps up to the first that fails; `parts` are for [`Task::Verify`].
-    pub(crate) fn run(self, workspace: &Workspace, parts: &[verify::Part]) -> Result<(), XtaskError> {
+    /// Runs its steps up to the first that fails.
+    pub(crate) fn run(&self, workspace: &Workspace) -> Result<(), XtaskError> {
         match self {
             Self::Setup => setup(workspace),
             Self::Test => test(workspace),
             Self::Lint => lint(workspace),
-            Self::Verify => verify::run(workspace, parts),
+            Self::Verify(parts) => verify::run(workspace, parts),
             Self::Rows => rows(workspace),
             Self::Pictures => pictures(workspace),
+            Self::Msrv => rust::msrv(workspace),
+            Self::Targets => systems::targets(workspace),
+            Self::Windows => systems::windows(workspace),
+            Self::Deny => supply::deny(workspace),
+            Self::Audit => supply::audit(workspace),
+            Self::Fuzz(seconds) => fuzz::run(workspace, *seconds),
+            Self::Dist(target) => dist::run(workspace, target.as_deref()),
+            Self::Wheels(target) => dist::wheels::run(workspace, target.as_deref()),
+            Self::Reproducible => dist::reproducible::run(workspace),
+            Self::Site => wheel::site(workspace),
         }
     }
 }
@@ -190,13 +235,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_task_is_found_by_its_word_and_in_the_usage() {
-        for (task, word, _) in TASKS {
-            assert_eq!(Task::from_word(word), Some(task));
-            assert_eq!(task.word(), word);
-            assert!(usage().contains(word));
+    fn every_task_is_found_by_its_word() {
+        for (word, ..) in TASKS {
+            assert!(Task::from_words(word, &[]).is_ok(), "{word}");
         }
-        assert_eq!(Task::from_word("tests"), None);
+        let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+        assert!(Task::from_words("tests", &[]).unwrap_err().contains("\"tests\""));
+        assert!(Task::from_words("lint", &words(&["all"])).unwrap_err().contains("all"));
+        assert_eq!(Task::from_words("fuzz", &words(&["5"])), Ok(Task::Fuzz(5)));
+        assert!(Task::from_words("fuzz", &words(&["long"])).unwrap_err().contains("long"));
+        assert_eq!(Task::from_words("dist", &words(&["t"])), Ok(Task::Dist(Some("t".into()))));
+        assert!(Task::from_words("dist", &words(&["t", "u"])).is_err());
     }
 
     #[test]

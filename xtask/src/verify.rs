@@ -4,8 +4,10 @@
 //! whole workspace's features: what `cargo xtask test` compiled is not compiled again.
 
 use crate::error::XtaskError;
+use crate::fuzz;
 use crate::run::Step;
 use crate::tasks::{cargo, find_soilctl, setup};
+use crate::systems;
 use crate::workspace::Workspace;
 
 /// Cases of each property test; an ordinary test run takes proptest's 256.
@@ -35,9 +37,10 @@ pub(crate) enum Part {
     Diagnosis,
     Chain,
     Fuzz,
+    Windows,
 }
 
-pub(crate) const PARTS: [(Part, &str, &str); 9] = [
+pub(crate) const PARTS: [(Part, &str, &str); 10] = [
     (Part::Properties, "properties", "property tests with 20000 cases each"),
     (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
     (Part::Exact, "exact", "known collapse loads on fine meshes"),
@@ -47,6 +50,7 @@ pub(crate) const PARTS: [(Part, &str, &str); 9] = [
     (Part::Diagnosis, "diagnosis", "how often a hidden effect is named, and how often another"),
     (Part::Chain, "chain", "from simulated strokes to the soil, against the truth; logs of gigabytes"),
     (Part::Fuzz, "fuzz", "the targets of fuzz/ compile"),
+    (Part::Windows, "windows", "the task of this name"),
 ];
 
 impl Part {
@@ -79,10 +83,8 @@ impl Part {
             Self::Bags => bags(workspace),
             Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates"], ""),
             Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),
-            // A workspace of its own: its instrumentation is not for the others.
-            Self::Fuzz => cargo(workspace, "fuzz targets")
-                .args(["check", "--locked", "--manifest-path", "fuzz/Cargo.toml"])
-                .run(),
+            Self::Fuzz => fuzz::check(workspace),
+            Self::Windows => systems::windows(workspace),
         }
     }
 }

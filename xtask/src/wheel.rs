@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::error::XtaskError;
 use crate::python::Environment;
 use crate::run::Step;
+use crate::tasks::setup;
 use crate::workspace::Workspace;
 
 /// What must work with the wheel and what it requires, and nothing else.
@@ -21,32 +22,50 @@ pub(crate) fn ensure(workspace: &Workspace) -> Result<(), XtaskError> {
 pub(crate) fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     let wheel = build(workspace)?;
     bare(workspace, &wheel)?;
-    let environment = environment(workspace);
-    environment
-        .pip("install the wheel")
-        .args(["install", "--quiet", "--no-deps", "--force-reinstall"])
-        .args([&wheel])
-        .run()?;
-    Step::new("Python tests of the wheel", environment.python())
-        .args(["-m", "pytest", "tests/python/wheel"])
-        .dir(workspace.root())
-        .run()?;
+    install(workspace, &wheel)?;
+    pytest(workspace, "Python tests of the wheel").args(["tests/python/wheel"]).run()?;
+    pages(workspace)
+}
+
+/// The documentation as a site, with what the notebooks say.
+pub(crate) fn site(workspace: &Workspace) -> Result<(), XtaskError> {
+    setup(workspace)?;
+    install(workspace, &build(workspace)?)?;
+    // The tests keep what came of the notebooks.
+    pytest(workspace, "notebooks").args(["tests/python/wheel/test_notebooks.py"]).run()?;
+    pages(workspace)
+}
+
+fn pages(workspace: &Workspace) -> Result<(), XtaskError> {
     // A warning, such as a link that leads nowhere, is an error.
-    Step::new("documentation as a site", environment.python())
+    Step::new("documentation as a site", environment(workspace).python())
         .args(["-m", "mkdocs", "build", "--strict", "--config-file", "book/mkdocs.yml", "--site-dir"])
-        .args([target(workspace).join("site")])
+        .args([workspace.target().join("site")])
         .dir(workspace.root())
         .run()
+}
+
+/// The wheel where its tests find it.
+fn install(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskError> {
+    environment(workspace)
+        .pip("install the wheel")
+        .args(["install", "--quiet", "--no-deps", "--force-reinstall"])
+        .args([wheel])
+        .run()
+}
+
+fn pytest(workspace: &Workspace, name: &str) -> Step {
+    Step::new(name, environment(workspace).python()).args(["-m", "pytest"]).dir(workspace.root())
 }
 
 /// In the profile of the tests: a release build would compile everything once more.
 fn build(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
     let step = "build the wheel";
-    let out = target(workspace).join("wheels");
+    let out = workspace.target().join("wheels");
     // So that there is one wheel afterwards.
     match std::fs::remove_dir_all(&out) {
         Err(problem) if problem.kind() != std::io::ErrorKind::NotFound => {
-            return Err(file_error(step, &out, problem));
+            return Err(XtaskError::file(step, &out, problem));
         }
         _ => {}
     }
@@ -57,7 +76,7 @@ fn build(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
         .dir(workspace.root())
         .env("CARGO", workspace.cargo())
         .run()?;
-    let entries = std::fs::read_dir(&out).map_err(|problem| file_error(step, &out, problem))?;
+    let entries = std::fs::read_dir(&out).map_err(|problem| XtaskError::file(step, &out, problem))?;
     let mut files = entries.filter_map(|entry| Some(entry.ok()?.path()));
     let wheel = files.find(|path| path.extension().is_some_and(|ending| ending == "whl"));
     wheel.ok_or_else(|| XtaskError::Missing {
@@ -69,7 +88,7 @@ fn build(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
 
 /// The wheel in an empty environment, with what it requires itself.
 fn bare(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskError> {
-    let environment = Environment::new(target(workspace).join("wheel-bare"));
+    let environment = Environment::new(workspace.target().join("wheel-bare"));
     environment.create()?;
     environment
         .pip("install the wheel alone")
@@ -82,19 +101,9 @@ fn bare(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskError> {
 }
 
 fn environment(workspace: &Workspace) -> Environment {
-    Environment::new(target(workspace).join("wheel-venv"))
+    Environment::new(workspace.target().join("wheel-venv"))
 }
 
 fn requirements(workspace: &Workspace) -> PathBuf {
     workspace.root().join("tests/python/wheel/requirements.txt")
-}
-
-/// Where cargo builds, too.
-fn target(workspace: &Workspace) -> PathBuf {
-    let configured = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    workspace.root().join(configured.unwrap_or_else(|| "target".into()))
-}
-
-fn file_error(step: &str, file: &Path, problem: std::io::Error) -> XtaskError {
-    XtaskError::File { step: step.to_owned(), file: file.display().to_string(), problem }
 }

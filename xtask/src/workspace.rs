@@ -5,6 +5,9 @@ use std::path::{Path, PathBuf};
 
 use crate::error::XtaskError;
 
+/// The interpreter in a virtual environment.
+pub(crate) const PYTHON: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
+
 /// Folders and programs of this checkout.
 #[derive(Debug)]
 pub(crate) struct Workspace {
@@ -36,6 +39,12 @@ impl Workspace {
         &self.cargo
     }
 
+    /// Where cargo builds, and we too.
+    pub(crate) fn target(&self) -> PathBuf {
+        let configured = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+        self.root.join(configured.unwrap_or_else(|| "target".into()))
+    }
+
     /// The virtual environment of the Python tests.
     pub(crate) fn venv(&self) -> PathBuf {
         self.root.join(".venv")
@@ -43,7 +52,7 @@ impl Workspace {
 
     /// The Python of that environment.
     pub(crate) fn venv_python(&self) -> PathBuf {
-        self.venv().join("bin/python")
+        self.venv().join(PYTHON)
     }
 
     /// The pinned requirements of the Python tests.

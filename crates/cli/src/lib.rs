@@ -33,8 +33,24 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     code
 }
 
+/// What is said to somebody who types the name alone.
+const FIRST_STEPS: &str = "error: a verb is missing. Three that need no file:
+
+  soilctl predict --model chen --alpha 80 --phi 40 --delta 25 --density 1600 --depth 0.025 --width 0.127
+  soilctl bound --alpha 90 --phi 30 --delta 15 --max-gap 0.05
+  soilctl demo --quick --open
+
+The first is the force on a plate in sand, the second between which coefficients it must lie, proven, and the third a campaign from
+the simulated soil to what its forces tell of it, on a page. `soilctl --help` lists all verbs, `soilctl help VERB` tells of one.
+";
+
 fn exit_code(args: impl IntoIterator<Item = OsString>) -> u8 {
     let args: Vec<OsString> = args.into_iter().collect();
+    if args.len() <= 1 {
+        // A closed pipe changes no exit code.
+        let _ = std::io::stderr().write_all(FIRST_STEPS.as_bytes());
+        return 2;
+    }
     let cli = match Cli::try_parse_from(&args) {
         Ok(cli) => cli,
         Err(usage) => {

@@ -24,6 +24,32 @@ fn wrong_usage_is_exit_code_2_and_says_so_on_stderr() {
 }
 
 #[test]
+fn the_name_alone_tells_three_lines_that_work() {
+    let said = refused(&[]);
+    let lines: Vec<_> = said.lines().filter_map(|line| line.strip_prefix("  soilctl ")).collect();
+    assert_eq!(lines.len(), 3);
+    let folder = tempfile::tempdir().unwrap();
+    for line in lines {
+        // No page pops up in a test.
+        let words = line.split(' ').filter(|word| *word != "--open");
+        let done =
+            Command::new(env!("CARGO_BIN_EXE_soilctl")).args(words).current_dir(folder.path()).output().unwrap();
+        assert_eq!(done.status.code(), Some(0), "{line}: {}", String::from_utf8_lossy(&done.stderr));
+    }
+    assert!(folder.path().join("demo/ticino_rained/report.html").is_file());
+}
+
+#[test]
+fn every_verb_has_a_man_page() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(soilctl(&["man", folder.path().to_str().unwrap()]).status.code(), Some(0));
+    let page = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert!(page("soilctl.1").starts_with(".ie") && page("soilctl.1").contains("soilctl\\-bound(1)"));
+    assert!(page("soilctl-bound.1").contains("max\\-gap"));
+    assert!(page("soilctl-table-build.1").contains("table build"));
+}
+
+#[test]
 fn completion_scripts_know_the_verbs() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = String::from_utf8(soilctl(&["completions", shell]).stdout).unwrap();

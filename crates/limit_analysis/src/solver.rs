@@ -55,7 +55,7 @@ pub enum Factorisation {
     /// Clarabel's QDLDL: one column after another, in plain arithmetic, so bits are those of any other machine.
     Qdldl,
     /// Faer: blocks of columns, with the vector instructions that the processor has and blocks that fit its caches, so bits
-    /// are those of any machine with the same processor.
+    /// are those of any machine with the same processor. Not where addresses have 32 bits, as in browsers: there it is an error.
     Faer,
 }
 
@@ -65,7 +65,8 @@ impl Factorisation {
 
     /// The choice where the user makes none: by the size of the program only.
     fn of(program: &Program) -> Self {
-        if program.unknowns + program.rows.len() < FAER_FROM { Self::Qdldl } else { Self::Faer }
+        let is_small = program.unknowns + program.rows.len() < FAER_FROM;
+        if is_small || cfg!(not(target_pointer_width = "64")) { Self::Qdldl } else { Self::Faer }
     }
 
     /// Its name, also for Clarabel.

@@ -12,6 +12,7 @@ mod doctor;
 mod estimate;
 mod limits;
 mod log;
+mod man;
 mod monitor;
 mod pages;
 mod predict;
@@ -77,6 +78,8 @@ pub(crate) enum Verb {
     Doctor(doctor::Args),
     /// Prints a completion script for a shell
     Completions(completions::Args),
+    /// Writes the man pages
+    Man(man::Args),
     /// Writes the JSON schemas of all requests and answers
     Schemas(schemas::Args),
 }
@@ -111,6 +114,7 @@ impl Verb {
             Self::Arm(args) => arm::run(&args, output),
             Self::Doctor(args) => doctor::run(&args, output),
             Self::Completions(args) => completions::run(&args, whole(), output),
+            Self::Man(args) => man::run(&args, whole()),
             Self::Schemas(args) => schemas::run(&args),
         }
     }

@@ -1,0 +1,111 @@
+//! What is handed to others, in target/dist: the program in an archive, the same bytes whoever builds it.
+
+pub(crate) mod reproducible;
+pub(crate) mod wheels;
+
+use std::path::{Path, PathBuf};
+
+use crate::error::XtaskError;
+use crate::python::interpreter;
+use crate::run::Step;
+use crate::rust;
+use crate::supply::tool;
+use crate::systems::WINDOWS;
+use crate::tasks::cargo;
+use crate::workspace::Workspace;
+
+/// Folder of what is released.
+pub(crate) fn folder(workspace: &Workspace) -> PathBuf {
+    workspace.target().join("dist")
+}
+
+/// Builds the program for a target, this machine's by default, and packs it.
+pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), XtaskError> {
+    let host = rust::host()?;
+    let target = target.unwrap_or(&host);
+    if target != host && target != WINDOWS {
+        return Err(XtaskError::Missing {
+            step: "build the release".into(),
+            what: format!("{target} cannot be built on {host}"),
+            remedy: format!("take none, for {host}, or {WINDOWS}; the workflow `release` has a machine for each system"),
+        });
+    }
+    if target != host && !rust::add_target(target) {
+        return Err(XtaskError::Missing {
+            step: "build the release".into(),
+            what: format!("there is no standard library for {target}"),
+            remedy: format!("rustup target add {target}"),
+        });
+    }
+    let built = build(workspace, target)?;
+    // What comes with the program is the same for all systems; a program of another one does not run here.
+    let runs_here = if target == host { built.clone() } else { build(workspace, &host)? };
+    archive(workspace, target, &built, &runs_here)?;
+    bill_of_materials(workspace, target)?;
+    checksums(workspace)
+}
+
+/// The program, with its symbols.
+pub(crate) fn build(workspace: &Workspace, target: &str) -> Result<PathBuf, XtaskError> {
+    same_bytes(workspace, cargo(workspace, "build the release"))
+        .args(["build", "--locked", "--profile", "dist", "--package", "soilctl", "--target", target])
+        .run()?;
+    let program = if target.contains("windows") { "soilctl.exe" } else { "soilctl" };
+    Ok(workspace.target().join(target).join("dist").join(program))
+}
+
+/// A build whose bytes do not tell in which folders it was made.
+fn same_bytes(workspace: &Workspace, step: Step) -> Step {
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from).or_else(|| Some(std::env::home_dir()?.join(".cargo")));
+    let folders = [(Some(workspace.root().to_path_buf()), "/soilctl"), (home, "/cargo")];
+    let folders = || folders.iter().filter_map(|(folder, name)| Some((folder.as_ref()?.display(), name)));
+    let rust: Vec<String> = folders().map(|(from, to)| format!("--remap-path-prefix={from}={to}")).collect();
+    let c: Vec<String> = folders().map(|(from, to)| format!("-ffile-prefix-map={from}={to}")).collect();
+    // Separated so that a folder may have a blank in its name.
+    let step = step.env("CARGO_ENCODED_RUSTFLAGS", rust.join("\u{1f}")).env("CARGO_INCREMENTAL", "0");
+    if cfg!(windows) { step } else { step.env("CFLAGS", c.join(" ")) }
+}
+
+fn archive(workspace: &Workspace, target: &str, built: &Path, runs_here: &Path) -> Result<(), XtaskError> {
+    let objcopy = objcopy()?;
+    Step::new("pack the release", interpreter()?)
+        .args(["packaging/archive.py", "--target", target, "--version"])
+        .args([rust::of_workspace(workspace, "version")?])
+        .args(["--program".as_ref(), built.as_os_str(), "--runs-here".as_ref(), runs_here.as_os_str()])
+        .args(["--objcopy".as_ref(), objcopy.as_os_str(), "--out".as_ref(), folder(workspace).as_os_str()])
+        .args(["--cargo"])
+        .args([workspace.cargo()])
+        .dir(workspace.root())
+        .run()
+}
+
+/// It comes with the compiler.
+fn objcopy() -> Result<PathBuf, XtaskError> {
+    let libraries = Step::new("ask the compiler", "rustc").args(["--print", "target-libdir"]).output()?;
+    let name = format!("rust-objcopy{}", std::env::consts::EXE_SUFFIX);
+    Ok(Path::new(libraries.trim()).with_file_name("bin").join(name))
+}
+
+/// CycloneDX, by the tool of its own project.
+fn bill_of_materials(workspace: &Workspace, target: &str) -> Result<(), XtaskError> {
+    let cyclonedx = tool(workspace, "cargo-cyclonedx", "0.5.9")?;
+    let name = format!("soilctl-{}-{target}.cdx", rust::of_workspace(workspace, "version")?);
+    let made = workspace.root().join("crates/cli").join(format!("{name}.json"));
+    Step::new("bill of materials", cyclonedx)
+        .args(["cyclonedx", "--manifest-path", "crates/cli/Cargo.toml", "--format", "json"])
+        .args(["--spec-version", "1.5", "--target", target, "--override-filename", &name])
+        .dir(workspace.root())
+        // It writes one beside each manifest otherwise, and says when.
+        .env("SOURCE_DATE_EPOCH", "0")
+        .run()?;
+    let kept = folder(workspace).join(format!("{name}.json"));
+    std::fs::rename(&made, &kept).map_err(|problem| XtaskError::file("bill of materials", &made, problem))
+}
+
+/// One list of all that lies there.
+pub(crate) fn checksums(workspace: &Workspace) -> Result<(), XtaskError> {
+    Step::new("checksums", interpreter()?)
+        .args(["packaging/checksums.py".into(), folder(workspace)])
+        .dir(workspace.root())
+        .run()
+}
