@@ -48,6 +48,27 @@ def same(*words, code=0):
     assert digits(here) == digits(there), words
 
 
+def close(*words, relative, code=0):
+    """Where sines and logarithms are those of the system, last digits differ, and iterations carry them on."""
+
+    def compare(here, there, where):
+        assert type(here) is type(there), where
+        if isinstance(here, dict):
+            assert here.keys() == there.keys(), where
+            for key in here:
+                compare(here[key], there[key], f"{where}.{key}")
+        elif isinstance(here, list):
+            assert len(here) == len(there), where
+            for number, pair in enumerate(zip(here, there, strict=True)):
+                compare(*pair, f"{where}[{number}]")
+        elif isinstance(here, float):
+            assert here == pytest.approx(there, rel=relative, abs=relative), where
+        else:
+            assert here == there, where
+
+    compare(*map(digits, both(*words, code=code)), str(words))
+
+
 def test_version_and_help():
     assert done(THERE, "--version") == done(HERE, "--version")
     assert "predict" in done(THERE, "--help")
@@ -62,7 +83,7 @@ def test_predict(model):
 def test_estimate():
     strokes = DATA / "soils/ticino_rained/strokes.csv"
     same("estimate", strokes, "--model", "thesis-ub", "--delta", 23, "--density", 1600)
-    same("estimate", strokes, "--delta", 23)
+    close("estimate", strokes, "--delta", 23, relative=1e-9)
 
 
 def test_a_proof_made_on_one_system_proves_on_the_other(tmp_path):
@@ -73,16 +94,20 @@ def test_a_proof_made_on_one_system_proves_on_the_other(tmp_path):
 
 
 def test_bound_and_solve():
-    same("bound", "--alpha", 90, "--phi", 30, "--delta", 15, "--max-gap", 0.05)
-    same("solve", DATA / "problems/footing_clay.toml", "--max-gap", 0.1)
+    close("bound", "--alpha", 90, "--phi", 30, "--delta", 15, "--max-gap", 0.05, relative=1e-6)
+    close("solve", DATA / "problems/footing_clay.toml", "--max-gap", 0.1, relative=1e-6)
 
 
-def test_diagnose_a_shipped_campaign():
-    same("diagnose", DATA / "campaigns/campaign_a", code=0)
+def test_diagnose_a_shipped_campaign(tmp_path):
+    close("diagnose", DATA / "campaigns/campaign_a", "--out", tmp_path, relative=1e-8)
+
+
+# As docs/own-robot.md has it.
+OTHER_ARM = ["--plate-frame", "blade_edge", "--surface-z", 0.08, "--width", 0.1]
 
 
 def test_process_the_bag_of_another_arm():
-    same("process", DATA / "other_arm/bag", "--urdf", DATA / "other_arm/arm.urdf")
+    same("process", DATA / "other_arm/bag", "--urdf", DATA / "other_arm/arm.urdf", *OTHER_ARM)
 
 
 PLAN = """version = 1

@@ -24,8 +24,7 @@ use crate::tasks::Task;
 use crate::workspace::Workspace;
 
 fn main() -> ExitCode {
-    let words: Vec<String> =
-        std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
+    let words: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
     let task = match words.as_slice() {
         [word] if matches!(word.as_str(), "help" | "-h" | "--help") => {
             eprintln!("{}", tasks::usage());

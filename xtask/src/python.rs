@@ -45,7 +45,8 @@ impl Environment {
     /// Makes sure that it holds the pinned requirements of a file, and no other ones.
     pub(crate) fn ensure(&self, file: &Path) -> Result<(), XtaskError> {
         let read = std::fs::read_to_string(file);
-        let requirements = read.map_err(|problem| XtaskError::file("read the requirements", file, problem))?;
+        let requirements =
+            read.map_err(|problem| XtaskError::file("read the requirements", file, problem))?;
         let stamp = self.folder.join(STAMP);
         if up_to_date(&requirements, &stamp) && self.works() {
             return Ok(());

@@ -38,7 +38,8 @@ pub(crate) fn with(toolchain: &str, name: &str) -> Step {
 
 /// Adds the standard library of a target; false, and a word about it, where it cannot be had.
 pub(crate) fn add_target(target: &str) -> bool {
-    let there = on_path("rustup") && Step::new("add a target", "rustup").args(["target", "add", target]).succeeds();
+    let there =
+        on_path("rustup") && Step::new("add a target", "rustup").args(["target", "add", target]).succeeds();
     if !there {
         eprintln!("== {target} is left out: rustup cannot add it here");
     }

@@ -16,12 +16,15 @@ const WASM: &str = "wasm32-unknown-unknown";
 const MINGW: &str = "x86_64-w64-mingw32-gcc";
 
 /// What needs no system.
-const PURE: [&str; 7] = ["soil", "earth-pressure", "certificate", "limit-analysis", "estimator", "diagnosis", "figure"];
+const PURE: [&str; 7] =
+    ["soil", "earth-pressure", "certificate", "limit-analysis", "estimator", "diagnosis", "figure"];
 
 /// Checks every crate for Windows and macOS, and what needs no system for WebAssembly. What cannot be had is left out, and said.
 pub(crate) fn targets(workspace: &Workspace) -> Result<(), XtaskError> {
     let check = |target: &str| {
-        cargo(workspace, target).args(["check", "--locked", "--target", target]).env("CARGO_PROFILE_DEV_DEBUG", "false")
+        cargo(workspace, target)
+            .args(["check", "--locked", "--target", target])
+            .env("CARGO_PROFILE_DEV_DEBUG", "false")
     };
     if rust::add_target(WASM) {
         let packages = PURE.iter().flat_map(|name| ["--package".into(), format!("soilctl-{name}")]);
@@ -32,7 +35,11 @@ pub(crate) fn targets(workspace: &Workspace) -> Result<(), XtaskError> {
     }
     if rust::add_target(MAC) {
         let step = check(MAC).args(["--workspace"]);
-        if cfg!(target_os = "macos") { step.run()? } else { zig(workspace, step, MAC, "aarch64-macos")?.run()? }
+        if cfg!(target_os = "macos") {
+            step.run()?
+        } else {
+            zig(workspace, step, MAC, "aarch64-macos")?.run()?
+        }
     }
     Ok(())
 }
@@ -46,7 +53,9 @@ pub(crate) fn windows(workspace: &Workspace) -> Result<(), XtaskError> {
     }
     setup(workspace)?;
     let here = find_soilctl(workspace)?;
-    cargo(workspace, "build for Windows").args(["build", "--locked", "--package", "soilctl", "--target", WINDOWS]).run()?;
+    cargo(workspace, "build for Windows")
+        .args(["build", "--locked", "--package", "soilctl", "--target", WINDOWS])
+        .run()?;
     let there = workspace.target().join(WINDOWS).join("debug/soilctl.exe");
     Step::new("the same answers on Windows", workspace.venv_python())
         .args(["-m", "pytest", "tests/windows"])
@@ -70,7 +79,9 @@ fn has_wine() -> bool {
 }
 
 fn has_mingw() -> bool {
-    cfg!(windows) || on_path(MINGW) || installed("build for Windows", "gcc-mingw-w64-x86-64", || on_path(MINGW))
+    cfg!(windows)
+        || on_path(MINGW)
+        || installed("build for Windows", "gcc-mingw-w64-x86-64", || on_path(MINGW))
 }
 
 fn installed(step: &str, package: &str, there: impl Fn() -> bool) -> bool {
@@ -88,7 +99,8 @@ pub(crate) fn zig(workspace: &Workspace, step: Step, target: &str, triple: &str)
     let environment = Environment::new(workspace.target().join("zig"));
     environment.ensure_tools(&["ziglang==0.15.2"])?;
     let folder = workspace.target().join("zig/compilers");
-    let compiler = script(&folder.join(format!("{target}-cc")), &environment.python(), &format!("cc -target {triple}"))?;
+    let compiler =
+        script(&folder.join(format!("{target}-cc")), &environment.python(), &format!("cc -target {triple}"))?;
     let archiver = script(&folder.join(format!("{target}-ar")), &environment.python(), "ar")?;
     let variable = target.replace('-', "_");
     Ok(step

@@ -39,7 +39,11 @@ const TASKS: [(&str, &str, &str); 16] = [
         "",
         "make the two environments with the pinned Python packages, install chromium if there is none",
     ),
-    ("test", "", "setup, then all tests: Rust, Python package, documentation, command line, report in the browser"),
+    (
+        "test",
+        "",
+        "setup, then all tests: Rust, Python package, documentation, command line, report in the browser",
+    ),
     ("lint", "", "format, clippy and documentation, warnings are errors"),
     ("verify", "[PART]...", "what takes long, whole or in the parts named after it"),
     ("rows", "", "write what docs/verification.md shows anew: published tables and exact solutions, minutes"),
@@ -50,7 +54,11 @@ const TASKS: [(&str, &str, &str); 16] = [
     ("deny", "", "licences, advisories, sources and second versions of the dependencies, by cargo-deny"),
     ("audit", "", "known weaknesses of the pinned Python packages, by pip-audit"),
     ("fuzz", "[SECONDS]", "run each target of fuzz/ so long, 60 s by default, with nightly Rust"),
-    ("dist", "[TARGET]", "archive of the program with completions, man pages, notices, SBOM and checksums, in target/dist"),
+    (
+        "dist",
+        "[TARGET]",
+        "archive of the program with completions, man pages, notices, SBOM and checksums, in target/dist",
+    ),
     ("wheels", "[TARGET]", "wheels of the Python package that others can install, in target/dist"),
     ("reproducible", "", "build the archive in two folders and compare the bytes"),
     ("site", "", "the documentation, with the notebooks' outputs, for any static host, in target/site"),
@@ -60,11 +68,7 @@ const TASKS: [(&str, &str, &str); 16] = [
 pub(crate) fn usage() -> String {
     let tasks = TASKS.map(|(word, further, does)| format!("  {:<19}{does}", format!("{word} {further}")));
     let parts = verify::PARTS.map(|(_, word, does)| format!("  {word:<19}{does}"));
-    format!(
-        "usage: cargo xtask <task>\n\n{}\n\nparts of verify\n\n{}",
-        tasks.join("\n"),
-        parts.join("\n")
-    )
+    format!("usage: cargo xtask <task>\n\n{}\n\nparts of verify\n\n{}", tasks.join("\n"), parts.join("\n"))
 }
 
 impl Task {

@@ -6,8 +6,8 @@
 use crate::error::XtaskError;
 use crate::fuzz;
 use crate::run::Step;
-use crate::tasks::{cargo, find_soilctl, setup};
 use crate::systems;
+use crate::tasks::{cargo, find_soilctl, setup};
 use crate::workspace::Workspace;
 
 /// Cases of each property test; an ordinary test run takes proptest's 256.

@@ -32,8 +32,11 @@ fn the_name_alone_tells_three_lines_that_work() {
     for line in lines {
         // No page pops up in a test.
         let words = line.split(' ').filter(|word| *word != "--open");
-        let done =
-            Command::new(env!("CARGO_BIN_EXE_soilctl")).args(words).current_dir(folder.path()).output().unwrap();
+        let done = Command::new(env!("CARGO_BIN_EXE_soilctl"))
+            .args(words)
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
         assert_eq!(done.status.code(), Some(0), "{line}: {}", String::from_utf8_lossy(&done.stderr));
     }
     assert!(folder.path().join("demo/ticino_rained/report.html").is_file());

@@ -27,7 +27,9 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
         return Err(XtaskError::Missing {
             step: "build the release".into(),
             what: format!("{target} cannot be built on {host}"),
-            remedy: format!("take none, for {host}, or {WINDOWS}; the workflow `release` has a machine for each system"),
+            remedy: format!(
+                "take none, for {host}, or {WINDOWS}; the workflow `release` has a machine for each system"
+            ),
         });
     }
     if target != host && !rust::add_target(target) {
@@ -56,7 +58,9 @@ pub(crate) fn build(workspace: &Workspace, target: &str) -> Result<PathBuf, Xtas
 
 /// A build whose bytes do not tell in which folders it was made.
 fn same_bytes(workspace: &Workspace, step: Step) -> Step {
-    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from).or_else(|| Some(std::env::home_dir()?.join(".cargo")));
+    let home = std::env::var_os("CARGO_HOME")
+        .map(PathBuf::from)
+        .or_else(|| Some(std::env::home_dir()?.join(".cargo")));
     let folders = [(Some(workspace.root().to_path_buf()), "/soilctl"), (home, "/cargo")];
     let folders = || folders.iter().filter_map(|(folder, name)| Some((folder.as_ref()?.display(), name)));
     let rust: Vec<String> = folders().map(|(from, to)| format!("--remap-path-prefix={from}={to}")).collect();

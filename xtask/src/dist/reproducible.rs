@@ -12,7 +12,8 @@ pub(crate) fn run(workspace: &Workspace) -> Result<(), XtaskError> {
     for name in ["first", "the second, elsewhere"] {
         let copy = workspace.target().join("reproducible").join(name);
         if copy.exists() {
-            std::fs::remove_dir_all(&copy).map_err(|problem| XtaskError::file("begin anew", &copy, problem))?;
+            std::fs::remove_dir_all(&copy)
+                .map_err(|problem| XtaskError::file("begin anew", &copy, problem))?;
         }
         // What is committed, as anybody has it.
         Step::new("a copy of the source", "git")
