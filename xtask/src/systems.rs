@@ -56,7 +56,13 @@ pub(crate) fn windows(workspace: &Workspace) -> Result<(), XtaskError> {
     cargo(workspace, "build for Windows")
         .args(["build", "--locked", "--package", "soilctl", "--target", WINDOWS])
         .run()?;
-    let there = workspace.target().join(WINDOWS).join("debug/soilctl.exe");
+    let folder = workspace.target().join(WINDOWS).join("debug");
+    let there = folder.join("soilctl.exe");
+    Step::new("a library that wine lacks", MINGW)
+        .args(["-shared", "-O2", "tests/windows/bcryptprimitives.c", "-ladvapi32", "-o"])
+        .args([folder.join("bcryptprimitives.dll")])
+        .dir(workspace.root())
+        .run()?;
     Step::new("the same answers on Windows", workspace.venv_python())
         .args(["-m", "pytest", "tests/windows"])
         .dir(workspace.root())
@@ -67,6 +73,7 @@ pub(crate) fn windows(workspace: &Workspace) -> Result<(), XtaskError> {
     cargo(workspace, "command line on Windows")
         .args(["test", "--locked", "--package", "soilctl", "--target", WINDOWS])
         .env("CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER", WINE)
+        .env("WINEPATH", folder)
         .env("WINEDEBUG", "-all")
         .run()
 }

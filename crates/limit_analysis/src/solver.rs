@@ -55,7 +55,7 @@ pub enum Factorisation {
     /// Clarabel's QDLDL: one column after another, in plain arithmetic, so bits are those of any other machine.
     Qdldl,
     /// Faer: blocks of columns, with the vector instructions that the processor has and blocks that fit its caches, so bits
-    /// are those of any machine with the same processor. Not where addresses have 32 bits, as in browsers: there it is an error.
+    /// are those of any machine with the same processor.
     Faer,
 }
 
