@@ -83,8 +83,9 @@ pub(super) fn cell_slopes(before: Option<Knot>, a: Knot, b: Knot, after: Option<
 /// allowed for, otherwise 3 times.
 ///
 /// At `delta = phi` the function ends and the node beyond is made up. In slip-line fields the square roots of `phi - delta` in
-/// `ln K` cancel and `x^(3/2)`, with `x = phi - delta`, is the first term that is not smooth. Its chord over `0..h` misses `h^(3/2) t (1 - sqrt(t))`, at most `h^(3/2) t (1 - t)`; its second
-/// difference over `0, h, 2 h` is `0.83 h^(3/2)`, half of which, 3 times, is more than that, and 1.5 times is not.
+/// `ln K` cancel and `x^(3/2)`, with `x = phi - delta`, is the first term that is not smooth. Its chord over `0..h` misses
+/// `h^(3/2) t (1 - sqrt(t))`, at most `h^(3/2) t (1 - t)`; its second difference over `0, h, 2 h` is `0.83 h^(3/2)`, half of
+/// which, 3 times, is more than that, and 1.5 times is not.
 pub(super) fn cell_error(
     axis: &[f64],
     cell: usize,
