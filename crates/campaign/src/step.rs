@@ -49,7 +49,7 @@ mod tests {
         counted.0[2] += 0.58 * count;
         let radius = |joints| {
             let pose = arm.forward(joints).unwrap();
-            pose.x_m.hypot(pose.y_m)
+            libm::hypot(pose.x_m, pose.y_m)
         };
         let step = at_plate_m(&plan).unwrap();
         assert!((step - (radius(&counted) - radius(&joints)).abs()).abs() < 2e-6, "{step}");

@@ -161,9 +161,12 @@ mod tests {
                 let (mobilisation, limit_force_n) = (mobilised(time_s), 1e4 * depth_m * depth_m);
                 let force = mobilisation * limit_force_n;
                 // Outwards and down across the plate, outwards and up along it.
-                let [n, t] = [force * delta.cos(), force * delta.sin()];
-                let force_rtz_n =
-                    [n * alpha.sin() + t * alpha.cos(), 0.0, -n * alpha.cos() + t * alpha.sin()];
+                let [n, t] = [force * libm::cos(delta), force * libm::sin(delta)];
+                let force_rtz_n = [
+                    n * libm::sin(alpha) + t * libm::cos(alpha),
+                    0.0,
+                    -n * libm::cos(alpha) + t * libm::sin(alpha),
+                ];
                 let soil =
                     SoilTruth { depth_m, limit_force_n, force_rtz_n, mobilisation, ..SoilTruth::default() };
                 Sample { time_s, soil }

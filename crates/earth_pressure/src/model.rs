@@ -178,13 +178,13 @@ pub struct FailureSurface {
 impl FailureSurface {
     pub(crate) fn from_tip(case: &Case, points: Vec<(f64, f64)>) -> Self {
         let alpha = case.tool_angle;
-        Self { plate_top: (-alpha.cos(), alpha.sin()), points }
+        Self { plate_top: (-libm::cos(alpha), libm::sin(alpha)), points }
     }
 
     /// Distance along the ground from the plate to where the surface daylights, in slant lengths.
     #[must_use]
     pub fn extent(&self) -> f64 {
-        self.points.last().map_or(0.0, |&(x, y)| (x - self.plate_top.0).hypot(y - self.plate_top.1))
+        self.points.last().map_or(0.0, |&(x, y)| libm::hypot(x - self.plate_top.0, y - self.plate_top.1))
     }
 }
 

@@ -11,7 +11,7 @@ pub(crate) struct Turn {
 
 impl Turn {
     pub(crate) fn of(radians: f64) -> Self {
-        let (sin, cos) = radians.sin_cos();
+        let (sin, cos) = libm::sincos(radians);
         Self { sin, cos }
     }
 

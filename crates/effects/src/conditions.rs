@@ -53,6 +53,6 @@ impl Conditions {
 
     /// Changes the force by a share of it, which cannot take more than 99 % away.
     pub(crate) fn scale(&mut self, share: f64) {
-        self.ln_factor += share.max(-0.99).ln_1p();
+        self.ln_factor += libm::log1p(share.max(-0.99));
     }
 }

@@ -18,11 +18,11 @@ pub fn force_n(
     }
     let c = &conditions;
     let net = mechanics.net(c.alpha_deg, c.beta_deg, c.phi_deg, c.delta_deg)?;
-    let slant_m = c.depth_m / c.alpha_deg.to_radians().sin();
+    let slant_m = c.depth_m / libm::sin(c.alpha_deg.to_radians());
     let unit_weight = base.density_kg_m3 * base.gravity_m_s2;
     let weight = 0.5 * unit_weight * slant_m * net.weight;
     let loads = c.cohesion_pa * net.cohesion + c.surcharge_pa * net.surcharge;
-    let force_n = slant_m * stroke.width_m * (weight + loads) * c.ln_factor.exp() + c.bias_n;
+    let force_n = slant_m * stroke.width_m * (weight + loads) * libm::exp(c.ln_factor) + c.bias_n;
     if c.depth_m > 0.0 && force_n > 0.0 && force_n.is_finite() {
         Ok(force_n)
     } else {

@@ -71,7 +71,7 @@ impl DirectMechanics {
 
 impl Mechanics for DirectMechanics {
     fn net(&self, alpha: f64, beta: f64, phi: f64, delta: f64) -> Result<Net, EffectsError> {
-        let weight = self.ln_weight(alpha, beta, phi, delta)?.0.exp();
+        let weight = libm::exp(self.ln_weight(alpha, beta, phi, delta)?.0);
         let share = chen(alpha, beta, phi, delta)?;
         let scale = weight / share.weight;
         Ok(Net { weight, cohesion: scale * share.cohesion, surcharge: scale * share.surcharge })
@@ -102,10 +102,10 @@ fn ln_carried(
     let (a, b, p) = (near(alpha, range.alpha_deg), near(beta, range.beta_deg), near(phi, range.phi_deg));
     let d = near(delta, range.delta_deg).min(p);
     let found = model.predict(&Case::from_deg(a, b, p, d))?;
-    let half_width = 0.5 * (found.net_upper.0 / found.net_lower.0).ln();
-    let mut ln_weight = found.net.weight.ln();
+    let half_width = 0.5 * libm::log(found.net_upper.0 / found.net_lower.0);
+    let mut ln_weight = libm::log(found.net.weight);
     if (a, b, p, d) != (alpha, beta, phi, delta) {
-        ln_weight += (chen(alpha, beta, phi, delta)?.weight / chen(a, b, p, d)?.weight).ln();
+        ln_weight += libm::log(chen(alpha, beta, phi, delta)?.weight / chen(a, b, p, d)?.weight);
     }
     Ok((ln_weight, half_width))
 }

@@ -50,7 +50,7 @@ impl Range {
     /// of its mass in the range, and never less than a factor of 1.3.
     #[must_use]
     pub fn ln_sd(&self) -> f64 {
-        ((self.high / self.low).ln() / (2.0 * 1.645)).max(0.26)
+        (libm::log(self.high / self.low) / (2.0 * 1.645)).max(0.26)
     }
 }
 

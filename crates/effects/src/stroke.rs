@@ -49,7 +49,7 @@ impl Stroke {
             depth_m: row.depth_m,
             width_m: row.width_m,
             delta_set_deg: row.delta_set_deg,
-            ln_speed: speed.zip(reference.speed_mps).map(|(v, mean)| (v / mean).ln()),
+            ln_speed: speed.zip(reference.speed_mps).map(|(v, mean)| libm::log(v / mean)),
             radius_position: row.radius_m.map(|r| (r - near) / (far - near)),
             base_deg: row.base_deg,
             base_position: between(row.base_deg, reference.base_deg).map(|x| 2.0 * x - 1.0),

@@ -38,19 +38,19 @@ impl Angle {
     /// Sine.
     #[must_use]
     pub fn sin(self) -> f64 {
-        self.0.sin()
+        libm::sin(self.0)
     }
 
     /// Cosine.
     #[must_use]
     pub fn cos(self) -> f64 {
-        self.0.cos()
+        libm::cos(self.0)
     }
 
     /// Tangent.
     #[must_use]
     pub fn tan(self) -> f64 {
-        self.0.tan()
+        libm::tan(self.0)
     }
 }
 

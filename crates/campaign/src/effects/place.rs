@@ -99,8 +99,10 @@ mod tests {
         }
         // Ends at (r cos b -+ w/2 sin b, r sin b +- w/2 cos b); the nearest pair by hand.
         let (r, w, b) = (0.4318_f64, 0.127_f64, 25.0_f64.to_radians());
-        let ends =
-            libm::hypot(r * b.cos() + 0.5 * w * b.sin() - r, r * b.sin() - 0.5 * w * b.cos() - 0.5 * w);
+        let ends = libm::hypot(
+            r * libm::cos(b) + 0.5 * w * libm::sin(b) - r,
+            r * libm::sin(b) - 0.5 * w * libm::cos(b) - 0.5 * w,
+        );
         assert!((places[1].gap_prior_m.unwrap() - ends).abs() < 1e-9, "{places:?} {ends}");
     }
 }

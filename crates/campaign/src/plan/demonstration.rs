@@ -33,7 +33,7 @@ struct Cell {
 
 /// A stroke far from the base, one inch along the plate.
 fn far(base_deg: f64, alpha_deg: f64, from_guess_deg: f64) -> Cell {
-    let slant_m = if alpha_deg > 95.0 { STEEP_DEPTH_M / alpha_deg.to_radians().sin() } else { SLANT_M };
+    let slant_m = if alpha_deg > 95.0 { STEEP_DEPTH_M / libm::sin(alpha_deg.to_radians()) } else { SLANT_M };
     Cell { radius_m: 0.4318, base_deg, alpha_deg, slant_m, from_guess_deg }
 }
 
@@ -82,7 +82,7 @@ pub fn demonstration(
     for batch in if is_quick { quick() } else { whole() } {
         text += "\n[[batches]]\nstrokes = [\n";
         for cell in batch {
-            let depth_m = cell.slant_m * cell.alpha_deg.to_radians().sin();
+            let depth_m = cell.slant_m * libm::sin(cell.alpha_deg.to_radians());
             let set_deg = (guess_deg + cell.from_guess_deg).max(LEAST_SET_DEG);
             // Writing to a text cannot fail.
             let _ = writeln!(

@@ -125,7 +125,7 @@ impl Mechanism {
     fn new(case: &Case, sign: f64) -> Self {
         let (alpha, beta) = (case.tool_angle.radians(), case.surface_slope.radians());
         let (phi, delta) = (sign * case.friction.radians(), sign * case.interface.radians());
-        let omega = (beta.sin() / phi.sin()).clamp(-1.0, 1.0).asin();
+        let omega = libm::asin((libm::sin(beta) / libm::sin(phi)).clamp(-1.0, 1.0));
         let rankine_dip = 0.5 * (FRAC_PI_2 - phi - beta - omega);
         let turns = Turns {
             alpha: Turn::of(alpha),
@@ -133,7 +133,7 @@ impl Mechanism {
             phi: Turn::of(phi),
             delta: Turn::of(delta),
             rankine_dip: Turn::of(rankine_dip),
-            b: 3.0 * phi.tan(),
+            b: 3.0 * libm::tan(phi),
         };
         Self { alpha, beta, phi, delta, sign, rankine_dip, turns }
     }
@@ -153,14 +153,14 @@ impl Mechanism {
 
     /// First radius over L.
     fn radius(&self, rho: f64) -> f64 {
-        (rho - self.phi).cos() / self.phi.cos()
+        libm::cos(rho - self.phi) / libm::cos(self.phi)
     }
 
     /// Weight factor with the fan that is stationary at this rho; NaN where the zones do not form.
     fn weight(&self, rho: f64) -> f64 {
         let (rho_turn, psi) = (Turn::of(rho), self.psi(rho));
         if psi > 0.0 {
-            self.weight_of(rho_turn, self.turns.rankine_dip, (self.turns.b * psi).exp())
+            self.weight_of(rho_turn, self.turns.rankine_dip, libm::exp(self.turns.b * psi))
         } else {
             self.weight_of(rho_turn, self.turns.alpha - rho_turn, 1.0)
         }
@@ -184,16 +184,16 @@ impl Mechanism {
     fn factors(&self, rho: f64) -> LoadFactors {
         let psi = self.psi(rho);
         let x = self.alpha - rho - psi;
-        let (r0, t) = (self.radius(rho), self.phi.tan());
-        let growth = (2.0 * t * psi).exp();
-        let last = r0 * growth * self.phi.cos() / (x + self.beta + self.phi).cos();
-        let power = (rho + self.delta).cos();
-        let fan = r0 * (2.0 * t * psi).exp_m1() / t;
+        let (r0, t) = (self.radius(rho), libm::tan(self.phi));
+        let growth = libm::exp(2.0 * t * psi);
+        let last = r0 * growth * libm::cos(self.phi) / libm::cos(x + self.beta + self.phi);
+        let power = libm::cos(rho + self.delta);
+        let fan = r0 * libm::expm1(2.0 * t * psi) / t;
         LoadFactors {
             weight: self.weight(rho),
-            surcharge: last * x.cos() / power,
-            cohesion: (rho.sin() + fan + last * (x + self.beta).sin()) / power,
-            adhesion: rho.sin() / power,
+            surcharge: last * libm::cos(x) / power,
+            cohesion: (libm::sin(rho) + fan + last * libm::sin(x + self.beta)) / power,
+            adhesion: libm::sin(rho) / power,
         }
     }
 
@@ -201,20 +201,20 @@ impl Mechanism {
     fn surface(&self, rho: f64) -> Vec<(f64, f64)> {
         const CHORDS: usize = 48;
         let psi = self.psi(rho);
-        let top = (-self.alpha.cos(), self.alpha.sin());
-        let (r0, t) = (self.radius(rho), self.phi.tan());
+        let top = (-libm::cos(self.alpha), libm::sin(self.alpha));
+        let (r0, t) = (self.radius(rho), libm::tan(self.phi));
         let mut points = vec![(0.0, 0.0)];
         for i in 0..=CHORDS {
             let s = psi * i as f64 / CHORDS as f64;
-            let (r, dip) = (r0 * (t * s).exp(), self.alpha - rho - s);
-            points.push((top.0 + r * dip.cos(), top.1 - r * dip.sin()));
+            let (r, dip) = (r0 * libm::exp(t * s), self.alpha - rho - s);
+            points.push((top.0 + r * libm::cos(dip), top.1 - r * libm::sin(dip)));
             if psi == 0.0 {
                 break;
             }
         }
-        let last =
-            r0 * (t * psi).exp() * self.phi.cos() / (self.alpha - rho - psi + self.beta + self.phi).cos();
-        points.push((top.0 + last * self.beta.cos(), top.1 + last * self.beta.sin()));
+        let last = r0 * libm::exp(t * psi) * libm::cos(self.phi)
+            / libm::cos(self.alpha - rho - psi + self.beta + self.phi);
+        points.push((top.0 + last * libm::cos(self.beta), top.1 + last * libm::sin(self.beta)));
         points
     }
 }
@@ -240,7 +240,7 @@ mod tests {
                     for j in 0..=120 {
                         let (rho, psi) = (1.5 * f64::from(i) / 120.0, 2.2 * f64::from(j) / 120.0);
                         let x = mechanism.alpha - rho - psi;
-                        let growth = (3.0 * mechanism.phi.tan() * psi).exp();
+                        let growth = libm::exp(3.0 * libm::tan(mechanism.phi) * psi);
                         let value = sign * mechanism.weight_of(Turn::of(rho), Turn::of(x), growth);
                         if value.is_finite() { brute = brute.min(value) }
                     }
@@ -266,8 +266,8 @@ mod tests {
             let k = passive(&case).unwrap();
             let (t, d) = (case.friction.tan(), case.interface.radians());
             // Pressure p on surface and plate; the plate's normal pressure p is part of the inclined force.
-            let sum = k.cohesion + k.adhesion * d.tan() / t;
-            prop_assert!(rel(sum, (k.surcharge - 1.0 / d.cos()) / t) < 1e-6, "{sum} {}", (k.surcharge - 1.0 / d.cos()) / t);
+            let sum = k.cohesion + k.adhesion * libm::tan(d) / t;
+            prop_assert!(rel(sum, (k.surcharge - 1.0 / libm::cos(d)) / t) < 1e-6, "{sum} {}", (k.surcharge - 1.0 / libm::cos(d)) / t);
         }
     }
 

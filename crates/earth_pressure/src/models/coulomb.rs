@@ -158,10 +158,11 @@ mod tests {
     /// The published closed form, as an independent check of the wedge.
     fn published_slant(case: &Case, active: bool) -> f64 {
         let (alpha, beta, phi, delta) = radians(case);
-        let q = ((phi + delta).sin() * (phi + beta).sin() / ((alpha + delta).sin() * (alpha + beta).sin()))
-            .sqrt();
+        let q = (libm::sin(phi + delta) * libm::sin(phi + beta)
+            / (libm::sin(alpha + delta) * libm::sin(alpha + beta)))
+        .sqrt();
         let bracket = if active { 1.0 + q } else { 1.0 - q };
-        (alpha - phi).sin().powi(2) / ((alpha + delta).sin() * bracket * bracket)
+        libm::sin(alpha - phi).powi(2) / (libm::sin(alpha + delta) * bracket * bracket)
     }
 
     proptest! {

@@ -151,7 +151,7 @@ struct Member {
 impl Spiral {
     fn new(case: &Case, thesis: bool) -> Self {
         let (beta, phi) = (case.surface_slope.radians(), case.friction.radians());
-        let omega = (beta.sin() / phi.sin()).clamp(-1.0, 1.0).asin();
+        let omega = libm::asin((libm::sin(beta) / libm::sin(phi)).clamp(-1.0, 1.0));
         Self {
             alpha: case.tool_angle.radians(),
             beta,
@@ -174,21 +174,21 @@ impl Spiral {
 
     fn member(&self, theta: f64) -> Member {
         let along = self.alpha - self.dip;
-        let l0 = along.cos() - along.sin() / theta.tan();
-        let line = (self.dip.cos(), -self.dip.sin());
+        let l0 = libm::cos(along) - libm::sin(along) / libm::tan(theta);
+        let line = (libm::cos(self.dip), -libm::sin(self.dip));
         let pole = (l0 * line.0, l0 * line.1);
-        let tip = (self.alpha.cos(), -self.alpha.sin());
-        let r0 = along.sin() / theta.sin();
-        let reach = l0 + r0 * (theta * self.phi.tan()).exp();
+        let tip = (libm::cos(self.alpha), -libm::sin(self.alpha));
+        let r0 = libm::sin(along) / libm::sin(theta);
+        let reach = l0 + r0 * libm::exp(theta * libm::tan(self.phi));
         let d1 = (reach * line.0, reach * line.1);
-        Member { pole, tip, r0, theta, d1, f1: (d1.0, d1.0 * self.beta.tan()) }
+        Member { pole, tip, r0, theta, d1, f1: (d1.0, d1.0 * libm::tan(self.beta)) }
     }
 
     /// Point of the spiral at angle s from the tip.
     fn on_spiral(&self, m: &Member, s: f64) -> Point {
         let direction = -self.dip - m.theta + s;
-        let r = m.r0 * (s * self.phi.tan()).exp();
-        (m.pole.0 + r * direction.cos(), m.pole.1 + r * direction.sin())
+        let r = m.r0 * libm::exp(s * libm::tan(self.phi));
+        (m.pole.0 + r * libm::cos(direction), m.pole.1 + r * libm::sin(direction))
     }
 
     /// Weight factor of one spiral, from the moments about its pole; NaN where no Rankine zone is left.
@@ -209,37 +209,37 @@ impl Spiral {
         let height = m.f1.1 - m.d1.1;
         let (zone, plate) = (height * self.thrust_arm(&m, 0.5 * height), self.plate_arm(&m, 0.5));
 
-        let surface = m.d1.0 / self.beta.cos();
+        let surface = m.d1.0 / libm::cos(self.beta);
         let middle = (0.5 * m.f1.0, 0.5 * m.f1.1);
         let on_surface = cross(minus(middle, m.pole), (0.0, -surface));
-        let surcharge = -(on_surface + self.rankine() / self.beta.cos() * zone) / plate;
+        let surcharge = -(on_surface + self.rankine() / libm::cos(self.beta) * zone) / plate;
 
-        let t = self.phi.tan();
-        let along_spiral = -m.r0 * m.r0 * (2.0 * t * m.theta).exp_m1() / (2.0 * t);
-        let root_n = (FRAC_PI_2 / 2.0 + self.phi / 2.0).tan();
+        let t = libm::tan(self.phi);
+        let along_spiral = -m.r0 * m.r0 * libm::expm1(2.0 * t * m.theta) / (2.0 * t);
+        let root_n = libm::tan(FRAC_PI_2 / 2.0 + self.phi / 2.0);
         let cohesion = -(along_spiral + 2.0 * root_n * zone) / plate;
 
-        let down_plate = (self.alpha.cos(), -self.alpha.sin());
+        let down_plate = (libm::cos(self.alpha), -libm::sin(self.alpha));
         let adhesion = -cross(minus((0.0, 0.0), m.pole), down_plate) / plate;
         LoadFactors { weight: self.weight(&m), surcharge, cohesion, adhesion }
     }
 
     /// Rankine's passive coefficient on a vertical plane, thrust parallel to the surface.
     fn rankine(&self) -> f64 {
-        let root = (self.beta.cos().powi(2) - self.phi.cos().powi(2)).max(0.0).sqrt();
-        self.beta.cos() * (self.beta.cos() + root) / (self.beta.cos() - root)
+        let root = (libm::cos(self.beta).powi(2) - libm::cos(self.phi).powi(2)).max(0.0).sqrt();
+        libm::cos(self.beta) * (libm::cos(self.beta) + root) / (libm::cos(self.beta) - root)
     }
 
     /// Moment about the pole of a unit thrust of the Rankine zone at a height above d1.
     fn thrust_arm(&self, m: &Member, above_d1: f64) -> f64 {
-        let push = (-self.beta.cos(), -self.beta.sin());
+        let push = (-libm::cos(self.beta), -libm::sin(self.beta));
         cross(minus((m.d1.0, m.d1.1 + above_d1), m.pole), push)
     }
 
     /// Moment about the pole of a unit force of the plate acting at a fraction of the slant length above the tip.
     fn plate_arm(&self, m: &Member, above_tip: f64) -> f64 {
         let point = (m.tip.0 * (1.0 - above_tip), m.tip.1 * (1.0 - above_tip));
-        cross(minus(point, m.pole), ((self.alpha + self.delta).sin(), (self.alpha + self.delta).cos()))
+        cross(minus(point, m.pole), (libm::sin(self.alpha + self.delta), libm::cos(self.alpha + self.delta)))
     }
 
     /// Moment about the pole of the weight (unit weight 1, acting down) of the soil between plate, spiral,
@@ -255,10 +255,10 @@ impl Spiral {
             (0..10).map(|i| triangle(chord(i), chord(i + 1))).sum()
         } else {
             // Integral of r^3/3 cos(direction) over the angle.
-            let (b, start) = (3.0 * self.phi.tan(), -self.dip - m.theta);
+            let (b, start) = (3.0 * libm::tan(self.phi), -self.dip - m.theta);
             let primitive = |s: f64| {
                 let angle = start + s;
-                (b * s).exp() * (b * angle.cos() + angle.sin()) / (b * b + 1.0)
+                libm::exp(b * s) * (b * libm::cos(angle) + libm::sin(angle)) / (b * b + 1.0)
             };
             m.r0.powi(3) / 3.0 * (primitive(m.theta) - primitive(0.0))
         };
@@ -275,8 +275,8 @@ impl Spiral {
             .collect();
         // The rising slip line makes 90 deg - phi with the falling one.
         let rise = FRAC_PI_2 - self.phi - self.dip;
-        let run = (m.f1.1 - m.d1.1) * self.beta.cos() / (rise - self.beta).sin();
-        let end = minus((m.d1.0 + run * rise.cos(), m.d1.1 + run * rise.sin()), m.tip);
+        let run = (m.f1.1 - m.d1.1) * libm::cos(self.beta) / libm::sin(rise - self.beta);
+        let end = minus((m.d1.0 + run * libm::cos(rise), m.d1.1 + run * libm::sin(rise)), m.tip);
         points.push(end);
         points
     }
@@ -346,7 +346,7 @@ mod tests {
             let case = Case::from_deg(80.0, beta, 40.0, 25.0);
             let surface = LogSpiral::CORRECT.failure_surface(&case).unwrap().unwrap();
             let (top, end) = (surface.plate_top, surface.points[surface.points.len() - 1]);
-            let slope = ((end.1 - top.1) / (end.0 - top.0)).atan().to_degrees();
+            let slope = libm::atan((end.1 - top.1) / (end.0 - top.0)).to_degrees();
             assert!((slope - beta).abs() < 1e-6, "{slope}");
         }
     }

@@ -134,7 +134,7 @@ impl ForceModel for BracketModel {
         let sections = (self.lower.at(alpha)?, self.upper.at(alpha)?);
         let (phi, delta) = (case.friction.degrees(), case.interface.degrees());
         let (low, high) = (sections.0.lookup(phi, delta)?, sections.1.lookup(phi, delta)?);
-        let ends = (low.k_net * (-low.margin).exp(), high.k_net * high.margin.exp());
+        let ends = (low.k_net * libm::exp(-low.margin), high.k_net * libm::exp(high.margin));
         Ok(prediction((ends.0 * ends.1).sqrt(), ends, low.margin.max(high.margin)))
     }
 
@@ -158,7 +158,8 @@ impl ModelSlice for BracketSlice<'_> {
     fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<NetFactors, EarthPressureError> {
         let low = self.lower.lookup(phi_deg, delta_deg)?;
         let high = self.upper.lookup(phi_deg, delta_deg)?;
-        let (weight_lower, weight_upper) = (low.k_net * (-low.margin).exp(), high.k_net * high.margin.exp());
+        let (weight_lower, weight_upper) =
+            (low.k_net * libm::exp(-low.margin), high.k_net * libm::exp(high.margin));
         let factors = LoadFactors { weight: (weight_lower * weight_upper).sqrt(), ..LoadFactors::default() };
         Ok(NetFactors { weight_lower, weight_upper, factors })
     }

@@ -222,7 +222,7 @@ fn lookup(grid: &impl Grid, phi_deg: f64, delta_deg: f64) -> Result<Lookup, Eart
     let along_delta = here.1 + in_phi.t * (error(j + 1, k).1 - here.1);
     let margin =
         node.margin + in_phi.t * (1.0 - in_phi.t) * along_phi + in_delta.t * (1.0 - in_delta.t) * along_delta;
-    Ok(Lookup { k_net: node.ln_k.exp(), margin })
+    Ok(Lookup { k_net: libm::exp(node.ln_k), margin })
 }
 
 /// Row `j` at a place along delta.

@@ -3,7 +3,7 @@ use crate::{Effect, Parameter, Range, Site, SoilSite};
 
 /// ln(1 + x), and the tangent in its place where that would leave no force.
 fn ln_factor(x: f64) -> f64 {
-    if x > -0.8 { x.ln_1p() } else { 0.2_f64.ln() + 5.0 * (x + 0.8) }
+    if x > -0.8 { libm::log1p(x) } else { libm::log(0.2_f64) + 5.0 * (x + 0.8) }
 }
 
 /// The soil is denser below: `F' = F (1 + g (H - H0))` about the mean depth H0, so g is the relative change of `F / H^2` a

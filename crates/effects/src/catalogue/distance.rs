@@ -21,7 +21,7 @@ pub(super) fn fade(
     conditions: &mut Conditions,
 ) -> Result<(), EffectsError> {
     if let Some(distance_m) = distance_m {
-        conditions.scale(acting.amplitude * (-distance_m / acting.shape).exp());
+        conditions.scale(acting.amplitude * libm::exp(-distance_m / acting.shape));
     }
     Ok(())
 }

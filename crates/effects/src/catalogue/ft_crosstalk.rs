@@ -3,7 +3,7 @@ use crate::{Channel, Effect, Parameter, Range, SensorSite, Shape, Site};
 
 /// True and read tangent of the friction angle.
 fn tangents(delta_deg: f64, crosstalk: f64) -> (f64, f64) {
-    let tan = delta_deg.to_radians().tan();
+    let tan = libm::tan(delta_deg.to_radians());
     (tan, tan + crosstalk)
 }
 
@@ -17,7 +17,7 @@ pub(super) static EFFECT: Effect = Effect {
     needs: Some(Channel::SlipAngle),
     apply: |a, c| {
         let (tan, leaky) = tangents(c.delta_deg, a.amplitude);
-        c.ln_factor += 0.5 * ((1.0 + leaky * leaky) / (1.0 + tan * tan)).ln();
+        c.ln_factor += 0.5 * libm::log((1.0 + leaky * leaky) / (1.0 + tan * tan));
         Ok(())
     },
     linked: &[Channel::FrictionAngle, Channel::SlipAngle],
@@ -26,7 +26,7 @@ pub(super) static EFFECT: Effect = Effect {
             return 0.0;
         }
         let (tan, leaky) = tangents(reading.delta_deg, amplitude);
-        (leaky.atan() - tan.atan()).to_degrees()
+        (libm::atan(leaky) - libm::atan(tan)).to_degrees()
     },
     ..Effect::new(
         EffectId::FtCrosstalk,

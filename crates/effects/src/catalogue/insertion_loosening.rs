@@ -3,7 +3,7 @@ use crate::{Channel, Effect, Parameter, Range, Reference, Response, Shape, Site,
 
 /// How much of the loss at the mean depth there is at the depth of a stroke.
 fn share(length_m: f64, stroke: &Stroke, reference: &Reference) -> f64 {
-    ((reference.depth_m - stroke.depth_m) / length_m).exp()
+    libm::exp((reference.depth_m - stroke.depth_m) / length_m)
 }
 
 /// Pushing the plate in loosens dense soil around it: `phi' = phi - a exp((H0 - H) / l)`, with the loss a at the mean depth H0

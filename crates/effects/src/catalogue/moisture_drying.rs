@@ -13,7 +13,7 @@ pub(super) static EFFECT: Effect = Effect {
     varies_with: Some(Covariate::Time),
     apply: |a, c| {
         if let Some(time) = a.stroke.time_fraction {
-            c.cohesion_pa += a.amplitude * (-time / a.shape).exp();
+            c.cohesion_pa += a.amplitude * libm::exp(-time / a.shape);
         }
         Ok(())
     },

@@ -3,7 +3,7 @@ use crate::{Channel, Effect, Parameter, Range, Response, Shape, Site, SoilSite};
 
 /// Share of the deficit at a tool angle: none well below the middle, all of it well above.
 fn share(alpha_deg: f64, middle_deg: f64) -> f64 {
-    0.5 * (1.0 + ((alpha_deg - middle_deg) / 4.0).tanh())
+    0.5 * (1.0 + libm::tanh((alpha_deg - middle_deg) / 4.0))
 }
 
 /// Friction is not fully mobilised where failure is gradual, so the force is read low, mostly at 90 deg and above:
@@ -15,7 +15,7 @@ fn share(alpha_deg: f64, middle_deg: f64) -> f64 {
 pub(super) static EFFECT: Effect = Effect {
     shape: Some(Shape { parameter: None, values: &[85.0, 95.0] }),
     apply: |a, c| {
-        c.ln_factor += (1.0 - a.amplitude * share(a.stroke.alpha_deg, a.shape)).max(1e-6).ln();
+        c.ln_factor += libm::log((1.0 - a.amplitude * share(a.stroke.alpha_deg, a.shape)).max(1e-6));
         Ok(())
     },
     responses: &[

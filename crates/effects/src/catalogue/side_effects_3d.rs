@@ -7,7 +7,7 @@ use crate::{Effect, Parameter, Range, Site, SoilSite};
 /// between them with H times the width w.
 pub(super) static EFFECT: Effect = Effect {
     apply: |a, c| {
-        c.ln_factor += (a.amplitude * a.stroke.depth_m / a.stroke.width_m).ln_1p();
+        c.ln_factor += libm::log1p(a.amplitude * a.stroke.depth_m / a.stroke.width_m);
         Ok(())
     },
     ..Effect::new(

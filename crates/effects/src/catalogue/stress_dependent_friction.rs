@@ -11,7 +11,7 @@ pub(super) static EFFECT: Effect = Effect {
     apply: |a, c| {
         let here = a.mechanics.net(a.stroke.alpha_deg, 0.0, c.phi_deg, c.delta_deg)?.weight;
         let mean = a.mechanics.net(a.reference.alpha_deg, 0.0, c.phi_deg, c.delta_deg)?.weight;
-        let decades = (a.stroke.depth_m / a.reference.depth_m).log10() + 0.5 * (here / mean).log10();
+        let decades = libm::log10(a.stroke.depth_m / a.reference.depth_m) + 0.5 * libm::log10(here / mean);
         c.phi_deg -= a.amplitude * decades;
         Ok(())
     },

@@ -16,7 +16,7 @@ pub(super) static EFFECT: Effect = Effect {
     varies_with: Some(Covariate::BaseAngle),
     apply: |a, c| {
         if let Some(base_deg) = a.stroke.base_deg {
-            c.beta_deg += a.amplitude * (base_deg - a.shape).to_radians().cos();
+            c.beta_deg += a.amplitude * libm::cos((base_deg - a.shape).to_radians());
         }
         Ok(())
     },

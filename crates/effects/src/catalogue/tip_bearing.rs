@@ -9,7 +9,7 @@ use crate::{Effect, Parameter, Range, Site, SoilSite};
 pub(super) static EFFECT: Effect = Effect {
     apply: |a, c| {
         let lean = ((90.0 - a.stroke.alpha_deg) / 20.0).max(0.0);
-        c.ln_factor += (a.amplitude * lean * a.reference.depth_m / a.stroke.depth_m).ln_1p();
+        c.ln_factor += libm::log1p(a.amplitude * lean * a.reference.depth_m / a.stroke.depth_m);
         Ok(())
     },
     ..Effect::new(
