@@ -178,7 +178,7 @@ pub struct FailureSurface {
 impl FailureSurface {
     pub(crate) fn from_tip(case: &Case, points: Vec<(f64, f64)>) -> Self {
         let alpha = case.tool_angle;
-        Self { plate_top: (-libm::cos(alpha), libm::sin(alpha)), points }
+        Self { plate_top: (-alpha.cos(), alpha.sin()), points }
     }
 
     /// Distance along the ground from the plate to where the surface daylights, in slant lengths.
