@@ -14,7 +14,6 @@ from conftest import decoded
 from mcap.reader import make_reader
 from rosbags.highlevel import AnyReader
 
-ROOT = Path(__file__).resolve().parents[2]
 TICKS = 26000
 TICK_NS = 2_000_000
 COUNTS = {
@@ -33,11 +32,12 @@ JOINTS = ["base", "shoulder", "elbow", "twist", "wrist"]
 
 
 @pytest.fixture(scope="session")
-def log(tmp_path_factory):
-    """A log of one whole stroke."""
+def log(soilctl, tmp_path_factory):
+    """A log of one whole stroke, by the example that the Rust tests built beside the program."""
     path = tmp_path_factory.mktemp("log") / "stroke.mcap"
-    words = ["cargo", "run", "--quiet", "-p", "soilctl-session", "--example", "write_log", "--", str(path), str(TICKS)]
-    subprocess.run(words, cwd=ROOT, check=True, timeout=1200)
+    example = soilctl.binary.parent / "examples" / "write_log"
+    assert example.is_file(), "build it with `cargo build --workspace --examples`"
+    subprocess.run([example, path, str(TICKS)], check=True, timeout=1200)
     return path
 
 

@@ -355,6 +355,7 @@ def test_the_viewer_shows_it_as_it_is_laid_out(answer, browser, tmp_path):
     """Rerun's own viewer, in the browser: arm at the left, forces at the top right, heights below."""
     viewer = Viewer(answer["recording"], tmp_path)
     page = browser.new_page(viewport={"width": 1400, "height": 900})
+    page.set_default_timeout(LONG_S * 1000)
     try:
         page.goto(viewer.url)
         blue, orange = (0, 114, 178), (230, 159, 0)

@@ -1,12 +1,21 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use num_rational::BigRational;
+use num_bigint::BigInt;
+use num_rational::Ratio;
+use num_traits::Float;
 use proptest::prelude::*;
 
 use super::*;
 
+type BigRational = Ratio<BigInt>;
+
+/// A number of the machine is a whole number times a power of two.
 fn exact(x: f64) -> BigRational {
-    BigRational::from_float(x).unwrap()
+    assert!(x.is_finite());
+    let (significand, exponent, sign) = Float::integer_decode(x);
+    let whole = BigInt::from(significand) * sign;
+    let power = BigInt::from(1) << exponent.unsigned_abs();
+    if exponent < 0 { Ratio::new(whole, power) } else { Ratio::from_integer(whole * power) }
 }
 
 fn holds(interval: Interval, x: &BigRational) -> bool {
