@@ -16,8 +16,8 @@ const WASM: &str = "wasm32-unknown-unknown";
 const MINGW: &str = "x86_64-w64-mingw32-gcc";
 
 /// What needs no system.
-const PURE: [&str; 7] =
-    ["soil", "earth-pressure", "certificate", "limit-analysis", "estimator", "diagnosis", "figure"];
+const PURE: [&str; 8] =
+    ["soil", "earth-pressure", "certificate", "conic", "limit-analysis", "estimator", "diagnosis", "figure"];
 
 /// Checks every crate for Windows and macOS, and what needs no system for WebAssembly. What cannot be had is left out, and said.
 pub(crate) fn targets(workspace: &Workspace) -> Result<(), XtaskError> {

@@ -1,6 +1,5 @@
-use std::path::PathBuf;
-
 use soilctl_certificate::CertificateError;
+use soilctl_conic::ConicError;
 use thiserror::Error;
 
 use crate::describe::DescriptionError;
@@ -65,20 +64,9 @@ pub enum LimitError {
         /// What the user can do.
         advice: &'static str,
     },
-    /// A program that failed could not be written.
-    #[error("{}: {message}; give another folder for failed programs, or none", path.display())]
-    Dump {
-        /// The file.
-        path: PathBuf,
-        /// What the system says.
-        message: String,
-    },
-    /// The solver refused the program.
-    #[error("the cone solver refused the program: {message}; please report the problem file")]
-    Solver {
-        /// The solver's words.
-        message: String,
-    },
+    /// A program could not be solved at all.
+    #[error(transparent)]
+    Conic(#[from] ConicError),
 }
 
 /// A range in words. Limits next to a number that is shorter to write mean that one.

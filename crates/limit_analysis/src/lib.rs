@@ -79,12 +79,12 @@
 //!   Solids Struct. 44, 1533-1549.
 //! - Clough & Tocher (1965): the macro-element; see [`soilctl_certificate`].
 
+mod accuracy;
 mod adapt;
 mod bound;
 pub mod describe;
 mod error;
 mod fields;
-mod form;
 mod gap;
 #[cfg(test)]
 mod known;
@@ -93,11 +93,9 @@ pub mod mesh;
 mod mobile;
 mod plate;
 mod problem;
-mod program;
 pub mod results;
 mod singular;
 mod slip;
-mod solver;
 mod start;
 mod strength;
 mod topology;
@@ -109,5 +107,5 @@ pub use describe::{Described, Description, DescriptionError};
 pub use error::LimitError;
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};
 pub use problem::Problem;
-pub use solver::{Factorisation, Status};
+pub use soilctl_conic::{Factorisation, Status};
 pub use strength::{SafetyBounds, SafetyProof, Trial, factor_of_safety};

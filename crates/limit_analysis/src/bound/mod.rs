@@ -10,10 +10,10 @@ mod run;
 mod solves;
 
 use soilctl_certificate::{Claim, Computed, LowerField, UpperField};
+use soilctl_conic::{Factorisation, SOLVER, Status};
 
 use crate::error::LimitError;
 use crate::problem::Problem;
-use crate::solver::{Factorisation, SOLVER, Status};
 pub(crate) use clock::Clock;
 pub use ended::{Ended, StoppedBy};
 pub use options::Options;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use crate::solver::Factorisation;
+use soilctl_conic::Factorisation;
 
 /// When to stop, and what may be spent.
 #[derive(Debug, Clone)]

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use soilctl_certificate::{LowerField, UpperField};
+use soilctl_conic::Status;
 
 use super::memory::capacity;
 use super::{Bound, Clock, Ended, Level, Options, Solve, relative_gap};
@@ -13,7 +14,6 @@ use crate::gap::shares;
 use crate::mesh::{Guide, Mesh};
 use crate::mobile::MobileZone;
 use crate::problem::Problem;
-use crate::solver::Status;
 use crate::start::Start;
 use crate::topology::Topology;
 

@@ -5,15 +5,15 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use soilctl_certificate::{CertificateError, LowerField, UpperField, prove_lower, prove_upper};
+use soilctl_conic::{Accuracy, Answer, How, Program, Status};
 
 use super::Solve;
 use super::run::Run;
+use crate::accuracy;
 use crate::error::LimitError;
 use crate::fields::{StressField, VelocityField};
 use crate::lower::Lower;
 use crate::mesh::Mesh;
-use crate::program::Program;
-use crate::solver::{self, Accuracy, Answer, How, Status};
 use crate::topology::Topology;
 use crate::upper::Upper;
 
@@ -96,7 +96,7 @@ impl Run<'_> {
             seconds: self.clock.left(),
             dump: dump.as_deref(),
         };
-        solver::solve(program, how, stops)
+        Ok(soilctl_conic::solve(program, how, stops)?)
     }
 
     pub(super) fn solve_upper(
@@ -109,10 +109,10 @@ impl Run<'_> {
         let mut spent = Spent::default();
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let mut answer = self.solve(&upper.program, Accuracy::FLOW, "upper", needless)?;
+            let mut answer = self.solve(&upper.program, accuracy::FLOW, "upper", needless)?;
             if answer.status == Status::Infeasible {
                 spent.add(&answer, mesh);
-                answer = self.solve(&upper.program, Accuracy::FLOW_AGAIN, "upper", needless)?;
+                answer = self.solve(&upper.program, accuracy::FLOW_AGAIN, "upper", needless)?;
             }
             spent.add(&answer, mesh);
             let start = Instant::now();
@@ -141,7 +141,7 @@ impl Run<'_> {
         let mut spent = Spent::default();
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
-            let answer = self.solve(&lower.program, Accuracy::STRESS, "lower", needless)?;
+            let answer = self.solve(&lower.program, accuracy::STRESS, "lower", needless)?;
             spent.add(&answer, mesh);
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);

@@ -1,16 +1,15 @@
 //! The Airy stress function of a problem on a mesh: its unknowns, with the static boundary conditions built in.
 
 use soilctl_certificate::{Condition, Gauge, Gradient, LowerField, VertexCopy};
+use soilctl_conic::{Form, Program};
 
 use super::given::{Across, Touching, slopes_across};
 use super::loads;
 use super::reference::ReferenceStress;
 use super::split_vertices::{Meeting, SplitVertices};
 use super::unknown_jet::UnknownJet;
-use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
-use crate::program::Program;
 use crate::topology::Topology;
 use crate::vector::{Point, between, distance, turned};
 

@@ -1,9 +1,9 @@
 //! Soil beyond far lines: only the stress across the line is the mesh's.
 
 use soilctl_certificate::{Condition, LineUse, Place};
+use soilctl_conic::Form;
 
 use super::{Lower, Stress, mohr_coulomb};
-use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::vector::Point;

@@ -2,12 +2,11 @@
 //! a constant, which lines that go on straight have in common.
 
 use soilctl_certificate::{Condition, LineUse};
+use soilctl_conic::{Form, Program};
 
 use super::reference::ReferenceStress;
 use super::unknown_jet::Unknown;
-use crate::form::Form;
 use crate::problem::Problem;
-use crate::program::Program;
 use crate::vector::{between, turned};
 
 /// The slope across a line of given shear as a function of the position along it.

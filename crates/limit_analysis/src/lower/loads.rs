@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use soilctl_certificate::{Condition, LineUse, Objective, Run};
+use soilctl_conic::Form;
 
 use super::reference::ReferenceStress;
-use crate::form::Form;
 use crate::problem::Problem;
 use crate::vector::{Point, turned};
 

@@ -16,15 +16,14 @@ pub(crate) mod tests;
 mod unknown_jet;
 
 use soilctl_certificate::{Condition, LowerField, Objective};
+use soilctl_conic::{Cone, Form, Program};
 
 use dofs::StressFunction;
 use macro_element::{Curvature, curvatures};
 use reference::ReferenceStress;
 
-use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
-use crate::program::{Cone, Program};
 use crate::topology::Topology;
 use crate::vector::{Point, between, centroid, distance, length};
 

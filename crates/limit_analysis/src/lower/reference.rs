@@ -1,8 +1,8 @@
 //! The reference stress: in equilibrium with the weight of the soil, whatever the stress function adds.
 
 use soilctl_certificate::Objective;
+use soilctl_conic::Form;
 
-use crate::form::Form;
 use crate::problem::Problem;
 use crate::vector::Point;
 

@@ -1,16 +1,15 @@
 //! Vertices, split where boundaries or branch cuts part the soil, and what the boundary conditions say at each copy.
 
 use soilctl_certificate::{Condition, LineUse, Place, Side};
+use soilctl_conic::{Form, Program};
 
 use super::branches::{BranchCuts, Branches, walked};
 use super::given::Across;
 use super::loads::Loads;
 use super::reference::ReferenceStress;
 use super::unknown_jet::{Turn, Unknown, UnknownJet};
-use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
-use crate::program::Program;
 use crate::topology::Topology;
 use crate::vector::{Point, between, distance, turned};
 

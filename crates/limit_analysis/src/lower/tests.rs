@@ -8,8 +8,9 @@ pub(crate) mod common;
 use common::{soil, statement};
 
 use super::*;
+use crate::accuracy;
+use crate::known::solve_through;
 use crate::mesh::{Fan, Request, generate};
-use crate::solver::{Accuracy, solve_through};
 
 fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f64) -> f64 {
     let problem = Problem::new(statement).unwrap();
@@ -23,7 +24,7 @@ fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f
     };
     let mesh = generate(&request).unwrap();
     let topology = Topology::new(&mesh);
-    let accuracy = Accuracy { gap: 1e-7, ..Accuracy::STRESS };
+    let accuracy = soilctl_conic::Accuracy { gap: 1e-7, ..accuracy::STRESS };
     let attempt = |tightening: f64| {
         let lower = Lower::new(&problem, &mesh, &topology, tightening);
         let answer = solve_through(&lower.program, accuracy);

@@ -1,8 +1,8 @@
 //! Value and slopes of the stress function at a vertex, in as few unknowns as the conditions there leave.
 
 use soilctl_certificate::Jet;
+use soilctl_conic::Form;
 
-use crate::form::Form;
 use crate::vector::turned;
 
 /// An unknown of the program and the size of its unit.

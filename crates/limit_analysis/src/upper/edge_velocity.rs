@@ -1,7 +1,8 @@
 //! Velocities along an edge.
 
+use soilctl_conic::Form;
+
 use super::Velocity;
-use crate::form::Form;
 
 /// A velocity, quadratic along an edge: Bernstein coefficients at the start, in the middle and at the end of its parts
 /// along the edge and across it, to the left. As a relative velocity of the soil on the left these are slip and opening.

@@ -1,13 +1,13 @@
 //! What happens at the edges of triangles: jumps, faces and loads.
 
 use soilctl_certificate::{Condition, Objective, Place, Side};
+use soilctl_conic::Form;
 
 use super::Builder;
 use super::edge_velocity::EdgeVelocity;
 use super::meshed::Edge;
 use super::nodes::Element;
 use super::strength::{Limit, over_edge};
-use crate::form::Form;
 
 type Ends = [f64; 2];
 

@@ -1,13 +1,12 @@
 //! Kinematic boundary conditions: how each control point of a quadratic velocity may move.
 
 use soilctl_certificate::Condition;
+use soilctl_conic::{Form, Program};
 
 use super::Velocity;
 use super::meshed::MeshedProblem;
 use super::nodes::Element;
-use crate::form::Form;
 use crate::problem::Problem;
-use crate::program::Program;
 use crate::vector::distance;
 
 /// A triangle and its control points.

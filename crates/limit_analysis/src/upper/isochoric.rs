@@ -1,8 +1,9 @@
 //! Dissipation of soil without friction, whose velocity is that of a stream function.
 
+use soilctl_conic::Form;
+
 use super::Builder;
 use super::strength::over_triangle;
-use crate::form::Form;
 use crate::lower::macro_element::{Curvature, curvatures};
 use crate::vector::{centroid, twice_area};
 

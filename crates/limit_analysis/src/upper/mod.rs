@@ -19,6 +19,7 @@ mod tests;
 mod walls;
 
 use soilctl_certificate::{Flow, Objective, Side, UpperField, Velocity as Saved};
+use soilctl_conic::{Cone, Form, Program};
 
 pub(crate) use isochoric::shear_rates;
 pub(crate) use meshed::{Edge, MeshedProblem};
@@ -31,10 +32,8 @@ use nodes::Elements;
 use power::{Power, live_size, objective_unit};
 use stream::StreamFunction;
 
-use crate::form::Form;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
-use crate::program::{Cone, Program};
 use crate::topology::Topology;
 use crate::vector::{Point, distance};
 

@@ -1,8 +1,8 @@
 //! The power of a flow as a linear function of all unknowns.
 
 use soilctl_certificate::{Condition, Objective};
+use soilctl_conic::Form;
 
-use crate::form::Form;
 use crate::problem::{Problem, Soil};
 use crate::singular::{open_height, typical_length};
 use crate::vector::distance;

@@ -1,9 +1,10 @@
 //! Quadratic flows of soil that dilates: the flow rule at the corners, which makes it hold everywhere, and the power.
 
+use soilctl_conic::Form;
+
 use super::nodes::Element;
 use super::strength::{Limit, over_triangle};
 use super::{Builder, Velocity};
-use crate::form::Form;
 use crate::vector::twice_area;
 
 /// Gradients at corner `k` of the Bernstein polynomials that belong to the control points.

@@ -2,12 +2,11 @@
 //! lower bound. No volume changes and nothing jumps, whatever the unknowns are.
 
 use soilctl_certificate::{LineUse, Place, Side, StreamCopy, StreamJet};
+use soilctl_conic::{Form, Program};
 
 use super::meshed::{Edge, MeshedProblem};
 use super::nodes::Element;
 use super::walls::{WallSide, wall_sides};
-use crate::form::Form;
-use crate::program::Program;
 use crate::vector::distance;
 
 /// What is known about a vertex copy; the same kinds as [`StreamJet`].

@@ -4,11 +4,12 @@ use soilctl_certificate::{Condition, Linear, Material, Objective, Statement};
 
 use super::super::Upper;
 use super::grounds::{footing, layered, pressed, soil};
+use crate::accuracy;
 use crate::fields::{StressField, VelocityField};
 use crate::gap::shares;
+use crate::known::solve_through;
 use crate::mesh::{Guide, Mesh, Request, generate};
 use crate::problem::Problem;
-use crate::solver::{Accuracy, solve_through};
 use crate::topology::Topology;
 
 const PRESSURE: f64 = 1.5;
@@ -37,7 +38,7 @@ fn check_with(statement: &Statement, of: impl Fn([f64; 2]) -> [f64; 3]) {
     let guides = [Guide { points: vec![[1.0, 0.0], [2.0, -0.7], [3.0, 0.0]] }];
     let (fine, topology) = mesh(&problem, 0.35, &guides);
     let upper = Upper::new(&problem, &fine, &topology, &[], 0.0);
-    let answer = solve_through(&upper.program, Accuracy::FLOW);
+    let answer = solve_through(&upper.program, accuracy::FLOW);
     let velocity = VelocityField::new(&upper, &answer.x);
 
     let (coarse, across) = mesh(&problem, 0.8, &[]);

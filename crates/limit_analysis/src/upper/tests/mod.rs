@@ -9,11 +9,12 @@ mod sand;
 use soilctl_certificate::{Statement, prove_upper};
 
 use super::Upper;
+use crate::accuracy;
 use crate::adapt::wanted_sizes;
 use crate::fields::{Piece, VelocityField};
+use crate::known::solve_through;
 use crate::mesh::{Guide, Request, SizeField, generate};
 use crate::problem::Problem;
-use crate::solver::{Accuracy, solve_through};
 use crate::start::Start;
 use crate::topology::Topology;
 use crate::vector::twice_area;
@@ -58,7 +59,7 @@ fn bounds(statement: &Statement, targets: &[usize]) -> Vec<Found> {
         let topology = Topology::new(&mesh);
         for tightening in [1e-6, 1e-5, 1e-4] {
             let upper = Upper::new(&problem, &mesh, &topology, &mobile.still(&mesh), tightening);
-            let answer = solve_through(&upper.program, Accuracy::FLOW);
+            let answer = solve_through(&upper.program, accuracy::FLOW);
             let field = upper.saved(&mesh, &answer.x);
             let (elements, objective) = (mesh.triangles.len(), upper.force.value(&answer.x));
             let proven = prove_upper(statement, &field);

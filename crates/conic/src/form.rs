@@ -1,21 +1,27 @@
 /// An affine function of the unknowns of a program: `constant + sum of coefficient * x[index]`.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Form {
-    pub(crate) constant: f64,
-    pub(crate) terms: Vec<(usize, f64)>,
+pub struct Form {
+    /// What it is where all unknowns are zero.
+    pub constant: f64,
+    /// Unknowns and their coefficients, each unknown once.
+    pub terms: Vec<(usize, f64)>,
 }
 
 impl Form {
-    pub(crate) fn constant(value: f64) -> Self {
+    /// A number.
+    #[must_use]
+    pub fn constant(value: f64) -> Self {
         Self { constant: value, terms: Vec::new() }
     }
 
-    pub(crate) fn unknown(index: usize, coefficient: f64) -> Self {
+    /// A multiple of one unknown.
+    #[must_use]
+    pub fn unknown(index: usize, coefficient: f64) -> Self {
         Self { constant: 0.0, terms: vec![(index, coefficient)] }
     }
 
     /// Adds `factor` times another form, merging equal unknowns.
-    pub(crate) fn add(&mut self, factor: f64, other: &Self) {
+    pub fn add(&mut self, factor: f64, other: &Self) {
         if factor == 0.0 {
             return;
         }
@@ -34,12 +40,20 @@ impl Form {
         }
     }
 
-    pub(crate) fn plus(mut self, factor: f64, other: &Self) -> Self {
+    /// The sum of this and `factor` times another form.
+    #[must_use]
+    pub fn plus(mut self, factor: f64, other: &Self) -> Self {
         self.add(factor, other);
         self
     }
 
-    pub(crate) fn value(&self, x: &[f64]) -> f64 {
+    /// Its value at a point.
+    ///
+    /// # Panics
+    ///
+    /// The point has fewer coordinates than the form has unknowns.
+    #[must_use]
+    pub fn value(&self, x: &[f64]) -> f64 {
         self.terms.iter().fold(self.constant, |sum, &(i, c)| sum + c * x[i])
     }
 }

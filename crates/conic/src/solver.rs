@@ -1,4 +1,4 @@
-//! The one place that names Clarabel.
+//! Clarabel, asked.
 
 use std::fs::File;
 use std::path::Path;
@@ -12,7 +12,7 @@ use clarabel::solver::{
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::error::LimitError;
+use crate::error::ConicError;
 use crate::program::{Cone, Program};
 
 /// How a solve ended. None of these proves anything: a certificate does.
@@ -37,14 +37,19 @@ pub enum Status {
 
 /// What came back from the solver.
 #[derive(Debug, Clone)]
-pub(crate) struct Answer {
-    pub(crate) x: Vec<f64>,
-    pub(crate) status: Status,
-    pub(crate) iterations: u32,
-    pub(crate) seconds: f64,
-    pub(crate) factorisation: Factorisation,
+pub struct Answer {
+    /// The unknowns, whatever the status says of them.
+    pub x: Vec<f64>,
+    /// How it ended.
+    pub status: Status,
+    /// Steps.
+    pub iterations: u32,
+    /// Time that they took.
+    pub seconds: f64,
+    /// What factorised them.
+    pub factorisation: Factorisation,
     /// Unknowns and rows.
-    pub(crate) size: usize,
+    pub size: usize,
 }
 
 /// What factorises the linear systems of the solver's steps. With either a program has the same answer, bit for bit, on any
@@ -84,34 +89,20 @@ impl Factorisation {
 const FAER_FROM: usize = 500_000;
 
 /// The solver, as certificates name it.
-pub(crate) const SOLVER: &str = "Clarabel 0.11.1";
+pub const SOLVER: &str = "Clarabel 0.11.1";
 
 /// How exactly a program is solved, relative to numbers of the order of one.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Accuracy {
+pub struct Accuracy {
     /// Distance of the primal and the dual objective.
-    pub(crate) gap: f64,
+    pub gap: f64,
     /// Residuals.
-    pub(crate) feasibility: f64,
+    pub feasibility: f64,
     /// Residuals of the linear systems of each step.
-    pub(crate) steps: f64,
+    pub steps: f64,
     /// What is added to the diagonal of these systems. Rows and columns of small elements are small; the usual 1e-8 drowns
     /// them, and the steps stall.
-    pub(crate) regularisation: f64,
-}
-
-impl Accuracy {
-    /// For upper bounds: the gap shows in the bound.
-    pub(crate) const FLOW: Self = Self { gap: 1e-5, feasibility: 1e-8, steps: 1e-10, regularisation: 1e-10 };
-
-    /// For upper bounds that seem infeasible: above 40 degrees of friction that may be the regularisation's doing. With less of
-    /// it the last digits suffer, so this is no first choice.
-    pub(crate) const FLOW_AGAIN: Self = Self { regularisation: 1e-12, ..Self::FLOW };
-
-    /// For lower bounds: what a stress field misses its cones by costs much of the bound. Their systems are also much worse
-    /// conditioned (fourth order against second): with the regularisation that is best for flows, programs of 5,000
-    /// elements at 45 degrees of friction stall.
-    pub(crate) const STRESS: Self = Self { gap: 1e-6, feasibility: 1e-8, steps: 1e-8, regularisation: 1e-13 };
+    pub regularisation: f64,
 }
 
 /// Factor on the objective: multipliers of some thousand elements then are of the order of one.
@@ -119,29 +110,24 @@ const OBJECTIVE: f64 = 100.0;
 
 /// How to solve a program.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct How<'a> {
-    pub(crate) accuracy: Accuracy,
+pub struct How<'a> {
+    /// How exactly.
+    pub accuracy: Accuracy,
     /// By the program's size if not given.
-    pub(crate) factorisation: Option<Factorisation>,
+    pub factorisation: Option<Factorisation>,
     /// The user's limit on time in seconds.
-    pub(crate) seconds: Option<f64>,
+    pub seconds: Option<f64>,
     /// Where a program that ends in numerical trouble is written, as a file from which Clarabel itself can solve it again.
-    pub(crate) dump: Option<&'a Path>,
-}
-
-/// Solves a program of a test to the end.
-#[cfg(test)]
-pub(crate) fn solve_through(program: &Program, accuracy: Accuracy) -> Answer {
-    let how = How { accuracy, factorisation: None, seconds: None, dump: None };
-    solve(program, how, [&Arc::new(AtomicBool::new(false)); 2]).unwrap()
+    pub dump: Option<&'a Path>,
 }
 
 /// Solves a program on one thread, until one of the flags is set.
-pub(crate) fn solve(
-    program: &Program,
-    how: How<'_>,
-    stops: [&Arc<AtomicBool>; 2],
-) -> Result<Answer, LimitError> {
+///
+/// # Errors
+///
+/// The solver refuses the program, or one that failed cannot be written to [`How::dump`]. That a program has no solution is no error:
+/// see [`Answer::status`].
+pub fn solve(program: &Program, how: How<'_>, stops: [&Arc<AtomicBool>; 2]) -> Result<Answer, ConicError> {
     let factorisation = how.factorisation.unwrap_or_else(|| Factorisation::of(program));
     let (m, n) = (program.rows.len(), program.unknowns);
     let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
@@ -167,7 +153,7 @@ pub(crate) fn solve(
     }
     let a = CscMatrix::new(m, n, starts, rows, values);
     let p = CscMatrix::zeros((n, n));
-    let refused = |message: String| LimitError::Solver { message };
+    let refused = |message: String| ConicError::Refused { message };
     let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones(program), settings(how, factorisation))
         .map_err(|e| refused(e.to_string()))?;
     let stops = stops.map(Arc::clone);
@@ -185,7 +171,7 @@ pub(crate) fn solve(
     if status == Status::Failed
         && let Some(path) = how.dump
     {
-        let failed = |e: std::io::Error| LimitError::Dump { path: path.to_owned(), message: e.to_string() };
+        let failed = |e: std::io::Error| ConicError::Dump { path: path.to_owned(), message: e.to_string() };
         let mut file = File::create(path).map_err(failed)?;
         solver.save_to_file(&mut file).map_err(failed)?;
     }
@@ -237,6 +223,8 @@ fn settings(how: How<'_>, factorisation: Factorisation) -> DefaultSettings<f64> 
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
     use super::*;
     use crate::form::Form;
 
@@ -256,8 +244,9 @@ mod tests {
         program.non_negative(Form::unknown(x, 1.0).plus(-1e300, &Form::constant(1.0)));
         program.non_negative(Form::unknown(y, 1e-300).plus(-1.0, &Form::unknown(x, 1.0)));
         program.objective.push((x, 1e300));
-        let path = std::env::temp_dir().join(format!("soilctl-dump-{}.json", std::process::id()));
-        let accuracy = Accuracy { gap: 1e-8, regularisation: 1e-8, ..Accuracy::FLOW };
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("failed.json");
+        let accuracy = Accuracy { gap: 1e-8, feasibility: 1e-8, steps: 1e-10, regularisation: 1e-8 };
         let stop = Arc::new(AtomicBool::new(false));
         let how = How { accuracy, factorisation: None, seconds: None, dump: Some(&path) };
         let answer = solve(&program, how, [&stop; 2]).unwrap();
@@ -266,6 +255,5 @@ mod tests {
         let mut again: DefaultSolver<f64> = DefaultSolver::load_from_file(&mut file, None).unwrap();
         again.solve();
         assert!(!matches!(again.solution.status, SolverStatus::Solved));
-        std::fs::remove_file(&path).unwrap();
     }
 }

@@ -4,7 +4,7 @@ use crate::form::Form;
 
 /// The cones in use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Cone {
+pub enum Cone {
     /// Equal to zero.
     Zero,
     /// Not negative.
@@ -14,7 +14,9 @@ pub(crate) enum Cone {
 }
 
 impl Cone {
-    pub(crate) fn rows(self) -> usize {
+    /// Forms of one cone.
+    #[must_use]
+    pub fn rows(self) -> usize {
         match self {
             Self::Zero | Self::NonNegative => 1,
             Self::SecondOrder3 => 3,
@@ -22,32 +24,40 @@ impl Cone {
     }
 }
 
+/// A program: unknowns are numbered from zero.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Program {
-    pub(crate) unknowns: usize,
-    pub(crate) objective: Vec<(usize, f64)>,
-    pub(crate) rows: Vec<Form>,
-    pub(crate) cones: Vec<Cone>,
+pub struct Program {
+    /// How many there are.
+    pub unknowns: usize,
+    /// Unknowns and their coefficients in what is minimised.
+    pub objective: Vec<(usize, f64)>,
+    /// The forms of all cones, one cone after another.
+    pub rows: Vec<Form>,
+    /// The cones.
+    pub cones: Vec<Cone>,
 }
 
 impl Program {
-    pub(crate) fn unknown(&mut self) -> usize {
+    /// Another unknown.
+    pub fn unknown(&mut self) -> usize {
         self.unknowns += 1;
         self.unknowns - 1
     }
 
-    pub(crate) fn non_negative(&mut self, form: Form) {
+    /// Demands that a form is not negative.
+    pub fn non_negative(&mut self, form: Form) {
         self.rows.push(form);
         self.cones.push(Cone::NonNegative);
     }
 
-    pub(crate) fn second_order(&mut self, forms: [Form; 3]) {
+    /// Demands that the first form is at least the length of the other two.
+    pub fn second_order(&mut self, forms: [Form; 3]) {
         self.rows.extend(forms);
         self.cones.push(Cone::SecondOrder3);
     }
 
     /// Makes every point of the program stay clear of all cones.
-    pub(crate) fn tighten(&mut self, by: f64) {
+    pub fn tighten(&mut self, by: f64) {
         let mut row = 0;
         for cone in &self.cones {
             if *cone != Cone::Zero {
@@ -58,7 +68,8 @@ impl Program {
     }
 
     /// The same with each second-order cone cut down to a pyramid of `segments` sides inside it: a linear program.
-    pub(crate) fn linearised(&self, segments: usize) -> Self {
+    #[must_use]
+    pub fn linearised(&self, segments: usize) -> Self {
         let mut linear =
             Self { unknowns: self.unknowns, objective: self.objective.clone(), ..Self::default() };
         let mut row = 0;
@@ -82,7 +93,12 @@ impl Program {
     }
 
     /// How far inside a cone, whose first row is given, a point is: negative outside.
-    pub(crate) fn slack(&self, row: usize, cone: Cone, x: &[f64]) -> f64 {
+    ///
+    /// # Panics
+    ///
+    /// There is no such row, or the point has fewer coordinates than the program has unknowns.
+    #[must_use]
+    pub fn slack(&self, row: usize, cone: Cone, x: &[f64]) -> f64 {
         let at = |k: usize| self.rows[row + k].value(x);
         match cone {
             Cone::Zero => -at(0).abs(),

@@ -1,0 +1,14 @@
+//! Second-order cone programs, stated as lists of affine forms in cones, and the one place that names Clarabel.
+//!
+//! A crate of its own because what Clarabel and faer are made of is compiled where it is first used with numbers: here, beside
+//! everything else that is compiled, and not once more for each change of what states programs.
+
+mod error;
+mod form;
+mod program;
+mod solver;
+
+pub use error::ConicError;
+pub use form::Form;
+pub use program::{Cone, Program};
+pub use solver::{Accuracy, Answer, Factorisation, How, SOLVER, Status, solve};
