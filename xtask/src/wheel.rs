@@ -23,7 +23,9 @@ pub(crate) fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     let wheel = build(workspace)?;
     bare(workspace, &wheel)?;
     install(workspace, &wheel)?;
-    pytest(workspace, "Python tests of the wheel").args(["tests/python/wheel"]).run()?;
+    pytest(workspace, "Python tests of the wheel")
+        .args(["tests/python/wheel", "--numprocesses", "2", "--dist", "loadfile"])
+        .run()?;
     pages(workspace)
 }
 
