@@ -85,20 +85,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn releases_are_optimised_where_the_tests_are() {
-        let manifest = include_str!("../../Cargo.toml");
-        let of = |profile: &str| -> Vec<&str> {
-            let lines = manifest.lines().skip_while(|line| *line != format!("[profile.{profile}]")).skip(1);
-            lines
-                .take_while(|line| !line.starts_with('['))
-                .filter(|line| line.starts_with("package."))
-                .collect()
-        };
-        assert!(of("dev").len() > 30);
-        assert_eq!(of("dev"), of("release"));
-    }
-
-    #[test]
     fn the_manifest_is_asked_for_the_workspace_only() {
         let text = "[a]\nversion = \"9\"\n[workspace.package]\nversion = \"1.2\" # it\n[b]\nother = \"3\"\n";
         assert_eq!(value(text, "version").as_deref(), Some("1.2"));
