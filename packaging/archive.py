@@ -11,6 +11,7 @@ import argparse
 import gzip
 import io
 import json
+import os
 import subprocess
 import sys
 import tarfile
@@ -38,8 +39,10 @@ def stripped(program, objcopy, target, folder):
     if "msvc" in target:
         database = program.with_suffix(".pdb")
         return program, {database.name: database.read_bytes()}
-    subprocess.run([objcopy, "--only-keep-debug", program, symbols], check=True)
-    subprocess.run([objcopy, "--strip-all", f"--add-gnu-debuglink={symbols}", program, small], check=True)
+    # It comes with the compiler, and so does what it is linked with, which it does not find by itself.
+    environment = {**os.environ, "LD_LIBRARY_PATH": str(objcopy.resolve().parents[3])}
+    subprocess.run([objcopy, "--only-keep-debug", program, symbols], check=True, env=environment)
+    subprocess.run([objcopy, "--strip-all", f"--add-gnu-debuglink={symbols}", program, small], check=True, env=environment)
     return small, {symbols.name: symbols.read_bytes()}
 
 

@@ -59,7 +59,7 @@ def test_every_public_name_is_in_the_reference():
 def test_options_that_pages_name_are_there():
     known = {word for _, words in options() for word in words}
     # Of other programs: cargo, its tests, maturin, a script of the tests, and sbatch.
-    others = {"--release", "--bench", "--path", "--manifest-path", "--example", "--nocapture", "--latency", "--servo", "--memory", "--image", "--array", "--wrap"}
+    others = {"--release", "--locked", "--git", "--bench", "--path", "--manifest-path", "--example", "--nocapture", "--latency", "--servo", "--memory", "--image", "--array", "--wrap"}
     for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         text = path.read_text(encoding="utf-8")
         # In code only; a table's rule is no option.
