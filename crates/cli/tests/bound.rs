@@ -1,12 +1,13 @@
 //! `soilctl bound` and `soilctl certify` as a user runs them.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
-use assert_cmd::Command;
+use std::process::Command;
+
 use serde_json::Value;
 
 fn soilctl(args: &[&str]) -> (i32, Value, String) {
     let output =
-        Command::cargo_bin("soilctl").unwrap().args(args).args(["--format", "json"]).output().unwrap();
+        Command::new(env!("CARGO_BIN_EXE_soilctl")).args(args).args(["--format", "json"]).output().unwrap();
     let json = serde_json::from_slice(&output.stdout).unwrap_or(Value::Null);
     (output.status.code().unwrap(), json, String::from_utf8(output.stderr).unwrap())
 }

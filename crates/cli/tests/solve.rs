@@ -2,13 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
-use assert_cmd::Command;
 use serde_json::Value;
 
 fn soilctl(args: &[&str]) -> (i32, Value, String) {
     let output =
-        Command::cargo_bin("soilctl").unwrap().args(args).args(["--format", "json"]).output().unwrap();
+        Command::new(env!("CARGO_BIN_EXE_soilctl")).args(args).args(["--format", "json"]).output().unwrap();
     let json = serde_json::from_slice(&output.stdout).unwrap_or(Value::Null);
     (output.status.code().unwrap(), json, String::from_utf8(output.stderr).unwrap())
 }

@@ -4,17 +4,12 @@
 
 pub(crate) mod shear;
 
-use std::process::Output;
+use std::process::{Command, Output};
 
-use assert_cmd::Command;
 use serde_json::Value;
 
 pub(crate) fn soilctl(args: &[&str]) -> Output {
-    Command::cargo_bin("soilctl")
-        .expect("the binary is built with its tests")
-        .args(args)
-        .output()
-        .expect("it runs")
+    Command::new(env!("CARGO_BIN_EXE_soilctl")).args(args).output().expect("it runs")
 }
 
 /// Runs with `--format json`; stdout must be exactly one document and stderr empty.
