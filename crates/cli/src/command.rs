@@ -83,18 +83,12 @@ mod tests {
 
     #[test]
     fn where_things_go_and_folders_of_the_machine_are_left_out() {
-        let words = [
-            "/usr/bin/soilctl",
-            "report",
-            "/home/x/sand/strokes.csv",
-            "--delta",
-            "23",
-            "--out",
-            "/tmp/a.html",
-        ];
+        let root = if cfg!(windows) { "C:" } else { "" };
+        let [table, robot] =
+            [format!("{root}/home/x/sand/strokes.csv"), format!("--urdf={root}/home/x/arm.urdf")];
+        let words = ["/usr/bin/soilctl", "report", &table, "--delta", "23", "--out", "/tmp/a.html"];
         assert_eq!(of(&words), "soilctl report strokes.csv --delta 23");
-        let words =
-            ["soilctl", "--quiet", "process", "runs/a", "--report=/tmp/b.html", "--urdf=/home/x/arm.urdf"];
+        let words = ["soilctl", "--quiet", "process", "runs/a", "--report=/tmp/b.html", &robot];
         assert_eq!(of(&words), "soilctl process runs/a --urdf=arm.urdf");
     }
 
