@@ -48,8 +48,11 @@ def same(*words, code=0):
     assert digits(here) == digits(there), words
 
 
-def close(*words, relative, code=0):
-    """Where sines and logarithms are those of the system, last digits differ, and iterations carry them on."""
+def close(*words, relative, code=0, loose=None):
+    """Where sines and logarithms are those of the system, last digits differ, and iterations carry them on.
+
+    `loose` names a key whose numbers only have to be within 1e-4.
+    """
 
     def compare(here, there, where):
         assert type(here) is type(there), where
@@ -62,7 +65,8 @@ def close(*words, relative, code=0):
             for number, pair in enumerate(zip(here, there, strict=True)):
                 compare(*pair, f"{where}[{number}]")
         elif isinstance(here, float):
-            assert here == pytest.approx(there, rel=relative, abs=relative), where
+            within = 1e-4 if loose and where.endswith(f".{loose}") else relative
+            assert here == pytest.approx(there, rel=within, abs=within), where
         else:
             assert here == there, where
 
@@ -109,8 +113,9 @@ OTHER_ARM = ["--plate-frame", "blade_edge", "--surface-z", 0.08, "--width", 0.1]
 
 
 def test_process_the_bag_of_another_arm():
-    # Where two lines meet, and where a search for it ends, hangs on last digits of the pose more than all else.
-    close("process", DATA / "other_arm/bag", "--urdf", DATA / "other_arm/arm.urdf", *OTHER_ARM, relative=1e-4)
+    # Where two lines meet, and where a search for it ends, hangs on last digits of the pose.
+    loose = "two_lines_force_n"
+    close("process", DATA / "other_arm/bag", "--urdf", DATA / "other_arm/arm.urdf", *OTHER_ARM, relative=1e-9, loose=loose)
 
 
 PLAN = """version = 1

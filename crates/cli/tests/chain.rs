@@ -58,25 +58,25 @@ fn other(folder: &Path, model: &str, [low, high]: [f64; 2]) -> Option<[f64; 2]> 
     range(&answer["phi_deg"])
 }
 
-fn campaign(soil: &'static str, seed: u32, others: &[&str]) -> Campaign {
+fn campaign(soil: &'static str, seed: u32) -> Campaign {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("demo");
     let words = ["demo", "--soil", soil, "--seed", &seed.to_string(), "--threads", "1", "--quiet"];
     let answer = json(&[&words[..], &["--format", "json", "--out", out.to_str().unwrap()]].concat());
     let weighed = range(&answer["density_weighed"]["density_known_kg_m3"]);
-    let others = others.iter().map(|model| other(&out, model, weighed?)).collect();
+    let others = OTHERS.iter().map(|model| other(&out, model, weighed?)).collect();
     Campaign { soil, seed, answer, others }
 }
 
 /// All campaigns, one a core, in order.
-fn campaigns(wanted: &[(&'static str, u32)], others: &[&str]) -> Vec<Campaign> {
+fn campaigns(wanted: &[(&'static str, u32)]) -> Vec<Campaign> {
     let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
         for _ in 0..cores {
             scope.spawn(|| {
                 while let Some((soil, seed)) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let found = campaign(soil, *seed, others);
+                    let found = campaign(soil, *seed);
                     println!(
                         "{soil} {seed}: delta {}, {}",
                         found.answer["delta"]["error_deg"], found.answer["not_recovered"]
@@ -143,11 +143,11 @@ fn found(campaigns: &[Campaign]) -> [usize; 2] {
 
 /// The friction angle, the interface friction, and how often a force is within 10 % and within its standard deviation.
 #[test]
-#[ignore = "a minute of one core a seed and soil: cargo xtask verify"]
+#[ignore = "two minutes of one core a seed and soil: cargo xtask verify"]
 fn chain_finds_the_truth() {
     let seeds = std::env::var("SOILCTL_SEEDS").ok().and_then(|n| n.parse().ok()).unwrap_or(SEEDS);
     let wanted: Vec<(&str, u32)> = SOILS.into_iter().flat_map(|s| (1..=seeds).map(move |k| (s, k))).collect();
-    let all = campaigns(&wanted, &OTHERS);
+    let all = campaigns(&wanted);
     for soil in SOILS {
         tell(soil, &all.iter().filter(|c| c.soil == soil).collect::<Vec<_>>());
     }

@@ -15,3 +15,11 @@ pub(crate) const FLOW_AGAIN: Accuracy = Accuracy { regularisation: 1e-12, ..FLOW
 /// elements at 45 degrees of friction stall.
 pub(crate) const STRESS: Accuracy =
     Accuracy { gap: 1e-6, feasibility: 1e-8, steps: 1e-8, regularisation: 1e-13 };
+
+/// Solves a program of a test to the end.
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "helper of tests")]
+pub(crate) fn solve_through(program: &soilctl_conic::Program, accuracy: Accuracy) -> soilctl_conic::Answer {
+    let how = soilctl_conic::How { accuracy, factorisation: None, seconds: None, dump: None };
+    soilctl_conic::solve(program, how, [&std::sync::Arc::default(); 2]).unwrap()
+}

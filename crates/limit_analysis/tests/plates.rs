@@ -84,9 +84,9 @@ fn what_is_reported_is_what_the_checker_proves_and_shares_add_up_to_the_gap() {
 #[test]
 fn bits_do_not_depend_on_threads() {
     let plate = EmbeddedPlate { phi_deg: 35.0, delta_deg: 10.0, ..EmbeddedPlate::default() };
-    let one = solve(&plate, &coarse(1200));
+    let one = solve(&plate, &coarse(2500));
     for threads in [2, 4] {
-        let more = solve(&plate, &Options { threads, ..coarse(1200) });
+        let more = solve(&plate, &Options { threads, ..coarse(2500) });
         assert_eq!(one.lower.value.to_bits(), more.lower.value.to_bits());
         assert_eq!(one.upper.value.to_bits(), more.upper.value.to_bits());
         assert_eq!(one.lower.field, more.lower.field);

@@ -12,11 +12,7 @@ mod infinite;
 #[path = "../../tests/exact/prandtl.rs"]
 mod prandtl;
 
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
 use soilctl_certificate::{Statement, prove_lower, prove_upper};
-use soilctl_conic::{Accuracy, Answer, How, Program};
 
 use crate::lower::Lower;
 use crate::lower::tests::common;
@@ -38,12 +34,6 @@ const PROVEN: [f64; 2] = [0.8, 0.95];
 const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
 
-/// Solves a program to the end.
-pub(crate) fn solve_through(program: &Program, accuracy: Accuracy) -> Answer {
-    let how = How { accuracy, factorisation: None, seconds: None, dump: None };
-    soilctl_conic::solve(program, how, [&Arc::new(AtomicBool::new(false)); 2]).unwrap()
-}
-
 /// What is proven about a problem from its first mesh, made coarser.
 fn bounds(statement: Statement) -> [Option<f64>; 2] {
     let problem = Problem::new(statement).unwrap();
@@ -63,14 +53,15 @@ fn bounds(statement: Statement) -> [Option<f64>; 2] {
     let topology = Topology::new(&mesh);
     let lower = LOWER_TIGHTENING.into_iter().find_map(|tightening| {
         let lower = Lower::new(&problem, &mesh, &topology, tightening);
-        let x = lower.drawn_inside(&solve_through(&lower.program, accuracy::STRESS).x, -0.5 * tightening);
+        let x = lower
+            .drawn_inside(&accuracy::solve_through(&lower.program, accuracy::STRESS).x, -0.5 * tightening);
         let field = lower.function.saved(&mesh, &topology, &problem, &x);
         prove_lower(problem.statement(), &field).ok()
     });
     let still = mobile.still(&mesh);
     let upper = TIGHTENING.into_iter().find_map(|tightening| {
         let upper = Upper::new(&problem, &mesh, &topology, &still, tightening);
-        let field = upper.saved(&mesh, &solve_through(&upper.program, accuracy::FLOW).x);
+        let field = upper.saved(&mesh, &accuracy::solve_through(&upper.program, accuracy::FLOW).x);
         prove_upper(problem.statement(), &field).ok()
     });
     [lower, upper]

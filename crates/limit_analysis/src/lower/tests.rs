@@ -8,8 +8,7 @@ pub(crate) mod common;
 use common::{soil, statement};
 
 use super::*;
-use crate::accuracy;
-use crate::known::solve_through;
+use crate::accuracy::{self, solve_through};
 use crate::mesh::{Fan, Request, generate};
 
 fn proven(statement: Statement, fan: Option<usize>, size: impl Fn([f64; 2]) -> f64) -> f64 {

@@ -4,10 +4,9 @@ use soilctl_certificate::{Condition, Linear, Material, Objective, Statement};
 
 use super::super::Upper;
 use super::grounds::{footing, layered, pressed, soil};
-use crate::accuracy;
+use crate::accuracy::{self, solve_through};
 use crate::fields::{StressField, VelocityField};
 use crate::gap::shares;
-use crate::known::solve_through;
 use crate::mesh::{Guide, Mesh, Request, generate};
 use crate::problem::Problem;
 use crate::topology::Topology;

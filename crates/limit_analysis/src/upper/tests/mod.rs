@@ -9,10 +9,9 @@ mod sand;
 use soilctl_certificate::{Statement, prove_upper};
 
 use super::Upper;
-use crate::accuracy;
+use crate::accuracy::{self, solve_through};
 use crate::adapt::wanted_sizes;
 use crate::fields::{Piece, VelocityField};
-use crate::known::solve_through;
 use crate::mesh::{Guide, Request, SizeField, generate};
 use crate::problem::Problem;
 use crate::start::Start;
