@@ -1,16 +1,19 @@
 use soilctl_soil::{
     Angle, Bracket, Interface, MAX_ANGLE_SUM_DEG, Plate, Provenance, SlantCoefficient, Soil, SoilError,
+    WidthRatio,
 };
 
 use crate::EarthPressureError;
 
-/// The four angles that a force coefficient depends on.
+/// What a force coefficient depends on: four angles and the plate's width over its depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Case {
     /// Tool angle alpha.
     pub tool_angle: Angle,
     /// Surface slope beta, positive when the ground rises ahead of the plate.
     pub surface_slope: Angle,
+    /// Width over vertical depth; only models that [have ends](crate::ForceModel::has_ends) take notice of it.
+    pub width_ratio: WidthRatio,
     /// Soil friction phi.
     pub friction: Angle,
     /// Interface friction delta.
@@ -18,32 +21,40 @@ pub struct Case {
 }
 
 impl Case {
-    /// A case with a level surface, from degrees.
+    /// A case in plane strain with a level surface, from degrees.
     #[must_use]
     pub fn level_deg(alpha: f64, phi: f64, delta: f64) -> Self {
         Self::from_deg(alpha, 0.0, phi, delta)
     }
 
-    /// A case from degrees.
+    /// A case in plane strain from degrees.
     #[must_use]
     pub fn from_deg(alpha: f64, beta: f64, phi: f64, delta: f64) -> Self {
         Self {
             tool_angle: Angle::from_degrees(alpha),
             surface_slope: Angle::from_degrees(beta),
+            width_ratio: WidthRatio::PLANE_STRAIN,
             friction: Angle::from_degrees(phi),
             interface: Angle::from_degrees(delta),
         }
     }
 
-    /// The case of a plate in a soil.
+    /// The case of a plate in a soil, with its ends.
     #[must_use]
     pub fn of(plate: &Plate, soil: &Soil, interface: &Interface) -> Self {
         Self {
             tool_angle: plate.tool_angle(),
             surface_slope: plate.surface_slope(),
+            width_ratio: plate.width_ratio(),
             friction: soil.friction(),
             interface: interface.friction(),
         }
+    }
+
+    /// The same for another width over depth.
+    #[must_use]
+    pub fn with_width_ratio(self, width_ratio: WidthRatio) -> Self {
+        Self { width_ratio, ..self }
     }
 
     /// Refuses what no model can answer: delta above phi, a surface steeper than phi, alpha + delta of 175 deg

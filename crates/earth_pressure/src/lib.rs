@@ -14,7 +14,10 @@ pub use error::EarthPressureError;
 pub use model::{
     FailureSurface, ForceModel, ModelSlice, NetFactors, ValidRange, check_loads, failure_force_n,
 };
-pub use models::{Caquot, ChenLiu, Coulomb, LogSpiral, MODEL_IDS, model, plate_bounds, thesis};
+pub use models::{
+    Blocks, Caquot, ChenLiu, Coulomb, GodwinSpoor, LogSpiral, MODEL_IDS, McKyesAli, Perumpral, model,
+    plate_bounds, thesis,
+};
 pub use sensitivity::{Input, sensitivity_percent};
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-use soilctl_soil::{Angle, Interface, Plate, Provenance, Soil};
+use soilctl_soil::{Angle, Interface, Plate, Provenance, Soil, WidthRatio};
 
 use crate::{Case, EarthPressureError, LoadFactors, Loads, Prediction};
 
@@ -17,6 +17,12 @@ pub trait ForceModel: Send + Sync {
 
     /// Angles for which the model answers.
     fn valid_range(&self) -> ValidRange;
+
+    /// Whether the plate's width over its depth changes the answer; a model without ends is for plane strain and takes
+    /// no notice of it.
+    fn has_ends(&self) -> bool {
+        false
+    }
 
     /// Whether cohesion, adhesion and surcharge are covered in this case.
     fn has_load_terms(&self, case: &Case) -> bool {
@@ -53,10 +59,11 @@ pub trait ForceModel: Send + Sync {
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError>;
 }
 
-/// A model at fixed tool angle and surface slope: net load factors as a function of phi and delta.
+/// A model at fixed tool angle, surface slope and width over depth: net load factors as a function of phi and delta.
 pub trait ModelSlice: Send + Sync {
     /// Net factors for friction phi and interface friction delta, in degrees.
     ///
@@ -81,6 +88,7 @@ pub(crate) struct DirectSlice<'a, M: ForceModel> {
     pub(crate) model: &'a M,
     pub(crate) tool_angle: Angle,
     pub(crate) surface_slope: Angle,
+    pub(crate) width_ratio: WidthRatio,
 }
 
 impl<M: ForceModel> ModelSlice for DirectSlice<'_, M> {
@@ -88,6 +96,7 @@ impl<M: ForceModel> ModelSlice for DirectSlice<'_, M> {
         let case = Case {
             tool_angle: self.tool_angle,
             surface_slope: self.surface_slope,
+            width_ratio: self.width_ratio,
             friction: Angle::from_degrees(phi_deg),
             interface: Angle::from_degrees(delta_deg),
         };
@@ -159,7 +168,7 @@ fn in_range(
         return Ok(());
     }
     let advice = if low == high {
-        "the table is for a level surface; use coulomb, chen or log-spiral"
+        "it is for a level surface; use coulomb, chen or log-spiral, or blocks-3d for a plate with ends"
     } else {
         "use a model that covers it (coulomb, chen and log-spiral cover most)"
     };

@@ -35,6 +35,7 @@ mod plate;
 mod rounded;
 mod soil;
 pub mod units;
+mod width_ratio;
 
 pub use angle::Angle;
 pub use bracket::{Bracket, Provenance};
@@ -44,3 +45,4 @@ pub use interface::Interface;
 pub use plate::{MAX_ANGLE_SUM_DEG, Plate, Stroke};
 pub use rounded::Rounded;
 pub use soil::{STANDARD_GRAVITY_M_S2, Soil};
+pub use width_ratio::WidthRatio;

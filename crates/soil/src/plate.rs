@@ -1,7 +1,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::check;
-use crate::{Angle, SlantCoefficient, Soil, SoilError};
+use crate::{Angle, SlantCoefficient, Soil, SoilError, WidthRatio};
 
 /// At and above this sum of tool angle and interface friction (degrees) the plate's force on the soil is
 /// nearly vertical and no horizontal failure load exists.
@@ -57,6 +57,13 @@ impl Plate {
     #[must_use]
     pub const fn width_m(&self) -> f64 {
         self.width_m
+    }
+
+    /// Width over vertical depth.
+    #[must_use]
+    pub fn width_ratio(&self) -> WidthRatio {
+        // Both are above 0; a quotient that is too large for a number is infinite, which is plane strain.
+        WidthRatio::new(self.width_m / self.depth_m).unwrap_or(WidthRatio::PLANE_STRAIN)
     }
 
     /// Slant length `L = H / sin(alpha)` in m.

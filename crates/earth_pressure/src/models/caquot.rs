@@ -4,7 +4,7 @@
 //! and an active part is inferred: the active part was recovered from the column by assuming the classical form
 //! `K = Kp(rough) R(phi, delta/phi) - Ka` with the published reduction factors R.
 
-use soilctl_soil::Angle;
+use soilctl_soil::{Angle, WidthRatio};
 
 use super::thesis::{Column, appendix_c};
 use crate::model::{ForceModel, ModelSlice, ValidRange};
@@ -106,7 +106,8 @@ impl ForceModel for Caquot {
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
-        self.net.at(tool_angle, surface_slope)
+        self.net.at(tool_angle, surface_slope, width_ratio)
     }
 }

@@ -22,7 +22,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use soilctl_soil::Angle;
+use soilctl_soil::{Angle, WidthRatio};
 
 use crate::minimise::minimise;
 use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRange};
@@ -63,9 +63,10 @@ impl ForceModel for ChenLiu {
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         self.valid_range().check_geometry(ID, tool_angle, surface_slope)?;
-        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope }))
+        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope, width_ratio }))
     }
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
@@ -90,6 +91,14 @@ pub(crate) fn active(case: &Case) -> LoadFactors {
         Some((rho, least)) if least < 0.0 => mechanism.factors(rho),
         _ => LoadFactors::default(),
     }
+}
+
+/// Dips of the first and the last radius ahead of the plate; the same where the fan has not opened.
+pub(crate) fn fan(case: &Case) -> Option<(f64, f64)> {
+    let mechanism = Mechanism::new(case, 1.0);
+    let (rho, _) = mechanism.optimum()?;
+    let first = mechanism.alpha - rho;
+    Some((first, first - mechanism.psi(rho)))
 }
 
 fn no_mechanism(case: &Case) -> EarthPressureError {

@@ -9,7 +9,7 @@
 //! minimised over theta for the weight W. Writing `y = sin(alpha+delta+theta+phi) / sin(theta-beta)`, P is
 //! `a y + b + c/y`, which gives the critical plane in closed form.
 
-use soilctl_soil::Angle;
+use soilctl_soil::{Angle, WidthRatio};
 
 use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRange};
 use crate::turn::Turn;
@@ -41,20 +41,17 @@ impl ForceModel for Coulomb {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        let ahead = Wedge::ahead(case)?;
-        // The soil behind an overhanging plate (alpha <= phi) stands by itself and pushes with no force.
-        let stands = case.tool_angle.radians() <= case.friction.radians();
-        let active = if stands { LoadFactors::default() } else { ahead.behind().critical() };
-        Ok(Prediction::from_sides(ahead.critical(), active))
+        Ok(Prediction::from_sides(Wedge::ahead(case)?.critical(), Self::active(case)))
     }
 
     fn at(
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         self.valid_range().check_geometry(ID, tool_angle, surface_slope)?;
-        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope }))
+        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope, width_ratio }))
     }
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
@@ -68,9 +65,17 @@ impl ForceModel for Coulomb {
     }
 }
 
+impl Coulomb {
+    /// Active factors. The soil behind an overhanging plate (alpha <= phi) stands by itself and pushes with no force.
+    pub(super) fn active(case: &Case) -> LoadFactors {
+        let stands = case.tool_angle.radians() <= case.friction.radians();
+        if stands { LoadFactors::default() } else { Wedge::of(case).behind().critical() }
+    }
+}
+
 /// The four angles, as the sliding wedge sees them.
 #[derive(Debug, Clone, Copy)]
-struct Wedge {
+pub(super) struct Wedge {
     alpha: Turn,
     beta: Turn,
     phi: Turn,
@@ -78,7 +83,7 @@ struct Wedge {
 }
 
 impl Wedge {
-    fn of(case: &Case) -> Self {
+    pub(super) fn of(case: &Case) -> Self {
         let turn = |angle: Angle| Turn::of(angle.radians());
         Self {
             alpha: turn(case.tool_angle),
@@ -127,7 +132,7 @@ impl Wedge {
     }
 
     /// Load factors on the plane that is this much steeper than the surface.
-    fn factors(&self, above_surface: Turn) -> LoadFactors {
+    pub(super) fn factors(&self, above_surface: Turn) -> LoadFactors {
         let Self { alpha, beta, phi, delta } = *self;
         let theta = beta + above_surface;
         let (sum, rise) = (alpha + theta, theta + phi);

@@ -14,7 +14,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use soilctl_soil::Angle;
+use soilctl_soil::{Angle, WidthRatio};
 
 use crate::minimise::minimise;
 use crate::model::{DirectSlice, FailureSurface, ForceModel, ModelSlice, ValidRange};
@@ -84,9 +84,10 @@ impl ForceModel for LogSpiral {
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         self.valid_range().check_geometry(self.id(), tool_angle, surface_slope)?;
-        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope }))
+        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope, width_ratio }))
     }
 }
 

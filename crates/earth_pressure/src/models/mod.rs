@@ -1,16 +1,25 @@
 //! The models, one a file, and the list of them.
 
+mod blocks;
 mod caquot;
 mod chen_liu;
 mod coulomb;
+mod godwin_spoor;
 mod log_spiral;
+mod mckyes;
+mod perumpral;
 mod plate_bounds;
 pub mod thesis;
+mod wedge_with_ends;
 
+pub use blocks::Blocks;
 pub use caquot::Caquot;
 pub use chen_liu::ChenLiu;
 pub use coulomb::Coulomb;
+pub use godwin_spoor::GodwinSpoor;
 pub use log_spiral::LogSpiral;
+pub use mckyes::McKyesAli;
+pub use perumpral::Perumpral;
 pub use plate_bounds::plate_bounds;
 
 use crate::{EarthPressureError, ForceModel};
@@ -27,6 +36,10 @@ const MODELS: &[(&str, Make)] = &[
     ("chen", || Ok(Box::new(ChenLiu))),
     ("thesis-ub", || Ok(Box::new(thesis::upper_bound()?))),
     ("thesis-lb", || Ok(Box::new(thesis::lower_bound()?))),
+    ("mckyes", || Ok(Box::new(McKyesAli))),
+    ("perumpral", || Ok(Box::new(Perumpral))),
+    ("godwin-spoor", || Ok(Box::new(GodwinSpoor))),
+    ("blocks-3d", || Ok(Box::new(Blocks))),
     ("table", || Ok(Box::new(plate_bounds::bracket()?))),
 ];
 

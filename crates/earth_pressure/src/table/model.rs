@@ -1,4 +1,4 @@
-use soilctl_soil::{Angle, Provenance, SlantCoefficient};
+use soilctl_soil::{Angle, Provenance, SlantCoefficient, WidthRatio};
 
 use super::PredictionTable;
 use super::interpolate::Interpolator;
@@ -58,6 +58,7 @@ impl ForceModel for TableModel {
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        _width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         self.valid_range().check_geometry(self.id, tool_angle, surface_slope)?;
         Ok(Box::new(PointSlice(self.table.slice(tool_angle.degrees())?)))
@@ -142,6 +143,7 @@ impl ForceModel for BracketModel {
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        _width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         self.valid_range().check_geometry(self.id, tool_angle, surface_slope)?;
         let alpha = tool_angle.degrees();

@@ -1,0 +1,111 @@
+//! The two ends of the mechanism. A block is all that its face towards the plate sweeps when it moves in any direction
+//! within phi of the block's velocity: then all its sides separate from the soil that stands still at phi or more, as
+//! the rule of flow demands.
+//!
+//! Faces lie in planes through the plate's top edge. Sweeping and cutting by such a plane do not care for a strip of
+//! width w in the middle, so a face is that strip between the two halves of an end face that is the same for every
+//! width: what the ends add to the force is a fixed amount.
+//!
+//! The circular cone of directions is replaced by a polyhedral one around it. Its facets touch the circular one, two of
+//! them along the plane of symmetry, so the slip line below stays where it is in the plane.
+
+use std::f64::consts::PI;
+
+use super::fan::Block;
+
+/// A corner of half an end face: distance from the top edge along the ray, distance sideways.
+type Corner = [f64; 2];
+type Vector = [f64; 3];
+
+/// What the two ends add to a mechanism, for a slant length of 1.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Ends {
+    /// Volume of each block times its upward speed, summed.
+    pub(super) lifted: f64,
+    /// Area of the last face, which is the surface that heaves.
+    pub(super) heaved_area: f64,
+}
+
+/// Both ends of these blocks, with this many facets to a cone (even).
+pub(super) fn ends(blocks: &[Block], phi: f64, facets: usize) -> Ends {
+    let mut face: Vec<Corner> = vec![[0.0, 0.0], [1.0, 0.0]];
+    let mut lifted = 0.0;
+    for block in blocks {
+        let (next, volume) = swept(&face, block, &edges(block.heading, phi, facets));
+        lifted += 2.0 * volume * block.rise();
+        face = next;
+    }
+    let half: f64 = face.windows(2).map(|c| 0.5 * (c[0][1] + c[1][1]) * (c[1][0] - c[0][0])).sum();
+    Ends { lifted, heaved_area: 2.0 * half }
+}
+
+/// Edges on one side of the polyhedral cone about a heading: the unit vector plus `tan(phi) / cos(pi / facets)` across.
+fn edges(heading: f64, phi: f64, facets: usize) -> Vec<Vector> {
+    let step = PI / facets as f64;
+    let across = libm::tan(phi) / libm::cos(step);
+    let (rise, ahead) = libm::sincos(heading);
+    (0..facets / 2)
+        .map(|k| {
+            let (sideways, up) = libm::sincos(step * (2 * k + 1) as f64);
+            [ahead - across * up * rise, across * sideways, rise + across * up * ahead]
+        })
+        .collect()
+}
+
+/// The next half face and the volume between it and this one.
+fn swept(face: &[Corner], block: &Block, edges: &[Vector]) -> (Vec<Corner>, f64) {
+    let [from, to] = block.rays.map(libm::sincos);
+    // Normal of the plane of the ray towards the surface, and the ray itself.
+    let (normal, ray) = ([to.0, 0.0, to.1], [to.1, 0.0, -to.0]);
+    let start: Vec<Vector> = face.iter().map(|c| [c[0] * from.1, c[1], -c[0] * from.0]).collect();
+    // Where the edges from each corner cross that plane; the corner at the top edge is its own image.
+    let mut images: Vec<(Vector, usize)> = vec![([0.0; 3], 0)];
+    for (corner, &at) in start.iter().enumerate().skip(1) {
+        for &edge in edges {
+            let reach = -dot(at, normal) / dot(edge, normal);
+            images.push((std::array::from_fn(|k| at[k] + reach * edge[k]), corner));
+        }
+    }
+    let flat = |image: &(Vector, usize)| [dot(image.0, ray), image.0[1]];
+    images.sort_by(|a, b| flat(a).partial_cmp(&flat(b)).unwrap_or(std::cmp::Ordering::Equal));
+    let mut hull: Vec<(Vector, usize)> = Vec::new();
+    for image in images {
+        let [x, y] = flat(&image);
+        while let [.., before, last] = hull.as_slice() {
+            let (a, b) = (flat(before), flat(last));
+            if (b[0] - a[0]) * (y - a[1]) < (b[1] - a[1]) * (x - a[0]) {
+                break;
+            }
+            hull.pop();
+        }
+        hull.push(image);
+    }
+    // The block is convex and has the origin as a corner: it is the tetrahedra from there to its outer faces.
+    let mut volume = 0.0;
+    for pair in hull.windows(2) {
+        let ((p, corner), (q, next)) = (pair[0], pair[1]);
+        volume += tetrahedron(start[corner], p, q);
+        volume += (corner..next).map(|k| tetrahedron(start[k], start[k + 1], q)).sum::<f64>();
+    }
+    let on_plane_of_symmetry = |v: Vector| [v[0], 0.0, v[2]];
+    if let (Some(&(q, corner)), Some(&tip)) = (hull.last(), start.last()) {
+        volume += (corner..start.len() - 1).map(|k| tetrahedron(start[k], start[k + 1], q)).sum::<f64>();
+        let below = [
+            block.radii[1] * ray[0],
+            0.0,
+            block.radii[1] * ray[2],
+        ];
+        volume += tetrahedron(tip, q, below) + tetrahedron(tip, below, on_plane_of_symmetry(tip));
+    }
+    (hull.iter().map(flat).collect(), volume)
+}
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Volume of the tetrahedron from the origin to three points.
+fn tetrahedron(a: Vector, b: Vector, c: Vector) -> f64 {
+    let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+    dot(a, cross).abs() / 6.0
+}
