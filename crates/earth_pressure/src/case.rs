@@ -20,6 +20,9 @@ pub struct Case {
     pub interface: Angle,
 }
 
+/// What counts as equal to the friction angle.
+const NEAR_DEG: f64 = 1e-9;
+
 impl Case {
     /// A case in plane strain with a level surface, from degrees.
     #[must_use]
@@ -77,7 +80,21 @@ impl Case {
                 "the surface is steeper than the friction angle, so it slides by itself; use |beta| <= phi",
             ));
         }
+        if beta <= -phi + NEAR_DEG {
+            return Err(self.singular(
+                model,
+                "the surface falls at the friction angle, so the soil ahead gives way to any force; use beta > -phi",
+            ));
+        }
         Ok(())
+    }
+
+    /// The surface slope in radians, for formulas that divide nought by nought where it equals phi: there it is taken
+    /// a billionth of a degree lower, which gives their limit.
+    pub(crate) fn slope_below_phi(&self) -> f64 {
+        let (beta, phi) = (self.surface_slope.radians(), self.friction.radians());
+        let limit = phi - NEAR_DEG.to_radians();
+        beta.clamp(-limit, limit)
     }
 
     pub(crate) fn singular(&self, model: &'static str, reason: &'static str) -> EarthPressureError {
@@ -172,9 +189,23 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    pub(crate) fn from_sides(passive: LoadFactors, active: LoadFactors) -> Self {
+    /// # Errors
+    /// [`EarthPressureError::Singular`] if no force is left: the soil behind pushes at least as hard as the model finds
+    /// that ahead to resist, as where the surface falls nearly at the friction angle.
+    pub(crate) fn from_sides(
+        model: &'static str,
+        case: &Case,
+        passive: LoadFactors,
+        active: LoadFactors,
+    ) -> Result<Self, EarthPressureError> {
         let net = LoadFactors::net(passive, active);
-        Self {
+        if net.weight.is_nan() || net.weight <= 0.0 {
+            return Err(case.singular(
+                model,
+                "the soil behind the plate pushes at least as hard as that ahead resists; the surface falls too steeply",
+            ));
+        }
+        Ok(Self {
             passive: Some(passive),
             active: Some(active),
             net,
@@ -182,7 +213,7 @@ impl Prediction {
             net_upper: SlantCoefficient(net.weight),
             interpolation_margin: 0.0,
             notes: Vec::new(),
-        }
+        })
     }
 
     /// Slant-normalised coefficient of the weight term.

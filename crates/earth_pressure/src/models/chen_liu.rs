@@ -56,7 +56,7 @@ impl ForceModel for ChenLiu {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        Ok(Prediction::from_sides(passive(case)?, active(case)))
+        Prediction::from_sides(ID, case, passive(case)?, active(case))
     }
 
     fn at(
@@ -132,7 +132,7 @@ struct Turns {
 
 impl Mechanism {
     fn new(case: &Case, sign: f64) -> Self {
-        let (alpha, beta) = (case.tool_angle.radians(), case.surface_slope.radians());
+        let (alpha, beta) = (case.tool_angle.radians(), case.slope_below_phi());
         let (phi, delta) = (sign * case.friction.radians(), sign * case.interface.radians());
         let omega = libm::asin((libm::sin(beta) / libm::sin(phi)).clamp(-1.0, 1.0));
         let rankine_dip = 0.5 * (FRAC_PI_2 - phi - beta - omega);

@@ -41,7 +41,7 @@ impl ForceModel for Coulomb {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        Ok(Prediction::from_sides(Wedge::ahead(case)?.critical(), Self::active(case)))
+        Prediction::from_sides(ID, case, Wedge::ahead(case)?.critical(), Self::active(case))
     }
 
     fn at(

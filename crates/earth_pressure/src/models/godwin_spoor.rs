@@ -68,7 +68,7 @@ impl ForceModel for GodwinSpoor {
             cohesion: passive.cohesion * wider,
             adhesion: passive.adhesion,
         };
-        let mut prediction = Prediction::from_sides(passive, active);
+        let mut prediction = Prediction::from_sides(ID, case, passive, active)?;
         prediction.notes.push("active side after Chen & Liu, in plane strain");
         Ok(prediction)
     }

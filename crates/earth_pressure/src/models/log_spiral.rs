@@ -68,7 +68,7 @@ impl ForceModel for LogSpiral {
         let (theta, _) = spiral.optimum().ok_or_else(|| self.no_spiral(case))?;
         let passive = spiral.factors(theta);
         let (active, note) = self.active(case);
-        let mut prediction = Prediction::from_sides(passive, active);
+        let mut prediction = Prediction::from_sides(self.id(), case, passive, active)?;
         prediction.notes.extend(note);
         Ok(prediction)
     }
@@ -151,7 +151,7 @@ struct Member {
 
 impl Spiral {
     fn new(case: &Case, thesis: bool) -> Self {
-        let (beta, phi) = (case.surface_slope.radians(), case.friction.radians());
+        let (beta, phi) = (case.slope_below_phi(), case.friction.radians());
         let omega = libm::asin((libm::sin(beta) / libm::sin(phi)).clamp(-1.0, 1.0));
         Self {
             alpha: case.tool_angle.radians(),

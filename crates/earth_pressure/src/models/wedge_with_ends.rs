@@ -40,10 +40,10 @@ pub(super) fn predict(
     case: &Case,
     ends: impl Fn(&BetweenEnds) -> LoadFactors,
 ) -> Result<Prediction, EarthPressureError> {
-    let plane = critical_plane(case, &ends).ok_or_else(|| {
-        case.singular(id, "no failure plane has a finite force; lower alpha, phi or delta")
-    })?;
-    let mut prediction = Prediction::from_sides(ends(&between(case, plane)), Coulomb::active(case));
+    let plane = critical_plane(case, &ends)
+        .ok_or_else(|| case.singular(id, "no failure plane has a finite force; lower alpha, phi or delta"))?;
+    let mut prediction =
+        Prediction::from_sides(id, case, ends(&between(case, plane)), Coulomb::active(case))?;
     prediction.notes.push("active side after Coulomb, in plane strain");
     Ok(prediction)
 }
@@ -62,10 +62,8 @@ pub(super) fn failure_surface(
 }
 
 fn critical_plane(case: &Case, ends: &impl Fn(&BetweenEnds) -> LoadFactors) -> Option<f64> {
-    let steepest = std::f64::consts::PI
-        - case.tool_angle.radians()
-        - case.interface.radians()
-        - case.friction.radians();
+    let steepest =
+        std::f64::consts::PI - case.tool_angle.radians() - case.interface.radians() - case.friction.radians();
     if steepest <= 0.0 {
         return None;
     }

@@ -42,8 +42,8 @@ fn wedge(case: &Case, rise: f64) -> Option<LoadFactors> {
         / libm::sin(alpha);
     // Per width: the section shrinks to a point at `height`, the width to nothing at `1 / narrowing`.
     let end = height.min(1.0 / narrowing);
-    let volume = end - end * end / (2.0 * height)
-        - narrowing * (end * end / 2.0 - end * end * end / (3.0 * height));
+    let volume =
+        end - end * end / (2.0 * height) - narrowing * (end * end / 2.0 - end * end * end / (3.0 * height));
     let sunk_area = surface / height * (end - narrowing * end * end / 2.0);
     let sinks = speed * libm::sin(sinking);
     let slip = speed * (cos_eta - libm::sin(sinking + beta) * sunk_area);
@@ -51,7 +51,8 @@ fn wedge(case: &Case, rise: f64) -> Option<LoadFactors> {
         weight: 2.0 * volume * sinks / plate,
         surcharge: sunk_area * sinks / plate,
         cohesion: slip / (libm::tan(phi) * plate),
-        adhesion: sinks * libm::cos(delta) / (plate * plate),
+        // The force for adhesion is that beside it, so the work is done on how the soil moves along the plate.
+        adhesion: speed * libm::cos(alpha - sinking) / plate,
     })
 }
 

@@ -90,11 +90,7 @@ fn swept(face: &[Corner], block: &Block, edges: &[Vector]) -> (Vec<Corner>, f64)
     let on_plane_of_symmetry = |v: Vector| [v[0], 0.0, v[2]];
     if let (Some(&(q, corner)), Some(&tip)) = (hull.last(), start.last()) {
         volume += (corner..start.len() - 1).map(|k| tetrahedron(start[k], start[k + 1], q)).sum::<f64>();
-        let below = [
-            block.radii[1] * ray[0],
-            0.0,
-            block.radii[1] * ray[2],
-        ];
+        let below = [block.radii[1] * ray[0], 0.0, block.radii[1] * ray[2]];
         volume += tetrahedron(tip, q, below) + tetrahedron(tip, below, on_plane_of_symmetry(tip));
     }
     (hull.iter().map(flat).collect(), volume)

@@ -11,7 +11,7 @@
 //!
 //! With cohesion c, a surface of slip dissipates `c cot(phi)` times the volume by which it opens, whatever the direction
 //! of slip, so all of them together dissipate `c cot(phi)` times what the heaved surface rises by less what the plate
-//! sweeps. A plate without ends has the plane mechanism.
+//! sweeps. Adhesion holds back what moves up along the plate. A plate without ends has the plane mechanism.
 
 mod behind;
 mod ends;
@@ -20,7 +20,7 @@ mod fan;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 use soilctl_soil::{Angle, WidthRatio};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use self::ends::Ends;
 use self::fan::{Block, Shape};
@@ -31,8 +31,8 @@ use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 const ID: &str = "blocks-3d";
 
 /// Facets of a cone while the shape is sought, and in the answer. The end term at (phi 40, delta 25) is 3 % above that
-/// of the circular cone with 16 facets, 0.2 % with 64.
-const FACETS_SOUGHT: usize = 8;
+/// of the circular cone with 16 facets.
+const FACETS_SOUGHT: usize = 16;
 const FACETS: usize = 64;
 
 /// Restarts of the downhill simplex, and most steps of each.
@@ -75,7 +75,7 @@ impl ForceModel for Blocks {
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
         let blocks = best(case)?;
-        Ok(Prediction::from_sides(passive(case, &blocks, FACETS), behind::active(case)))
+        Prediction::from_sides(ID, case, passive(case, &blocks, FACETS), behind::active(case))
     }
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
@@ -116,7 +116,7 @@ fn passive(case: &Case, blocks: &[Block], facets: usize) -> LoadFactors {
         weight: 2.0 * lifted / power,
         surcharge: last.rise() * heaved / power,
         cohesion: opened / (libm::tan(phi) * power),
-        adhesion: first.rise() * case.interface.cos() / (power * power),
+        adhesion: -first.speed * libm::cos(case.tool_angle.radians() + first.heading) / power,
     }
 }
 
@@ -152,12 +152,13 @@ fn value(case: &Case, shape: [f64; 4]) -> f64 {
 fn start(case: &Case) -> Option<[f64; 4]> {
     let (first, last) = chen_liu::fan(case)?;
     let highest = 0.98 * case.tool_angle.radians();
+    let steepest = PI - case.friction.radians() - case.tool_angle.radians() - 1e-6;
     let mut found: Option<([f64; 4], f64)> = None;
     for inside in [0.02, 0.1, 0.2, 0.3, 0.4] {
         for turned in [0.0, 0.05, 0.1, 0.2] {
             let spread = first - last;
             let ray = (first - inside * spread).min(highest);
-            let heading = (FRAC_PI_2 - first + turned).max(0.01);
+            let heading = (FRAC_PI_2 - first + turned).min(steepest).max(0.0);
             let more = (FRAC_PI_2 - last - heading + turned).max(0.0);
             let shape = [ray, (ray - last - inside * spread).max(0.0), heading, more];
             let value = value(case, shape);
