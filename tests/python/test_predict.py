@@ -7,12 +7,13 @@ import pytest
 import reference
 
 MODELS = ["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"]
+WITH_ENDS = ["mckyes", "perumpral", "godwin-spoor", "blocks-3d"]
 COEFFICIENTS = ["k_passive", "k_active", "k_net", "k_net_depth"]
 BASE = ["--alpha", 80, "--phi", 40, "--delta", 20]
 SIZE = ["--depth", 0.025, "--width", 0.127, "--density", 1600]
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", MODELS + WITH_ENDS)
 def test_answer_follows_the_schema(soilctl, validate, model):
     answer = soilctl.json("predict", "--model", model, *BASE, *SIZE)
     validate(answer)

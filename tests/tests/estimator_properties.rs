@@ -7,7 +7,7 @@ use soilctl_estimator::{
     Observation, Optimiser, Setup, StrokeMenu, agreement_factor, best_fit, conflict, estimate,
     exact_estimate, local_minima, next_strokes, projections, section, spread_starts,
 };
-use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2};
+use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, WidthRatio};
 
 /// A small reproducible generator (splitmix64), so that the soils are the same on every machine.
 struct Random(u64);
@@ -113,7 +113,7 @@ fn area_against_dense_sampling() {
         let slices: Vec<_> = setup
             .observations
             .iter()
-            .map(|o| model.at(o.plate().tool_angle(), Angle::ZERO).unwrap())
+            .map(|o| model.at(o.plate().tool_angle(), Angle::ZERO, WidthRatio::PLANE_STRAIN).unwrap())
             .collect();
         let (columns, steps) = (700, 160);
         let mut area = 0.0;

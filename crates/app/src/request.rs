@@ -9,7 +9,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
-use soilctl_earth_pressure::{Loads as SoilLoads, MODEL_IDS};
+use soilctl_earth_pressure::{EarthPressureError, ForceModel, Loads as SoilLoads, MODEL_IDS};
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
 use crate::AppError;
@@ -183,6 +183,30 @@ impl Limits {
 #[must_use]
 pub fn model_help() -> String {
     format!("Force model: {}", MODEL_IDS.join(", "))
+}
+
+/// What a plate has at its two sides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ends {
+    /// Ends as far apart as the plate is wide: soil fails there too
+    Finite,
+    /// No ends: plane strain
+    None,
+}
+
+impl Ends {
+    /// What a model is asked about: its own way where nothing is wished.
+    ///
+    /// # Errors
+    /// [`EarthPressureError::NoEnds`] for a model of plane strain.
+    pub fn of(wish: Option<Self>, model: &dyn ForceModel) -> Result<Self, EarthPressureError> {
+        match (wish, model.has_ends()) {
+            (Some(Self::None), _) | (None, false) => Ok(Self::None),
+            (Some(Self::Finite) | None, true) => Ok(Self::Finite),
+            (Some(Self::Finite), false) => Err(EarthPressureError::NoEnds { model: model.id() }),
+        }
+    }
 }
 
 /// A number that is neither NaN nor infinite, from the command line.

@@ -45,6 +45,29 @@ fn force_is_null_when_a_factor_is_missing() {
 }
 
 #[test]
+fn a_plate_with_ends_needs_its_size_and_tends_to_plane_strain() {
+    for (model, plane) in [
+        ("mckyes", "coulomb"),
+        ("perumpral", "coulomb"),
+        ("godwin-spoor", "log-spiral"),
+        ("blocks-3d", "chen"),
+    ] {
+        let message = refused(&case(&["--model", model]));
+        assert!(message.contains("--width") && message.contains("--ends none"), "{message}");
+        let (code, finite) = json(&case(&[&["--model", model][..], &PLATE].concat()));
+        assert_eq!((code, &finite["ends"]), (0, &"finite".into()), "{finite}");
+        assert!((number(&finite, "width_ratio") - 0.127 / 0.025).abs() < 1e-12);
+        let (_, none) = json(&case(&["--model", model, "--ends", "none"]));
+        assert_eq!((&none["ends"], &none["width_ratio"]), (&"none".into(), &Value::Null));
+        let (_, known) = json(&case(&["--model", plane]));
+        assert!((number(&none, "k_net") / number(&known, "k_net") - 1.0).abs() < 0.02, "{model}");
+        assert!(number(&finite, "k_net") > 1.02 * number(&none, "k_net"), "{model}");
+    }
+    let message = refused(&case(&[&["--ends", "finite"][..], &PLATE].concat()));
+    assert!(message.contains("chen is for plane strain"), "{message}");
+}
+
+#[test]
 fn every_model_answers_and_tables_have_no_split() {
     for model in
         ["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"]

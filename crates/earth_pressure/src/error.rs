@@ -49,6 +49,32 @@ pub enum EarthPressureError {
         /// Cohesion, adhesion or surcharge.
         term: &'static str,
     },
+    /// A model of plates with ends, where plates are in plane strain.
+    #[error(
+        "model {model} is one of plates with ends, which are not known here: plates are in plane strain; use chen, \
+         table, log-spiral or coulomb"
+    )]
+    HasEnds {
+        /// Model id.
+        model: &'static str,
+    },
+    /// A model of plates with ends, and nothing said about them.
+    #[error("model {model} is one of plates with ends: {advice}")]
+    NeedsEnds {
+        /// Model id.
+        model: &'static str,
+        /// What the user can do.
+        advice: &'static str,
+    },
+    /// Ends asked of a model that has none.
+    #[error(
+        "model {model} is for plane strain, in which a plate has no ends; use blocks-3d, mckyes, perumpral or \
+         godwin-spoor, or leave the ends out (--ends none)"
+    )]
+    NoEnds {
+        /// Model id.
+        model: &'static str,
+    },
     /// No such model.
     #[error("there is no force model called {name:?}; the models are {known}")]
     UnknownModel {

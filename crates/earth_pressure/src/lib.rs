@@ -16,7 +16,7 @@ pub use model::{
 };
 pub use models::{
     Blocks, Caquot, ChenLiu, Coulomb, GodwinSpoor, LogSpiral, MODEL_IDS, McKyesAli, Perumpral, model,
-    plate_bounds, thesis,
+    plane_model, plate_bounds, thesis,
 };
 pub use sensitivity::{Input, sensitivity_percent};
 

@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use soilctl_earth_pressure::model;
+use soilctl_earth_pressure::plane_model;
 use soilctl_strokes::StrokeRow;
 
 use crate::{Active, Base, DirectMechanics, EffectsError, ModelFile, Stroke, force_n};
@@ -27,7 +27,7 @@ impl Loaded {
     /// As [`Loaded::read`].
     pub fn new(file: ModelFile, name: &str) -> Result<Self, EffectsError> {
         let effects = file.active(name)?;
-        let mechanics = DirectMechanics::new(model(&file.model)?);
+        let mechanics = DirectMechanics::new(plane_model(&file.model)?);
         Ok(Self { file, mechanics, effects })
     }
 

@@ -13,7 +13,7 @@ use std::time::Duration;
 use criterion::{Criterion, SamplingMode};
 use soilctl_earth_pressure::{Case, ForceModel, ModelSlice, model};
 use soilctl_estimator::{Observation, Optimiser, Setup, estimate, local_minima, section, spread_starts};
-use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, units};
+use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, WidthRatio, units};
 
 /// Tool angle (deg), mean force and standard deviation (lbf).
 const TICINO: [(f64, f64, f64); 4] =
@@ -120,7 +120,11 @@ fn grid_search(
 fn grid(criterion: &mut Criterion, setup: &Setup<'_>) -> Result<(), Box<dyn Error>> {
     let mut slices = Vec::new();
     for observation in &setup.observations {
-        slices.push(setup.model.at(observation.plate().tool_angle(), Angle::ZERO)?);
+        slices.push(setup.model.at(
+            observation.plate().tool_angle(),
+            Angle::ZERO,
+            WidthRatio::PLANE_STRAIN,
+        )?);
     }
     // A comparison of speed means something only between methods that find the same.
     let (found, estimate) = (grid_search(&slices, &setup.observations)?, estimate(setup)?);
@@ -153,7 +157,7 @@ fn predictions(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     }
     for (id, what) in [("thesis-ub", "one table"), ("table", "two tables")] {
         let model = model(id)?;
-        let slice = model.at(case.tool_angle, case.surface_slope)?;
+        let slice = model.at(case.tool_angle, case.surface_slope, case.width_ratio)?;
         slice.net(42.3, 23.4)?;
         group.bench_function(format!("look-up, {what}"), |b| {
             b.iter(|| slice.net(black_box(42.3), black_box(23.4)))

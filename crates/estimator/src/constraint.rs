@@ -62,14 +62,16 @@ pub(crate) fn each<'m>(setup: &Setup<'m>) -> Result<Vec<Constraint<'m>>, Estimat
 }
 
 /// Constraints of a setup, those of one geometry merged into the intersection of their intervals (which may be
-/// empty: low above high). Without other loads only the tool angle and slope make a geometry.
+/// empty: low above high). Without other loads the tool angle, the slope and, for a model of plates with ends, the width
+/// over depth make a geometry.
 pub(crate) fn merged<'m>(setup: &Setup<'m>) -> Result<Vec<Constraint<'m>>, EstimatorError> {
     let loads = setup.loads.any().is_some();
-    let mut keyed: Vec<([u64; 4], Constraint<'m>)> = Vec::new();
+    let mut keyed: Vec<([u64; 5], Constraint<'m>)> = Vec::new();
     for observation in &setup.observations {
         let plate = observation.plate();
         let size = if loads { [plate.depth_m(), plate.width_m()] } else { [0.0; 2] };
-        let key = [plate.tool_angle().radians(), plate.surface_slope().radians(), size[0], size[1]]
+        let ends = setup.width_ratio(plate).depth_over_width();
+        let key = [plate.tool_angle().radians(), plate.surface_slope().radians(), ends, size[0], size[1]]
             .map(f64::to_bits);
         match keyed.iter_mut().find(|(k, _)| *k == key) {
             Some((_, known)) => {
@@ -91,9 +93,9 @@ fn scale(setup: &Setup<'_>, observation: &Observation) -> f64 {
 
 fn constraint<'m>(setup: &Setup<'m>, observation: &Observation) -> Result<Constraint<'m>, EstimatorError> {
     let plate = observation.plate();
-    let slice = setup.model.at(plate.tool_angle(), plate.surface_slope()).map_err(|source| {
-        EstimatorError::Model { context: format!("measurement {}: ", observation.label()), source }
-    })?;
+    let slice = setup.model.at(plate.tool_angle(), plate.surface_slope(), setup.width_ratio(plate)).map_err(
+        |source| EstimatorError::Model { context: format!("measurement {}: ", observation.label()), source },
+    )?;
     let area = plate.slant_length_m() * plate.width_m();
     let loads = &setup.loads;
     Ok(Constraint {

@@ -1,5 +1,5 @@
 use soilctl_earth_pressure::{Case, ForceModel, Loads, check_loads};
-use soilctl_soil::{Angle, STANDARD_GRAVITY_M_S2};
+use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, WidthRatio};
 
 use crate::{EstimatorError, Observation};
 
@@ -71,6 +71,12 @@ impl<'m> Setup<'m> {
         self.density_kg_m3.unwrap_or(DENSITY_SEARCH_KG_M3)
     }
 
+    /// Width over depth as the model sees it: plane strain for a model without ends.
+    #[must_use]
+    pub fn width_ratio(&self, plate: &Plate) -> WidthRatio {
+        if self.model.has_ends() { plate.width_ratio() } else { WidthRatio::PLANE_STRAIN }
+    }
+
     /// Refuses what cannot be estimated from.
     pub(crate) fn check(&self) -> Result<(), EstimatorError> {
         if self.observations.is_empty() {
@@ -107,6 +113,7 @@ impl<'m> Setup<'m> {
             let case = Case {
                 tool_angle: plate.tool_angle(),
                 surface_slope: plate.surface_slope(),
+                width_ratio: self.width_ratio(plate),
                 friction: Angle::from_degrees(phi.1),
                 interface: Angle::from_degrees(self.delta_deg.0),
             };

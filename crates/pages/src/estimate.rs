@@ -5,7 +5,7 @@ use soilctl_app::estimate::Estimation;
 use soilctl_app::text::number;
 use soilctl_estimator::{Region, bands as estimator_bands};
 use soilctl_figure::{Axis, Band, Dash, Figure, Line, Marker, Points, Polygon, Polygons, Span};
-use soilctl_soil::Angle;
+use soilctl_soil::{Angle, WidthRatio};
 
 use crate::PageError;
 
@@ -187,6 +187,9 @@ pub(crate) fn fit(work: &Estimation) -> Result<Figure, PageError> {
         Figure::new(title, Axis::linear("Tool angle α (deg)"), Axis::linear("Net coefficient K = 2F/(γL²w)"));
     let angles = setup.observations.iter().map(|o| o.plate().tool_angle().degrees());
     let (low, high) = angles.fold((f64::MAX, f64::MIN), |(l, h), a| (l.min(a), h.max(a)));
+    // Plates of several widths are not on one curve; the first one's is drawn.
+    let first = setup.observations.first();
+    let width_ratio = first.map_or(WidthRatio::PLANE_STRAIN, |o| setup.width_ratio(o.plate()));
     let range = work.model.valid_range().alpha_deg;
     let (low, high) = ((low - 3.0).max(range.0), (high + 3.0).min(range.1));
     for (i, phi) in phis.iter().enumerate() {
@@ -195,7 +198,11 @@ pub(crate) fn fit(work: &Estimation) -> Result<Figure, PageError> {
                 let alpha = low + (high - low) * f64::from(k) / 60.0;
                 let slice = work
                     .model
-                    .at(Angle::from_degrees(alpha), Angle::from_degrees(work.request.loads.beta_deg))
+                    .at(
+                        Angle::from_degrees(alpha),
+                        Angle::from_degrees(work.request.loads.beta_deg),
+                        width_ratio,
+                    )
                     .ok()?;
                 let net = slice.net(*phi, delta.min(*phi)).ok()?;
                 Some((alpha, net.weight_lower, net.weight_upper))

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyTuple};
 use soilctl_earth_pressure::{Case, EarthPressureError, ForceModel, Loads, MODEL_IDS, check_loads, model};
-use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil};
+use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil, WidthRatio};
 
 use crate::array::{Array, Column, common_shape, place, shaped};
 use crate::copies::maker;
@@ -203,7 +203,17 @@ struct Given<'a> {
 
 impl Given<'_> {
     fn point(&self, model: &dyn ForceModel, i: usize) -> Result<Point, EarthPressureError> {
-        let case = Case::from_deg(self.alpha.at(i), self.beta.at(i), self.phi.at(i), self.delta.at(i));
+        let mut case = Case::from_deg(self.alpha.at(i), self.beta.at(i), self.phi.at(i), self.delta.at(i));
+        if model.has_ends() {
+            let Some([_, depth, width]) = &self.sizes else {
+                return Err(EarthPressureError::NeedsEnds {
+                    model: model.id(),
+                    advice: "give density_kg_m3, depth_m and width_m",
+                });
+            };
+            let plate = Plate::new(case.tool_angle, case.surface_slope, depth.at(i), width.at(i))?;
+            case = case.with_width_ratio(plate.width_ratio());
+        }
         let [cohesion_pa, adhesion_pa, surcharge_pa] = [0, 1, 2].map(|k| self.loads[k].at(i));
         let loads = Loads { cohesion_pa, adhesion_pa, surcharge_pa };
         check_loads(model, &case, &loads)?;
@@ -398,7 +408,7 @@ pub(crate) fn valid_range<'py>(py: Python<'py>, model: &str) -> Answer<Bound<'py
 
 /// Failure surface ahead of a plate of unit slant length: points of shape (n, 2) from the tip to the ground.
 ///
-/// The tip is the origin, x points ahead and y up. None for tables, which know no surface.
+/// The tip is the origin, x points ahead and y up; the plate has no ends. None for tables, which know no surface.
 ///
 /// Raises:
 ///     InputError, NoAnswerError: As ``predict``.
@@ -417,6 +427,7 @@ pub(crate) fn failure_surface<'py>(
     let case = Case {
         tool_angle: Angle::from_degrees(tool_angle_deg),
         surface_slope: Angle::from_degrees(surface_slope_deg),
+        width_ratio: WidthRatio::PLANE_STRAIN,
         friction: Angle::from_degrees(friction_angle_deg),
         interface: Angle::from_degrees(interface_friction_deg),
     };

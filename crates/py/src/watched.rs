@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use soilctl_earth_pressure::{
     Case, EarthPressureError, FailureSurface, ForceModel, ModelSlice, NetFactors, Prediction, ValidRange,
 };
-use soilctl_soil::{Angle, Provenance};
+use soilctl_soil::{Angle, Provenance, WidthRatio};
 
 /// A model and the flag that is set when its answers are no longer wanted.
 pub(crate) struct Watched<'a> {
@@ -47,6 +47,10 @@ impl ForceModel for Watched<'_> {
         self.model.has_load_terms(case)
     }
 
+    fn has_ends(&self) -> bool {
+        self.model.has_ends()
+    }
+
     fn interpolates(&self) -> bool {
         self.model.interpolates()
     }
@@ -64,8 +68,9 @@ impl ForceModel for Watched<'_> {
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
+        width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
-        let slice = self.model.at(tool_angle, surface_slope)?;
+        let slice = self.model.at(tool_angle, surface_slope, width_ratio)?;
         Ok(Box::new(WatchedSlice { slice, stop: self.stop }))
     }
 }

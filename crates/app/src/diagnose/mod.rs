@@ -17,7 +17,7 @@ pub use answer::{
 pub use request::Request;
 pub use resimulated::{Resimulated, Simulated};
 use soilctl_diagnosis::{AddedTraces, Data, Diagnosis, RecordedTraces, Surface, diagnose};
-use soilctl_earth_pressure::model;
+use soilctl_earth_pressure::plane_model;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use crate::{AppError, Watch};
@@ -59,7 +59,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Diagnosed, AppError> 
     let traces = traces(request.traces.as_deref(), dir, &table, &mut data)?;
     let against = Against::read(&request.model, request.model_file.as_deref(), &mut data)?;
     let ends = (data.levels_deg[0], data.levels_deg[data.levels_deg.len() - 1]);
-    let surface = Surface::new(model(&against.model)?, ends)?;
+    let surface = Surface::new(plane_model(&against.model)?, ends)?;
     let weigh = |data: &Data| {
         watch.begin(0, "weighing explanations");
         let found = diagnose(data, &surface);

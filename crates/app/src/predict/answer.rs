@@ -5,6 +5,8 @@ use serde::Serialize;
 use soilctl_earth_pressure::ValidRange;
 use soilctl_soil::Provenance;
 
+use crate::request::Ends;
+
 /// Force and coefficients of a plate from a named model. Coefficients are null when a stroke table was given.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Answer {
@@ -26,7 +28,11 @@ pub struct Answer {
     pub k_net_upper: Option<f64>,
     /// Where the ends of the bracket come from; only for the model `table`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub k_net_provenance: Option<Ends>,
+    pub k_net_provenance: Option<BracketEnds>,
+    /// Whether the plate has ends.
+    pub ends: Ends,
+    /// Width over vertical depth; null in plane strain and where it comes from the strokes.
+    pub width_ratio: Option<f64>,
     /// Failure force in N with all loads; null without depth, width or density.
     pub force_n: Option<f64>,
     /// Change of `k_net` in per cent when one angle grows by 1 deg and the others stay; null with a stroke table.
@@ -49,14 +55,14 @@ pub struct Answer {
 
 /// Where the ends of a bracket come from.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Ends {
+pub struct BracketEnds {
     /// The lower end.
     pub lower: String,
     /// The upper end.
     pub upper: String,
 }
 
-impl From<&Provenance> for Ends {
+impl From<&Provenance> for BracketEnds {
     fn from(provenance: &Provenance) -> Self {
         Self { lower: provenance.lower.clone(), upper: provenance.upper.clone() }
     }

@@ -7,7 +7,7 @@ mod request;
 mod single;
 mod strokes;
 
-pub use answer::{Answer, Ends, Inputs, Range, Sensitivity, StrokePrediction};
+pub use answer::{Answer, BracketEnds, Inputs, Range, Sensitivity, StrokePrediction};
 pub use request::Request;
 use soilctl_earth_pressure::Case;
 

@@ -10,7 +10,7 @@ use soilctl_strokes::{ReadOptions, StrokeRow};
 use super::Request;
 use super::answer::{Answer, Inputs, StrokePrediction};
 use crate::AppError;
-use crate::request::NumberOrColumn;
+use crate::request::{Ends, NumberOrColumn};
 
 pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError> {
     let mut file = ModelFile::read(path)?;
@@ -65,6 +65,8 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
         k_net_lower: None,
         k_net_upper: None,
         k_net_provenance: None,
+        ends: Ends::None,
+        width_ratio: None,
         force_n,
         sensitivity_percent_per_deg: None,
         inputs: Inputs {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::{Loads as SoilLoads, MODEL_IDS};
 use soilctl_soil::SoilError;
 
-use crate::request::{Loads, NumberOrColumn, finite, model_help};
+use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help};
 use crate::{AppError, TableSource};
 
 /// Force and coefficients of a plate from a named model.
@@ -62,6 +62,11 @@ pub struct Request {
           conflicts_with = "strokes")]
     pub width_m: Option<f64>,
 
+    /// Whether the plate has ends; by default it has them for the models that know ends (mckyes, perumpral, godwin-spoor,
+    /// blocks-3d), which then take width and depth
+    #[arg(long, value_name = "ENDS", conflicts_with = "model_file")]
+    pub ends: Option<Ends>,
+
     #[command(flatten)]
     #[serde(flatten)]
     #[allow(missing_docs)]
@@ -84,6 +89,7 @@ impl Default for Request {
             density_kg_m3: None,
             depth_m: None,
             width_m: None,
+            ends: None,
             loads: Loads::default(),
             strokes: None,
         }

@@ -33,12 +33,14 @@ pub(super) fn predict(request: &Request, alpha_deg: f64) -> Result<Answer, AppEr
 
     let chosen = Chosen::of(request)?;
     let model = chosen.model.as_ref();
-    let case = case(request, alpha_deg)?;
+    let sized = request.depth_m.is_some() && request.width_m.is_some();
+    let (plate_ends, width_ratio) = chosen.ends(request, sized.then_some(&plate))?;
+    let case = case(request, alpha_deg)?.with_width_ratio(width_ratio);
     check_loads(model, &case, &loads)?;
     let found = model.predict(&case)?;
     let ends = model.provenance();
     let bracket = if ends.lower == ends.upper { None } else { Some(found.bracket(ends)?) };
-    let complete = request.depth_m.is_some() && request.width_m.is_some() && density.is_some();
+    let complete = sized && density.is_some();
     Ok(Answer {
         model: model.id().into(),
         k_passive: found.passive.map(|side| side.weight),
@@ -48,6 +50,8 @@ pub(super) fn predict(request: &Request, alpha_deg: f64) -> Result<Answer, AppEr
         k_net_lower: bracket.as_ref().map(Bracket::lower),
         k_net_upper: bracket.as_ref().map(Bracket::upper),
         k_net_provenance: bracket.as_ref().map(|b| b.provenance().into()),
+        ends: plate_ends,
+        width_ratio: width_ratio.finite(),
         force_n: complete.then(|| found.force_n(&plate, &soil, &loads)),
         sensitivity_percent_per_deg: Some(sensitivity(model, &case)),
         inputs: Inputs {

@@ -10,7 +10,7 @@ use super::Request;
 use super::answer::{Answer, StrokePrediction};
 use super::chosen::Chosen;
 use super::single::inputs;
-use crate::request::NumberOrColumn;
+use crate::request::{Ends, NumberOrColumn};
 use crate::{AppError, TableSource};
 
 pub(super) fn predict(request: &Request, table: &TableSource) -> Result<Answer, AppError> {
@@ -38,6 +38,8 @@ pub(super) fn predict(request: &Request, table: &TableSource) -> Result<Answer, 
         k_net_lower: None,
         k_net_upper: None,
         k_net_provenance: None,
+        ends: Ends::of(request.ends, chosen.model.as_ref())?,
+        width_ratio: None,
         force_n: None,
         sensitivity_percent_per_deg: None,
         inputs: inputs(request)?,
@@ -54,8 +56,8 @@ struct Predictor<'a> {
     chosen: &'a Chosen,
     loads: Loads,
     file: &'a str,
-    /// By the bits of alpha and delta: a campaign repeats few geometries many times.
-    known: BTreeMap<[u64; 2], ModelPrediction>,
+    /// By the bits of alpha, delta and depth over width: a campaign repeats few geometries many times.
+    known: BTreeMap<[u64; 3], ModelPrediction>,
 }
 
 impl Predictor<'_> {
@@ -78,7 +80,9 @@ impl Predictor<'_> {
             .with_cohesion(request.loads.cohesion_pa)?
             .with_gravity(request.loads.gravity_m_s2)?;
         let interface = Interface::new(Angle::from_degrees(delta_deg), request.loads.adhesion_pa)?;
-        let found = self.model_prediction(&row, delta_deg, &Case::of(&plate, &soil, &interface))?;
+        let (_, width_ratio) = self.chosen.ends(request, Some(&plate))?;
+        let case = Case::of(&plate, &soil, &interface).with_width_ratio(width_ratio);
+        let found = self.model_prediction(&row, delta_deg, &case)?;
         let k_net = found.k_net().0;
         let force_n = density.map(|_| found.force_n(&plate, &soil, &self.loads));
         Ok(StrokePrediction {
@@ -99,7 +103,8 @@ impl Predictor<'_> {
         delta_deg: f64,
         case: &Case,
     ) -> Result<ModelPrediction, AppError> {
-        let key = [row.alpha_deg.to_bits(), delta_deg.to_bits()];
+        let ends = case.width_ratio.depth_over_width();
+        let key = [row.alpha_deg, delta_deg, ends].map(f64::to_bits);
         if let Some(found) = self.known.get(&key) {
             return Ok(found.clone());
         }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use soilctl_earth_pressure::{Case, ForceModel, model};
+use soilctl_earth_pressure::{Case, ForceModel, plane_model};
 use soilctl_process::log::read_wrenches;
 use soilctl_process::table::StrokeRecord;
 use soilctl_process::{
@@ -184,7 +184,7 @@ fn compare(
         .ok_or_else(|| {
             AppError::Request("--delta is missing: the strokes have neither a sweep nor set-points".into())
         })?;
-    let model = model(&request.model)?;
+    let model = plane_model(&request.model)?;
     let width_m = strokes.iter().map(|s| s.row.width_m).sum::<f64>() / strokes.len() as f64;
     let scale = 0.5 * density_kg_m3 * request.gravity_m_s2 * request.slant_m * request.slant_m * width_m;
     for group in &mut analysis.groups {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::table::{Cell, CellStatus, PredictionTable, Quantity};
-use soilctl_earth_pressure::{Case, ForceModel, model};
+use soilctl_earth_pressure::{Case, ForceModel, plane_model};
 
 pub use super::Answer;
 use super::Head;
@@ -113,7 +113,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     };
     // Before the work, not after it.
     form(out)?;
-    let model = model(&request.model)?;
+    let model = plane_model(&request.model)?;
     let (table, first_refusal) = fill(model.as_ref(), axes, watch)?;
     if table.is_empty() {
         let reason = first_refusal.unwrap_or_else(|| "delta is above phi everywhere".into());

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use soilctl_earth_pressure::model;
+use soilctl_earth_pressure::plane_model;
 use soilctl_effects::{Active, Base, DirectMechanics, Reference, Stroke, force_n};
 use soilctl_plant::{Contact, SoilChange};
 
@@ -58,7 +58,7 @@ impl SoilEffects {
                 density_kg_m3: soil.density_kg_m3,
                 gravity_m_s2: soil.gravity_m_s2,
             },
-            mechanics: DirectMechanics::new(model(&plan.file().model)?),
+            mechanics: DirectMechanics::new(plane_model(&plan.file().model)?),
             width_m: plan.plant().arm().config().plate.width_m,
             batch_fraction,
             places: place::places(plan),

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use soilctl_controller::{ControllerConfig, Params, StrokePlan};
-use soilctl_earth_pressure::model;
+use soilctl_earth_pressure::plane_model;
 use soilctl_kinematics::Arm;
 use soilctl_plant::config::PlantConfig;
 use soilctl_plant::{PlantParams, SoilPreset};
@@ -74,7 +74,7 @@ impl Plan {
             "default" => Params::new(arm, Params::thesis().config().clone(), strokes)?,
             path => Params::read(arm, &folder.join(path), strokes)?,
         };
-        model(&file.model)?;
+        plane_model(&file.model)?;
         Ok(Self { text: text.to_owned(), file, params, plant, soil })
     }
 
@@ -92,7 +92,7 @@ impl Plan {
         self.plant = PlantParams::new(arm, plant)?.under_gravity(self.soil.gravity_m_s2)?;
         let config = self.params.config().clone();
         self.params = Params::new(self.plant.arm().clone(), config, self.params.plan().clone())?;
-        model(model_name)?;
+        plane_model(model_name)?;
         model_name.clone_into(&mut self.file.model);
         Ok(())
     }

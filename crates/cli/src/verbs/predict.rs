@@ -13,7 +13,9 @@ use crate::output::{Output, Words};
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Coefficients are per slant length, K = 2 F / (gamma L^2 w) with L = depth / sin(alpha); the net \
-    one is passive minus active. Without --depth, --width and --density the force is null."
+    one is passive minus active. Without --depth, --width and --density the force is null. \
+    The models mckyes, perumpral, godwin-spoor and blocks-3d know that soil fails beside the plate's ends as well, so they \
+    take --depth and --width; blocks-3d is a rigorous upper bound."
 )]
 pub(crate) struct Args {
     #[command(flatten)]
@@ -70,6 +72,13 @@ fn coefficients_text(answer: &Answer) -> String {
     if answer.k_net_lower.is_some() {
         line("k_net_lower", value(answer.k_net_lower), "lower end of the bracket");
         line("k_net_upper", value(answer.k_net_upper), "upper end of the bracket");
+    }
+    if answer.width_ratio.is_some() {
+        line(
+            "width_ratio",
+            value(answer.width_ratio),
+            "width over depth; coefficients hold for this plate with its ends",
+        );
     }
     line("k_net_depth", value(answer.k_net_depth), "the same per depth: 2 F / (gamma H^2 w)");
     if let Some(s) = &answer.sensitivity_percent_per_deg {

@@ -64,3 +64,13 @@ pub fn model(id: &str) -> Result<Box<dyn ForceModel>, EarthPressureError> {
         None => Err(EarthPressureError::UnknownModel { name: id.to_owned(), known: MODEL_IDS.join(", ") }),
     }
 }
+
+/// The model with this id, for a use in which plates have no ends.
+///
+/// # Errors
+/// [`EarthPressureError::UnknownModel`] if there is none, [`EarthPressureError::HasEnds`] if the model is one of plates
+/// with ends.
+pub fn plane_model(id: &str) -> Result<Box<dyn ForceModel>, EarthPressureError> {
+    let model = model(id)?;
+    if model.has_ends() { Err(EarthPressureError::HasEnds { model: model.id() }) } else { Ok(model) }
+}

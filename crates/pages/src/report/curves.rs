@@ -4,7 +4,7 @@ use soilctl_app::estimate::Estimation;
 use soilctl_app::text::number;
 use soilctl_earth_pressure::{Case, model};
 use soilctl_figure::{Axis, Band, Figure, Line, Span};
-use soilctl_soil::Angle;
+use soilctl_soil::{Angle, WidthRatio};
 
 use crate::PageError;
 
@@ -28,6 +28,7 @@ pub(super) fn against_phi(work: &Estimation, alpha_deg: f64) -> Result<Option<Fi
             let case = Case {
                 tool_angle: Angle::from_degrees(alpha_deg),
                 surface_slope: Angle::from_degrees(work.request.loads.beta_deg),
+                width_ratio: WidthRatio::PLANE_STRAIN,
                 friction: Angle::from_degrees(p),
                 interface: Angle::from_degrees(delta),
             };

@@ -1,7 +1,7 @@
 use soilctl_earth_pressure::{
     Case, ChenLiu, EarthPressureError, ForceModel, LoadFactors, Loads, check_loads,
 };
-use soilctl_soil::{Angle, Interface, Soil};
+use soilctl_soil::{Angle, Interface, Soil, WidthRatio};
 
 /// Tool angles of the nodes: from this one, in steps of half a degree.
 const FIRST_DEG: usize = 50;
@@ -41,6 +41,7 @@ impl LimitCoefficients {
                 let case = |alpha_deg: f64| Case {
                     tool_angle: Angle::from_degrees(alpha_deg),
                     surface_slope: Angle::ZERO,
+                    width_ratio: WidthRatio::PLANE_STRAIN,
                     friction: soil.friction(),
                     interface: Angle::from_radians(share * interface.friction().radians()),
                 };

@@ -146,7 +146,7 @@ def failure_surface(
 ) -> NDArray[np.float64] | None:
     """Failure surface ahead of a plate of unit slant length: points of shape (n, 2) from the tip to the ground.
 
-    The tip is the origin, x points ahead and y up. None for tables, which know no surface.
+    The tip is the origin, x points ahead and y up; the plate has no ends. None for tables, which know no surface.
 
     Raises:
         InputError, NoAnswerError: As ``predict``.

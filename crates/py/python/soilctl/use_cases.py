@@ -70,7 +70,7 @@ __all__ = [
     "LogTopic",
     "LogWritten",
     "PredictAnswer",
-    "PredictEnds",
+    "PredictBracketEnds",
     "PredictInputs",
     "PredictRange",
     "PredictSensitivity",
@@ -159,7 +159,7 @@ __all__ = [
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class PredictEnds(Record):
+class PredictBracketEnds(Record):
     """Where the ends of a bracket come from.
 
     Attributes:
@@ -298,6 +298,7 @@ class PredictAnswer(Answer):
     Attributes:
         schema: Id of this schema.
         version: Version of the program.
+        ends: Whether the plate has ends.
         force_n: Failure force in N with all loads; null without depth, width or density.
         inputs: What was asked.
         interpolation_margin: By how much, relatively, interpolation in a table may be wrong (the largest over the
@@ -312,6 +313,7 @@ class PredictAnswer(Answer):
         sensitivity_percent_per_deg: Change of ``k_net`` in per cent when one angle grows by 1 deg and the others
             stay; null with a stroke table.
         valid_range: Angles for which the model answers.
+        width_ratio: Width over vertical depth; null in plane strain and where it comes from the strokes.
         k_net_lower: Lower end of the bracket on ``k_net``; only for the model ``table``.
         k_net_provenance: Where the ends of the bracket come from; only for the model ``table``.
         k_net_upper: Upper end of the bracket on ``k_net``; only for the model ``table``.
@@ -322,6 +324,8 @@ class PredictAnswer(Answer):
     """Id of this schema."""
     version: str
     """Version of the program."""
+    ends: Literal["finite", "none"]
+    """Whether the plate has ends."""
     force_n: float | None
     """Failure force in N with all loads; null without depth, width or density."""
     inputs: PredictInputs
@@ -349,9 +353,11 @@ class PredictAnswer(Answer):
     """
     valid_range: PredictRange
     """Angles for which the model answers."""
+    width_ratio: float | None
+    """Width over vertical depth; null in plane strain and where it comes from the strokes."""
     k_net_lower: float | None = None
     """Lower end of the bracket on ``k_net``; only for the model ``table``."""
-    k_net_provenance: PredictEnds | None = None
+    k_net_provenance: PredictBracketEnds | None = None
     """Where the ends of the bracket come from; only for the model ``table``."""
     k_net_upper: float | None = None
     """Upper end of the bracket on ``k_net``; only for the model ``table``."""
@@ -3677,7 +3683,7 @@ class ArmUrdfAnswer(Answer):
 
 def predict(
     *,
-    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"] = "chen",
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "blocks-3d", "table"] = "chen",
     model_table: PathLike | None = None,
     alpha_deg: float | None = None,
     model_file: PathLike | None = None,
@@ -3686,6 +3692,7 @@ def predict(
     density_kg_m3: Literal["column"] | float | None = None,
     depth_m: float | None = None,
     width_m: float | None = None,
+    ends: Literal["finite", "none"] | None = None,
     cohesion_pa: float = 0.0,
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
@@ -3707,6 +3714,8 @@ def predict(
         density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of ``strokes``.
         depth_m: Vertical depth of the plate's lower edge below the surface (m).
         width_m: Width of the plate (m).
+        ends: Whether the plate has ends; by default it has them for the models that know ends (mckyes, perumpral,
+            godwin-spoor, blocks-3d), which then take width and depth.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
@@ -4002,7 +4011,7 @@ def estimate(
     file: Table,
     delta_deg: Literal["column"] | float = "column",
     *,
-    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "table"] = "table",
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "blocks-3d", "table"] = "table",
     model_file: PathLike | None = None,
     delta_tol_deg: float = 1.0,
     density_kg_m3: Literal["column"] | float | None = None,

@@ -1,7 +1,7 @@
 //! What each force would have been at the reference of its kind, and how far it may be off.
 
 use soilctl_earth_pressure::{Case, ChenLiu, EarthPressureError, ForceModel as _};
-use soilctl_soil::Angle;
+use soilctl_soil::{Angle, WidthRatio};
 use soilctl_strokes::{Campaign, Kind, StrokeRow};
 
 use super::super::request::Request;
@@ -158,6 +158,7 @@ impl Carrier<'_> {
         let case = Case {
             tool_angle: Angle::from_degrees(alpha_deg),
             surface_slope: Angle::from_degrees(loads.beta_deg),
+            width_ratio: WidthRatio::PLANE_STRAIN,
             friction: Angle::from_degrees(USUAL_PHI_DEG),
             interface: Angle::from_degrees(
                 friction_deg.unwrap_or(0.5 * USUAL_PHI_DEG).clamp(0.0, USUAL_PHI_DEG),
