@@ -63,6 +63,9 @@ fn a_plate_with_ends_needs_its_size_and_tends_to_plane_strain() {
         assert!((number(&none, "k_net") / number(&known, "k_net") - 1.0).abs() < 0.02, "{model}");
         assert!(number(&finite, "k_net") > 1.02 * number(&none, "k_net"), "{model}");
     }
+    let message =
+        refused(&["estimate", "../../data/soils/ticino_rained/strokes.csv", "--model", "blocks-3d"]);
+    assert!(message.contains("anew for each soil"), "{message}");
     let message = refused(&case(&[&["--ends", "finite"][..], &PLATE].concat()));
     assert!(message.contains("chen is for plane strain"), "{message}");
 }
