@@ -3,6 +3,7 @@
 use soilctl_earth_pressure::{Case, model};
 use soilctl_soil::WidthRatio;
 
+#[allow(clippy::print_stdout, reason = "an example")]
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let ids = ["mckyes", "perumpral", "godwin-spoor", "blocks-3d"];
     println!("{:>12} {:>5} {}", "phi, delta", "w/H", ids.map(|id| format!("{id:>13}")).join(""));

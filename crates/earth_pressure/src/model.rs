@@ -24,6 +24,11 @@ pub trait ForceModel: Send + Sync {
         false
     }
 
+    /// Whether each answer takes a search of a tenth of a second and more, too long for what asks for thousands.
+    fn is_slow(&self) -> bool {
+        false
+    }
+
     /// Whether cohesion, adhesion and surcharge are covered in this case.
     fn has_load_terms(&self, case: &Case) -> bool {
         let _ = case;
@@ -85,10 +90,23 @@ pub struct NetFactors {
 
 /// Slice of a closed-form model: calls `predict`.
 pub(crate) struct DirectSlice<'a, M: ForceModel> {
-    pub(crate) model: &'a M,
-    pub(crate) tool_angle: Angle,
-    pub(crate) surface_slope: Angle,
-    pub(crate) width_ratio: WidthRatio,
+    model: &'a M,
+    tool_angle: Angle,
+    surface_slope: Angle,
+    width_ratio: WidthRatio,
+}
+
+impl<'a, M: ForceModel> DirectSlice<'a, M> {
+    /// The slice at a geometry that the model covers.
+    pub(crate) fn boxed(
+        model: &'a M,
+        tool_angle: Angle,
+        surface_slope: Angle,
+        width_ratio: WidthRatio,
+    ) -> Result<Box<dyn ModelSlice + 'a>, EarthPressureError> {
+        model.valid_range().check_geometry(model.id(), tool_angle, surface_slope)?;
+        Ok(Box::new(Self { model, tool_angle, surface_slope, width_ratio }))
+    }
 }
 
 impl<M: ForceModel> ModelSlice for DirectSlice<'_, M> {

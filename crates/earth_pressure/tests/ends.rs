@@ -1,5 +1,7 @@
 //! Plates with ends: published and independently computed values, limits, order.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
 use proptest::prelude::*;
 use soilctl_earth_pressure::{
     Blocks, Case, Coulomb, EarthPressureError, ForceModel, LogSpiral, McKyesAli, Perumpral, model,

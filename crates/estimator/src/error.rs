@@ -9,6 +9,15 @@ pub enum EstimatorError {
     /// No measurement at all.
     #[error("there is no measurement; give at least one stroke")]
     NoMeasurement,
+    /// A model that takes too long for an estimate.
+    #[error(
+        "model {model} seeks its mechanism anew for each soil, and an estimate asks for thousands of soils; use \
+         perumpral, mckyes or godwin-spoor for plates with ends, or table"
+    )]
+    SlowModel {
+        /// Id of the model.
+        model: &'static str,
+    },
     /// More distinct measurements than the estimator takes.
     #[error(
         "there are {count} distinct measurements, the limit is {limit}; group strokes by tool angle and depth"

@@ -82,6 +82,9 @@ impl<'m> Setup<'m> {
         if self.observations.is_empty() {
             return Err(EstimatorError::NoMeasurement);
         }
+        if self.model.is_slow() {
+            return Err(EstimatorError::SlowModel { model: self.model.id() });
+        }
         if self.observations.len() > MAX_OBSERVATIONS {
             return Err(EstimatorError::TooManyMeasurements {
                 count: self.observations.len(),

@@ -7,7 +7,7 @@ mod inputs;
 mod request;
 mod words;
 
-use soilctl_earth_pressure::{Blocks, ChenLiu, ForceModel, model};
+use soilctl_earth_pressure::{ChenLiu, ForceModel, model};
 use soilctl_estimator::{
     Conflict, Estimate, Optimiser, Projections, Region, Setup, StrokeMenu, agreement_factor, best_fit,
     conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
@@ -60,13 +60,6 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     requests::check(request)?;
     let exact_data = request.exact;
     let model = model(&request.model)?;
-    if model.id() == Blocks.id() {
-        return Err(AppError::Request(
-            "blocks-3d seeks its mechanism anew for each soil, in about 0.2 s, and an estimate asks for thousands of soils; \
-             use perumpral, mckyes or godwin-spoor for plates with ends, or table"
-                .into(),
-        ));
-    }
     let inputs = Inputs::read(request, exact_data, &*model)?;
     let setup = inputs.setup(request, &*model)?;
     let deltas = inputs.sections(request);

@@ -65,8 +65,7 @@ impl ForceModel for ChenLiu {
         surface_slope: Angle,
         width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
-        self.valid_range().check_geometry(ID, tool_angle, surface_slope)?;
-        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope, width_ratio }))
+        DirectSlice::boxed(self, tool_angle, surface_slope, width_ratio)
     }
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {

@@ -86,8 +86,7 @@ impl ForceModel for LogSpiral {
         surface_slope: Angle,
         width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
-        self.valid_range().check_geometry(self.id(), tool_angle, surface_slope)?;
-        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope, width_ratio }))
+        DirectSlice::boxed(self, tool_angle, surface_slope, width_ratio)
     }
 }
 

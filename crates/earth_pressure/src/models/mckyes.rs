@@ -71,7 +71,6 @@ impl ForceModel for McKyesAli {
         surface_slope: Angle,
         width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
-        self.valid_range().check_geometry(ID, tool_angle, surface_slope)?;
-        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope, width_ratio }))
+        DirectSlice::boxed(self, tool_angle, surface_slope, width_ratio)
     }
 }

@@ -40,10 +40,9 @@ pub(super) fn predict(
     case: &Case,
     ends: impl Fn(&BetweenEnds) -> LoadFactors,
 ) -> Result<Prediction, EarthPressureError> {
-    let plane = critical_plane(case, &ends)
-        .ok_or_else(|| case.singular(id, "no failure plane has a finite force; lower alpha, phi or delta"))?;
-    let mut prediction =
-        Prediction::from_sides(id, case, ends(&between(case, plane)), Coulomb::active(case))?;
+    let (wedges, plane) = critical(id, case, &ends)?;
+    let passive = ends(&wedges.on(plane));
+    let mut prediction = Prediction::from_sides(id, case, passive, Coulomb::active(case))?;
     prediction.notes.push("active side after Coulomb, in plane strain");
     Ok(prediction)
 }
@@ -55,32 +54,60 @@ pub(super) fn failure_surface(
     ends: impl Fn(&BetweenEnds) -> LoadFactors,
 ) -> Result<Option<FailureSurface>, EarthPressureError> {
     model.valid_range().check(model.id(), case)?;
-    Ok(critical_plane(case, &ends).map(|plane| {
-        let height = case.tool_angle.sin();
-        FailureSurface::from_tip(case, vec![(0.0, 0.0), (height / libm::tan(plane), height)])
-    }))
+    let (wedges, plane) = critical(model.id(), case, &ends)?;
+    let (height, reach) = (wedges.depth, wedges.depth / libm::tan(plane));
+    Ok(Some(FailureSurface::from_tip(case, vec![(0.0, 0.0), (reach, height)])))
 }
 
-fn critical_plane(case: &Case, ends: &impl Fn(&BetweenEnds) -> LoadFactors) -> Option<f64> {
+/// The wedges of a case and the rise of the failure plane of least weight factor.
+fn critical(
+    id: &'static str,
+    case: &Case,
+    ends: &impl Fn(&BetweenEnds) -> LoadFactors,
+) -> Result<(Wedges, f64), EarthPressureError> {
+    let wedges = Wedges::of(case);
     let steepest =
         std::f64::consts::PI - case.tool_angle.radians() - case.interface.radians() - case.friction.radians();
-    if steepest <= 0.0 {
-        return None;
-    }
     let edge = 1e-6 * steepest;
-    let weight = |plane: f64| ends(&between(case, plane)).weight;
-    minimise(edge, steepest - edge, SCAN, weight).map(|(plane, _)| plane)
+    let weight = |plane: f64| ends(&wedges.on(plane)).weight;
+    let found = if steepest > 0.0 { minimise(edge, steepest - edge, SCAN, weight) } else { None };
+    let (plane, _) = found
+        .ok_or_else(|| case.singular(id, "no failure plane has a finite force; lower alpha, phi or delta"))?;
+    Ok((wedges, plane))
 }
 
-fn between(case: &Case, plane: f64) -> BetweenEnds {
-    let rise = Turn::of(plane);
-    let sum = case.tool_angle.radians() + case.interface.radians() + plane + case.friction.radians();
-    BetweenEnds {
-        wedge: Wedge::of(case).factors(rise),
-        plane_cot: rise.cos / rise.sin,
-        plate_cot: case.tool_angle.cos() / case.tool_angle.sin(),
-        depth: case.tool_angle.sin(),
-        scale: 1.0 / libm::sin(sum),
-        depth_over_width: case.width_ratio.depth_over_width(),
+/// What all failure planes of a case have in common.
+struct Wedges {
+    wedge: Wedge,
+    /// `alpha + delta + phi`.
+    sum: Turn,
+    plate_cot: f64,
+    depth: f64,
+    depth_over_width: f64,
+}
+
+impl Wedges {
+    fn of(case: &Case) -> Self {
+        let wedge = Wedge::of(case);
+        let sum = case.tool_angle.radians() + case.interface.radians() + case.friction.radians();
+        Self {
+            wedge,
+            sum: Turn::of(sum),
+            plate_cot: case.tool_angle.cos() / case.tool_angle.sin(),
+            depth: case.tool_angle.sin(),
+            depth_over_width: case.width_ratio.depth_over_width(),
+        }
+    }
+
+    fn on(&self, plane: f64) -> BetweenEnds {
+        let rise = Turn::of(plane);
+        BetweenEnds {
+            wedge: self.wedge.factors(rise),
+            plane_cot: rise.cos / rise.sin,
+            plate_cot: self.plate_cot,
+            depth: self.depth,
+            scale: 1.0 / (self.sum + rise).sin,
+            depth_over_width: self.depth_over_width,
+        }
     }
 }

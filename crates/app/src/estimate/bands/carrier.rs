@@ -1,6 +1,6 @@
 //! What each force would have been at the reference of its kind, and how far it may be off.
 
-use soilctl_earth_pressure::{Case, ChenLiu, EarthPressureError, ForceModel as _};
+use soilctl_earth_pressure::{Case, EarthPressureError, ForceModel};
 use soilctl_soil::{Angle, WidthRatio};
 use soilctl_strokes::{Campaign, Kind, StrokeRow};
 
@@ -9,7 +9,7 @@ use super::chosen::{SAME_ALPHA_DEG, Stroke};
 use crate::AppError;
 use crate::text::number;
 
-/// Forces are carried over some degrees and tenths of the depth by Chen and Liu's model in a soil of this friction angle and density.
+/// Forces are carried over some degrees and tenths of the depth in a soil of this friction angle and density.
 const USUAL_PHI_DEG: f64 = 40.0;
 /// At 30 or 45 deg such a correction is by this share of itself different, by the table of proven bounds at 70 to 100 deg.
 const CARRIED_SHARE: f64 = 0.2;
@@ -38,6 +38,8 @@ pub(super) struct Carrier<'a> {
     pub(super) friction_deg: Option<f64>,
     /// Of the density between preparations.
     pub(super) density_sd_rel: f64,
+    /// What forces are carried by: Chen and Liu's model, or the estimate's own where plates have ends.
+    pub(super) by: &'a dyn ForceModel,
     /// Tool angles that the model covers, in deg.
     pub(super) range: (f64, f64),
 }
@@ -158,13 +160,13 @@ impl Carrier<'_> {
         let case = Case {
             tool_angle: Angle::from_degrees(alpha_deg),
             surface_slope: Angle::from_degrees(loads.beta_deg),
-            width_ratio: WidthRatio::PLANE_STRAIN,
+            width_ratio: WidthRatio::new(width_m / depth_m)?,
             friction: Angle::from_degrees(USUAL_PHI_DEG),
             interface: Angle::from_degrees(
                 friction_deg.unwrap_or(0.5 * USUAL_PHI_DEG).clamp(0.0, USUAL_PHI_DEG),
             ),
         };
-        let net = ChenLiu.predict(&case)?.net;
+        let net = self.by.predict(&case)?.net;
         let slant_m = depth_m / alpha_deg.to_radians().sin();
         let weight = 0.5 * USUAL_DENSITY_KG_M3 * loads.gravity_m_s2 * slant_m * net.weight;
         let others = loads.surcharge_pa * net.surcharge

@@ -3,7 +3,7 @@
 mod carrier;
 mod chosen;
 
-use soilctl_earth_pressure::ForceModel;
+use soilctl_earth_pressure::{ChenLiu, ForceModel};
 use soilctl_strokes::{Campaign, Kind, Measurement, Pool, StrokeRow, StrokeTable, pool};
 
 use self::carrier::{Carrier, Reference};
@@ -55,6 +55,7 @@ pub(super) fn bands(
         campaign,
         friction_deg,
         density_sd_rel: if is_one_preparation { 0.0 } else { campaign.density_sd_rel },
+        by: if model.has_ends() { model } else { &ChenLiu },
         range: model.valid_range().alpha_deg,
     };
     let mut measurements = Vec::new();

@@ -105,3 +105,64 @@ fn tetrahedron(a: Vector, b: Vector, c: Vector) -> f64 {
     let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
     dot(a, cross).abs() / 6.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each facet of the cone separates at phi exactly: its inner normal and the velocity make `90 deg - phi`.
+    #[test]
+    fn facets_touch_the_circular_cone() {
+        for (heading, phi, facets) in [(0.3, 0.5, 8), (0.9, 0.7, 16), (1.2, 0.2, 64)] {
+            let (up, ahead) = libm::sincos(heading);
+            let edges = edges(heading, phi, facets);
+            let mirrored = |v: Vector| [v[0], -v[1], v[2]];
+            // The facets across the plane of symmetry, above and below, and those between.
+            let mut pairs = vec![
+                (mirrored(edges[0]), edges[0]),
+                (edges[edges.len() - 1], mirrored(edges[edges.len() - 1])),
+            ];
+            pairs.extend(edges.windows(2).map(|pair| (pair[0], pair[1])));
+            for (a, b) in pairs {
+                let normal =
+                    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+                let sine = dot(normal, [ahead, 0.0, up]).abs() / dot(normal, normal).sqrt();
+                assert!((sine - libm::sin(phi)).abs() < 1e-12, "{sine} {phi}");
+            }
+        }
+    }
+
+    /// The first block against a count of points: one belongs to it if some point of the plate lies within phi of the
+    /// velocity behind it.
+    #[test]
+    fn volume_of_a_first_block_by_counting() {
+        let (phi, heading, rays): (f64, f64, [f64; 2]) = (0.6, 0.7, [1.5, 0.8]);
+        let base = heading - phi;
+        let radius = libm::sin(rays[0] + base) / libm::sin(rays[1] + base);
+        let block = Block { rays, radii: [1.0, radius], heading, speed: 1.0 };
+        let volume = 0.5 * ends(&[block], phi, 128).lifted / block.rise();
+        let (velocity, tip) =
+            ([libm::cos(heading), 0.0, libm::sin(heading)], [libm::cos(rays[0]), 0.0, -libm::sin(rays[0])]);
+        let inside = |p: Vector| {
+            let dip = libm::atan2(-p[2], p[0]);
+            dip <= rays[0]
+                && dip >= rays[1]
+                && (0..=200).any(|k| {
+                    let from: Vector = std::array::from_fn(|i| p[i] - tip[i] * f64::from(k) / 200.0);
+                    dot(from, velocity) >= libm::cos(phi) * dot(from, from).sqrt()
+                })
+        };
+        let (cells, size) = (60, 2.0);
+        let at = |k: i32| (f64::from(k) + 0.5) * size / f64::from(cells);
+        let mut count = 0;
+        for i in 0..cells {
+            for j in 0..cells {
+                for k in 0..cells {
+                    count += i32::from(inside([at(i), at(j), -at(k)]));
+                }
+            }
+        }
+        let counted = f64::from(count) * (size / f64::from(cells)).powi(3);
+        assert!((counted / volume - 1.0).abs() < 0.03, "{counted} {volume}");
+    }
+}

@@ -68,6 +68,10 @@ impl ForceModel for Blocks {
         true
     }
 
+    fn is_slow(&self) -> bool {
+        true
+    }
+
     fn has_load_terms(&self, _case: &Case) -> bool {
         true
     }
@@ -95,8 +99,7 @@ impl ForceModel for Blocks {
         surface_slope: Angle,
         width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
-        self.valid_range().check_geometry(ID, tool_angle, surface_slope)?;
-        Ok(Box::new(DirectSlice { model: self, tool_angle, surface_slope, width_ratio }))
+        DirectSlice::boxed(self, tool_angle, surface_slope, width_ratio)
     }
 }
 
