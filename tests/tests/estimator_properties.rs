@@ -37,9 +37,12 @@ fn plate(alpha: f64, depth: f64) -> Plate {
     Plate::new(Angle::from_degrees(alpha), Angle::ZERO, depth, 0.127).unwrap()
 }
 
-/// True force; for a bracket at the given fraction of its logarithmic width.
+/// True force, with the plate's ends where the model knows them; for a bracket at the given fraction of its logarithmic width.
 fn force(model: &dyn ForceModel, truth: Truth, plate: &Plate, fraction: f64) -> Option<f64> {
-    let case = Case::level_deg(plate.tool_angle().degrees(), truth.phi, truth.delta);
+    let mut case = Case::level_deg(plate.tool_angle().degrees(), truth.phi, truth.delta);
+    if model.has_ends() {
+        case = case.with_width_ratio(plate.width_ratio());
+    }
     let p = model.predict(&case).ok()?;
     let k = p.net_lower.0.powf(1.0 - fraction) * p.net_upper.0.powf(fraction);
     let (l, w) = (plate.slant_length_m(), plate.width_m());
@@ -51,11 +54,13 @@ fn force(model: &dyn ForceModel, truth: Truth, plate: &Plate, fraction: f64) -> 
 #[test]
 fn the_truth_is_inside_every_time() {
     let mut random = Random(20_011_107);
-    let models: Vec<_> = MODEL_IDS.iter().map(|id| model(id).unwrap()).collect();
+    let models: Vec<_> = MODEL_IDS.iter().map(|id| model(id).unwrap()).filter(|m| !m.is_slow()).collect();
+    let quick = ["coulomb", "caquot", "thesis-ub", "thesis-lb", "table"].map(|id| model(id).unwrap());
     let mut done = 0;
     while done < 1000 {
-        // The two models that search for every force are dear; they get a share, the others the rest.
-        let model = &*models[if done % 5 == 0 { done / 5 } else { [0, 3, 5, 6, 7][done % 5] } % models.len()];
+        // The models that search for every force are dear; they get a share, the others the rest.
+        let model =
+            if done % 5 == 0 { &*models[done / 5 % models.len()] } else { &*quick[done % quick.len()] };
         let phi = random.between(26.0, 49.0);
         let delta = random.between(0.0, 29.0_f64.min(phi));
         let truth = Truth { phi, delta, density: random.between(1100.0, 2100.0) };
