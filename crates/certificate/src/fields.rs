@@ -274,3 +274,56 @@ impl Jet {
         }
     }
 }
+
+/// Rigid blocks in translation, which prove an upper bound for a structure with ends if they move as the soil allows. Of
+/// what is symmetric about y = 0, the half where y is positive.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mechanism {
+    /// Vertices of the blocks.
+    pub vertices: Vec<Position>,
+    /// For each block its velocity: along x and y of space, and along the statement's y.
+    pub velocities: Vec<[f64; 3]>,
+    /// All facets, each once: those of one block close up.
+    pub facets: Vec<Facet>,
+}
+
+/// Where a vertex is in space: x as in the statement, y across, z upwards as the statement's y.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Position {
+    /// Below the surface: x, y, z.
+    Inside([f64; 3]),
+    /// Exactly on the surface: x, y.
+    Surface([f64; 2]),
+    /// Exactly in the plate's plane: distance down from the plate's upper edge over the plate's length, and y.
+    Plate([f64; 2]),
+}
+
+/// A triangle of a block's surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Facet {
+    /// Index of the block.
+    pub block: usize,
+    /// Indices of its vertices, counter-clockwise as seen from outside the block.
+    pub corners: [usize; 3],
+    /// What is on the other side.
+    pub beyond: BeyondFacet,
+}
+
+/// What is beyond a facet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum BeyondFacet {
+    /// Soil that does not move.
+    Rest,
+    /// Another block, by its index; the facet is that one's too, seen from the other side.
+    Block(usize),
+    /// The air.
+    Surface,
+    /// The plate.
+    Plate,
+    /// The mirror image.
+    Symmetry,
+}

@@ -200,6 +200,33 @@
 //! Downwards an effective stress state moves along the gradient of the base plus that of the pore pressure, which is
 //! proven to be within the cone of the strength without cohesion and tension, so it stays within.
 //!
+//! # Structures with ends
+//!
+//! With [`Statement::width`] the statement is the section of a thin plate that hangs from the level surface of one soil
+//! without water, and has that width across the plane, `|y| < w/2`; the soil goes on beyond. Bounds are per unit width.
+//!
+//! *Lower.* The field is one in plane strain as above, and is spliced with the ground at rest: between the ends it has any
+//! normal pressure `f(x, z)` across, beyond them the stress is the reference's base with the same `f` across. As `f` does not
+//! vary with y, both parts balance and their tractions agree. Such an `f` exists if and only if at each point, with `p1 >=
+//! p3` the principal pressures in the plane and `o1 >= o3` those of the ground at rest,
+//!
+//! ```text
+//! p1 + c cot(phi) <= K^2 (o3 + c cot(phi)),   o1 + c cot(phi) <= K^2 (p3 + c cot(phi)),   K = (1 + sin(phi))/(1 - sin(phi))
+//! ```
+//!
+//! which is proven besides yield, also beyond far lines. The bound then holds for every width. Two flows in the plane cannot
+//! be spliced: between them the soil would shear without opening.
+//!
+//! *Upper.* A [`Mechanism`] of rigid blocks in translation, bounded by triangles, is proven by [`prove_mechanism`]. Its
+//! velocity `v` jumps by `[v]` across facets with the area vector `N`. Virtual work demands of them
+//!
+//! ```text
+//! [v] . N >= |[v]| |N| sin(phi),        F . V <= sum of c cot(phi) [v] . N  +  the same at the plate  -  W
+//! ```
+//!
+//! and needs neither convex blocks nor blocks that are apart: where they overlap their velocities add up, and so do jumps,
+//! which then still obey. Blocks stay on one side of the plate, their facets close up and cover its faces once.
+//!
 //! # What is not covered yet
 //!
 //! Lower bounds with
@@ -225,6 +252,7 @@
 //!   linear on a simplex. Int. J. Numer. Methods Eng. 66, 604-634; Int. J. Numer. Anal. Methods Geomech. 31, 835-865.
 
 mod element;
+mod ends;
 mod error;
 #[cfg(test)]
 mod examples;
@@ -243,9 +271,11 @@ mod tests;
 mod tiling;
 mod upper;
 
+pub use ends::prove_mechanism;
 pub use error::CertificateError;
 pub use fields::{
-    Flow, Gauge, Gradient, Jet, LowerField, StreamCopy, StreamJet, UpperField, Velocity, VertexCopy,
+    BeyondFacet, Facet, Flow, Gauge, Gradient, Jet, LowerField, Mechanism, Position, StreamCopy, StreamJet,
+    UpperField, Velocity, VertexCopy,
 };
 pub use lower::prove_lower;
 pub use mesh::{Mesh, Place, Side, Triangle, Vertex};

@@ -1,3 +1,4 @@
+use crate::ends::prove_mechanism;
 use crate::fields::{LowerField, UpperField};
 use crate::lower::prove_lower;
 use crate::solution::{Claim, Solution};
@@ -10,7 +11,7 @@ use crate::{CertificateError, SCHEMA};
 pub struct Proof {
     /// Lower bound, if the solution has a field for it.
     pub lower: Option<Bound>,
-    /// Upper bound, likewise.
+    /// Upper bound, likewise: by a flow in the plane, or by blocks in space.
     pub upper: Option<Bound>,
 }
 
@@ -27,7 +28,7 @@ pub struct Bound {
 ///
 /// # Errors
 ///
-/// [`CertificateError::Schema`], and what [`prove_lower`] and [`prove_upper`] return.
+/// [`CertificateError::Schema`], and what [`prove_lower`], [`prove_upper`] and [`prove_mechanism`] return.
 pub fn prove(solution: &Solution) -> Result<Proof, CertificateError> {
     fn bound<F>(
         statement: &Statement,
@@ -44,6 +45,9 @@ pub fn prove(solution: &Solution) -> Result<Proof, CertificateError> {
         solution.lower.as_ref().map(|c: &Claim<LowerField>| bound(statement, c, prove_lower)).transpose()?;
     let upper =
         solution.upper.as_ref().map(|c: &Claim<UpperField>| bound(statement, c, prove_upper)).transpose()?;
+    let mechanism = solution.mechanism.as_ref().map(|c| bound(statement, c, prove_mechanism)).transpose()?;
+    // A statement has a width, or it has not: only one of the two is proven.
+    let upper = upper.or(mechanism);
     if let (Some(l), Some(u)) = (lower, upper)
         && l.proven > u.proven
     {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{CertificateError, LowerField, Statement, UpperField};
+use crate::{CertificateError, LowerField, Mechanism, Statement, UpperField};
 
 /// What [`Solution::schema`] must say.
 pub const SCHEMA: &str = "soilctl.solution/1";
@@ -29,6 +29,9 @@ pub struct Solution {
     pub lower: Option<Claim<LowerField>>,
     /// Velocity field for the upper bound.
     pub upper: Option<Claim<UpperField>>,
+    /// Blocks in space for the upper bound, if the structure has ends.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mechanism: Option<Claim<Mechanism>>,
 }
 
 /// What the units of a statement are. Each entry is optional.

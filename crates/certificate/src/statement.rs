@@ -25,6 +25,18 @@ pub struct Statement {
     pub objective: Objective,
     /// What holds on boundary sides of lines, at most one entry for each side.
     pub boundaries: Vec<Boundary>,
+    /// Width of the structure across the plane, above zero, if it has ends: the soil goes on beyond them, and bounds are
+    /// those of a body in space, per unit width of the structure. Plane strain if it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<f64>,
+}
+
+impl Statement {
+    /// The same with a structure of this width.
+    #[must_use]
+    pub fn with_width(self, width: f64) -> Self {
+        Self { width: Some(width), ..self }
+    }
 }
 
 /// What is bounded.

@@ -106,6 +106,7 @@ impl EmbeddedPlate {
             surcharge: self.surcharge,
             // Level in space, so inclined against a sloping surface.
             objective: Objective::Structure { velocity: [beta.cos(), -beta.sin()] },
+            width: None,
             boundaries: uses
                 .iter()
                 .zip(conditions)

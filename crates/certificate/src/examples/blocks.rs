@@ -106,6 +106,7 @@ impl Blocks<'_> {
             datum: self.datum,
             surcharge: self.surcharge,
             objective: self.objective,
+            width: None,
             boundaries,
         }
     }

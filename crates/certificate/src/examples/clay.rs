@@ -29,6 +29,7 @@ impl Block {
             datum: 0.0,
             surcharge: 0.0,
             objective,
+            width: None,
             boundaries: conditions.into_iter().enumerate().map(|(l, c)| on(forward(l), c)).collect(),
         }
     }

@@ -44,6 +44,7 @@ impl Plate {
             datum: 0.0,
             surcharge: self.surcharge,
             objective: Objective::Structure { velocity: [1.0, 0.0] },
+            width: None,
             boundaries: vec![
                 on(forward(0), far),
                 on(forward(1), far),

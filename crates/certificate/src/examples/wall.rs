@@ -21,6 +21,7 @@ pub(crate) fn wall() -> Statement {
         datum: 0.0,
         surcharge: 0.0,
         objective: Objective::Structure { velocity: [1.0, 0.0] },
+        width: None,
         boundaries: conditions.into_iter().enumerate().map(|(l, c)| on(forward(l), c)).collect(),
     }
 }

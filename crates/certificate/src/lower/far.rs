@@ -73,7 +73,8 @@ impl StressFunction<'_> {
 
     fn check_change(&self, side: Side, place: impl Fn() -> String) -> Result<(), CertificateError> {
         let strength: &Strength = &self.problem.strengths[self.tiling.region(side.triangle)];
-        let limit = Limit::of_changes(strength, -Interval::point(strength.pore_pressure.gradient[1]));
+        let water = -Interval::point(strength.pore_pressure.gradient[1]);
+        let limit = Limit::of_changes(strength, self.splice.as_ref(), water);
         let (change, difference) = self.overburden.below;
         let mean = change.yy - difference.half();
         limit.check_parts(mean, difference.half(), change.xy, QUANTITY, place)

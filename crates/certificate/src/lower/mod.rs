@@ -20,6 +20,7 @@ mod strength;
 mod tests;
 
 use crate::CertificateError;
+use crate::ends::Splice;
 use crate::fields::LowerField;
 use crate::mesh::Side;
 use crate::problem::Problem;
@@ -98,6 +99,7 @@ struct Setting {
     loads: Loads,
     overburden: Overburden,
     divisor: Divisor,
+    splice: Option<Splice>,
 }
 
 impl Setting {
@@ -108,7 +110,8 @@ impl Setting {
         covered::check(problem, &loads)?;
         let overburden = Overburden::new(problem, &references, &body_force)?;
         let divisor = Divisor::new(problem.statement, field)?;
-        Ok(Self { references, loads, overburden, divisor })
+        let splice = Splice::new(problem)?;
+        Ok(Self { references, loads, overburden, divisor, splice })
     }
 }
 
@@ -119,6 +122,7 @@ struct StressFunction<'a> {
     loads: &'a Loads,
     overburden: &'a Overburden,
     divisor: Divisor,
+    splice: Option<Splice>,
     tiling: &'a Tiling<'a>,
     field: &'a LowerField,
     gauges: Gauges<'a>,
@@ -136,7 +140,7 @@ impl<'a> StressFunction<'a> {
         tiling: &'a Tiling<'a>,
         field: &'a LowerField,
     ) -> Result<Self, CertificateError> {
-        let Setting { references, loads, overburden, divisor } = setting;
+        let Setting { references, loads, overburden, divisor, splice } = setting;
         jets::check_numbers(problem, field, loads.count())?;
         let gauges = Gauges::new(problem, field)?;
         let (stations, apexes) = glue::check(problem, tiling, field, loads)?;
@@ -147,13 +151,14 @@ impl<'a> StressFunction<'a> {
         let jets = maker.jets()?;
         glue::check_branches(tiling, field, |copy| !given.at(copy).is_empty())?;
         given.check(field, &gauges, &stations, &apexes, &jets)?;
-        let divisor = *divisor;
+        let (divisor, splice) = (*divisor, *splice);
         Ok(Self {
             problem,
             references,
             loads,
             overburden,
             divisor,
+            splice,
             tiling,
             field,
             gauges,

@@ -1,6 +1,7 @@
 use super::StressFunction;
 use super::element::NodeStresses;
 use crate::CertificateError;
+use crate::ends::{Splice, SpliceLimit};
 use crate::fields::LowerField;
 use crate::interval::{Angle, Interval, Vector};
 use crate::problem::{Strength, Stress};
@@ -41,30 +42,36 @@ pub(super) struct Limit {
     cohesion: Interval,
     pub(super) pore_pressure: Interval,
     tension: Option<Interval>,
+    /// What follows from the ends of a structure.
+    splice: Option<SpliceLimit>,
 }
 
 impl Limit {
-    pub(super) fn at(strength: &Strength, divisor: Divisor, p: Vector) -> Self {
+    pub(super) fn at(strength: &Strength, divisor: Divisor, splice: Option<&Splice>, p: Vector) -> Self {
         let Strength { friction, cohesion, pore_pressure, tension } = strength;
         let (cohesion, pore_pressure) = (divisor.part(cohesion.enclosed(p)), pore_pressure.enclosed(p));
-        Self { friction: *friction, cohesion, pore_pressure, tension: tension.map(|t| divisor.part(t)) }
+        let (tension, splice) = (tension.map(|t| divisor.part(t)), splice.map(|splice| splice.at(p)));
+        Self { friction: *friction, cohesion, pore_pressure, tension, splice }
     }
 
     /// What a change of stress must be within so that any multiple of it can be added to a state within strength, where the
     /// pore pressure changes as given.
-    pub(super) fn of_changes(strength: &Strength, pore_pressure: Interval) -> Self {
+    pub(super) fn of_changes(strength: &Strength, splice: Option<&Splice>, pore_pressure: Interval) -> Self {
         let tension = strength.tension.map(|_| Interval::ZERO);
-        Self { friction: strength.friction, cohesion: Interval::ZERO, pore_pressure, tension }
+        let splice = splice.map(Splice::of_changes);
+        Self { friction: strength.friction, cohesion: Interval::ZERO, pore_pressure, tension, splice }
     }
 
     /// The least that there may be to spare; at least zero if the state is proven to be one the soil can bear. With the
     /// effective stress, `r = sqrt(((xx - yy)/2)^2 + xy^2)` and `m = (xx + yy)/2`, that is one with
-    /// `c cos(phi) - sin(phi) m >= r` and, if tension is limited, `tension - m >= r`.
+    /// `c cos(phi) - sin(phi) m >= r` and, if tension is limited, `tension - m >= r`; ends limit `r` twice more.
     fn spare(&self, mean: Interval, half_difference: Interval, xy: Interval) -> f64 {
-        let Self { friction, cohesion, pore_pressure, tension } = *self;
+        let Self { friction, cohesion, pore_pressure, tension, splice } = *self;
         let mean = mean + pore_pressure;
         let radius_square = half_difference.square() + xy.square();
-        let bounds = [Some(cohesion * friction.cos - friction.sin * mean), tension.map(|t| t - mean)];
+        let [greatest, least] = splice.map_or([None; 2], |splice| splice.radii(mean).map(Some));
+        let bounds =
+            [Some(cohesion * friction.cos - friction.sin * mean), tension.map(|t| t - mean), greatest, least];
         let spare = |bound: Interval| {
             if bound.is_at_least_zero() && (bound.square() - radius_square).is_at_least_zero() {
                 return 0.0;
@@ -107,7 +114,8 @@ impl Limit {
 impl StressFunction<'_> {
     /// The strength in a triangle at a point.
     pub(super) fn limit(&self, triangle: usize, p: Vector) -> Limit {
-        Limit::at(&self.problem.strengths[self.tiling.region(triangle)], self.divisor, p)
+        let strength = &self.problem.strengths[self.tiling.region(triangle)];
+        Limit::at(strength, self.divisor, self.splice.as_ref(), p)
     }
 
     /// Positions of the nodes of a part of a triangle.

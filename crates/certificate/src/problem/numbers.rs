@@ -50,6 +50,9 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
     within("gravity along y", whole, gravity[1], "", "finite and below 0, or 0 like the one along x", down)?;
     finite("datum", whole, *datum, "length")?;
     at_least_zero("surcharge", whole, *surcharge, "stress")?;
+    if let Some(width) = statement.width {
+        within("width", whole, width, "length", "finite and above 0", width > 0.0)?;
+    }
     let (Objective::Structure { velocity: numbers } | Objective::Body { gravity: numbers }) = *objective
     else {
         return check_boundaries(statement);

@@ -12,6 +12,15 @@ pub(super) fn is_frictionless(statement: &Statement, region: usize) -> bool {
     statement.regions[region].material.phi_deg == 0.0
 }
 
+/// Checks that the structure has no ends, at which a flow in the plane would not end.
+pub(super) fn plane(statement: &Statement) -> Result<(), CertificateError> {
+    if statement.width.is_none() {
+        return Ok(());
+    }
+    let what = "a flow in the plane proves nothing about a structure with ends; a mechanism in space does";
+    Err(CertificateError::NotCovered { place: "the upper bound".into(), what })
+}
+
 /// Checks that faces are such that their slip can be accounted for.
 pub(super) fn faces(problem: &Problem) -> Result<(), CertificateError> {
     for (i, boundary) in problem.statement.boundaries.iter().enumerate() {

@@ -33,6 +33,7 @@ use walls::Walls;
 /// if the flow is not proven to be one that the soil allows and, for a factor, one on which the load does work.
 pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, CertificateError> {
     let problem = Problem::new(statement)?;
+    check::plane(statement)?;
     check::faces(&problem)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
     let velocity = VelocityField::new(&problem, &tiling, field)?;

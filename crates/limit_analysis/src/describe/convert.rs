@@ -169,6 +169,7 @@ impl Description {
             datum: 0.0,
             surcharge: units.stress(at_far),
             objective,
+            width: None,
             boundaries: plan.holds.iter().map(boundary).collect(),
         })
     }

@@ -31,6 +31,7 @@ fn wall(objective: Objective) -> Statement {
         datum: 0.0,
         surcharge: 0.0,
         objective,
+        width: None,
         boundaries: (0..4)
             .map(|line| Boundary { line, forward: true, condition: conditions[line] })
             .collect(),

@@ -54,6 +54,7 @@ pub(crate) fn statement(
         datum: 0.0,
         surcharge: 0.0,
         objective,
+        width: None,
         boundaries,
     }
 }

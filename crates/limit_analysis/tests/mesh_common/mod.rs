@@ -28,6 +28,7 @@ pub(crate) fn statement(points: Vec<[f64; 2]>, lines: Vec<Line>, regions: Vec<Re
         datum: 0.0,
         surcharge: 0.0,
         objective: Objective::Loads,
+        width: None,
         boundaries: Vec::new(),
     }
 }

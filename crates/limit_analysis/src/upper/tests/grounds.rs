@@ -36,6 +36,7 @@ pub(super) fn region(
         datum: 0.0,
         surcharge: 0.0,
         objective,
+        width: None,
         boundaries: around.iter().enumerate().map(on).collect(),
     }
 }
@@ -112,6 +113,7 @@ pub(super) fn layered(
         datum: 0.0,
         surcharge: 0.0,
         objective: Objective::Loads,
+        width: None,
         boundaries: on.map(|(line, condition)| Boundary { line, forward: true, condition }).to_vec(),
     }
 }

@@ -1,0 +1,4 @@
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+mod mechanism;
+mod splice;
