@@ -104,7 +104,7 @@ pub(crate) fn run(workspace: &Workspace, parts: &[Part]) -> Result<(), XtaskErro
 /// The library and these test programs of every crate that has them.
 fn tests(workspace: &Workspace, name: &str, programs: &[&str]) -> Step {
     let programs = programs.iter().flat_map(|program| ["--test", program]);
-    cargo(workspace, name).args(["test", "--workspace", "--locked"]).args(programs)
+    cargo(workspace, name).args(["test", "--workspace", "--locked", "--no-fail-fast"]).args(programs)
 }
 
 /// The tests that are ignored elsewhere, those with `filter` in their name.

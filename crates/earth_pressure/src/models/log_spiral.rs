@@ -332,7 +332,7 @@ mod tests {
         /// Two methods of different kind agree where both are known to be good (Chen's is an upper bound and
         /// leaves the spiral behind for rough, overhanging plates), with sloping ground too.
         #[test]
-        fn close_to_chen(alpha in 75.0..100.0, phi in 25.0..42.0, ratio in 0.0..0.5, beta in -10.0..10.0) {
+        fn close_to_chen(alpha in 75.0..95.0, phi in 25.0..42.0, ratio in 0.0..0.5, beta in -10.0..10.0) {
             let case = Case::from_deg(alpha, beta, phi, ratio * phi);
             let spiral = LogSpiral::CORRECT.predict(&case).unwrap().passive.unwrap().weight;
             let chen = ChenLiu.predict(&case).unwrap().passive.unwrap().weight;

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 use super::fan::Block;
 
 /// A corner of half an end face: distance from the top edge along the ray, distance sideways.
-type Corner = [f64; 2];
+pub(super) type Corner = [f64; 2];
 type Vector = [f64; 3];
 
 /// What the two ends add to a mechanism, for a slant length of 1.
@@ -28,19 +28,22 @@ pub(super) struct Ends {
 
 /// Both ends of these blocks, with this many facets to a cone (even).
 pub(super) fn ends(blocks: &[Block], phi: f64, facets: usize) -> Ends {
-    let mut face: Vec<Corner> = vec![[0.0, 0.0], [1.0, 0.0]];
+    let mut face = FIRST_FACE.to_vec();
     let mut lifted = 0.0;
     for block in blocks {
-        let (next, volume) = swept(&face, block, &edges(block.heading, phi, facets));
-        lifted += 2.0 * volume * block.rise();
-        face = next;
+        let swept = Swept::new(&face, block, &edges(block.heading, phi, facets));
+        lifted += 2.0 * swept.volume(block) * block.rise();
+        face = swept.face(block);
     }
     let half: f64 = face.windows(2).map(|c| 0.5 * (c[0][1] + c[1][1]) * (c[1][0] - c[0][0])).sum();
     Ends { lifted, heaved_area: 2.0 * half }
 }
 
+/// The edge of the plate: half of an end face without area.
+pub(super) const FIRST_FACE: [Corner; 2] = [[0.0, 0.0], [1.0, 0.0]];
+
 /// Edges on one side of the polyhedral cone about a heading: the unit vector plus `tan(phi) / cos(pi / facets)` across.
-fn edges(heading: f64, phi: f64, facets: usize) -> Vec<Vector> {
+pub(super) fn edges(heading: f64, phi: f64, facets: usize) -> Vec<Vector> {
     let step = PI / facets as f64;
     let across = libm::tan(phi) / libm::cos(step);
     let (rise, ahead) = libm::sincos(heading);
@@ -52,48 +55,106 @@ fn edges(heading: f64, phi: f64, facets: usize) -> Vec<Vector> {
         .collect()
 }
 
-/// The next half face and the volume between it and this one.
-fn swept(face: &[Corner], block: &Block, edges: &[Vector]) -> (Vec<Corner>, f64) {
-    let [from, to] = block.rays.map(libm::sincos);
-    // Normal of the plane of the ray towards the surface, and the ray itself.
-    let (normal, ray) = ([to.0, 0.0, to.1], [to.1, 0.0, -to.0]);
-    let start: Vec<Vector> = face.iter().map(|c| [c[0] * from.1, c[1], -c[0] * from.0]).collect();
-    // Where the edges from each corner cross that plane; the corner at the top edge is its own image.
-    let mut images: Vec<(Vector, usize)> = vec![([0.0; 3], 0)];
-    for (corner, &at) in start.iter().enumerate().skip(1) {
-        for &edge in edges {
-            let reach = -dot(at, normal) / dot(edge, normal);
-            images.push((std::array::from_fn(|k| at[k] + reach * edge[k]), corner));
-        }
-    }
-    let flat = |image: &(Vector, usize)| [dot(image.0, ray), image.0[1]];
-    images.sort_by(|a, b| flat(a).partial_cmp(&flat(b)).unwrap_or(std::cmp::Ordering::Equal));
-    let mut hull: Vec<(Vector, usize)> = Vec::new();
-    for image in images {
-        let [x, y] = flat(&image);
-        while let [.., before, last] = hull.as_slice() {
-            let (a, b) = (flat(before), flat(last));
-            if (b[0] - a[0]) * (y - a[1]) < (b[1] - a[1]) * (x - a[0]) {
-                break;
+/// What a half end face sweeps up to the next ray.
+pub(super) struct Swept {
+    /// Corners of the face.
+    start: Vec<Vector>,
+    /// Corners of the next face, each with the index of the corner from which an edge of the cone leads there. The first is
+    /// the one at the plate's top, which both faces share.
+    images: Vec<(Vector, usize)>,
+}
+
+/// A corner of a facet between two faces.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Rim {
+    /// Of the face that sweeps.
+    Before(usize),
+    /// Of the next face.
+    After(usize),
+}
+
+impl Swept {
+    /// Sweeps a face along the edges of a cone.
+    pub(super) fn new(face: &[Corner], block: &Block, edges: &[Vector]) -> Self {
+        let [from, to] = block.rays.map(libm::sincos);
+        // Normal of the plane of the ray towards the surface.
+        let normal = [to.0, 0.0, to.1];
+        let start: Vec<Vector> = face.iter().map(|c| [c[0] * from.1, c[1], -c[0] * from.0]).collect();
+        // Where the edges from each corner cross that plane; the corner at the top edge is its own image.
+        let mut images: Vec<(Vector, usize)> = vec![([0.0; 3], 0)];
+        for (corner, &at) in start.iter().enumerate().skip(1) {
+            for &edge in edges {
+                let reach = -dot(at, normal) / dot(edge, normal);
+                images.push((std::array::from_fn(|k| at[k] + reach * edge[k]), corner));
             }
-            hull.pop();
         }
-        hull.push(image);
+        let flat = |image: &(Vector, usize)| flat(block, image.0);
+        images.sort_by(|a, b| flat(a).partial_cmp(&flat(b)).unwrap_or(std::cmp::Ordering::Equal));
+        let mut hull: Vec<(Vector, usize)> = Vec::new();
+        for image in images {
+            let [x, y] = flat(&image);
+            while let [.., before, last] = hull.as_slice() {
+                let (a, b) = (flat(before), flat(last));
+                if (b[0] - a[0]) * (y - a[1]) < (b[1] - a[1]) * (x - a[0]) {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(image);
+        }
+        Self { start, images: hull }
     }
-    // The block is convex and has the origin as a corner: it is the tetrahedra from there to its outer faces.
-    let mut volume = 0.0;
-    for pair in hull.windows(2) {
-        let ((p, corner), (q, next)) = (pair[0], pair[1]);
-        volume += tetrahedron(start[corner], p, q);
-        volume += (corner..next).map(|k| tetrahedron(start[k], start[k + 1], q)).sum::<f64>();
+
+    /// The next half face.
+    pub(super) fn face(&self, block: &Block) -> Vec<Corner> {
+        self.images.iter().map(|image| flat(block, image.0)).collect()
     }
-    let on_plane_of_symmetry = |v: Vector| [v[0], 0.0, v[2]];
-    if let (Some(&(q, corner)), Some(&tip)) = (hull.last(), start.last()) {
-        volume += (corner..start.len() - 1).map(|k| tetrahedron(start[k], start[k + 1], q)).sum::<f64>();
-        let below = [block.radii[1] * ray[0], 0.0, block.radii[1] * ray[2]];
-        volume += tetrahedron(tip, q, below) + tetrahedron(tip, below, on_plane_of_symmetry(tip));
+
+    /// The facets between the rims of both faces.
+    pub(super) fn facets(&self) -> Vec<[Rim; 3]> {
+        let mut facets = Vec::new();
+        let mut walk = |from: usize, to: usize, after: usize| {
+            facets.extend((from..to).map(|k| [Rim::Before(k), Rim::Before(k + 1), Rim::After(after)]));
+        };
+        let corner = |after: usize| self.images[after].1;
+        let last = self.images.len() - 1;
+        for after in 1..=last {
+            walk(corner(after - 1), corner(after), after);
+        }
+        walk(corner(last), self.start.len() - 1, last);
+        // The first corner is on both rims.
+        facets.extend(
+            (2..=last)
+                .map(|after| [Rim::Before(corner(after - 1)), Rim::After(after - 1), Rim::After(after)]),
+        );
+        facets
     }
-    (hull.iter().map(flat).collect(), volume)
+
+    fn at(&self, corner: Rim) -> Vector {
+        match corner {
+            Rim::Before(k) => self.start[k],
+            Rim::After(k) => self.images[k].0,
+        }
+    }
+
+    /// Volume between the faces. The block is convex and has the plate's top as a corner: it is the tetrahedra from there to
+    /// its facets.
+    fn volume(&self, block: &Block) -> f64 {
+        let between: f64 =
+            self.facets().into_iter().map(|[a, b, c]| tetrahedron(self.at(a), self.at(b), self.at(c))).sum();
+        // Below, there is the slip line's plane.
+        let on_plane_of_symmetry = |v: Vector| [v[0], 0.0, v[2]];
+        let (Some(&(q, _)), Some(&tip)) = (self.images.last(), self.start.last()) else { return 0.0 };
+        let (sin, cos) = libm::sincos(block.rays[1]);
+        let below = [block.radii[1] * cos, 0.0, -block.radii[1] * sin];
+        between + tetrahedron(tip, q, below) + tetrahedron(tip, below, on_plane_of_symmetry(tip))
+    }
+}
+
+/// A point in the plane of the ray towards the surface.
+fn flat(block: &Block, at: Vector) -> Corner {
+    let (sin, cos) = libm::sincos(block.rays[1]);
+    [at[0] * cos - at[2] * sin, at[1]]
 }
 
 fn dot(a: Vector, b: Vector) -> f64 {

@@ -10,6 +10,13 @@ use crate::Case;
 /// Blocks between plate and surface.
 const BLOCKS: usize = 12;
 
+/// Least angle between rays: the facets of thinner blocks would be rounding.
+const THINNEST: f64 = 5e-5;
+
+/// Least angle between the first ray and the directions that leave it: a cone that touches the ray would have facets that
+/// are rounding next to the plate's top.
+pub(super) const FLATTEST: f64 = 1e-4;
+
 /// What is free in the mechanism: rays and headings run evenly from the first to the last.
 ///
 /// Four blocks whose rays and headings are each on their own are lower than four even ones by less than 0.01 % at
@@ -74,10 +81,10 @@ pub(super) fn blocks(case: &Case, shape: &Shape) -> Option<Vec<Block>> {
             }
         };
         // All directions within phi of the velocity come from the first ray and cross the second.
-        let enters = heading + rays[0] <= PI - phi;
+        let enters = heading + rays[0] <= PI - phi - FLATTEST;
         let leaves = libm::sin(heading + rays[1]) > libm::sin(phi) && heading + rays[1] < PI - phi;
         let turns = heading >= blocks.last().map_or(0.0, |last| last.heading);
-        if rays[0] < rays[1] || !enters || !leaves || !turns || before <= 0.0 || after <= 1e-6 {
+        if rays[0] - rays[1] < THINNEST || !enters || !leaves || !turns || before <= 0.0 || after <= 1e-6 {
             return None;
         }
         let base = heading - phi;

@@ -16,9 +16,11 @@
 mod behind;
 mod ends;
 mod fan;
+mod polyhedra;
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
+use soilctl_certificate::Mechanism;
 use soilctl_soil::{Angle, WidthRatio};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -39,12 +41,40 @@ const FACETS: usize = 64;
 const RUNS: usize = 3;
 const STEPS: u64 = 300;
 
+/// What headings and rays turn at least, from the first to the last: the direction of a jump between blocks that hardly
+/// move against each other would be rounding, and so would the facets of one that is too thin.
+const LEAST_TURN: f64 = 1e-5;
+const LEAST_SPREAD: f64 = 1e-3;
+
 /// The value of a shape that is no mechanism.
 const NONE: f64 = 1e12;
 
 /// Translating blocks with cone-swept ends.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Blocks;
+
+impl Blocks {
+    /// The mechanism as polyhedra, for a proof: in units of the slant length, x along the surface and z across it, the
+    /// plate's top at the origin. The plate has this `width` (in slant lengths, above zero), whatever the case says, and moves
+    /// horizontally with unit speed.
+    ///
+    /// Everything slides as if both friction angles were larger by `margin`, so that rounding does no harm.
+    ///
+    /// # Errors
+    ///
+    /// As [`ForceModel::predict`], and [`EarthPressureError::Soil`] for a width that is none.
+    pub fn mechanism(&self, case: &Case, width: f64, margin: Angle) -> Result<Mechanism, EarthPressureError> {
+        let case = case.with_width_ratio(WidthRatio::new(width / case.tool_angle.sin())?);
+        self.valid_range().check(ID, &case)?;
+        let harder = Case {
+            friction: Angle::from_radians(case.friction.radians() + margin.radians()),
+            interface: Angle::from_radians(case.interface.radians() + margin.radians()),
+            ..case
+        };
+        let (blocks, wedge) = (best(&harder)?, behind::hardest(&harder));
+        Ok(polyhedra::polyhedra(&harder, 0.5 * width, &blocks, wedge.as_ref(), FACETS))
+    }
+}
 
 impl ForceModel for Blocks {
     fn id(&self) -> &'static str {
@@ -138,9 +168,9 @@ fn best(case: &Case) -> Result<Vec<Block>, EarthPressureError> {
 fn free([ray, less, heading, more]: [f64; 4]) -> Shape {
     Shape {
         first_ray: ray,
-        last_ray: ray - less.abs(),
+        last_ray: ray - less.abs() - LEAST_SPREAD,
         first_heading: heading.abs(),
-        last_heading: heading.abs() + more.abs(),
+        last_heading: heading.abs() + more.abs() + LEAST_TURN,
     }
 }
 
@@ -155,7 +185,7 @@ fn value(case: &Case, shape: [f64; 4]) -> f64 {
 fn start(case: &Case) -> Option<[f64; 4]> {
     let (first, last) = chen_liu::fan(case)?;
     let highest = 0.98 * case.tool_angle.radians();
-    let steepest = PI - case.friction.radians() - case.tool_angle.radians() - 1e-6;
+    let steepest = PI - case.friction.radians() - case.tool_angle.radians() - 2.0 * fan::FLATTEST;
     let mut found: Option<([f64; 4], f64)> = None;
     for inside in [0.02, 0.1, 0.2, 0.3, 0.4] {
         for turned in [0.0, 0.05, 0.1, 0.2] {
