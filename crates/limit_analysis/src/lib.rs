@@ -102,7 +102,7 @@ mod topology;
 mod upper;
 mod vector;
 
-pub use bound::{Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, bound};
+pub use bound::{Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, bound, bound_section};
 pub use describe::{Described, Description, DescriptionError};
 pub use error::LimitError;
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};

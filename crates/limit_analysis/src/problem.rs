@@ -126,6 +126,32 @@ impl Problem {
         &self.statement
     }
 
+    /// The same for a structure of this width, above zero, in the problem's unit of length: see [`crate::bound_section`].
+    ///
+    /// # Errors
+    ///
+    /// [`LimitError::Range`] for a width that is none; [`LimitError::NotCovered`] for more than one soil.
+    pub fn with_width(self, width: f64) -> Result<Self, LimitError> {
+        in_range("the width", width, f64::MIN_POSITIVE, f64::MAX, "")?;
+        if self.soils.len() != 1 {
+            return Err(LimitError::NotCovered {
+                what: "the ends of a structure in more than one soil",
+                advice: "leave the width out, which gives bounds in plane strain",
+            });
+        }
+        Ok(Self { statement: self.statement.with_width(width), ..self })
+    }
+
+    /// The statement in plane strain, whatever its width.
+    pub(crate) fn plane_statement(&self) -> Statement {
+        Statement { width: None, ..self.statement.clone() }
+    }
+
+    /// Whether lower bounds shall hold for a structure with ends.
+    pub(crate) fn is_spliced(&self) -> bool {
+        self.statement.width.is_some()
+    }
+
     /// The condition on a side of a line.
     pub(crate) fn condition(&self, side: LineUse) -> Option<Condition> {
         self.conditions.get(&side).copied()

@@ -146,12 +146,33 @@ pub(crate) struct Sides {
     pub(crate) seconds: f64,
 }
 
-/// Bounds the load of a problem, calling `progress` after each level.
+/// Bounds the load of a problem in plane strain, calling `progress` after each level.
 ///
 /// # Errors
 ///
-/// [`LimitError`] if the mesh cannot be made, the solver refuses, or no pair of bounds is proven within the budget.
+/// [`LimitError`] if the mesh cannot be made, the solver refuses, no pair of bounds is proven within the budget, or the
+/// structure has ends, for which a flow in the plane proves nothing.
 pub fn bound(
+    problem: &Problem,
+    options: &Options,
+    progress: &mut dyn FnMut(&Level, Option<f64>),
+) -> Result<Bounds, LimitError> {
+    if problem.statement().width.is_some() {
+        return Err(LimitError::NotCovered {
+            what: "an upper bound by a flow in the plane, for a structure with ends",
+            advice: "bound its section from below and take a mechanism in space from above",
+        });
+    }
+    bound_section(problem, options, progress)
+}
+
+/// As [`bound`], for the section of a structure: where it has [a width](Problem::with_width), the lower bound holds per
+/// width of a structure of any width, and the upper one is that of plane strain, which only says how good the mesh is.
+///
+/// # Errors
+///
+/// As [`bound`].
+pub fn bound_section(
     problem: &Problem,
     options: &Options,
     progress: &mut dyn FnMut(&Level, Option<f64>),

@@ -117,7 +117,7 @@ impl Run<'_> {
             spent.add(&answer, mesh);
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
-            let proof = prove_upper(self.problem.statement(), &field);
+            let proof = prove_upper(&self.problem.plane_statement(), &field);
             let (proven, uncovered) = proven(proof);
             let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
             // A tighter program is no more feasible.

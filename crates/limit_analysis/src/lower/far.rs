@@ -3,7 +3,7 @@
 use soilctl_certificate::{Condition, LineUse, Place};
 use soilctl_conic::Form;
 
-use super::{Lower, Stress, mohr_coulomb};
+use super::{Lower, Stress};
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::vector::Point;
@@ -46,25 +46,19 @@ impl Lower {
         let at = mesh.vertices[vertex].position;
         let [p, q] = problem.ends(side.line);
         let [xx, yy, xy] = self.reference.at(region, at);
-        let (plain, part) = (self.is_plain(problem), self.strength());
+        let plain = self.is_plain(problem);
         if p[0] == q[0] {
             let above = if plain { yy } else { overburden(self, problem, side, at) };
-            return self.program.second_order(mohr_coulomb(
-                soil,
-                &part,
-                &[s[0].clone(), above, xy],
-                at,
-                scale,
-            ));
+            return self.add_yield(soil, &[s[0].clone(), above, xy], at, scale);
         }
         let Some(far) = self.function.far_stress else { return };
         let along = xx.plus(1.0, &Form::unknown(far, 1.0));
         if let Some(beside) = far_corner(problem, mesh, vertex) {
             let above = if plain { yy } else { overburden(self, problem, beside, at) };
             let state = [along.clone(), above, xy.clone()];
-            self.program.second_order(mohr_coulomb(soil, &part, &state, at, scale));
+            self.add_yield(soil, &state, at, scale);
         }
-        self.program.second_order(mohr_coulomb(soil, &part, &[along, s[1].clone(), xy], at, scale));
+        self.add_yield(soil, &[along, s[1].clone(), xy], at, scale);
     }
 
     /// Whether soil beyond vertical far sides has the reference's own vertical stress.

@@ -10,6 +10,7 @@ mod given;
 mod loads;
 pub(crate) mod macro_element;
 mod reference;
+mod splice;
 mod split_vertices;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -21,6 +22,7 @@ use soilctl_conic::{Cone, Form, Program};
 use dofs::StressFunction;
 use macro_element::{Curvature, curvatures};
 use reference::ReferenceStress;
+use splice::Splice;
 
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
@@ -43,6 +45,8 @@ pub(crate) struct Lower {
     pub(crate) force: Form,
     /// The unknown part of cohesion, adhesion and tension that is enough for everything that acts, if that is bounded.
     part: Option<usize>,
+    /// What follows from the ends of the structure, if the bound shall hold for every width.
+    splice: Option<Splice>,
 }
 
 fn stress(c: &Curvature, local: &[Form; 12], reference: &Stress) -> Stress {
@@ -130,7 +134,8 @@ impl Lower {
         if let Some(part) = part {
             program.non_negative(Form::unknown(part, 1.0).plus(-LEAST_PART, &Form::constant(1.0)));
         }
-        let mut lower = Self { program, function, reference, force, part };
+        let splice = problem.is_spliced().then(|| Splice::new(problem));
+        let mut lower = Self { program, function, reference, force, part, splice };
         for triangle in 0..mesh.triangles.len() {
             lower.add_triangle(problem, mesh, topology, triangle);
         }
@@ -188,11 +193,20 @@ impl Lower {
     }
 
     fn add_strength(&mut self, soil: &Soil, s: &Stress, at: Point, scale: &impl Fn(Point) -> f64) {
+        self.add_yield(soil, s, at, scale(at));
         let part = self.strength();
-        self.program.second_order(mohr_coulomb(soil, &part, s, at, scale(at)));
         if let Some(tension) = soil.cut_off {
             let tension = Form::default().plus(tension, &part);
             self.program.second_order(cut_off(soil, &tension, s, at, scale(at)));
+        }
+    }
+
+    /// Yield without a limit to the tension, and what ends demand.
+    fn add_yield(&mut self, soil: &Soil, s: &Stress, at: Point, scale: f64) {
+        let part = self.strength();
+        self.program.second_order(mohr_coulomb(soil, &part, s, at, scale));
+        for cone in self.splice.iter().flat_map(|splice| splice.cones(s, at, scale)) {
+            self.program.second_order(cone);
         }
     }
 
