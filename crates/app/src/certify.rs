@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_certificate::{CertificateError, Solution, prove_lower, prove_upper};
+use soilctl_certificate::{CertificateError, Solution, prove_lower, prove_mechanism, prove_upper};
 use soilctl_limit_analysis::results::Units;
 
 use crate::limits::Fields;
@@ -27,6 +27,8 @@ pub struct Answer {
     pub lower: Option<Checked>,
     /// The upper bound; null if the file has none.
     pub upper: Option<Checked>,
+    /// Width of the structure in the units of the file, where its ends are part of the problem; null in plane strain.
+    pub width: Option<f64>,
     /// What the problem is, in the words of the file.
     pub description: Option<String>,
     /// Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
@@ -100,15 +102,22 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Certified, AppError>
         .upper
         .as_ref()
         .map(|c| Checked::new(c.claimed, prove_upper(statement, &c.field), |proven| c.claimed >= proven));
+    let mechanism = solution
+        .mechanism
+        .as_ref()
+        .map(|c| Checked::new(c.claimed, prove_mechanism(statement, &c.field), |proven| c.claimed >= proven));
+    let certified = [&lower, &upper, &mechanism].into_iter().flatten().all(|c| c.confirmed);
+    // A flow in the plane proves nothing where a structure has ends, and blocks in space nothing where it has none.
+    let upper = if statement.width.is_some() { mechanism.or(upper) } else { upper.or(mechanism) };
     if lower.is_none() && upper.is_none() {
         return Err(AppError::Request(format!(
             "{} has neither a lower nor an upper bound; save one with `soilctl bound --save FILE`",
             request.file.display()
         )));
     }
-    let certified = [&lower, &upper].into_iter().flatten().all(|c| c.confirmed);
     let description = solution.scale.description.clone();
-    let answer = Answer { certified, lower, upper, description, files: Vec::new() };
+    let width = statement.width;
+    let answer = Answer { certified, lower, upper, width, description, files: Vec::new() };
     Ok(Certified { answer, solution })
 }
 

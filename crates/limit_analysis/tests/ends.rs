@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use proptest::prelude::*;
-use soilctl_certificate::{Statement, prove_lower, prove_mechanism};
-use soilctl_earth_pressure::{Blocks, Case, ForceModel};
+use soilctl_certificate::{Mechanism, Statement, prove_lower, prove_mechanism};
+use soilctl_earth_pressure::{Blocks, Case, ForceModel, LoadFactors};
 use soilctl_limit_analysis::{EmbeddedPlate, Options, bound, bound_section};
 use soilctl_soil::{Angle, WidthRatio};
 
@@ -12,11 +12,18 @@ fn case(plate: &EmbeddedPlate, width_ratio: f64) -> Case {
         .with_width_ratio(WidthRatio::new(width_ratio).unwrap())
 }
 
+/// The mechanism of a plate of this width in slant lengths.
+fn mechanism(plate: &EmbeddedPlate, width: f64) -> Mechanism {
+    let EmbeddedPlate { surcharge, cohesion, adhesion, .. } = *plate;
+    let loads = LoadFactors { weight: 0.5, surcharge, cohesion, adhesion };
+    Blocks.mechanism(&case(plate, 1.0), width, loads, Angle::from_radians(1e-8)).unwrap()
+}
+
 /// The net coefficient that a mechanism proves, for a width over the vertical depth.
 fn proven(plate: &EmbeddedPlate, width_ratio: f64) -> f64 {
     let width = width_ratio * plate.alpha_deg.to_radians().sin();
     let statement: Statement = plate.problem().unwrap().statement().clone().with_width(width);
-    let mechanism = Blocks.mechanism(&case(plate, width_ratio), width, Angle::from_radians(1e-8)).unwrap();
+    let mechanism = mechanism(plate, width);
     let force = prove_mechanism(&statement, &mechanism).unwrap();
     2.0 * force / (plate.alpha_deg + plate.delta_deg).to_radians().sin()
 }
@@ -72,11 +79,7 @@ fn lower_bounds_hold_for_every_width_and_cost_little() {
             let other = plate.problem().unwrap().with_width(width).unwrap();
             assert_eq!(prove_lower(other.statement(), &section.lower.field).unwrap(), section.lower.value);
         }
-        let narrow = prove_mechanism(
-            ended.statement(),
-            &Blocks.mechanism(&case(&plate, 2.0), 2.0, Angle::from_radians(1e-8)).unwrap(),
-        )
-        .unwrap();
+        let narrow = prove_mechanism(ended.statement(), &mechanism(&plate, 2.0)).unwrap();
         assert!(narrow > section.lower.value);
     }
 }

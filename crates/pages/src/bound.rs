@@ -5,7 +5,7 @@ use soilctl_app::text::{number, rounded_down, rounded_up};
 use soilctl_figure::HtmlReport;
 
 use crate::PageError;
-use crate::limits::{self, PageContent, bounds_table, level_table, proven};
+use crate::limits::{self, PageContent, bounds_table, level_table, proven, round};
 
 /// The page of bounds on a plate's force.
 ///
@@ -25,7 +25,24 @@ fn content(answer: &Answer) -> Result<PageContent, PageError> {
     if let (Some(lower), Some(upper)) = (answer.force_lower_n, answer.force_upper_n) {
         bounds.row(["Force (N)".into(), number(lower), number(upper)])?;
     }
-    let (kind, text) = proven(Some(answer.gap), answer.max_gap, answer.ended);
+    for row in &answer.over_width {
+        let name = row.width_ratio.map_or_else(
+            || "K in plane strain, as if the plate had no ends".to_owned(),
+            |ratio| format!("K of a plate {} times as wide as deep", number(ratio)),
+        );
+        bounds.row([name, number(row.lower), number(row.upper)])?;
+    }
+    let (kind, mut text) = proven(Some(answer.plane_strain.gap), answer.max_gap, answer.ended);
+    if answer.width_ratio.is_some() {
+        text = format!(
+            "Both bounds are proven with interval arithmetic, the lower by {}, the upper by {}. They are {} % apart, in plane \
+             strain {} %: the rest is what the ends may add. Figures show the plane section.",
+            answer.lower_proof.words(),
+            answer.upper_proof.words(),
+            number(round(100.0 * answer.gap)),
+            number(round(100.0 * answer.plane_strain.gap)),
+        );
+    }
     let title = match (answer.force_lower_n, answer.force_upper_n) {
         (Some(lower), Some(upper)) => {
             format!("The force lies between {} and {} N", rounded_down(lower), rounded_up(upper))

@@ -4,9 +4,11 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_limit_analysis::{Bounds, Ended, Factorisation, StoppedBy};
 
-use super::{Request, ScaledPlate};
+use super::ends::WithEnds;
+use super::{ProofKind, Request, ScaledPlate, WidthAnswer};
 use crate::Outcome;
 use crate::limits::{LevelAnswer, ResultsAnswer};
+use crate::request::Ends;
 
 /// Proven bounds on the net force coefficient of an embedded plate.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -17,6 +19,18 @@ pub struct Answer {
     pub upper: f64,
     /// `(U - L) / ((U + L) / 2)`.
     pub gap: f64,
+    /// Whether the plate has ends.
+    pub ends: Ends,
+    /// Width over vertical depth; null in plane strain.
+    pub width_ratio: Option<f64>,
+    /// How the lower bound is proven.
+    pub lower_proof: ProofKind,
+    /// How the upper bound is proven.
+    pub upper_proof: ProofKind,
+    /// The bracket in plane strain, which elements and levels are about.
+    pub plane_strain: WidthAnswer,
+    /// The same plate at other widths, narrow to wide, and plane strain last; empty if it has no ends.
+    pub over_width: Vec<WidthAnswer>,
     /// Whether both bounds are proven with interval arithmetic.
     pub certified: bool,
     /// Triangles of the mesh of the lower bound; each has three parts.
@@ -49,7 +63,7 @@ pub struct Answer {
     pub results: ResultsAnswer,
     /// What was asked.
     pub inputs: Inputs,
-    /// The gap asked for.
+    /// The gap asked for, which is about plane strain: more work narrows nothing else.
     #[serde(skip)]
     pub max_gap: f64,
 }
@@ -86,16 +100,25 @@ impl Answer {
         request: &Request,
         scaled: &ScaledPlate,
         bounds: &Bounds,
+        ended: Option<&WithEnds>,
         results: ResultsAnswer,
     ) -> Self {
-        let [lower, upper] = scaled.coefficients(bounds);
-        let coefficient = upper / bounds.upper.value;
+        let plane_strain = ended.map_or_else(|| WidthAnswer::plane(scaled, bounds), |ended| ended.plane);
+        let WidthAnswer { width_ratio, lower, upper, gap, lower_proof, upper_proof } =
+            ended.map_or(plane_strain, |ended| ended.bracket);
+        let coefficient = plane_strain.upper / bounds.upper.value;
         let levels = bounds.levels.iter().map(|level| LevelAnswer::new(level, coefficient)).collect();
         let newtons = scaled.newtons();
         Self {
             lower,
             upper,
-            gap: bounds.gap(),
+            gap,
+            ends: if ended.is_some() { Ends::Finite } else { Ends::None },
+            width_ratio,
+            lower_proof,
+            upper_proof,
+            plane_strain,
+            over_width: ended.map_or_else(Vec::new, |ended| ended.over_width.clone()),
             certified: true,
             lower_elements: bounds.lower.elements,
             upper_elements: bounds.upper.elements,
@@ -133,6 +156,6 @@ impl crate::Answer for Answer {
     const SCHEMA: &'static str = "soilctl.bound/1";
 
     fn outcome(&self) -> Outcome {
-        if self.gap <= self.max_gap { Outcome::Done } else { Outcome::Partial }
+        if self.plane_strain.gap <= self.max_gap { Outcome::Done } else { Outcome::Partial }
     }
 }

@@ -1,12 +1,16 @@
 //! Proven bounds on the force of an embedded plate.
 
 mod answer;
+mod ends;
 mod plate;
 mod request;
 
 pub use answer::{Answer, Inputs};
+pub use ends::{ProofKind, WidthAnswer};
 pub(crate) use plate::ScaledPlate;
 pub use request::Request;
+
+use ends::WithEnds;
 
 use crate::limits::{self, Fields, ResultsAnswer};
 use crate::{AppError, Watch};
@@ -27,10 +31,18 @@ pub struct Bounded {
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     crate::request::check(request)?;
     let scaled = ScaledPlate::new(request)?;
-    let problem = scaled.problem()?;
+    let width_ratio = request.width_ratio()?;
+    let plane = scaled.problem()?;
+    let problem = match width_ratio {
+        Some(ratio) => plane.with_width(scaled.slant_width(ratio))?,
+        None => plane,
+    };
     let bounds = limits::bounds(&problem, &request.budget.options(watch)?, watch)?;
+    let ended =
+        width_ratio.map(|ratio| WithEnds::new(&scaled, &problem, &bounds, ratio, watch)).transpose()?;
     if let Some(path) = &request.save {
-        scaled.solution(&problem, &bounds).write(path)?;
+        let plane = || scaled.solution(&problem, &bounds);
+        ended.as_ref().map_or_else(plane, |e| e.solution(&scaled, &problem, &bounds)).write(path)?;
     }
     let statement = problem.statement();
     let fields = Fields::new(
@@ -39,6 +51,6 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
         scaled.shown_in(),
         scaled.title(),
     )?;
-    let answer = Answer::new(request, &scaled, &bounds, ResultsAnswer::new(&fields)?);
+    let answer = Answer::new(request, &scaled, &bounds, ended.as_ref(), ResultsAnswer::new(&fields)?);
     Ok(Bounded { answer, fields })
 }

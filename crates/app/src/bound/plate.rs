@@ -1,6 +1,7 @@
 //! The plate of a request in the units of the solver, and back.
 
 use soilctl_certificate::{SCHEMA, Scale, Solution};
+use soilctl_earth_pressure::{Case, LoadFactors};
 use soilctl_limit_analysis::results::Units;
 use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Problem};
 use soilctl_soil::{Angle, Interface, Plate, Soil};
@@ -74,10 +75,28 @@ impl ScaledPlate {
 
     /// Lower and upper coefficient; rounding is outwards.
     pub(crate) fn coefficients(&self, bounds: &Bounds) -> [f64; 2] {
+        self.of_forces([bounds.lower.value, bounds.upper.value])
+    }
+
+    /// The same of any two bounds on the force.
+    pub(super) fn of_forces(&self, [lower, upper]: [f64; 2]) -> [f64; 2] {
         // The factor and the product are each good to a rounding or two.
         let slack = 4.0 * f64::EPSILON;
-        let (l, u) = (self.coefficient * bounds.lower.value, self.coefficient * bounds.upper.value);
+        let (l, u) = (self.coefficient * lower, self.coefficient * upper);
         [l - slack * l.abs(), u + slack * u.abs()]
+    }
+
+    /// Width in slant lengths of a plate with this width over vertical depth.
+    pub(super) fn slant_width(&self, width_ratio: f64) -> f64 {
+        width_ratio * Angle::from_degrees(self.plate.alpha_deg).sin()
+    }
+
+    /// The same plate, asked about by a force model, and the loads on it.
+    pub(super) fn case(&self) -> (Case, LoadFactors) {
+        let p = &self.plate;
+        let loads =
+            LoadFactors { weight: 0.5, surcharge: p.surcharge, cohesion: p.cohesion, adhesion: p.adhesion };
+        (Case::from_deg(p.alpha_deg, p.beta_deg, p.phi_deg, p.delta_deg), loads)
     }
 
     /// Newtons for a coefficient of one.
@@ -106,7 +125,7 @@ impl ScaledPlate {
         format!("α {}°, {slope}φ {}°, δ {}°", p.alpha_deg, p.phi_deg, p.delta_deg)
     }
 
-    /// The solution, for a file.
+    /// The solution in plane strain, for a file.
     pub(crate) fn solution(&self, problem: &Problem, bounds: &Bounds) -> Solution {
         let p = &self.plate;
         Solution {
@@ -124,6 +143,7 @@ impl ScaledPlate {
             },
             lower: Some(bounds.lower.claim()),
             upper: Some(bounds.upper.claim()),
+            mechanism: None,
         }
     }
 }

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::AppError;
 use crate::limits::Budget;
-use crate::request::{Loads, finite};
+use crate::request::{Ends, Loads, finite};
 
 /// Proven lower and upper bounds on a plate's force, by limit analysis.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -32,9 +33,18 @@ pub struct Request {
     #[arg(long = "depth", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
     pub depth_m: Option<f64>,
 
-    /// Width of the plate (m); needed for forces
+    /// Width of the plate (m); needed for forces, and with it the plate has ends
     #[arg(long = "width", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
     pub width_m: Option<f64>,
+
+    /// Width over vertical depth, where neither is given in metres
+    #[arg(long = "width-ratio", value_name = "RATIO", value_parser = finite, allow_negative_numbers = true)]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub width_ratio: Option<f64>,
+
+    /// Whether the plate has ends: `finite` for one with a width unless it is said otherwise, `none` for plane strain
+    #[arg(long, value_name = "WHICH", value_enum)]
+    pub ends: Option<Ends>,
 
     #[command(flatten)]
     #[serde(flatten)]
@@ -49,4 +59,28 @@ pub struct Request {
     /// Saves the fields that prove the bounds, for `soilctl certify`
     #[arg(long, value_name = "FILE")]
     pub save: Option<PathBuf>,
+}
+
+impl Request {
+    /// Width over vertical depth of a plate that has ends; none in plane strain.
+    pub(super) fn width_ratio(&self) -> Result<Option<f64>, AppError> {
+        let refuse = |problem: &str, advice: &str| Err(AppError::Request(format!("{problem}; {advice}")));
+        let given = match (self.width_ratio, self.width_m, self.depth_m) {
+            (Some(_), Some(_), _) => {
+                return refuse("--width-ratio and --width both say how wide the plate is", "leave one out");
+            }
+            (Some(ratio), None, _) => Some(ratio),
+            (None, Some(width), Some(depth)) => Some(width / depth),
+            (None, None, _) | (None, _, None) => None,
+        };
+        match (self.ends, given) {
+            (Some(Ends::None), _) => Ok(None),
+            (Some(Ends::Finite) | None, Some(ratio)) => Ok(Some(ratio)),
+            (None, None) if self.width_m.is_none() => Ok(None),
+            (Some(Ends::Finite) | None, None) => refuse(
+                "where a plate has ends its force depends on its width over its depth",
+                "give --width and --depth, or --width-ratio, or --ends none for plane strain",
+            ),
+        }
+    }
 }

@@ -10,15 +10,15 @@ pub use budget::{Budget, FactorisationChoice};
 pub use fields::Fields;
 pub use levels::{LevelAnswer, SolveAnswer};
 pub use results::{ContactAnswer, ResultsAnswer, StretchAnswer, face_names};
-use soilctl_limit_analysis::{Bounds, Level, Options, Problem, bound};
+use soilctl_limit_analysis::{Bounds, Level, Options, Problem, bound_section};
 
 use crate::{AppError, Watch};
 
-/// Bounds of a problem; where there are none, the error says why in physical words.
+/// Bounds of a problem, or of the section of a structure with ends; where there are none, the error says why in physical words.
 pub(crate) fn bounds(problem: &Problem, options: &Options, watch: &dyn Watch) -> Result<Bounds, AppError> {
     let mut statuses = why::Statuses::default();
     watch.begin(0, "first mesh");
-    let bounds = bound(problem, options, &mut |level, gap| {
+    let bounds = bound_section(problem, options, &mut |level, gap| {
         statuses.see(level, options);
         watch.say(&words(level, gap));
     });

@@ -34,6 +34,7 @@ fn write(
         scale: described.scale(),
         lower: lower.map(Bound::claim),
         upper: upper.map(Bound::claim),
+        mechanism: None,
     };
     Ok(solution.write(path)?)
 }

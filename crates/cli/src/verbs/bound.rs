@@ -1,7 +1,7 @@
 //! `soilctl bound`: proven bounds on the force of an embedded plate.
 
-use soilctl_app::bound::{self, Answer, Request};
-use soilctl_app::text::number;
+use soilctl_app::bound::{self, Answer, Request, WidthAnswer};
+use soilctl_app::text::{columns, number};
 use soilctl_app::{Answer as _, Outcome};
 
 use super::limits::{Show, level_table, results_text};
@@ -11,8 +11,9 @@ use crate::output::{Output, Words};
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Both bounds are proven with interval arithmetic; the true force of the rigid-plastic soil with \
-    associated flow lies between them. Coefficients are net and per slant length, K = 2 F / (gamma L^2 w). Exit code 3: \
-    the budget ended before the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
+    associated flow lies between them. Coefficients are net and per slant length, K = 2 F / (gamma L^2 w). A plate that has a \
+    width has ends: a stress field beyond them bounds its force from below, blocks in space from above, and the gap asked for \
+    is that of plane strain. Exit code 3: the budget ended before the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
 )]
 pub(crate) struct Args {
     #[command(flatten)]
@@ -31,6 +32,16 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     Ok(found.answer.outcome())
 }
 
+/// The bracket over the width.
+fn over_width(rows: &[WidthAnswer]) -> String {
+    let mut cells = vec![["width/depth", "lower", "upper", "gap, %"].map(str::to_owned).to_vec()];
+    for row in rows {
+        let ratio = row.width_ratio.map_or_else(|| "no ends".to_owned(), number);
+        cells.push(vec![ratio, number(row.lower), number(row.upper), format!("{:.1}", 100.0 * row.gap)]);
+    }
+    columns(&cells)
+}
+
 impl Words for Answer {
     fn text(&self) -> String {
         let mut text = format!(
@@ -43,6 +54,15 @@ impl Words for Answer {
             text += &format!("force  {} to {} N\n", number(lower), number(upper));
         }
         text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
+        if let Some(ratio) = self.width_ratio {
+            text += &format!(
+                "per width of a plate {} times as wide as deep; lower by {}, upper by {}\n\n{}\n",
+                number(ratio),
+                self.lower_proof.words(),
+                self.upper_proof.words(),
+                over_width(&self.over_width)
+            );
+        }
         text += &level_table(&self.levels);
         text += "\n";
         text + &results_text(&self.results)

@@ -8,5 +8,5 @@ mod page;
 mod plot;
 mod trails;
 
-pub(crate) use page::{PageContent, bounds_table, level_table, page, proven};
+pub(crate) use page::{PageContent, bounds_table, level_table, page, proven, round};
 pub use plot::{Kind, check, save};

@@ -68,7 +68,7 @@ pub(crate) fn proven(gap: Option<f64>, wanted: f64, ended: Ended) -> (CalloutKin
 }
 
 /// Three digits.
-fn round(value: f64) -> f64 {
+pub(crate) fn round(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }
 

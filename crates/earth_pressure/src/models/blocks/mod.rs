@@ -58,12 +58,19 @@ impl Blocks {
     /// plate's top at the origin. The plate has this `width` (in slant lengths, above zero), whatever the case says, and moves
     /// horizontally with unit speed.
     ///
-    /// Everything slides as if both friction angles were larger by `margin`, so that rounding does no harm.
+    /// It is the one of least force under these loads: what each factor is worth, `1/2` for the weight and a pressure over
+    /// unit weight and slant length for the others. Everything slides as if both friction angles were larger by `margin`, so that rounding does no harm.
     ///
     /// # Errors
     ///
     /// As [`ForceModel::predict`], and [`EarthPressureError::Soil`] for a width that is none.
-    pub fn mechanism(&self, case: &Case, width: f64, margin: Angle) -> Result<Mechanism, EarthPressureError> {
+    pub fn mechanism(
+        &self,
+        case: &Case,
+        width: f64,
+        loads: LoadFactors,
+        margin: Angle,
+    ) -> Result<Mechanism, EarthPressureError> {
         let case = case.with_width_ratio(WidthRatio::new(width / case.tool_angle.sin())?);
         self.valid_range().check(ID, &case)?;
         let harder = Case {
@@ -71,7 +78,7 @@ impl Blocks {
             interface: Angle::from_radians(case.interface.radians() + margin.radians()),
             ..case
         };
-        let (blocks, wedge) = (best(&harder)?, behind::hardest(&harder));
+        let (blocks, wedge) = (best(&harder, loads)?, behind::hardest(&harder));
         Ok(polyhedra::polyhedra(&harder, 0.5 * width, &blocks, wedge.as_ref(), FACETS))
     }
 }
@@ -108,7 +115,7 @@ impl ForceModel for Blocks {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        let blocks = best(case)?;
+        let blocks = best(case, WEIGHT)?;
         Prediction::from_sides(ID, case, passive(case, &blocks, FACETS), behind::active(case))
     }
 
@@ -119,7 +126,7 @@ impl ForceModel for Blocks {
             let (sin, cos) = libm::sincos(block.rays[1]);
             (top.0 + block.radii[1] * cos, top.1 - block.radii[1] * sin)
         };
-        let points = std::iter::once((0.0, 0.0)).chain(best(case)?.iter().map(corner)).collect();
+        let points = std::iter::once((0.0, 0.0)).chain(best(case, WEIGHT)?.iter().map(corner)).collect();
         Ok(Some(FailureSurface::from_tip(case, points)))
     }
 
@@ -153,12 +160,15 @@ fn passive(case: &Case, blocks: &[Block], facets: usize) -> LoadFactors {
     }
 }
 
-/// The mechanism of least weight factor, passive side.
-fn best(case: &Case) -> Result<Vec<Block>, EarthPressureError> {
+/// What factors are worth where only that of the weight counts.
+const WEIGHT: LoadFactors = LoadFactors { weight: 1.0, surcharge: 0.0, cohesion: 0.0, adhesion: 0.0 };
+
+/// The mechanism of least force on the passive side under loads of this worth.
+fn best(case: &Case, worth: LoadFactors) -> Result<Vec<Block>, EarthPressureError> {
     let none = || case.singular(ID, "no mechanism of blocks fits between plate and surface");
-    let mut shape = start(case).ok_or_else(none)?;
+    let mut shape = start(case, worth).ok_or_else(none)?;
     for _ in 0..RUNS {
-        shape = downhill(case, shape);
+        shape = downhill(case, shape, worth);
     }
     fan::blocks(case, &free(shape)).ok_or_else(none)
 }
@@ -174,15 +184,21 @@ fn free([ray, less, heading, more]: [f64; 4]) -> Shape {
     }
 }
 
-fn value(case: &Case, shape: [f64; 4]) -> f64 {
+fn value(case: &Case, shape: [f64; 4], worth: LoadFactors) -> f64 {
     match fan::blocks(case, &free(shape)) {
-        Some(blocks) => passive(case, &blocks, FACETS_SOUGHT).weight,
+        Some(blocks) => {
+            let factors = passive(case, &blocks, FACETS_SOUGHT);
+            worth.weight * factors.weight
+                + worth.surcharge * factors.surcharge
+                + worth.cohesion * factors.cohesion
+                + worth.adhesion * factors.adhesion
+        }
         None => NONE,
     }
 }
 
 /// The best of some shapes about Chen & Liu's fan, in which soil moves square to the rays.
-fn start(case: &Case) -> Option<[f64; 4]> {
+fn start(case: &Case, worth: LoadFactors) -> Option<[f64; 4]> {
     let (first, last) = chen_liu::fan(case)?;
     let highest = 0.98 * case.tool_angle.radians();
     let steepest = PI - case.friction.radians() - case.tool_angle.radians() - 2.0 * fan::FLATTEST;
@@ -194,7 +210,7 @@ fn start(case: &Case) -> Option<[f64; 4]> {
             let heading = (FRAC_PI_2 - first + turned).min(steepest).max(0.0);
             let more = (FRAC_PI_2 - last - heading + turned).max(0.0);
             let shape = [ray, (ray - last - inside * spread).max(0.0), heading, more];
-            let value = value(case, shape);
+            let value = value(case, shape, worth);
             if value < found.map_or(NONE, |(_, least)| least) {
                 found = Some((shape, value));
             }
@@ -203,19 +219,19 @@ fn start(case: &Case) -> Option<[f64; 4]> {
     found.map(|(shape, _)| shape)
 }
 
-struct Problem<'a>(&'a Case);
+struct Problem<'a>(&'a Case, LoadFactors);
 
 impl CostFunction for Problem<'_> {
     type Param = Vec<f64>;
     type Output = f64;
 
     fn cost(&self, at: &Self::Param) -> Result<f64, argmin::core::Error> {
-        Ok(value(self.0, std::array::from_fn(|k| at[k])))
+        Ok(value(self.0, std::array::from_fn(|k| at[k]), self.1))
     }
 }
 
 /// Nelder & Mead's downhill simplex; the start where it breaks down.
-fn downhill(case: &Case, start: [f64; 4]) -> [f64; 4] {
+fn downhill(case: &Case, start: [f64; 4], worth: LoadFactors) -> [f64; 4] {
     let mut simplex = vec![start.to_vec()];
     for k in 0..start.len() {
         let mut corner = start.to_vec();
@@ -224,9 +240,11 @@ fn downhill(case: &Case, start: [f64; 4]) -> [f64; 4] {
     }
     let found = NelderMead::new(simplex)
         .with_sd_tolerance(1e-9)
-        .and_then(|solver| Executor::new(Problem(case), solver).configure(|s| s.max_iters(STEPS)).run())
+        .and_then(|solver| {
+            Executor::new(Problem(case, worth), solver).configure(|s| s.max_iters(STEPS)).run()
+        })
         .ok()
         .and_then(|result| result.state().get_best_param().cloned());
     let shape = found.map_or(start, |at| std::array::from_fn(|k| at[k]));
-    if value(case, shape) <= value(case, start) { shape } else { start }
+    if value(case, shape, worth) <= value(case, start, worth) { shape } else { start }
 }
