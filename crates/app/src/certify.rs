@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_certificate::{CertificateError, Solution, prove_lower, prove_mechanism, prove_upper};
+use soilctl_certificate::{Solution, check_lower, check_upper};
 use soilctl_limit_analysis::results::Units;
 
 use crate::limits::Fields;
@@ -49,9 +49,12 @@ pub struct Checked {
 }
 
 impl Checked {
-    fn new(claimed: f64, proof: Result<f64, CertificateError>, reaches: impl Fn(f64) -> bool) -> Self {
-        match proof {
-            Ok(proven) => Self { claimed, proven: Some(proven), confirmed: reaches(proven), refusal: None },
+    fn new(found: soilctl_certificate::Checked, reaches: impl Fn(f64, f64) -> bool) -> Self {
+        let claimed = found.claimed;
+        match found.proven {
+            Ok(proven) => {
+                Self { claimed, proven: Some(proven), confirmed: reaches(claimed, proven), refusal: None }
+            }
             Err(why) => Self { claimed, proven: None, confirmed: false, refusal: Some(why.to_string()) },
         }
     }
@@ -93,30 +96,17 @@ pub struct Certified {
 /// [`AppError`] if the file cannot be read or claims nothing. A claim that is not proven is an answer.
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Certified, AppError> {
     let solution = Solution::read(&request.file)?;
-    let statement = &solution.statement;
-    let lower = solution
-        .lower
-        .as_ref()
-        .map(|c| Checked::new(c.claimed, prove_lower(statement, &c.field), |proven| c.claimed <= proven));
-    let upper = solution
-        .upper
-        .as_ref()
-        .map(|c| Checked::new(c.claimed, prove_upper(statement, &c.field), |proven| c.claimed >= proven));
-    let mechanism = solution
-        .mechanism
-        .as_ref()
-        .map(|c| Checked::new(c.claimed, prove_mechanism(statement, &c.field), |proven| c.claimed >= proven));
-    let certified = [&lower, &upper, &mechanism].into_iter().flatten().all(|c| c.confirmed);
-    // A flow in the plane proves nothing where a structure has ends, and blocks in space nothing where it has none.
-    let upper = if statement.width.is_some() { mechanism.or(upper) } else { upper.or(mechanism) };
+    let lower = check_lower(&solution).map(|c| Checked::new(c, |claimed, proven| claimed <= proven));
+    let upper = check_upper(&solution).map(|c| Checked::new(c, |claimed, proven| claimed >= proven));
     if lower.is_none() && upper.is_none() {
         return Err(AppError::Request(format!(
             "{} has neither a lower nor an upper bound; save one with `soilctl bound --save FILE`",
             request.file.display()
         )));
     }
+    let certified = [&lower, &upper].into_iter().flatten().all(|c| c.confirmed);
     let description = solution.scale.description.clone();
-    let width = statement.width;
+    let width = solution.statement.width;
     let answer = Answer { certified, lower, upper, width, description, files: Vec::new() };
     Ok(Certified { answer, solution })
 }

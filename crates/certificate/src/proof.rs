@@ -1,5 +1,4 @@
 use crate::ends::prove_mechanism;
-use crate::fields::{LowerField, UpperField};
 use crate::lower::prove_lower;
 use crate::solution::{Claim, Solution};
 use crate::statement::Statement;
@@ -24,30 +23,63 @@ pub struct Bound {
     pub claimed: f64,
 }
 
+/// A bound that a solution claims, and what its field proves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checked {
+    /// The claim.
+    pub claimed: f64,
+    /// The bound proven, or why there is none.
+    pub proven: Result<f64, CertificateError>,
+}
+
+impl Checked {
+    fn new<F>(
+        statement: &Statement,
+        claim: &Claim<F>,
+        prove: impl Fn(&Statement, &F) -> Result<f64, CertificateError>,
+    ) -> Self {
+        Self { claimed: claim.claimed, proven: prove(statement, &claim.field) }
+    }
+
+    fn bound(self) -> Result<Bound, CertificateError> {
+        Ok(Bound { proven: self.proven?, claimed: self.claimed })
+    }
+}
+
+/// Checks the lower bound of a solution, if it has one.
+#[must_use]
+pub fn check_lower(solution: &Solution) -> Option<Checked> {
+    solution.lower.as_ref().map(|claim| Checked::new(&solution.statement, claim, prove_lower))
+}
+
+/// Checks the upper bound of a solution, if it has one: by a flow in the plane, or by blocks in space where the structure has
+/// ends. A solution with both proves neither: one of them cannot be about its statement.
+#[must_use]
+pub fn check_upper(solution: &Solution) -> Option<Checked> {
+    let statement = &solution.statement;
+    match (&solution.upper, &solution.mechanism) {
+        (None, None) => None,
+        (Some(claim), None) => Some(Checked::new(statement, claim, prove_upper)),
+        (None, Some(claim)) => Some(Checked::new(statement, claim, prove_mechanism)),
+        (Some(flow), Some(blocks)) => {
+            let problem = "has a flow in the plane and blocks in space, of which only one can be meant";
+            let proven = Err(CertificateError::BadField { place: "the upper bound".into(), problem });
+            Some(Checked { claimed: flow.claimed.min(blocks.claimed), proven })
+        }
+    }
+}
+
 /// Proves all bounds of a solution.
 ///
 /// # Errors
 ///
 /// [`CertificateError::Schema`], and what [`prove_lower`], [`prove_upper`] and [`prove_mechanism`] return.
 pub fn prove(solution: &Solution) -> Result<Proof, CertificateError> {
-    fn bound<F>(
-        statement: &Statement,
-        claim: &Claim<F>,
-        prove: impl Fn(&Statement, &F) -> Result<f64, CertificateError>,
-    ) -> Result<Bound, CertificateError> {
-        Ok(Bound { proven: prove(statement, &claim.field)?, claimed: claim.claimed })
-    }
     if solution.schema != SCHEMA {
         return Err(CertificateError::Schema { found: solution.schema.clone(), expected: SCHEMA });
     }
-    let statement = &solution.statement;
-    let lower =
-        solution.lower.as_ref().map(|c: &Claim<LowerField>| bound(statement, c, prove_lower)).transpose()?;
-    let upper =
-        solution.upper.as_ref().map(|c: &Claim<UpperField>| bound(statement, c, prove_upper)).transpose()?;
-    let mechanism = solution.mechanism.as_ref().map(|c| bound(statement, c, prove_mechanism)).transpose()?;
-    // A statement has a width, or it has not: only one of the two is proven.
-    let upper = upper.or(mechanism);
+    let lower = check_lower(solution).map(Checked::bound).transpose()?;
+    let upper = check_upper(solution).map(Checked::bound).transpose()?;
     if let (Some(l), Some(u)) = (lower, upper)
         && l.proven > u.proven
     {

@@ -41,6 +41,54 @@ fn bounds_are_proven_saved_and_proven_again() {
 }
 
 #[test]
+fn a_plate_with_a_width_has_ends() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let (file, page) = (path("ended.json"), path("ended.html"));
+    let rough = ["bound", "--alpha", "90", "--phi", "30", "--delta", "15", "--max-elements", "1500"];
+    let asked = ["--max-gap", "0.05", "--width-ratio", "5", "--save", &file, "--report", &page];
+    let (code, answer, stderr) = soilctl(&[&rough[..], &asked].concat());
+    assert_eq!(code, 0, "{stderr}");
+    let of = |row: &Value| ["lower", "upper"].map(|key| row[key].as_f64().unwrap());
+    let ([lower, upper], plane) = (of(&answer), of(&answer["plane_strain"]));
+    // Near the exact 4.3107 of plane strain, and another program's mechanism at this width.
+    assert!(lower > 4.25 && lower < 4.3107 && plane[1] > 4.3107 && plane[1] < 4.5, "{lower} {plane:?}");
+    assert!(upper <= 5.196 && upper > 5.1, "{upper}");
+    assert_eq!((&answer["ends"], &answer["width_ratio"]), (&"finite".into(), &5.0.into()));
+    assert_eq!((&answer["lower_proof"], &answer["upper_proof"]), (&"splice".into(), &"mechanism".into()));
+    let rows = answer["over_width"].as_array().unwrap();
+    assert!(rows.windows(2).all(|pair| of(&pair[0])[1] >= of(&pair[1])[1]));
+    assert_eq!(rows[rows.len() - 1]["width_ratio"], Value::Null);
+    assert!(std::fs::read_to_string(&page).unwrap().contains("times as wide as deep"));
+
+    let (code, proof, _) = soilctl(&["certify", &file]);
+    assert_eq!((code, &proof["certified"]), (0, &true.into()));
+    let proven = proof["upper"]["proven"].as_f64().unwrap();
+    assert!((2.0 * proven / 105_f64.to_radians().sin() - upper).abs() < 1e-12, "{proven}");
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, text.replacen("\"width\":5.0", "\"width\":4.0", 1)).unwrap();
+    let (code, proof, _) = soilctl(&["certify", &file]);
+    assert_eq!((code, &proof["certified"]), (1, &false.into()));
+
+    // In metres; without ends; and what does not go together.
+    let sizes = ["--max-gap", "0.2", "--width", "0.5", "--depth", "0.1"];
+    let (_, answer, _) = soilctl(&[&rough[..], &sizes].concat());
+    assert_eq!(answer["width_ratio"], 5.0);
+    assert!((of(&answer)[1] - upper).abs() < 1e-9);
+    let (_, answer, _) = soilctl(&[&rough[..], &sizes, &["--ends", "none"]].concat());
+    assert_eq!((&answer["ends"], &answer["upper_proof"]), (&"none".into(), &"plane".into()));
+    for (args, words) in [
+        (&["--width", "0.5"][..], "depends on its width over its depth"),
+        (&["--ends", "finite"], "depends on its width over its depth"),
+        (&["--width", "0.5", "--width-ratio", "5"], "leave one out"),
+        (&["--width-ratio", "0"], "0"),
+    ] {
+        let (code, _, stderr) = soilctl(&[&rough[..], args].concat());
+        assert!(code == 2 && stderr.contains(words), "{args:?}: {stderr}");
+    }
+}
+
+#[test]
 fn results_are_told_and_shown_in_every_form() {
     let dir = tempfile::tempdir().unwrap();
     let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();

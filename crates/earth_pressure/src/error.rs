@@ -58,6 +58,16 @@ pub enum EarthPressureError {
         /// Model id.
         model: &'static str,
     },
+    /// What a model found does not prove what it says.
+    #[error(
+        "what model {model} found is not proven ({why}); leave the plate's width out for bounds in plane strain"
+    )]
+    NotProven {
+        /// Model id.
+        model: &'static str,
+        /// What the checker says.
+        why: String,
+    },
     /// A model of plates with ends, and nothing said about them.
     #[error("model {model} is one of plates with ends: {advice}")]
     NeedsEnds {

@@ -2,30 +2,34 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 use proptest::prelude::*;
-use soilctl_certificate::{Mechanism, Statement, prove_lower, prove_mechanism};
+use soilctl_certificate::{prove_lower, prove_mechanism};
 use soilctl_earth_pressure::{Blocks, Case, ForceModel, LoadFactors};
-use soilctl_limit_analysis::{EmbeddedPlate, Options, bound, bound_section};
-use soilctl_soil::{Angle, WidthRatio};
+use soilctl_limit_analysis::{EmbeddedPlate, Options, Problem, bound, bound_section};
+use soilctl_soil::WidthRatio;
 
 fn case(plate: &EmbeddedPlate, width_ratio: f64) -> Case {
     Case::from_deg(plate.alpha_deg, plate.beta_deg, plate.phi_deg, plate.delta_deg)
         .with_width_ratio(WidthRatio::new(width_ratio).unwrap())
 }
 
-/// The mechanism of a plate of this width in slant lengths.
-fn mechanism(plate: &EmbeddedPlate, width: f64) -> Mechanism {
-    let EmbeddedPlate { surcharge, cohesion, adhesion, .. } = *plate;
-    let loads = LoadFactors { weight: 0.5, surcharge, cohesion, adhesion };
-    Blocks.mechanism(&case(plate, 1.0), width, loads, Angle::from_radians(1e-8)).unwrap()
+/// The problem of a plate with a width over its vertical depth.
+fn ended(plate: &EmbeddedPlate, width_ratio: f64) -> Problem {
+    plate.problem().unwrap().with_width(width_ratio * plate.alpha_deg.to_radians().sin()).unwrap()
 }
 
-/// The net coefficient that a mechanism proves, for a width over the vertical depth.
+/// The force per width that a mechanism proves.
+fn held(plate: &EmbeddedPlate, width_ratio: f64) -> f64 {
+    let EmbeddedPlate { surcharge, cohesion, adhesion, .. } = *plate;
+    let loads = LoadFactors { weight: 0.5, surcharge, cohesion, adhesion };
+    let problem = ended(plate, width_ratio);
+    let claim = Blocks.proven(&case(plate, 1.0), problem.statement(), loads).unwrap();
+    assert_eq!(prove_mechanism(problem.statement(), &claim.field).unwrap(), claim.claimed);
+    claim.claimed
+}
+
+/// The net coefficient that goes with it.
 fn proven(plate: &EmbeddedPlate, width_ratio: f64) -> f64 {
-    let width = width_ratio * plate.alpha_deg.to_radians().sin();
-    let statement: Statement = plate.problem().unwrap().statement().clone().with_width(width);
-    let mechanism = mechanism(plate, width);
-    let force = prove_mechanism(&statement, &mechanism).unwrap();
-    2.0 * force / (plate.alpha_deg + plate.delta_deg).to_radians().sin()
+    2.0 * held(plate, width_ratio) / (plate.alpha_deg + plate.delta_deg).to_radians().sin()
 }
 
 /// Values that another program computed for four blocks with 64 facets to a cone; ours must not be above them.
@@ -69,7 +73,7 @@ fn lower_bounds_hold_for_every_width_and_cost_little() {
         let plate = EmbeddedPlate { surcharge, cohesion, ..plate };
         let options = Options { max_elements: 1000, ..Options::default() };
         let plane = bound(&plate.problem().unwrap(), &options, &mut |_, _| {}).unwrap();
-        let ended = plate.problem().unwrap().with_width(2.0).unwrap();
+        let ended = ended(&plate, 2.0);
         assert!(bound(&ended, &options, &mut |_, _| {}).is_err());
         let section = bound_section(&ended, &options, &mut |_, _| {}).unwrap();
         let cost = 1.0 - section.lower.value / plane.lower.value;
@@ -79,8 +83,7 @@ fn lower_bounds_hold_for_every_width_and_cost_little() {
             let other = plate.problem().unwrap().with_width(width).unwrap();
             assert_eq!(prove_lower(other.statement(), &section.lower.field).unwrap(), section.lower.value);
         }
-        let narrow = prove_mechanism(ended.statement(), &mechanism(&plate, 2.0)).unwrap();
-        assert!(narrow > section.lower.value);
+        assert!(held(&plate, 2.0) > section.lower.value);
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use soilctl_certificate::{CertificateError, Solution as Saved, prove_lower, prove_upper};
+use soilctl_certificate::{CertificateError, Checked, Solution as Saved, check_lower, check_upper};
 use soilctl_limit_analysis::results::{FlowResults, MOVING, StressResults, Units, write_vtu};
 
 use crate::array::{Array, shaped};
@@ -45,7 +45,9 @@ impl Solution {
     }
 
     fn claims(&self) -> [Option<f64>; 2] {
-        [self.saved.lower.as_ref().map(|c| c.claimed), self.saved.upper.as_ref().map(|c| c.claimed)]
+        let upper = self.saved.upper.as_ref().map(|c| c.claimed);
+        let upper = upper.or(self.saved.mechanism.as_ref().map(|c| c.claimed));
+        [self.saved.lower.as_ref().map(|c| c.claimed), upper]
     }
 
     fn stress_field(&self) -> Answer<StressResults> {
@@ -91,6 +93,13 @@ impl Solution {
     #[getter]
     fn length_m(&self) -> Option<f64> {
         self.saved.scale.length_m
+    }
+
+    /// Width of the structure in units of length; None in plane strain. A structure with ends has no flow in the plane: its upper
+    /// bound is proven by blocks in space.
+    #[getter]
+    fn width(&self) -> Option<f64> {
+        self.saved.statement.width
     }
 
     /// Where the fields' origin is in the coordinates of the problem, in m: a point of the fields is at
@@ -323,18 +332,13 @@ pub(crate) struct Certificate {
 
 impl Certificate {
     fn of(saved: &Saved) -> Self {
-        let split = |proof: Option<Result<f64, CertificateError>>| match proof {
-            Some(Ok(proven)) => (Some(proven), None),
-            Some(Err(why)) => (None, Some(why.to_string())),
-            None => (None, None),
+        let split = |checked: Option<Checked>| match checked {
+            Some(Checked { claimed, proven: Ok(proven) }) => (Some(claimed), Some(proven), None),
+            Some(Checked { claimed, proven: Err(why) }) => (Some(claimed), None, Some(why.to_string())),
+            None => (None, None, None),
         };
-        let statement = &saved.statement;
-        let lower_claimed = saved.lower.as_ref().map(|claim| claim.claimed);
-        let upper_claimed = saved.upper.as_ref().map(|claim| claim.claimed);
-        let (lower_proven, lower_refusal) =
-            split(saved.lower.as_ref().map(|claim| prove_lower(statement, &claim.field)));
-        let (upper_proven, upper_refusal) =
-            split(saved.upper.as_ref().map(|claim| prove_upper(statement, &claim.field)));
+        let (lower_claimed, lower_proven, lower_refusal) = split(check_lower(saved));
+        let (upper_claimed, upper_proven, upper_refusal) = split(check_upper(saved));
         let lower = lower_claimed.is_none_or(|claimed| lower_proven.is_some_and(|proven| claimed <= proven));
         let upper = upper_claimed.is_none_or(|claimed| upper_proven.is_some_and(|proven| claimed >= proven));
         let any = lower_claimed.is_some() || upper_claimed.is_some();

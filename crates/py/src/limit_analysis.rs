@@ -7,12 +7,15 @@ use std::sync::atomic::Ordering;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping};
+use soilctl_app::bound::ratio_of_ends;
+use soilctl_app::request::Ends;
 use soilctl_certificate::{LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
+use soilctl_earth_pressure::{Blocks, Case, LoadFactors};
 use soilctl_limit_analysis::describe::{Aim, Quantity};
 use soilctl_limit_analysis::results::problem_units;
 use soilctl_limit_analysis::{
     Bound as Proven, Bounds, Description, DescriptionError, EmbeddedPlate, Factorisation, LimitError,
-    Options, Problem, SafetyBounds, bound as solve_bounds, factor_of_safety,
+    Options, Problem, SafetyBounds, bound_section, factor_of_safety,
 };
 use soilctl_soil::{Angle, Interface, Plate, Soil};
 
@@ -137,7 +140,7 @@ fn run_both(
     bracket: impl Fn(&Bounds) -> Bracket,
 ) -> Answer<Bracket> {
     let work = |options: &Options, report: &dyn Fn(Progress)| {
-        solve_bounds(problem, options, &mut |level, gap| {
+        bound_section(problem, options, &mut |level, gap| {
             report(Progress { elements: level.upper.elements, gap, factor: None });
         })
     };
@@ -149,15 +152,24 @@ fn saved(
     scale: Scale,
     lower: Option<&Proven<LowerField>>,
     upper: Option<&Proven<UpperField>>,
-) -> Arc<Saved> {
-    Arc::new(Saved {
+) -> Saved {
+    Saved {
         schema: SCHEMA.to_owned(),
         program: format!("soilctl {}", env!("CARGO_PKG_VERSION")),
         statement: statement.clone(),
         scale,
         lower: lower.map(Proven::claim),
         upper: upper.map(Proven::claim),
-    })
+        mechanism: None,
+    }
+}
+
+fn ends_named(name: &str) -> Answer<Ends> {
+    match name {
+        "finite" => Ok(Ends::Finite),
+        "none" => Ok(Ends::None),
+        other => Err(input(format!("ends is {other:?}; it must be finite or none"))),
+    }
 }
 
 /// Proven bounds on the net force coefficient of an embedded plate, per slant length: ``K = 2 F / (gamma L^2 w)``.
@@ -169,7 +181,10 @@ fn saved(
 ///     surface_slope_deg: Slope of the ground, positive when it rises ahead of the plate.
 ///     density_kg_m3: Bulk density; for forces, and with cohesion, adhesion or surcharge.
 ///     depth_m: Vertical depth of the plate's lower edge; likewise.
-///     width_m: Width of the plate; for forces.
+///     width_m: Width of the plate; for forces, and with it and a depth the plate has ends.
+///     width_ratio: Width over vertical depth, where neither is given in metres.
+///     ends: ``finite`` for a plate with ends, whose force is above that of plane strain, ``none`` for plane strain. By default
+///         a plate with a width has ends.
 ///     cohesion_pa: Cohesion of the soil.
 ///     adhesion_pa: Adhesion between soil and plate.
 ///     surcharge_pa: Vertical pressure on the surface.
@@ -195,8 +210,8 @@ fn saved(
 #[pyo3(signature = (
     *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = 0.0, density_kg_m3 = None,
     depth_m = None, width_m = None, cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
-    gravity_m_s2 = 9.80665, max_gap = 0.01, max_elements = 20000, max_work = None, max_seconds = None,
-    max_memory_mb = None, threads = 1, factorisation = "auto", progress = None,
+    gravity_m_s2 = 9.80665, width_ratio = None, ends = None, max_gap = 0.01, max_elements = 20000, max_work = None,
+    max_seconds = None, max_memory_mb = None, threads = 1, factorisation = "auto", progress = None,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn bound(
@@ -212,6 +227,8 @@ pub(crate) fn bound(
     adhesion_pa: f64,
     surcharge_pa: f64,
     gravity_m_s2: f64,
+    width_ratio: Option<f64>,
+    ends: Option<&str>,
     max_gap: f64,
     #[pyo3(from_py_with = whole)] max_elements: usize,
     #[pyo3(from_py_with = whole_or_none)] max_work: Option<u64>,
@@ -251,7 +268,20 @@ pub(crate) fn bound(
         adhesion: stress("adhesion_pa", adhesion_pa)?,
         surcharge: stress("surcharge_pa", surcharge_pa)?,
     };
-    let problem = embedded.problem()?;
+    let mut problem = embedded.problem()?;
+    let ends = ends.map(|name| ends_named(name)).transpose()?;
+    let ratio = ratio_of_ends(ends, width_ratio, width_m, depth_m).map_err(input)?;
+    let mechanism = match ratio {
+        Some(ratio) => {
+            problem = problem.with_width(ratio * degrees(tool_angle_deg).sin())?;
+            let EmbeddedPlate { surcharge, cohesion, adhesion, .. } = embedded;
+            let loads = LoadFactors { weight: 0.5, surcharge, cohesion, adhesion };
+            let case =
+                Case::from_deg(tool_angle_deg, surface_slope_deg, friction_angle_deg, interface_friction_deg);
+            Some(py.detach(|| Blocks.proven(&case, problem.statement(), loads))?)
+        }
+        None => None,
+    };
     let newtons = (known && width_m.is_some()).then(|| plate.weight_scale_n(&soil));
     let scale = Scale {
         length_m: known.then_some(length_m),
@@ -275,10 +305,21 @@ pub(crate) fn bound(
     run_both(py, &problem, options, progress, |bounds| {
         // The factor and the product are each good to a rounding or two; rounding is outwards.
         let slack = 4.0 * f64::EPSILON;
-        let (lower, upper) = (factor * bounds.lower.value, factor * bounds.upper.value);
+        let held = mechanism.as_ref().map_or(bounds.upper.value, |claim| claim.claimed);
+        let (lower, upper) = (factor * bounds.lower.value, factor * held);
         let (lower, upper) = (lower - slack * lower.abs(), upper + slack * upper.abs());
-        let solution = saved(problem.statement(), scale.clone(), Some(&bounds.lower), Some(&bounds.upper));
-        bracket(bounds, [lower, upper], ("net coefficient per slant length", ""), newtons, solution, [0.0; 2])
+        // A flow in the plane proves nothing where there are ends.
+        let flow = mechanism.is_none().then_some(&bounds.upper);
+        let mut solution = saved(problem.statement(), scale.clone(), Some(&bounds.lower), flow);
+        solution.mechanism.clone_from(&mechanism);
+        bracket(
+            bounds,
+            [lower, upper],
+            ("net coefficient per slant length", ""),
+            newtons,
+            Arc::new(solution),
+            [0.0; 2],
+        )
     })
 }
 
@@ -353,7 +394,7 @@ pub(crate) fn solve(
         let ends = described.in_units([bounds.lower.value, bounds.upper.value]);
         let solution =
             saved(problem.statement(), described.scale(), Some(&bounds.lower), Some(&bounds.upper));
-        bracket(bounds, ends, name, None, solution, origin_m)
+        bracket(bounds, ends, name, None, Arc::new(solution), origin_m)
     })
 }
 
@@ -387,7 +428,7 @@ fn safety_bracket(description: &Description, found: &SafetyBounds) -> Bracket {
         saved(&proof.described.statement, proof.described.scale(), Some(&proof.bound), None)
     };
     let of_upper = saved(&upper.described.statement, upper.described.scale(), None, Some(&upper.bound));
-    let proofs = vec![("lower".into(), of_lower(lower)), ("upper".into(), of_upper)];
+    let proofs = vec![("lower".into(), Arc::new(of_lower(lower))), ("upper".into(), Arc::new(of_upper))];
     Bracket {
         lower: lower.factor,
         upper: upper.factor,

@@ -21,7 +21,26 @@ BUDGET = {"max_gap": 0.03}
 
 @pytest.fixture(scope="module")
 def bracket():
-    return soilctl.bound(**SMOOTH, **BUDGET, density_kg_m3=1600.0, depth_m=0.1, width_m=0.2)
+    return soilctl.bound(**SMOOTH, **BUDGET, density_kg_m3=1600.0, depth_m=0.1, width_m=0.2, ends="none")
+
+
+def test_a_plate_with_a_width_has_ends():
+    plate = SMOOTH | {"interface_friction_deg": 15.0}
+    ended = soilctl.bound(**plate, max_gap=0.1, depth_m=0.1, width_m=0.5, density_kg_m3=1600.0)
+    # Near the exact 4.3107 of plane strain, and another program's mechanism at this width.
+    assert 4.2 < ended.lower < 4.3107 and 5.1 < ended.upper <= 5.196
+    assert ended.force_n[1] == pytest.approx(0.5 * 1600.0 * 9.80665 * 0.1**2 * 0.5 * ended.upper)
+    assert ended.solution.width == pytest.approx(5.0) and "xml" in ended.solution.vtu()
+    proof = soilctl.certify(ended.solution)
+    assert proof and proof.upper_proven > proof.lower_proven
+    with pytest.raises(soilctl.NoAnswerError, match="no flow"):
+        ended.solution.velocity([0.1, -0.1])
+    again = soilctl.bound(**plate, max_gap=0.1, width_ratio=5.0)
+    assert (again.lower, again.upper) == (ended.lower, ended.upper)
+    with pytest.raises(soilctl.InputError, match="depth"):
+        soilctl.bound(**plate, width_m=0.5)
+    with pytest.raises(soilctl.InputError, match="finite or none"):
+        soilctl.bound(**plate, ends="some")
 
 
 def test_the_bracket_holds_the_exact_coefficient(bracket):

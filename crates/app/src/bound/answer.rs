@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_limit_analysis::{Bounds, Ended, Factorisation, StoppedBy};
 
-use super::ends::WithEnds;
+use super::ends::Brackets;
 use super::{ProofKind, Request, ScaledPlate, WidthAnswer};
 use crate::Outcome;
 use crate::limits::{LevelAnswer, ResultsAnswer};
@@ -100,12 +100,11 @@ impl Answer {
         request: &Request,
         scaled: &ScaledPlate,
         bounds: &Bounds,
-        ended: Option<&WithEnds>,
+        brackets: Brackets,
         results: ResultsAnswer,
     ) -> Self {
-        let plane_strain = ended.map_or_else(|| WidthAnswer::plane(scaled, bounds), |ended| ended.plane);
-        let WidthAnswer { width_ratio, lower, upper, gap, lower_proof, upper_proof } =
-            ended.map_or(plane_strain, |ended| ended.bracket);
+        let Brackets { own, plane: plane_strain, over_width } = brackets;
+        let WidthAnswer { width_ratio, lower, upper, gap, lower_proof, upper_proof } = own;
         let coefficient = plane_strain.upper / bounds.upper.value;
         let levels = bounds.levels.iter().map(|level| LevelAnswer::new(level, coefficient)).collect();
         let newtons = scaled.newtons();
@@ -113,12 +112,12 @@ impl Answer {
             lower,
             upper,
             gap,
-            ends: if ended.is_some() { Ends::Finite } else { Ends::None },
+            ends: if width_ratio.is_some() { Ends::Finite } else { Ends::None },
             width_ratio,
             lower_proof,
             upper_proof,
             plane_strain,
-            over_width: ended.map_or_else(Vec::new, |ended| ended.over_width.clone()),
+            over_width,
             certified: true,
             lower_elements: bounds.lower.elements,
             upper_elements: bounds.upper.elements,

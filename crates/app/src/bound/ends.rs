@@ -2,16 +2,13 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_certificate::{CertificateError, Claim, Mechanism, Solution, Statement, prove_mechanism};
+use soilctl_certificate::{Claim, Mechanism, Solution};
 use soilctl_earth_pressure::Blocks;
 use soilctl_limit_analysis::{Bounds, Problem};
-use soilctl_soil::Angle;
 
 use super::ScaledPlate;
+use crate::request::Ends;
 use crate::{AppError, Watch};
-
-/// By how much more than the friction the blocks slide, in radians; more if the proof fails.
-const MARGINS: [f64; 4] = [1e-8, 1e-7, 1e-6, 1e-5];
 
 /// Widths over depth for which the bracket is told besides the one asked for.
 const RATIOS: [f64; 10] = [0.5, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 20.0, 50.0, 100.0];
@@ -37,6 +34,38 @@ impl ProofKind {
             Self::Splice => "a plane stress field spliced with the ground at rest beyond the ends",
             Self::Mechanism => "rigid blocks in space",
         }
+    }
+}
+
+/// Width over vertical depth of a plate that has ends; none in plane strain. A plate with a width has ends unless it is said
+/// otherwise.
+///
+/// # Errors
+/// What is missing or said twice.
+pub fn ratio_of_ends(
+    wish: Option<Ends>,
+    width_ratio: Option<f64>,
+    width_m: Option<f64>,
+    depth_m: Option<f64>,
+) -> Result<Option<f64>, AppError> {
+    let given = match (width_ratio, width_m, depth_m) {
+        (Some(_), Some(_), _) => {
+            let both = "width and width ratio both say how wide the plate is; leave one out";
+            return Err(AppError::Request(both.into()));
+        }
+        (Some(ratio), None, _) => Some(ratio),
+        (None, Some(width), Some(depth)) => Some(width / depth),
+        (None, None, _) | (None, _, None) => None,
+    };
+    match (wish, given) {
+        (Some(Ends::None), _) => Ok(None),
+        (None, None) if width_m.is_none() => Ok(None),
+        (Some(Ends::Finite) | None, Some(ratio)) => Ok(Some(ratio)),
+        (Some(Ends::Finite) | None, None) => Err(AppError::Request(
+            "where a plate has ends its force depends on its width over its depth; give both, or the width ratio, or ask for \
+             plane strain with ends none"
+                .into(),
+        )),
     }
 }
 
@@ -70,74 +99,71 @@ impl WidthAnswer {
     }
 }
 
-/// What is proven of a plate with ends.
+/// Mechanisms in space for a plate's width and for others.
 #[derive(Debug)]
-pub(super) struct WithEnds {
-    /// For the width asked for.
-    pub(super) bracket: WidthAnswer,
-    /// In plane strain.
-    pub(super) plane: WidthAnswer,
-    /// For other widths, narrow to wide, and plane strain last.
-    pub(super) over_width: Vec<WidthAnswer>,
-    statement: Statement,
-    mechanism: Claim<Mechanism>,
+pub(super) struct Mechanisms {
+    width_ratio: f64,
+    own: Claim<Mechanism>,
+    /// Forces per width for [`RATIOS`].
+    others: Vec<f64>,
 }
 
-impl WithEnds {
-    /// Adds mechanisms in space to the bounds of a section.
+impl Mechanisms {
+    /// Finds and proves them, for a problem that has the width.
     pub(super) fn new(
         scaled: &ScaledPlate,
         problem: &Problem,
-        bounds: &Bounds,
         width_ratio: f64,
         watch: &dyn Watch,
     ) -> Result<Self, AppError> {
-        let plane = WidthAnswer::plane(scaled, bounds);
-        let bracket = |ratio: f64, force: f64| {
-            let [lower, upper] = scaled.of_forces([bounds.lower.value, force]);
-            WidthAnswer::new(Some(ratio), [lower, upper], ProofKind::Mechanism)
-        };
-        watch.begin(1 + RATIOS.len() as u64, "mechanisms in space");
-        let statement = problem.statement().clone();
-        let mechanism = proven(scaled, &statement)?;
-        let mut over_width = Vec::new();
+        let (case, loads) = scaled.case();
+        watch.begin(RATIOS.len() as u64, "mechanisms in space");
+        let own = Blocks.proven(&case, problem.statement(), loads)?;
+        let mut others = Vec::new();
         for ratio in RATIOS {
+            let statement = problem.statement().clone().with_width(scaled.slant_width(ratio));
+            others.push(Blocks.proven(&case, &statement, loads)?.claimed);
             watch.advance(1);
-            let width = scaled.slant_width(ratio);
-            let force = proven(scaled, &Statement { width: Some(width), ..statement.clone() })?.claimed;
-            over_width.push(bracket(ratio, force));
         }
         watch.end();
-        over_width.push(plane);
-        Ok(Self { bracket: bracket(width_ratio, mechanism.claimed), plane, over_width, statement, mechanism })
+        Ok(Self { width_ratio, own, others })
+    }
+
+    /// The brackets that follow from a lower bound for every width.
+    pub(super) fn brackets(&self, scaled: &ScaledPlate, bounds: &Bounds) -> Brackets {
+        let bracket = |ratio: f64, force: f64| {
+            let sides = scaled.of_forces([bounds.lower.value, force]);
+            WidthAnswer::new(Some(ratio), sides, ProofKind::Mechanism)
+        };
+        let plane = WidthAnswer::plane(scaled, bounds);
+        let others = RATIOS.into_iter().zip(&self.others).map(|(ratio, force)| bracket(ratio, *force));
+        Brackets {
+            own: bracket(self.width_ratio, self.own.claimed),
+            plane,
+            over_width: others.chain([plane]).collect(),
+        }
     }
 
     /// The solution for a file: without the flow in the plane, which proves nothing here.
-    pub(super) fn solution(&self, scaled: &ScaledPlate, problem: &Problem, bounds: &Bounds) -> Solution {
-        let plane = scaled.solution(problem, bounds);
-        Solution {
-            statement: self.statement.clone(),
-            upper: None,
-            mechanism: Some(self.mechanism.clone()),
-            ..plane
-        }
+    pub(super) fn solution(&self, plane: Solution) -> Solution {
+        Solution { upper: None, mechanism: Some(self.own.clone()), ..plane }
     }
 }
 
-/// A mechanism for the width of a statement, with the force that it proves per width.
-fn proven(scaled: &ScaledPlate, statement: &Statement) -> Result<Claim<Mechanism>, AppError> {
-    let (case, loads) = scaled.case();
-    let width = statement.width.unwrap_or(f64::INFINITY);
-    let mut refusal: Option<CertificateError> = None;
-    for margin in MARGINS {
-        let field = Blocks.mechanism(&case, width, loads, Angle::from_radians(margin))?;
-        match prove_mechanism(statement, &field) {
-            Ok(claimed) => return Ok(Claim { field, claimed, computed: None }),
-            Err(why) => refusal = Some(why),
-        }
+/// What is proven of a plate with ends, or without.
+#[derive(Debug)]
+pub(super) struct Brackets {
+    /// For the width asked for; plane strain if it has no ends.
+    pub(super) own: WidthAnswer,
+    pub(super) plane: WidthAnswer,
+    /// For other widths, narrow to wide, and plane strain last; none if it has no ends.
+    pub(super) over_width: Vec<WidthAnswer>,
+}
+
+impl Brackets {
+    /// Of a plate without ends.
+    pub(super) fn plane(scaled: &ScaledPlate, bounds: &Bounds) -> Self {
+        let plane = WidthAnswer::plane(scaled, bounds);
+        Self { own: plane, plane, over_width: Vec::new() }
     }
-    let why = refusal.map_or_else(String::new, |why| why.to_string());
-    Err(AppError::Request(format!(
-        "no mechanism in space is proven for this plate ({why}); --ends none gives plane strain"
-    )))
 }

@@ -6,11 +6,11 @@ mod plate;
 mod request;
 
 pub use answer::{Answer, Inputs};
-pub use ends::{ProofKind, WidthAnswer};
+pub use ends::{ProofKind, WidthAnswer, ratio_of_ends};
 pub(crate) use plate::ScaledPlate;
 pub use request::Request;
 
-use ends::WithEnds;
+use ends::{Brackets, Mechanisms};
 
 use crate::limits::{self, Fields, ResultsAnswer};
 use crate::{AppError, Watch};
@@ -31,18 +31,27 @@ pub struct Bounded {
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     crate::request::check(request)?;
     let scaled = ScaledPlate::new(request)?;
-    let width_ratio = request.width_ratio()?;
+    let Request { ends, width_ratio, width_m, depth_m, .. } = *request;
+    let width_ratio = ratio_of_ends(ends, width_ratio, width_m, depth_m)?;
     let plane = scaled.problem()?;
     let problem = match width_ratio {
         Some(ratio) => plane.with_width(scaled.slant_width(ratio))?,
         None => plane,
     };
-    let bounds = limits::bounds(&problem, &request.budget.options(watch)?, watch)?;
-    let ended =
-        width_ratio.map(|ratio| WithEnds::new(&scaled, &problem, &bounds, ratio, watch)).transpose()?;
+    let options = request.budget.options(watch)?;
+    let mechanisms = width_ratio.map(|ratio| Mechanisms::new(&scaled, &problem, ratio, watch)).transpose()?;
+    let bounds = limits::bounds(&problem, &options, watch)?;
+    let brackets = match &mechanisms {
+        Some(mechanisms) => mechanisms.brackets(&scaled, &bounds),
+        None => Brackets::plane(&scaled, &bounds),
+    };
     if let Some(path) = &request.save {
-        let plane = || scaled.solution(&problem, &bounds);
-        ended.as_ref().map_or_else(plane, |e| e.solution(&scaled, &problem, &bounds)).write(path)?;
+        let plane = scaled.solution(&problem, &bounds);
+        match &mechanisms {
+            Some(mechanisms) => mechanisms.solution(plane),
+            None => plane,
+        }
+        .write(path)?;
     }
     let statement = problem.statement();
     let fields = Fields::new(
@@ -51,6 +60,6 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
         scaled.shown_in(),
         scaled.title(),
     )?;
-    let answer = Answer::new(request, &scaled, &bounds, ended.as_ref(), ResultsAnswer::new(&fields)?);
+    let answer = Answer::new(request, &scaled, &bounds, brackets, ResultsAnswer::new(&fields)?);
     Ok(Bounded { answer, fields })
 }

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::AppError;
 use crate::limits::Budget;
 use crate::request::{Ends, Loads, finite};
 
@@ -59,28 +58,4 @@ pub struct Request {
     /// Saves the fields that prove the bounds, for `soilctl certify`
     #[arg(long, value_name = "FILE")]
     pub save: Option<PathBuf>,
-}
-
-impl Request {
-    /// Width over vertical depth of a plate that has ends; none in plane strain.
-    pub(super) fn width_ratio(&self) -> Result<Option<f64>, AppError> {
-        let refuse = |problem: &str, advice: &str| Err(AppError::Request(format!("{problem}; {advice}")));
-        let given = match (self.width_ratio, self.width_m, self.depth_m) {
-            (Some(_), Some(_), _) => {
-                return refuse("--width-ratio and --width both say how wide the plate is", "leave one out");
-            }
-            (Some(ratio), None, _) => Some(ratio),
-            (None, Some(width), Some(depth)) => Some(width / depth),
-            (None, None, _) | (None, _, None) => None,
-        };
-        match (self.ends, given) {
-            (Some(Ends::None), _) => Ok(None),
-            (Some(Ends::Finite) | None, Some(ratio)) => Ok(Some(ratio)),
-            (None, None) if self.width_m.is_none() => Ok(None),
-            (Some(Ends::Finite) | None, None) => refuse(
-                "where a plate has ends its force depends on its width over its depth",
-                "give --width and --depth, or --width-ratio, or --ends none for plane strain",
-            ),
-        }
-    }
 }

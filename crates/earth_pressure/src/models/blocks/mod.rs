@@ -20,7 +20,7 @@ mod polyhedra;
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
-use soilctl_certificate::Mechanism;
+use soilctl_certificate::{Claim, Mechanism, Statement, prove_mechanism};
 use soilctl_soil::{Angle, WidthRatio};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -46,6 +46,10 @@ const STEPS: u64 = 300;
 const LEAST_TURN: f64 = 1e-5;
 const LEAST_SPREAD: f64 = 1e-3;
 
+/// How much larger both friction angles are for polyhedra that are to be proven, in radians, so that rounding does no harm;
+/// more if the proof fails.
+const MARGINS: [f64; 4] = [1e-8, 1e-7, 1e-6, 1e-5];
+
 /// The value of a shape that is no mechanism.
 const NONE: f64 = 1e12;
 
@@ -54,32 +58,38 @@ const NONE: f64 = 1e12;
 pub struct Blocks;
 
 impl Blocks {
-    /// The mechanism as polyhedra, for a proof: in units of the slant length, x along the surface and z across it, the
-    /// plate's top at the origin. The plate has this `width` (in slant lengths, above zero), whatever the case says, and moves
-    /// horizontally with unit speed.
+    /// The mechanism of least force under some loads as polyhedra, with the force per width times the plate's velocity
+    /// that they are proven to hold back at most.
     ///
-    /// It is the one of least force under these loads: what each factor is worth, `1/2` for the weight and a pressure over
-    /// unit weight and slant length for the others. Everything slides as if both friction angles were larger by `margin`, so that rounding does no harm.
+    /// The statement is that of the plate of this case, in units of the slant length and of the unit weight, x along the
+    /// surface and z across it, the plate's top at the origin. Its width counts, whatever the case says. `loads` says what each
+    /// factor is worth: `1/2` for the weight and a pressure for the others. The plate moves horizontally with unit speed.
     ///
     /// # Errors
     ///
-    /// As [`ForceModel::predict`], and [`EarthPressureError::Soil`] for a width that is none.
-    pub fn mechanism(
+    /// As [`ForceModel::predict`]; [`EarthPressureError::Soil`] for a statement without a width;
+    /// [`EarthPressureError::NotProven`].
+    pub fn proven(
         &self,
         case: &Case,
-        width: f64,
+        statement: &Statement,
         loads: LoadFactors,
-        margin: Angle,
-    ) -> Result<Mechanism, EarthPressureError> {
+    ) -> Result<Claim<Mechanism>, EarthPressureError> {
+        let width = statement.width.unwrap_or(f64::NAN);
         let case = case.with_width_ratio(WidthRatio::new(width / case.tool_angle.sin())?);
         self.valid_range().check(ID, &case)?;
-        let harder = Case {
-            friction: Angle::from_radians(case.friction.radians() + margin.radians()),
-            interface: Angle::from_radians(case.interface.radians() + margin.radians()),
-            ..case
-        };
-        let (blocks, wedge) = (best(&harder, loads)?, behind::hardest(&harder));
-        Ok(polyhedra::polyhedra(&harder, 0.5 * width, &blocks, wedge.as_ref(), FACETS))
+        let mut refusal = String::new();
+        for margin in MARGINS {
+            let more = |angle: Angle| Angle::from_radians(angle.radians() + margin);
+            let harder = Case { friction: more(case.friction), interface: more(case.interface), ..case };
+            let (blocks, wedge) = (best(&harder, loads)?, behind::hardest(&harder));
+            let field = polyhedra::polyhedra(&harder, 0.5 * width, &blocks, wedge.as_ref(), FACETS);
+            match prove_mechanism(statement, &field) {
+                Ok(claimed) => return Ok(Claim { field, claimed, computed: None }),
+                Err(why) => refusal = why.to_string(),
+            }
+        }
+        Err(EarthPressureError::NotProven { model: ID, why: refusal })
     }
 }
 
