@@ -201,10 +201,11 @@ impl Ends {
     /// # Errors
     /// [`EarthPressureError::NoEnds`] for a model of plane strain.
     pub fn of(wish: Option<Self>, model: &dyn ForceModel) -> Result<Self, EarthPressureError> {
-        match (wish, model.has_ends()) {
-            (Some(Self::None), _) | (None, false) => Ok(Self::None),
-            (Some(Self::Finite) | None, true) => Ok(Self::Finite),
-            (Some(Self::Finite), false) => Err(EarthPressureError::NoEnds { model: model.id() }),
+        match wish {
+            Some(Self::None) => Ok(Self::None),
+            None if model.is_for_plane_strain() => Ok(Self::None),
+            Some(Self::Finite) if !model.has_ends() => Err(EarthPressureError::NoEnds { model: model.id() }),
+            Some(Self::Finite) | None => Ok(Self::Finite),
         }
     }
 }

@@ -61,8 +61,7 @@ pub fn read_model(path: &Path) -> Result<(Box<dyn ForceModel>, String), AppError
     form(path)?;
     if is_bracket_file(path)? {
         let (table, sidecar) = read_bracket(path)?;
-        let (lower, upper) = table.split()?;
-        let model = BracketModel::new(ID, REFERENCE, lower, upper);
+        let model = BracketModel::new(ID, REFERENCE, &table)?;
         return Ok((Box::new(model), format!("{} ({})", sidecar.source, sidecar.name)));
     }
     let (table, sidecar) = read_table(path)?;

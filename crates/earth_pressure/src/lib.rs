@@ -15,8 +15,8 @@ pub use model::{
     FailureSurface, ForceModel, ModelSlice, NetFactors, ValidRange, check_loads, failure_force_n,
 };
 pub use models::{
-    Blocks, Caquot, ChenLiu, Coulomb, GodwinSpoor, LogSpiral, MODEL_IDS, McKyesAli, Perumpral, model,
-    plane_model, plate_bounds, thesis,
+    Blocks, Caquot, ChenLiu, Coulomb, EndLaw, GodwinSpoor, InPlaneStrain, LogSpiral, MODEL_IDS, McKyesAli,
+    Perumpral, model, plane_model, plate_bounds, thesis,
 };
 pub use sensitivity::{Input, sensitivity_percent};
 

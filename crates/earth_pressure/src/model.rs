@@ -24,6 +24,11 @@ pub trait ForceModel: Send + Sync {
         false
     }
 
+    /// Whether it is asked about plane strain where nothing is said of ends; see [`crate::InPlaneStrain`].
+    fn is_for_plane_strain(&self) -> bool {
+        !self.has_ends()
+    }
+
     /// Whether each answer takes a search of a tenth of a second and more, too long for what asks for thousands.
     fn is_slow(&self) -> bool {
         false

@@ -5,7 +5,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyTuple};
-use soilctl_earth_pressure::{Case, EarthPressureError, ForceModel, Loads, MODEL_IDS, check_loads, model};
+use soilctl_earth_pressure::{
+    Case, EarthPressureError, ForceModel, InPlaneStrain, Loads, MODEL_IDS, check_loads, model,
+};
 use soilctl_soil::{Angle, Interface, Plate, STANDARD_GRAVITY_M_S2, Soil, WidthRatio};
 
 use crate::array::{Array, Column, common_shape, place, shaped};
@@ -21,7 +23,9 @@ pub(crate) fn known(id: &str) -> Result<Arc<dyn ForceModel>, EarthPressureError>
     if let Some(found) = models.get(id) {
         return Ok(Arc::clone(found));
     }
-    let made: Arc<dyn ForceModel> = Arc::from(model(id)?);
+    let made = model(id)?;
+    let made = if made.is_for_plane_strain() { InPlaneStrain::of(made) } else { made };
+    let made: Arc<dyn ForceModel> = Arc::from(made);
     models.insert(id.to_owned(), Arc::clone(&made));
     Ok(made)
 }

@@ -79,7 +79,7 @@ impl ScaledPlate {
     }
 
     /// The same of any two bounds on the force.
-    pub(super) fn of_forces(&self, [lower, upper]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn of_forces(&self, [lower, upper]: [f64; 2]) -> [f64; 2] {
         // The factor and the product are each good to a rounding or two.
         let slack = 4.0 * f64::EPSILON;
         let (l, u) = (self.coefficient * lower, self.coefficient * upper);
@@ -87,12 +87,12 @@ impl ScaledPlate {
     }
 
     /// Width in slant lengths of a plate with this width over vertical depth.
-    pub(super) fn slant_width(&self, width_ratio: f64) -> f64 {
+    pub(crate) fn slant_width(&self, width_ratio: f64) -> f64 {
         width_ratio * Angle::from_degrees(self.plate.alpha_deg).sin()
     }
 
     /// The same plate, asked about by a force model, and the loads on it.
-    pub(super) fn case(&self) -> (Case, LoadFactors) {
+    pub(crate) fn case(&self) -> (Case, LoadFactors) {
         let p = &self.plate;
         let loads =
             LoadFactors { weight: 0.5, surcharge: p.surcharge, cohesion: p.cohesion, adhesion: p.adhesion };

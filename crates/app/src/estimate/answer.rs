@@ -7,6 +7,7 @@ use soilctl_strokes::PooledBand;
 
 use super::ExactAnswer;
 use crate::Outcome;
+use crate::request::Ends;
 
 /// A section of the consistent set at one interface friction.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -236,6 +237,8 @@ impl From<&Candidate> for NextStroke {
 pub struct Answer {
     /// Force model.
     pub model: String,
+    /// Whether plates have ends.
+    pub ends: Ends,
     /// Whether any soil explains all measurements.
     pub consistent: bool,
     /// Range of the friction angle (deg) over the whole interval of delta; null if inconsistent.

@@ -7,7 +7,7 @@ mod inputs;
 mod request;
 mod words;
 
-use soilctl_earth_pressure::{ChenLiu, ForceModel, model};
+use soilctl_earth_pressure::{ChenLiu, ForceModel, InPlaneStrain, model};
 use soilctl_estimator::{
     Conflict, Estimate, Optimiser, Projections, Region, Setup, StrokeMenu, agreement_factor, best_fit,
     conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
@@ -21,6 +21,7 @@ pub use exact::{ContourSection, Crossing, ExactAnswer};
 pub use inputs::Inputs;
 pub use request::{Request, Uncertainty};
 
+use crate::request::Ends;
 use crate::{AppError, Watch, request as requests};
 
 /// An estimate with everything that figures and pages are drawn from.
@@ -60,6 +61,10 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     requests::check(request)?;
     let exact_data = request.exact;
     let model = model(&request.model)?;
+    let model = match Ends::of(request.ends, &*model)? {
+        Ends::Finite => model,
+        Ends::None => InPlaneStrain::of(model),
+    };
     let inputs = Inputs::read(request, exact_data, &*model)?;
     let setup = inputs.setup(request, &*model)?;
     let deltas = inputs.sections(request);
@@ -88,6 +93,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     let best_estimate = best_fit(&setup, &estimate)?.map(Into::into);
     let mut answer = Answer {
         model: model.id().into(),
+        ends: if model.has_ends() { Ends::Finite } else { Ends::None },
         consistent,
         phi_deg: estimate.phi_deg,
         density_kg_m3: estimate.density_kg_m3,

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::MODEL_IDS;
 
-use crate::request::{Loads, NumberOrColumn, finite, model_help};
+use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help};
 use crate::{AppError, TableSource};
 
 /// What a force's uncertainty means.
@@ -32,6 +32,11 @@ pub struct Request {
     #[arg(long, value_name = "NAME", default_value_t = Request::default().model, help = model_help())]
     #[schemars(extend("enum" = MODEL_IDS))]
     pub model: String,
+
+    /// Whether plates have ends, each its own width: the force is then above that of plane strain. By default they have them
+    /// for the models that are made for it (mckyes, perumpral, godwin-spoor); `table` knows both
+    #[arg(long, value_name = "ENDS")]
+    pub ends: Option<Ends>,
 
     /// A model file, such as the patch of `diagnose`: its effects are taken out of the measured forces first, at the
     /// soil of the file
@@ -127,6 +132,7 @@ impl Default for Request {
         Self {
             file: TableSource::default(),
             model: "table".into(),
+            ends: None,
             model_file: None,
             delta_deg: NumberOrColumn::Column,
             delta_tol_deg: 1.0,

@@ -1,5 +1,6 @@
 //! What the numbers say: the verdict and the warnings of an answer.
 
+use crate::request::Ends;
 use soilctl_estimator::Estimate;
 
 use super::answer::{Answer, Disagreement};
@@ -38,15 +39,18 @@ pub(super) fn verdict(answer: &Answer) -> String {
             }
         };
     }
+    let model = match answer.ends {
+        Ends::Finite => format!("{} of plates with ends", answer.model),
+        Ends::None => answer.model.clone(),
+    };
     match (answer.phi_deg, answer.density_kg_m3) {
         (Some(phi), Some(density)) => format!(
             "The measurements agree under model {}: phi lies between {:.1} and {:.1} deg and the density between \
              {:.0} and {:.0} kg/m3, for {delta}.",
-            answer.model, phi[0], phi[1], density[0], density[1]
+            model, phi[0], phi[1], density[0], density[1]
         ),
         _ => {
-            let mut text =
-                format!("No soil explains all measurements under model {} with {delta}", answer.model);
+            let mut text = format!("No soil explains all measurements under model {model} with {delta}");
             if let Some([low, high]) = answer.density_known_kg_m3 {
                 text += &format!(" and density {low:.0} to {high:.0} kg/m3");
             }

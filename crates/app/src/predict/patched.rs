@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use soilctl_earth_pressure::model;
+use soilctl_earth_pressure::plane_model;
 use soilctl_effects::{Loaded, ModelFile};
 use soilctl_soil::Angle;
 use soilctl_strokes::{ReadOptions, StrokeRow};
@@ -51,7 +51,7 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
             }
         };
     let soil = &loaded.file().soil;
-    let base = model(&loaded.file().model)?;
+    let base = plane_model(&loaded.file().model)?;
     let effects: Vec<&str> = loaded.file().effects.iter().map(|entry| entry.id.name()).collect();
     let with = if effects.is_empty() { "no effects".to_owned() } else { effects.join(", ") };
     Ok(Answer {

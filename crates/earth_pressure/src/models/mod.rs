@@ -5,6 +5,7 @@ mod caquot;
 mod chen_liu;
 mod coulomb;
 mod godwin_spoor;
+mod in_plane_strain;
 mod log_spiral;
 mod mckyes;
 mod perumpral;
@@ -12,11 +13,12 @@ mod plate_bounds;
 pub mod thesis;
 mod wedge_with_ends;
 
-pub use blocks::Blocks;
+pub use blocks::{Blocks, EndLaw};
 pub use caquot::Caquot;
 pub use chen_liu::ChenLiu;
 pub use coulomb::Coulomb;
 pub use godwin_spoor::GodwinSpoor;
+pub use in_plane_strain::InPlaneStrain;
 pub use log_spiral::LogSpiral;
 pub use mckyes::McKyesAli;
 pub use perumpral::Perumpral;
@@ -72,5 +74,9 @@ pub fn model(id: &str) -> Result<Box<dyn ForceModel>, EarthPressureError> {
 /// with ends.
 pub fn plane_model(id: &str) -> Result<Box<dyn ForceModel>, EarthPressureError> {
     let model = model(id)?;
-    if model.has_ends() { Err(EarthPressureError::HasEnds { model: model.id() }) } else { Ok(model) }
+    if model.is_for_plane_strain() {
+        Ok(InPlaneStrain::of(model))
+    } else {
+        Err(EarthPressureError::HasEnds { model: model.id() })
+    }
 }

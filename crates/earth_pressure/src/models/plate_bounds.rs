@@ -22,8 +22,7 @@ pub fn plate_bounds() -> Result<BracketTable, EarthPressureError> {
 pub(crate) fn bracket() -> Result<BracketModel, EarthPressureError> {
     let reference = "bracket of certified limit-analysis bounds (soilctl table build), moved outwards by the \
                      interpolation margin";
-    let (lower, upper) = plate_bounds()?.split()?;
-    Ok(BracketModel::new("table", reference, lower, upper))
+    BracketModel::new("table", reference, &plate_bounds()?)
 }
 
 #[cfg(test)]

@@ -29,6 +29,12 @@ pub struct BracketRow {
     pub upper_elements: usize,
     /// How the bounds came about.
     pub status: CellStatus,
+    /// Upper bound with ends, as the width goes to infinity; with it the lower bound holds for every width.
+    #[serde(default)]
+    pub ends_upper: Option<f64>,
+    /// What a depth over width of one adds to it.
+    #[serde(default)]
+    pub ends_term: Option<f64>,
 }
 
 impl BracketRow {
@@ -57,6 +63,14 @@ impl BracketRow {
             if !(bound > 0.0 && bound.is_finite()) {
                 return Some(format!("{name} is {bound}; it must be a finite number above 0"));
             }
+        }
+        for (name, number) in [("ends_upper", self.ends_upper), ("ends_term", self.ends_term)] {
+            if let Some(number) = number.filter(|n| !(*n > 0.0 && n.is_finite())) {
+                return Some(format!("{name} is {number}; it must be a finite number above 0, or left out"));
+            }
+        }
+        if self.ends_upper.is_some() != self.ends_term.is_some() {
+            return Some("ends_upper and ends_term go together: give both or none".into());
         }
         let gap = Self::relative_gap(self.lower, self.upper);
         // Written with every digit, so only an edit can part them.
@@ -141,33 +155,49 @@ impl BracketTable {
         &self.rows
     }
 
+    /// The upper bounds with ends and their end terms as tables of their own; none unless every row has them.
+    ///
+    /// # Errors
+    /// As [`PredictionTable::new`].
+    pub fn ends(&self) -> Result<Option<(PredictionTable, PredictionTable)>, EarthPressureError> {
+        if self.rows.iter().any(|row| row.ends_term.is_none()) {
+            return Ok(None);
+        }
+        let upper = self.of(Quantity::UpperBound, "upper bound with ends", |row| row.ends_upper)?;
+        Ok(Some((upper, self.of(Quantity::UpperBound, "end term", |row| row.ends_term)?)))
+    }
+
+    fn of(
+        &self,
+        quantity: Quantity,
+        words: &str,
+        pick: fn(&BracketRow) -> Option<f64>,
+    ) -> Result<PredictionTable, EarthPressureError> {
+        let name = format!("{}, {words}", self.name);
+        let cell = |row: &BracketRow| Some((row.node(), Cell { k_net: pick(row)?, status: row.status }));
+        let cells: Vec<_> = self.rows.iter().filter_map(cell).collect();
+        PredictionTable::from_cells(&name, quantity, &cells, |_| name.clone())
+    }
+
     /// The lower and the upper bounds as tables of their own, for a [`super::BracketModel`].
     ///
     /// # Errors
     /// [`EarthPressureError::BadTable`] if a lower bound is above its upper bound, or as
     /// [`PredictionTable::new`].
     pub fn split(&self) -> Result<(PredictionTable, PredictionTable), EarthPressureError> {
-        if let Some(row) = self.rows.iter().find(|row| row.lower > row.upper) {
+        let crossed = |row: &&BracketRow| row.lower > row.upper.min(row.ends_upper.unwrap_or(row.upper));
+        if let Some(row) = self.rows.iter().find(crossed) {
             let problem = format!(
                 "at {} the lower bound {} is above the upper bound {}",
                 in_words(row.node()),
                 row.lower,
-                row.upper
+                row.upper.min(row.ends_upper.unwrap_or(row.upper))
             );
             return Err(EarthPressureError::BadTable { table: self.name.clone(), problem });
         }
-        let table = |quantity, word: &str, pick: fn(&BracketRow) -> f64| {
-            let name = format!("{}, {word} bound", self.name);
-            let cells: Vec<_> = self
-                .rows
-                .iter()
-                .map(|row| (row.node(), Cell { k_net: pick(row), status: row.status }))
-                .collect();
-            PredictionTable::from_cells(&name, quantity, &cells, |_| name.clone())
-        };
         Ok((
-            table(Quantity::LowerBound, "lower", |row| row.lower)?,
-            table(Quantity::UpperBound, "upper", |row| row.upper)?,
+            self.of(Quantity::LowerBound, "lower bound", |row| Some(row.lower))?,
+            self.of(Quantity::UpperBound, "upper bound", |row| Some(row.upper))?,
         ))
     }
 }
@@ -191,6 +221,8 @@ pub(super) mod tests {
             lower_elements: 600,
             upper_elements: 700,
             status,
+            ends_upper: None,
+            ends_term: None,
         }
     }
 

@@ -1,8 +1,9 @@
 use soilctl_soil::{Angle, Provenance, SlantCoefficient, WidthRatio};
 
 use super::PredictionTable;
+use super::bracket::BracketTable;
 use super::interpolate::Interpolator;
-use super::section::TableSlice;
+use super::section::{Lookup, TableSlice};
 use crate::model::{ForceModel, ModelSlice, NetFactors, ValidRange};
 use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
@@ -86,18 +87,44 @@ pub struct BracketModel {
     reference: &'static str,
     lower: Interpolator,
     upper: Interpolator,
+    /// Of plates with ends: the upper bound on wide ones, and what a depth over width of one adds.
+    ends: Option<(Interpolator, Interpolator)>,
 }
 
 impl BracketModel {
-    /// A bracket from two tables.
-    #[must_use]
+    /// The bracket of a table.
+    ///
+    /// # Errors
+    /// As [`BracketTable::split`].
     pub fn new(
         id: &'static str,
         reference: &'static str,
-        lower: PredictionTable,
-        upper: PredictionTable,
-    ) -> Self {
-        Self { id, reference, lower: Interpolator::new(lower), upper: Interpolator::new(upper) }
+        table: &BracketTable,
+    ) -> Result<Self, EarthPressureError> {
+        let (lower, upper) = table.split()?;
+        let ends = table.ends()?.map(|(upper, term)| (Interpolator::new(upper), Interpolator::new(term)));
+        Ok(Self { id, reference, lower: Interpolator::new(lower), upper: Interpolator::new(upper), ends })
+    }
+}
+
+/// A bound moved outwards by its margin.
+fn outwards(look: Lookup, sign: f64) -> f64 {
+    look.k_net * libm::exp(sign * look.margin)
+}
+
+/// The upper bound from the tables of plane strain or of ends, each looked up, and the greatest margin.
+fn upper_bound<T>(
+    tables: (&T, Option<(&T, &T)>),
+    width_ratio: WidthRatio,
+    look: impl Fn(&T) -> Result<Lookup, EarthPressureError>,
+) -> Result<(f64, f64), EarthPressureError> {
+    match tables {
+        (_, Some((wide, term))) if width_ratio.finite().is_some() => {
+            let (wide, term) = (look(wide)?, look(term)?);
+            let upper = outwards(wide, 1.0) + width_ratio.depth_over_width() * outwards(term, 1.0);
+            Ok((upper, wide.margin.max(term.margin)))
+        }
+        (plane, _) => look(plane).map(|look| (outwards(look, 1.0), look.margin)),
     }
 }
 
@@ -129,39 +156,58 @@ impl ForceModel for BracketModel {
         true
     }
 
+    fn has_ends(&self) -> bool {
+        self.ends.is_some()
+    }
+
+    fn is_for_plane_strain(&self) -> bool {
+        true
+    }
+
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(self.id, case)?;
         let alpha = case.tool_angle.degrees();
-        let sections = (self.lower.at(alpha)?, self.upper.at(alpha)?);
         let (phi, delta) = (case.friction.degrees(), case.interface.degrees());
-        let (low, high) = (sections.0.lookup(phi, delta)?, sections.1.lookup(phi, delta)?);
-        let ends = (low.k_net * libm::exp(-low.margin), high.k_net * libm::exp(high.margin));
-        Ok(prediction((ends.0 * ends.1).sqrt(), ends, low.margin.max(high.margin)))
+        let look = |table: &Interpolator| table.at(alpha)?.lookup(phi, delta);
+        let low = look(&self.lower)?;
+        let ends = self.ends.as_ref().map(|(wide, term)| (wide, term));
+        let (upper, margin) = upper_bound((&self.upper, ends), case.width_ratio, look)?;
+        let sides = (outwards(low, -1.0), upper);
+        Ok(prediction((sides.0 * sides.1).sqrt(), sides, low.margin.max(margin)))
     }
 
     fn at(
         &self,
         tool_angle: Angle,
         surface_slope: Angle,
-        _width_ratio: WidthRatio,
+        width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         self.valid_range().check_geometry(self.id, tool_angle, surface_slope)?;
-        let alpha = tool_angle.degrees();
-        Ok(Box::new(BracketSlice { lower: self.lower.slice(alpha)?, upper: self.upper.slice(alpha)? }))
+        let (lower, upper) =
+            (self.lower.slice(tool_angle.degrees())?, self.upper.slice(tool_angle.degrees())?);
+        let ends = match &self.ends {
+            Some((wide, term)) => {
+                Some((wide.slice(tool_angle.degrees())?, term.slice(tool_angle.degrees())?))
+            }
+            None => None,
+        };
+        Ok(Box::new(BracketSlice { lower, upper, ends, width_ratio }))
     }
 }
 
 struct BracketSlice<'a> {
     lower: TableSlice<'a>,
     upper: TableSlice<'a>,
+    ends: Option<(TableSlice<'a>, TableSlice<'a>)>,
+    width_ratio: WidthRatio,
 }
 
 impl ModelSlice for BracketSlice<'_> {
     fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<NetFactors, EarthPressureError> {
-        let low = self.lower.lookup(phi_deg, delta_deg)?;
-        let high = self.upper.lookup(phi_deg, delta_deg)?;
-        let (weight_lower, weight_upper) =
-            (low.k_net * libm::exp(-low.margin), high.k_net * libm::exp(high.margin));
+        let look = |table: &TableSlice<'_>| table.lookup(phi_deg, delta_deg);
+        let weight_lower = outwards(look(&self.lower)?, -1.0);
+        let ends = self.ends.as_ref().map(|(wide, term)| (wide, term));
+        let (weight_upper, _) = upper_bound((&self.upper, ends), self.width_ratio, look)?;
         let factors = LoadFactors { weight: (weight_lower * weight_upper).sqrt(), ..LoadFactors::default() };
         Ok(NetFactors { weight_lower, weight_upper, factors })
     }
@@ -182,5 +228,52 @@ fn prediction(k: f64, ends: (f64, f64), margin: f64) -> Prediction {
         net_upper: SlantCoefficient(ends.1),
         interpolation_margin: margin,
         notes: if margin > 0.0 { vec![INTERPOLATED] } else { Vec::new() },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bracket::tests::{RULES, square};
+    use super::*;
+    use crate::InPlaneStrain;
+
+    fn model(with_ends: bool) -> BracketModel {
+        let mut rows = square();
+        for row in rows.iter_mut().filter(|_| with_ends) {
+            (row.ends_upper, row.ends_term) = (Some(1.05 * row.upper), Some(0.5 * row.upper));
+        }
+        BracketModel::new("t", "a test", &BracketTable::new("t", RULES, rows).unwrap()).unwrap()
+    }
+
+    /// The upper bound grows with depth over width from that of wide plates; the lower one and plane strain stay.
+    #[test]
+    fn ends_raise_the_upper_bound_by_their_term() {
+        let (plain, ended) = (model(false), model(true));
+        assert!(ended.has_ends() && ended.is_for_plane_strain() && !plain.has_ends());
+        let case = Case::level_deg(90.0, 40.0, 10.0);
+        let plane = plain.predict(&case).unwrap();
+        assert_eq!(ended.predict(&case).unwrap(), plane);
+        for ratio in [0.5, 1.0, 5.0, 1e9] {
+            let width_ratio = WidthRatio::new(ratio).unwrap();
+            let case = case.with_width_ratio(width_ratio);
+            let found = ended.predict(&case).unwrap();
+            let upper = plane.net_upper.0 * (1.05 + 0.5 / ratio);
+            assert!((found.net_upper.0 / upper - 1.0).abs() < 1e-12 && found.net_lower == plane.net_lower);
+            let slice = ended.at(case.tool_angle, case.surface_slope, width_ratio).unwrap();
+            assert!((slice.net(40.0, 10.0).unwrap().weight_upper / upper - 1.0).abs() < 1e-12);
+            assert_eq!(plain.predict(&case).unwrap(), plane);
+            assert_eq!(InPlaneStrain::of(Box::new(ended.clone())).predict(&case).unwrap(), plane);
+        }
+    }
+
+    #[test]
+    fn rows_without_ends_make_a_table_of_plane_strain() {
+        let mut rows = square();
+        (rows[0].ends_upper, rows[0].ends_term) = (Some(3.0), Some(1.0));
+        let table = BracketTable::new("t", RULES, rows.clone()).unwrap();
+        assert!(!BracketModel::new("t", "a test", &table).unwrap().has_ends());
+        rows[0].ends_term = None;
+        let message = BracketTable::new("t", RULES, rows).unwrap_err().to_string();
+        assert!(message.contains("ends_upper and ends_term go together"), "{message}");
     }
 }

@@ -5,9 +5,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use soilctl_certificate::{Solution, Statement};
 use soilctl_earth_pressure::table::{BracketRow, BracketRules, CellStatus};
+use soilctl_earth_pressure::{Blocks, EndLaw};
 use soilctl_jobs::each;
-use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Options, Problem, bound};
+use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Options, Problem, bound_section};
 
 use super::cases::{Node, mixed};
 use super::journal::{Entry, Found};
@@ -45,7 +47,9 @@ impl Solver<'_> {
         let start = Instant::now();
         let [alpha_deg, phi_deg, delta_deg] = node;
         let plate = EmbeddedPlate { alpha_deg, phi_deg, delta_deg, ..EmbeddedPlate::default() };
-        let solved = plate.problem().and_then(|problem| Ok((self.bounds(&problem)?, problem)));
+        // Any width will do: the lower bound holds for every one.
+        let problem = plate.problem().and_then(|problem| problem.with_width(1.0));
+        let solved = problem.and_then(|problem| Ok((self.bounds(&problem)?, problem)));
         // Checked last, since a case that the user stops still comes back with bounds, only wider ones.
         if self.stop.load(Ordering::Relaxed) {
             return Ok(None);
@@ -61,9 +65,10 @@ impl Solver<'_> {
             Ok((bounds, problem)) => {
                 let scaled = ScaledPlate::unit(plate);
                 if let Some(folder) = self.save {
-                    scaled.solution(&problem, &bounds).write(&solution_path(folder, node))?;
+                    Self::save(folder, node, &scaled, &problem, &bounds)?;
                 }
-                Found::Solved(row(node, &scaled, &bounds))
+                let law = self.law(&scaled, &problem);
+                Found::Solved(row(node, &scaled, &bounds, law))
             }
             Err(problem) => Found::Empty { node, reason: self.reason(&problem) },
         };
@@ -79,7 +84,35 @@ impl Solver<'_> {
             stop: Arc::clone(&self.stop),
             ..Options::default()
         };
-        bound(problem, &options, &mut |_, _| {})
+        bound_section(problem, &options, &mut |_, _| {})
+    }
+
+    /// The proof in plane strain, and beside it that of a plate with ends, as far as there is one.
+    fn save(
+        folder: &Path,
+        node: Node,
+        scaled: &ScaledPlate,
+        problem: &Problem,
+        bounds: &Bounds,
+    ) -> Result<(), AppError> {
+        let path = solution_path(folder, node);
+        let solution = scaled.solution(problem, bounds);
+        let (case, loads) = scaled.case();
+        let width = scaled.slant_width(Blocks::LAW_AT);
+        let statement = solution.statement.clone().with_width(width);
+        if let Ok(blocks) = Blocks.proven(&case, &statement, loads) {
+            let lower = solution.lower.clone();
+            Solution { statement, lower, upper: None, mechanism: Some(blocks), ..solution.clone() }
+                .write(&path.with_extension("ends.json"))?;
+        }
+        let statement = Statement { width: None, ..solution.statement.clone() };
+        Ok(Solution { statement, ..solution }.write(&path)?)
+    }
+
+    /// Upper bounds for every width; none outside the range of the mechanism in space.
+    fn law(&self, scaled: &ScaledPlate, problem: &Problem) -> Option<EndLaw> {
+        let (case, loads) = scaled.case();
+        Blocks.proven_law(&case, problem.statement(), loads).ok()
     }
 
     /// Why a node stays empty, without the time that it took to find out.
@@ -93,8 +126,15 @@ impl Solver<'_> {
     }
 }
 
-fn row([alpha_deg, phi_deg, delta_deg]: Node, scaled: &ScaledPlate, bounds: &Bounds) -> BracketRow {
+fn row(
+    [alpha_deg, phi_deg, delta_deg]: Node,
+    scaled: &ScaledPlate,
+    bounds: &Bounds,
+    law: Option<EndLaw>,
+) -> BracketRow {
     let [lower, upper] = scaled.coefficients(bounds);
+    // Bounds on forces become bounds on coefficients, rounded up.
+    let above = |force: f64| scaled.of_forces([force, force])[1];
     BracketRow {
         alpha_deg,
         phi_deg,
@@ -107,5 +147,7 @@ fn row([alpha_deg, phi_deg, delta_deg]: Node, scaled: &ScaledPlate, bounds: &Bou
         lower_elements: bounds.lower.elements,
         upper_elements: bounds.upper.elements,
         status: CellStatus::Solved,
+        ends_upper: law.map(|law| above(law.without_ends)),
+        ends_term: law.map(|law| above(law.term)),
     }
 }

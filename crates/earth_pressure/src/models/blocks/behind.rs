@@ -64,6 +64,12 @@ impl Wedge {
         Some(Self { sinking, speed, surface, height, narrowing, end, cos_eta })
     }
 
+    /// The same wedge behind a plate that is so many times as wide.
+    pub(super) fn at_width(&self, times: f64) -> Self {
+        let narrowing = self.narrowing / times;
+        Self { narrowing, end: self.height.min(1.0 / narrowing), ..*self }
+    }
+
     /// What it adds to the force, per width.
     fn factors(&self, case: &Case) -> LoadFactors {
         let Self { sinking, speed, surface, height, narrowing, end, cos_eta } = *self;

@@ -20,10 +20,11 @@ mod polyhedra;
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
-use soilctl_certificate::{Claim, Mechanism, Statement, prove_mechanism};
+use soilctl_certificate::{CertificateError, Claim, Mechanism, Statement, prove_mechanism};
 use soilctl_soil::{Angle, WidthRatio};
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use self::behind::Wedge;
 use self::ends::Ends;
 use self::fan::{Block, Shape};
 use super::chen_liu;
@@ -58,6 +59,9 @@ const NONE: f64 = 1e12;
 pub struct Blocks;
 
 impl Blocks {
+    /// Width over depth at which the mechanism of [`Blocks::proven_law`] is best.
+    pub const LAW_AT: f64 = 5.0;
+
     /// The mechanism of least force under some loads as polyhedra, with the force per width times the plate's velocity
     /// that they are proven to hold back at most.
     ///
@@ -77,20 +81,82 @@ impl Blocks {
     ) -> Result<Claim<Mechanism>, EarthPressureError> {
         let width = statement.width.unwrap_or(f64::NAN);
         let case = case.with_width_ratio(WidthRatio::new(width / case.tool_angle.sin())?);
-        self.valid_range().check(ID, &case)?;
-        let mut refusal = String::new();
-        for margin in MARGINS {
-            let more = |angle: Angle| Angle::from_radians(angle.radians() + margin);
-            let harder = Case { friction: more(case.friction), interface: more(case.interface), ..case };
-            let (blocks, wedge) = (best(&harder, loads)?, behind::hardest(&harder));
-            let field = polyhedra::polyhedra(&harder, 0.5 * width, &blocks, wedge.as_ref(), FACETS);
-            match prove_mechanism(statement, &field) {
-                Ok(claimed) => return Ok(Claim { field, claimed, computed: None }),
-                Err(why) => refusal = why.to_string(),
-            }
-        }
-        Err(EarthPressureError::NotProven { model: ID, why: refusal })
+        proven(&case, loads, |harder, blocks, wedge| {
+            let field = polyhedra::polyhedra(harder, 0.5 * width, blocks, wedge, FACETS);
+            let claimed = prove_mechanism(statement, &field)?;
+            Ok(Claim { field, claimed, computed: None })
+        })
     }
+
+    /// A bound for every width at once, by the mechanism that is best at five times the depth: what the ends of a given one
+    /// sweep does not depend on how far apart they are, so the force per width grows linearly with depth over width, and
+    /// not more than that where the ends behind the plate meet. The statement is as for [`Blocks::proven`], in plane strain.
+    ///
+    /// # Errors
+    ///
+    /// As [`Blocks::proven`].
+    pub fn proven_law(
+        &self,
+        case: &Case,
+        statement: &Statement,
+        loads: LoadFactors,
+    ) -> Result<EndLaw, EarthPressureError> {
+        let sine = case.tool_angle.sin();
+        proven(&case.with_width_ratio(WidthRatio::new(Self::LAW_AT)?), loads, |harder, blocks, wedge| {
+            let held = |ratio: f64| {
+                let width = ratio * sine;
+                let field = polyhedra::polyhedra(
+                    &harder.with_width_ratio(WidthRatio::new(ratio).unwrap_or(WidthRatio::PLANE_STRAIN)),
+                    0.5 * width,
+                    blocks,
+                    wedge.map(|w| w.at_width(ratio / Self::LAW_AT)).as_ref(),
+                    FACETS,
+                );
+                prove_mechanism(&statement.clone().with_width(width), &field)
+            };
+            let [far, near] = [held(LAW_FROM[0])?, held(LAW_FROM[1])?];
+            let depth_over_width = LAW_FROM.map(f64::recip);
+            let term = (near - far) / (depth_over_width[1] - depth_over_width[0]);
+            // Both are bounds that are a few roundings above what the blocks hold.
+            let term = term + LAW_SLACK * far.abs();
+            Ok(EndLaw { without_ends: far - depth_over_width[0] * term + LAW_SLACK * far.abs(), term })
+        })
+    }
+}
+
+/// Widths over depth between which the law is taken: the ends behind the plate are far apart there.
+const LAW_FROM: [f64; 2] = [400.0, 100.0];
+
+/// What proven bounds may be above the true power of their blocks, relative, and more.
+const LAW_SLACK: f64 = 1e-8;
+
+/// An upper bound on the force per width for every width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndLaw {
+    /// The bound on a plate that is wide beyond all measure.
+    pub without_ends: f64,
+    /// What a depth over width of one adds to it.
+    pub term: f64,
+}
+
+/// Makes and proves something of the best mechanism, with friction angles that are larger by as little as suffices.
+fn proven<T>(
+    case: &Case,
+    loads: LoadFactors,
+    prove: impl Fn(&Case, &[Block], Option<&Wedge>) -> Result<T, CertificateError>,
+) -> Result<T, EarthPressureError> {
+    Blocks.valid_range().check(ID, case)?;
+    let mut refusal = String::new();
+    for margin in MARGINS {
+        let more = |angle: Angle| Angle::from_radians(angle.radians() + margin);
+        let harder = Case { friction: more(case.friction), interface: more(case.interface), ..*case };
+        let (blocks, wedge) = (best(&harder, loads)?, behind::hardest(&harder));
+        match prove(&harder, &blocks, wedge.as_ref()) {
+            Ok(proven) => return Ok(proven),
+            Err(why) => refusal = why.to_string(),
+        }
+    }
+    Err(EarthPressureError::NotProven { model: ID, why: refusal })
 }
 
 impl ForceModel for Blocks {
