@@ -125,11 +125,15 @@ impl Certified {
             known.map_or((1.0, 1.0, ["L", "γL"]), |(l, w)| (l, 1e-3 * l * w, ["m", "kPa"]));
         let [length_name, stress_name] = names.map(str::to_owned);
         let units = Units { origin: [0.0; 2], length, length_name, stress, stress_name };
-        Fields::new(
+        let fields = Fields::new(
             self.solution.upper.as_ref().map(|c| (statement, &c.field)),
             self.solution.lower.as_ref().map(|c| (statement, &c.field)),
             units,
             title.unwrap_or_default().to_owned(),
-        )
+        )?;
+        match &self.solution.mechanism {
+            Some(claim) => fields.with_blocks(statement, &claim.field),
+            None => Ok(fields),
+        }
     }
 }

@@ -61,7 +61,7 @@ pub fn read_model(path: &Path) -> Result<(Box<dyn ForceModel>, String), AppError
     form(path)?;
     if is_bracket_file(path)? {
         let (table, sidecar) = read_bracket(path)?;
-        let model = BracketModel::new(ID, REFERENCE, &table)?;
+        let model = BracketModel::of(ID, REFERENCE, &table)?;
         return Ok((Box::new(model), format!("{} ({})", sidecar.source, sidecar.name)));
     }
     let (table, sidecar) = read_table(path)?;

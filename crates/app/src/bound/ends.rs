@@ -144,6 +144,11 @@ impl Mechanisms {
         }
     }
 
+    /// The blocks for the plate's own width.
+    pub(super) fn own(&self) -> &Mechanism {
+        &self.own.field
+    }
+
     /// The solution for a file: without the flow in the plane, which proves nothing here.
     pub(super) fn solution(&self, plane: Solution) -> Solution {
         Solution { upper: None, mechanism: Some(self.own.clone()), ..plane }

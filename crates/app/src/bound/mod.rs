@@ -60,6 +60,10 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
         scaled.shown_in(),
         scaled.title(),
     )?;
+    let fields = match &mechanisms {
+        Some(mechanisms) => fields.with_blocks(statement, mechanisms.own())?,
+        None => fields,
+    };
     let answer = Answer::new(request, &scaled, &bounds, brackets, ResultsAnswer::new(&fields)?);
     Ok(Bounded { answer, fields })
 }

@@ -1,6 +1,6 @@
 //! The fields behind bounds, to look at.
 
-use soilctl_certificate::{LowerField, Statement, UpperField};
+use soilctl_certificate::{LowerField, Mechanism, Statement, UpperField, show_mechanism};
 use soilctl_limit_analysis::results::{FlowResults, StressResults, Units, write_vtu};
 
 use crate::AppError;
@@ -16,6 +16,8 @@ pub struct Fields {
     pub units: Units,
     /// What the problem is, in a few words; may be empty.
     pub title: String,
+    /// Blocks in space behind the upper bound of a structure with ends, and where their vertices are: x, y across, z.
+    pub blocks: Option<(Mechanism, Vec<[f64; 3]>)>,
 }
 
 impl Fields {
@@ -31,7 +33,14 @@ impl Fields {
             stress: lower.map(|(statement, field)| StressResults::new(statement, field)).transpose()?,
             units,
             title,
+            blocks: None,
         })
+    }
+
+    /// The same with blocks in space.
+    pub(crate) fn with_blocks(self, statement: &Statement, mechanism: &Mechanism) -> Result<Self, AppError> {
+        let places = show_mechanism(statement, mechanism)?;
+        Ok(Self { blocks: Some((mechanism.clone(), places)), ..self })
     }
 
     /// The problem; that of both bounds has the same geometry.

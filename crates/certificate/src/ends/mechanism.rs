@@ -57,6 +57,21 @@ pub fn prove_mechanism(statement: &Statement, mechanism: &Mechanism) -> Result<f
     })
 }
 
+/// Where the vertices of a mechanism are, rounded: x, y across and z. Nothing is proven.
+///
+/// # Errors
+///
+/// [`CertificateError`] if the statement is not a plate of finite width, or a vertex is not in its soil.
+pub fn show_mechanism(
+    statement: &Statement,
+    mechanism: &Mechanism,
+) -> Result<Vec<[f64; 3]>, CertificateError> {
+    let problem = Problem::new(statement)?;
+    let plate = EndedPlate::new(&problem)?;
+    let corners = mechanism.vertices.iter().enumerate().map(|(i, p)| Corner::new(&plate, i, *p));
+    corners.map(|corner| corner.map(|c| [c.at.x, c.at.y, c.at.z].map(Interval::middle))).collect()
+}
+
 /// A mechanism whose blocks are closed, each on one side of the plate.
 struct Blocks<'a> {
     plate: &'a EndedPlate<'a>,

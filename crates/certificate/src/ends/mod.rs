@@ -14,5 +14,5 @@ mod splice;
 #[cfg(test)]
 mod tests;
 
-pub use mechanism::prove_mechanism;
+pub use mechanism::{prove_mechanism, show_mechanism};
 pub(crate) use splice::{Splice, SpliceLimit};

@@ -22,7 +22,7 @@ pub fn plate_bounds() -> Result<BracketTable, EarthPressureError> {
 pub(crate) fn bracket() -> Result<BracketModel, EarthPressureError> {
     let reference = "bracket of certified limit-analysis bounds (soilctl table build), moved outwards by the \
                      interpolation margin";
-    BracketModel::new("table", reference, &plate_bounds()?)
+    BracketModel::of("table", reference, &plate_bounds()?)
 }
 
 #[cfg(test)]

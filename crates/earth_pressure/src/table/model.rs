@@ -92,18 +92,30 @@ pub struct BracketModel {
 }
 
 impl BracketModel {
-    /// The bracket of a table.
+    /// A bracket in plane strain from two tables.
+    #[must_use]
+    pub fn new(
+        id: &'static str,
+        reference: &'static str,
+        lower: PredictionTable,
+        upper: PredictionTable,
+    ) -> Self {
+        let (lower, upper) = (Interpolator::new(lower), Interpolator::new(upper));
+        Self { id, reference, lower, upper, ends: None }
+    }
+
+    /// The bracket of a table, with ends if it knows of them.
     ///
     /// # Errors
     /// As [`BracketTable::split`].
-    pub fn new(
+    pub fn of(
         id: &'static str,
         reference: &'static str,
         table: &BracketTable,
     ) -> Result<Self, EarthPressureError> {
         let (lower, upper) = table.split()?;
         let ends = table.ends()?.map(|(upper, term)| (Interpolator::new(upper), Interpolator::new(term)));
-        Ok(Self { id, reference, lower: Interpolator::new(lower), upper: Interpolator::new(upper), ends })
+        Ok(Self { ends, ..Self::new(id, reference, lower, upper) })
     }
 }
 
@@ -242,7 +254,7 @@ mod tests {
         for row in rows.iter_mut().filter(|_| with_ends) {
             (row.ends_upper, row.ends_term) = (Some(1.05 * row.upper), Some(0.5 * row.upper));
         }
-        BracketModel::new("t", "a test", &BracketTable::new("t", RULES, rows).unwrap()).unwrap()
+        BracketModel::of("t", "a test", &BracketTable::new("t", RULES, rows).unwrap()).unwrap()
     }
 
     /// The upper bound grows with depth over width from that of wide plates; the lower one and plane strain stay.
@@ -271,7 +283,7 @@ mod tests {
         let mut rows = square();
         (rows[0].ends_upper, rows[0].ends_term) = (Some(3.0), Some(1.0));
         let table = BracketTable::new("t", RULES, rows.clone()).unwrap();
-        assert!(!BracketModel::new("t", "a test", &table).unwrap().has_ends());
+        assert!(!BracketModel::of("t", "a test", &table).unwrap().has_ends());
         rows[0].ends_term = None;
         let message = BracketTable::new("t", RULES, rows).unwrap_err().to_string();
         assert!(message.contains("ends_upper and ends_term go together"), "{message}");

@@ -1,5 +1,6 @@
 //! Figures and pages of solutions of limit analysis.
 
+mod blocks;
 mod contact;
 mod field;
 mod frame;

@@ -83,7 +83,7 @@ pub(crate) fn page(
     let (kind, headline, text) = content.verdict;
     page.kind(content.kind).subtitle(content.subtitle).verdict(kind, headline, text).table(content.bounds);
     page.heading("How the soil fails");
-    for kind in [Kind::Mechanism, Kind::Velocity, Kind::Dissipation] {
+    for kind in [Kind::Blocks, Kind::Mechanism, Kind::Velocity, Kind::Dissipation] {
         plot::add(&mut page, fields, kind)?;
     }
     moving_ground(&mut page, results);

@@ -7,6 +7,7 @@ use soilctl_app::files;
 use soilctl_app::limits::Fields;
 use soilctl_figure::{Figure, FigureGrid, HtmlReport, Motion, Size};
 
+use super::blocks::blocks;
 use super::frame::Window;
 use super::mechanism::mechanism;
 use super::{contact, field};
@@ -19,6 +20,8 @@ pub enum Kind {
     Velocity,
     /// The mesh moved by the velocities: how the soil fails; in .html it moves
     Mechanism,
+    /// Blocks in space, of a plate with ends: how the soil fails there; in .html it moves
+    Blocks,
     /// Where the soil shears: shear strength times shear rate, and lines along which it slips
     Dissipation,
     /// Principal stresses of the lower bound
@@ -34,7 +37,14 @@ impl Kind {
     fn each(self) -> Vec<Self> {
         match self {
             Self::All => {
-                vec![Self::Mechanism, Self::Velocity, Self::Dissipation, Self::Stress, Self::Contact]
+                vec![
+                    Self::Blocks,
+                    Self::Mechanism,
+                    Self::Velocity,
+                    Self::Dissipation,
+                    Self::Stress,
+                    Self::Contact,
+                ]
             }
             one => vec![one],
         }
@@ -46,6 +56,10 @@ impl Kind {
                 "The mesh of the upper bound, moved by its velocities; every other layer of soil has a tone, so that shearing and \
                  slipping show. Velocities are those at the moment of failure, drawn out as far as can be seen. Where soil dilates, \
                  gaps open along lines of slip."
+            }
+            Self::Blocks => {
+                "The rigid blocks that bound the force of a plate with ends from above: the rims of their faces, drawn out as far as \
+                 can be seen. Each block slides on soil at rest below and at its two sides, and opens there as much as friction demands."
             }
             Self::Velocity | Self::All => {
                 "Mesh of the upper bound with its velocities; the boundary of the soil that moves."
@@ -82,6 +96,7 @@ fn draw(fields: &Fields, kind: Kind) -> Result<Option<(Drawn, Size)>, PageError>
     let window = Window::new(fields)?;
     let field = match kind {
         Kind::Mechanism => return Ok(mechanism(fields, &window)?.map(|m| (Drawn::Moving(m), window.size))),
+        Kind::Blocks => return Ok(blocks(fields)?.map(|(motion, size)| (Drawn::Moving(motion), size))),
         Kind::Contact => return Ok(contact::figure(fields)?.map(|f| (Drawn::Still(f), Size::default()))),
         Kind::Velocity | Kind::All => field::velocity(fields, &window)?,
         Kind::Dissipation => field::dissipation(fields, &window)?,
@@ -105,7 +120,7 @@ pub fn check(path: &Path, kind: Kind) -> Result<(), PageError> {
             path.display()
         ))),
         Some("csv") if kind == Kind::All => Err(PageError::Nothing(
-            "a .csv file holds one figure; give --plot-kind velocity, mechanism, dissipation, stress or contact".into(),
+            "a .csv file holds one figure; give --plot-kind velocity, mechanism, blocks, dissipation, stress or contact".into(),
         )),
         Some(_) => Ok(()),
     }
@@ -174,6 +189,7 @@ fn nothing(kind: Kind) -> PageError {
     let needs = match kind {
         Kind::Contact => "contact stresses need a lower bound and a structure",
         Kind::Stress => "stresses need a lower bound",
+        Kind::Blocks => "blocks in space need the upper bound of a plate with ends",
         _ => "velocities need an upper bound",
     };
     PageError::Nothing(format!("there is nothing to draw: {needs}"))
