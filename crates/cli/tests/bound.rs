@@ -61,8 +61,10 @@ fn a_plate_with_a_width_has_ends() {
     assert_eq!(rows[rows.len() - 1]["width_ratio"], Value::Null);
     assert!(std::fs::read_to_string(&page).unwrap().contains("times as wide as deep"));
 
-    let (code, proof, _) = soilctl(&["certify", &file]);
+    let svg = path("blocks.svg");
+    let (code, proof, _) = soilctl(&["certify", &file, "--plot", &svg, "--plot-kind", "blocks"]);
     assert_eq!((code, &proof["certified"]), (0, &true.into()));
+    assert!(std::fs::read_to_string(&svg).unwrap().contains("blocks in space"));
     let proven = proof["upper"]["proven"].as_f64().unwrap();
     assert!((2.0 * proven / 105_f64.to_radians().sin() - upper).abs() < 1e-12, "{proven}");
     let text = std::fs::read_to_string(&file).unwrap();
