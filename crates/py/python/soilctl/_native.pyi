@@ -379,7 +379,10 @@ def bound(
         surface_slope_deg: Slope of the ground, positive when it rises ahead of the plate.
         density_kg_m3: Bulk density; for forces, and with cohesion, adhesion or surcharge.
         depth_m: Vertical depth of the plate's lower edge; likewise.
-        width_m: Width of the plate; for forces.
+        width_m: Width of the plate; for forces, and with it and a depth the plate has ends.
+        width_ratio: Width over vertical depth, where neither is given in metres.
+        ends: ``finite`` for a plate with ends, whose force is above that of plane strain, ``none`` for plane strain. By default
+            a plate with a width has ends.
         cohesion_pa: Cohesion of the soil.
         adhesion_pa: Adhesion between soil and plate.
         surcharge_pa: Vertical pressure on the surface.

@@ -28,6 +28,7 @@ __all__ = [
     "BoundResults",
     "BoundSolve",
     "BoundStretch",
+    "BoundWidth",
     "CertifyAnswer",
     "CertifyChecked",
     "DemoAnswer",
@@ -537,6 +538,33 @@ class BoundStretch(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class BoundWidth(Record):
+    """The bracket of one width. Bounds are on the net coefficient per slant length and width.
+
+    Attributes:
+        gap: ``(U - L) / ((U + L) / 2)``.
+        lower: Lower bound.
+        lower_proof: How the lower bound is proven.
+        upper: Upper bound.
+        upper_proof: How the upper bound is proven.
+        width_ratio: Width over vertical depth; null in plane strain.
+    """
+
+    gap: float
+    """``(U - L) / ((U + L) / 2)``."""
+    lower: float
+    """Lower bound."""
+    lower_proof: Literal["plane", "splice", "mechanism"]
+    """How the lower bound is proven."""
+    upper: float
+    """Upper bound."""
+    upper_proof: Literal["plane", "splice", "mechanism"]
+    """How the upper bound is proven."""
+    width_ratio: float | None
+    """Width over vertical depth; null in plane strain."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class BoundAnswer(Answer):
     """The answer of ``bound``.
 
@@ -545,6 +573,7 @@ class BoundAnswer(Answer):
         version: Version of the program.
         certified: Whether both bounds are proven with interval arithmetic.
         ended: Why the run ended.
+        ends: Whether the plate has ends.
         force_lower_n: Lower bound on the force in N; null without depth, width or density.
         force_upper_n: Upper bound on the force in N; null likewise.
         gap: ``(U - L) / ((U + L) / 2)``.
@@ -554,6 +583,9 @@ class BoundAnswer(Answer):
         lower_elements: Triangles of the mesh of the lower bound; each has three parts.
         lower_factorisation: What factorised the solver's systems behind the lower bound; its digits may depend on
             that, its proof does not.
+        lower_proof: How the lower bound is proven.
+        over_width: The same plate at other widths, narrow to wide, and plane strain last; empty if it has no ends.
+        plane_strain: The bracket in plane strain, which elements and levels are about.
         results: What the fields behind the bounds show: x along the surface from the plate's top, y across it.
         seconds: Time spent in s.
         stopped_by: What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end
@@ -561,9 +593,11 @@ class BoundAnswer(Answer):
         upper: Upper bound on it.
         upper_elements: Triangles of the mesh of the upper bound.
         upper_factorisation: The same of the upper bound.
+        upper_proof: How the upper bound is proven.
         wedge_ahead: How far the moving soil reaches along the surface ahead of the plate's top; in the unit of
             ``results``.
         wedge_behind: The same behind it.
+        width_ratio: Width over vertical depth; null in plane strain.
         work: Work spent in element steps: elements of meshes times steps of the solver on them.
     """
 
@@ -575,6 +609,8 @@ class BoundAnswer(Answer):
     """Whether both bounds are proven with interval arithmetic."""
     ended: Literal["gap", "time", "elements", "work", "memory", "stopped"]
     """Why the run ended."""
+    ends: Literal["finite", "none"]
+    """Whether the plate has ends."""
     force_lower_n: float | None
     """Lower bound on the force in N; null without depth, width or density."""
     force_upper_n: float | None
@@ -593,6 +629,12 @@ class BoundAnswer(Answer):
     """What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does
     not.
     """
+    lower_proof: Literal["plane", "splice", "mechanism"]
+    """How the lower bound is proven."""
+    over_width: list[BoundWidth]
+    """The same plate at other widths, narrow to wide, and plane strain last; empty if it has no ends."""
+    plane_strain: BoundWidth
+    """The bracket in plane strain, which elements and levels are about."""
     results: BoundResults
     """What the fields behind the bounds show: x along the surface from the plate's top, y across it."""
     seconds: float
@@ -607,10 +649,14 @@ class BoundAnswer(Answer):
     """Triangles of the mesh of the upper bound."""
     upper_factorisation: Literal["qdldl", "faer"]
     """The same of the upper bound."""
+    upper_proof: Literal["plane", "splice", "mechanism"]
+    """How the upper bound is proven."""
     wedge_ahead: float
     """How far the moving soil reaches along the surface ahead of the plate's top; in the unit of ``results``."""
     wedge_behind: float
     """The same behind it."""
+    width_ratio: float | None
+    """Width over vertical depth; null in plane strain."""
     work: int
     """Work spent in element steps: elements of meshes times steps of the solver on them."""
 
@@ -942,6 +988,8 @@ class CertifyAnswer(Answer):
         files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
         lower: The lower bound; null if the file has none.
         upper: The upper bound; null if the file has none.
+        width: Width of the structure in the units of the file, where its ends are part of the problem; null in
+            plane strain.
     """
 
     schema: Literal["soilctl.certify/1"]
@@ -958,6 +1006,10 @@ class CertifyAnswer(Answer):
     """The lower bound; null if the file has none."""
     upper: CertifyChecked | None
     """The upper bound; null if the file has none."""
+    width: float | None
+    """Width of the structure in the units of the file, where its ends are part of the problem; null in plane
+    strain.
+    """
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -1587,6 +1639,7 @@ class EstimateAnswer(Answer):
         density_kg_m3: Range of the density (kg/m3) over the whole interval of delta; null if inconsistent.
         density_known_kg_m3: What was known of the density (kg/m3).
         disagreement: What breaks consistency; null if nothing does.
+        ends: Whether plates have ends.
         exact: Results for exact data; null unless ``--exact``.
         left_out: Strokes in which the soil did not fail as models have it; empty unless strokes of one kind are
             taken together.
@@ -1636,6 +1689,8 @@ class EstimateAnswer(Answer):
     """What was known of the density (kg/m3)."""
     disagreement: EstimateDisagreement | None
     """What breaks consistency; null if nothing does."""
+    ends: Literal["finite", "none"]
+    """Whether plates have ends."""
     exact: EstimateExact | None
     """Results for exact data; null unless ``--exact``."""
     left_out: list[EstimateLeftOut]
@@ -3742,6 +3797,8 @@ def bound(
     density_kg_m3: float | None = None,
     depth_m: float | None = None,
     width_m: float | None = None,
+    width_ratio: float | None = None,
+    ends: Literal["finite", "none"] | None = None,
     cohesion_pa: float = 0.0,
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
@@ -3767,7 +3824,10 @@ def bound(
         delta_deg: Friction angle between soil and plate (deg), at most phi.
         density_kg_m3: Bulk density (kg/m3); needed for forces, and with cohesion, adhesion or surcharge.
         depth_m: Vertical depth of the plate's lower edge below the surface (m); likewise.
-        width_m: Width of the plate (m); needed for forces.
+        width_m: Width of the plate (m); needed for forces, and with it the plate has ends.
+        width_ratio: Width over vertical depth, where neither is given in metres. Above 0.
+        ends: Whether the plate has ends: ``finite`` for one with a width unless it is said otherwise, ``none`` for
+            plane strain.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
@@ -4012,6 +4072,7 @@ def estimate(
     delta_deg: Literal["column"] | float = "column",
     *,
     model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "blocks-3d", "table"] = "table",
+    ends: Literal["finite", "none"] | None = None,
     model_file: PathLike | None = None,
     delta_tol_deg: float = 1.0,
     density_kg_m3: Literal["column"] | float | None = None,
@@ -4042,6 +4103,9 @@ def estimate(
         delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says: the measured
             friction_angle_deg where strokes of one kind are taken together, otherwise delta_set_deg.
         model: Force model; ``table`` is the bracket of proven bounds.
+        ends: Whether plates have ends, each its own width: the force is then above that of plane strain. By default
+            they have them for the models that are made for it (mckyes, perumpral, godwin-spoor); ``table`` knows
+            both.
         model_file: A model file, such as the patch of ``diagnose``: its effects are taken out of the measured
             forces first, at the soil of the file.
         delta_tol_deg: Half width of what is known of delta (deg). At least 0.
