@@ -269,7 +269,7 @@ pub(crate) fn bound(
         surcharge: stress("surcharge_pa", surcharge_pa)?,
     };
     let mut problem = embedded.problem()?;
-    let ends = ends.map(|name| ends_named(name)).transpose()?;
+    let ends = ends.map(ends_named).transpose()?;
     let ratio = ratio_of_ends(ends, width_ratio, width_m, depth_m).map_err(input)?;
     let mechanism = match ratio {
         Some(ratio) => {

@@ -7,6 +7,7 @@ use super::Request;
 use super::answer::{Answer, Inputs, Sensitivity};
 use super::chosen::Chosen;
 use crate::AppError;
+use crate::request::Ends;
 use crate::request::NumberOrColumn;
 
 /// Stands in for a quantity that was not given, so that the others are checked all the same.
@@ -38,7 +39,10 @@ pub(super) fn predict(request: &Request, alpha_deg: f64) -> Result<Answer, AppEr
     let case = case(request, alpha_deg)?.with_width_ratio(width_ratio);
     check_loads(model, &case, &loads)?;
     let found = model.predict(&case)?;
-    let ends = model.provenance();
+    let mut ends = model.provenance();
+    if plate_ends == Ends::Finite && ends.lower != ends.upper {
+        ends.upper += " with ends";
+    }
     let bracket = if ends.lower == ends.upper { None } else { Some(found.bracket(ends)?) };
     let complete = sized && density.is_some();
     Ok(Answer {

@@ -102,10 +102,16 @@ fn rims(mechanism: &Mechanism, places: &[[f64; 3]]) -> Vec<Rim> {
         BeyondFacet::Surface => Some(0),
         BeyondFacet::Plate => Some(1),
     };
-    let mut faces: BTreeMap<(usize, usize), (BeyondFacet, BTreeSet<[usize; 2]>)> = BTreeMap::new();
+    /// What is beyond a face, and edges of its facets that are walked in one sense only.
+    struct Face {
+        beyond: BeyondFacet,
+        edges: BTreeSet<[usize; 2]>,
+    }
+    let mut faces: BTreeMap<(usize, usize), Face> = BTreeMap::new();
     for facet in &mechanism.facets {
         let Some(beyond) = key(facet.beyond) else { continue };
-        let (_, edges) = faces.entry((facet.block, beyond)).or_insert((facet.beyond, BTreeSet::new()));
+        let new = || Face { beyond: facet.beyond, edges: BTreeSet::new() };
+        let Face { edges, .. } = faces.entry((facet.block, beyond)).or_insert_with(new);
         for k in 0..3 {
             let edge = [facet.corners[k], facet.corners[(k + 1) % 3]];
             // An edge that is walked both ways is inside.
@@ -115,7 +121,7 @@ fn rims(mechanism: &Mechanism, places: &[[f64; 3]]) -> Vec<Rim> {
         }
     }
     let mut rims = Vec::new();
-    for ((block, _), (beyond, edges)) in faces {
+    for ((block, _), Face { beyond, edges }) in faces {
         let off_symmetry = |edge: &&[usize; 2]| edge.iter().any(|&v| places[v][1] != 0.0);
         let next: BTreeMap<usize, usize> = edges.iter().filter(off_symmetry).map(|&[a, b]| (a, b)).collect();
         let ends: BTreeSet<usize> = next.values().copied().collect();
