@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use common::{json, refused, soilctl};
 use serde_json::Value;
+use soilctl_earth_pressure::table::{BracketRow, BracketRules, BracketTable, CellStatus, write_bracket};
 
 /// Six cases of the coarsest mesh, some tenths of a second each.
 const TINY: [&str; 12] = [
@@ -219,23 +220,31 @@ fn the_check_finds_crossed_unproven_and_shrinking_brackets() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("t.csv");
     let file = path.to_str().unwrap();
-    let header =
-        "alpha_deg,phi_deg,delta_deg,lower,upper,gap,certified,lower_elements,upper_elements,status\n";
     // Brackets over alpha and delta, the same for both friction angles but for a factor.
     let write = |brackets: [(u32, u32, f64, f64, bool); 4]| {
-        let mut rows = String::new();
-        for (phi, factor) in [(30, 1.0), (40, 2.0)] {
+        let mut rows = Vec::new();
+        for (phi_deg, factor) in [(30.0, 1.0), (40.0, 2.0)] {
             for (alpha, delta, lower, upper, certified) in brackets {
                 let (lower, upper) = (factor * lower, factor * upper);
-                let gap = 2.0 * (upper - lower) / (upper + lower);
-                rows +=
-                    &format!("{alpha},{phi},{delta},{lower:?},{upper:?},{gap:?},{certified},1,1,solved\n");
+                rows.push(BracketRow {
+                    alpha_deg: f64::from(alpha),
+                    phi_deg,
+                    delta_deg: f64::from(delta),
+                    lower,
+                    upper,
+                    gap: BracketRow::relative_gap(lower, upper),
+                    certified,
+                    lower_elements: 1,
+                    upper_elements: 1,
+                    status: CellStatus::Solved,
+                    ends_lower: None,
+                    ends_upper: None,
+                    ends_term: None,
+                });
             }
         }
-        std::fs::write(&path, header.to_owned() + &rows).unwrap();
-        let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/plate_bounds.csv.json");
-        let sidecar = text(Path::new(shipped)).replace("\"cells\": 287", "\"cells\": 8");
-        std::fs::write(beside(&path, ".json"), sidecar).unwrap();
+        let rules = BracketRules { max_gap: 0.01, max_elements: 12000 };
+        write_bracket(&BracketTable::new("t", rules, rows).unwrap(), "a test", &path).unwrap();
     };
     // Brackets that overlap do not contradict growth, however they lie.
     let good = [

@@ -71,6 +71,12 @@ pub struct BracketCell {
     pub upper_elements: usize,
     /// `solved` or `interpolated`.
     pub status: &'static str,
+    /// Lower bound for plates with ends, of every width; null if the table does not know.
+    pub ends_lower: Option<f64>,
+    /// Upper bound for plates with ends, as the width goes to infinity; null likewise.
+    pub ends_upper: Option<f64>,
+    /// What a depth over width of one adds to that; null likewise.
+    pub ends_term: Option<f64>,
 }
 
 impl BracketCell {
@@ -86,6 +92,9 @@ impl BracketCell {
             lower_elements: row.lower_elements,
             upper_elements: row.upper_elements,
             status: row.status.word(),
+            ends_lower: row.ends_lower,
+            ends_upper: row.ends_upper,
+            ends_term: row.ends_term,
         }
     }
 }

@@ -29,7 +29,10 @@ pub struct BracketRow {
     pub upper_elements: usize,
     /// How the bounds came about.
     pub status: CellStatus,
-    /// Upper bound with ends, as the width goes to infinity; with it the lower bound holds for every width.
+    /// Lower bound for plates with ends, of every width.
+    #[serde(default)]
+    pub ends_lower: Option<f64>,
+    /// Upper bound for plates with ends, as the width goes to infinity.
     #[serde(default)]
     pub ends_upper: Option<f64>,
     /// What a depth over width of one adds to it.
@@ -64,13 +67,14 @@ impl BracketRow {
                 return Some(format!("{name} is {bound}; it must be a finite number above 0"));
             }
         }
-        for (name, number) in [("ends_upper", self.ends_upper), ("ends_term", self.ends_term)] {
+        let ends = [self.ends_lower, self.ends_upper, self.ends_term];
+        for (name, number) in ["ends_lower", "ends_upper", "ends_term"].into_iter().zip(ends) {
             if let Some(number) = number.filter(|n| !(*n > 0.0 && n.is_finite())) {
                 return Some(format!("{name} is {number}; it must be a finite number above 0, or left out"));
             }
         }
-        if self.ends_upper.is_some() != self.ends_term.is_some() {
-            return Some("ends_upper and ends_term go together: give both or none".into());
+        if ends.iter().any(Option::is_some) && ends.iter().any(Option::is_none) {
+            return Some("ends_lower, ends_upper and ends_term go together: give all or none".into());
         }
         let gap = Self::relative_gap(self.lower, self.upper);
         // Written with every digit, so only an edit can part them.
@@ -155,16 +159,36 @@ impl BracketTable {
         &self.rows
     }
 
-    /// The upper bounds with ends and their end terms as tables of their own; none unless every row has them.
+    /// What is known of plates with ends: lower bounds, upper bounds of wide plates, and end terms, as tables of their own; none
+    /// unless every row has them.
     ///
     /// # Errors
-    /// As [`PredictionTable::new`].
-    pub fn ends(&self) -> Result<Option<(PredictionTable, PredictionTable)>, EarthPressureError> {
+    /// [`EarthPressureError::BadTable`] if a lower bound is above its upper bound, or as [`PredictionTable::new`].
+    pub fn ends(&self) -> Result<Option<[PredictionTable; 3]>, EarthPressureError> {
         if self.rows.iter().any(|row| row.ends_term.is_none()) {
             return Ok(None);
         }
-        let upper = self.of(Quantity::UpperBound, "upper bound with ends", |row| row.ends_upper)?;
-        Ok(Some((upper, self.of(Quantity::UpperBound, "end term", |row| row.ends_term)?)))
+        self.in_order(|row| Some([row.ends_lower?, row.ends_upper?]))?;
+        Ok(Some([
+            self.of(Quantity::LowerBound, "lower bound with ends", |row| row.ends_lower)?,
+            self.of(Quantity::UpperBound, "upper bound with ends", |row| row.ends_upper)?,
+            self.of(Quantity::UpperBound, "end term", |row| row.ends_term)?,
+        ]))
+    }
+
+    /// Refuses a row whose lower bound is above its upper one.
+    fn in_order(&self, pick: fn(&BracketRow) -> Option<[f64; 2]>) -> Result<(), EarthPressureError> {
+        let crossed = self.rows.iter().find_map(|row| {
+            let [lower, upper] = pick(row)?;
+            (lower > upper).then(|| (in_words(row.node()), lower, upper))
+        });
+        match crossed {
+            None => Ok(()),
+            Some((node, lower, upper)) => Err(EarthPressureError::BadTable {
+                table: self.name.clone(),
+                problem: format!("at {node} the lower bound {lower} is above the upper bound {upper}"),
+            }),
+        }
     }
 
     fn of(
@@ -185,16 +209,7 @@ impl BracketTable {
     /// [`EarthPressureError::BadTable`] if a lower bound is above its upper bound, or as
     /// [`PredictionTable::new`].
     pub fn split(&self) -> Result<(PredictionTable, PredictionTable), EarthPressureError> {
-        let crossed = |row: &&BracketRow| row.lower > row.upper.min(row.ends_upper.unwrap_or(row.upper));
-        if let Some(row) = self.rows.iter().find(crossed) {
-            let problem = format!(
-                "at {} the lower bound {} is above the upper bound {}",
-                in_words(row.node()),
-                row.lower,
-                row.upper.min(row.ends_upper.unwrap_or(row.upper))
-            );
-            return Err(EarthPressureError::BadTable { table: self.name.clone(), problem });
-        }
+        self.in_order(|row| Some([row.lower, row.upper]))?;
         Ok((
             self.of(Quantity::LowerBound, "lower bound", |row| Some(row.lower))?,
             self.of(Quantity::UpperBound, "upper bound", |row| Some(row.upper))?,
@@ -221,6 +236,7 @@ pub(super) mod tests {
             lower_elements: 600,
             upper_elements: 700,
             status,
+            ends_lower: None,
             ends_upper: None,
             ends_term: None,
         }

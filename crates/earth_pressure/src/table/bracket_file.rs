@@ -4,6 +4,7 @@ use std::path::Path;
 
 use csv::DeserializeErrorKind;
 use serde::{Deserialize, Serialize};
+use soilctl_jobs::sha256;
 
 use super::bracket::{BracketRow, BracketRules, BracketTable};
 use super::sidecar::{SLANT, file_error, program_version, sidecar_path, write_both};
@@ -28,6 +29,9 @@ pub struct BracketSidecar {
     pub rules: BracketRules,
     /// Number of rows, as a check against truncation.
     pub cells: usize,
+    /// SHA-256 of the rows as they are written: of a file without it nothing counts as proven, since it may have been altered.
+    #[serde(default)]
+    pub sha256: Option<String>,
     /// Version of the program that computed the rows.
     pub program_version: String,
 }
@@ -52,11 +56,7 @@ pub fn is_bracket_file(path: &Path) -> Result<bool, EarthPressureError> {
 /// # Errors
 /// [`EarthPressureError::File`] if a file cannot be written.
 pub fn write_bracket(table: &BracketTable, source: &str, path: &Path) -> Result<(), EarthPressureError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in table.rows() {
-        writer.serialize(row).map_err(|e| file_error(path, &e))?;
-    }
-    let bytes = writer.into_inner().map_err(|e| file_error(path, &e))?;
+    let bytes = written(table.rows()).map_err(|e| file_error(path, &e))?;
     let sidecar = BracketSidecar {
         schema: BRACKET_SCHEMA.into(),
         name: table.name().into(),
@@ -64,9 +64,19 @@ pub fn write_bracket(table: &BracketTable, source: &str, path: &Path) -> Result<
         source: source.into(),
         rules: table.rules(),
         cells: table.rows().len(),
+        sha256: Some(sha256(&bytes)),
         program_version: program_version().into(),
     };
     write_both(path, &bytes, &sidecar)
+}
+
+/// The bytes of a file of these rows.
+fn written(rows: &[BracketRow]) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row)?;
+    }
+    writer.into_inner().map_err(|e| e.into_error().into())
 }
 
 /// Reads a bracket table and its sidecar. The columns may stand in any order and among others.
@@ -119,7 +129,17 @@ pub fn parse_bracket(
         rows.push(row);
     }
     Sidecar::same_count(whence, sidecar.cells, rows.len())?;
-    Ok((BracketTable::new(&sidecar.name, sidecar.rules, rows)?, sidecar))
+    if sidecar.sha256.is_none() {
+        rows.iter_mut().for_each(|row| row.certified = false);
+    }
+    let table = BracketTable::new(&sidecar.name, sidecar.rules, rows)?;
+    let found = sha256(&written(table.rows()).map_err(|e| bad(e.to_string()))?);
+    if sidecar.sha256.as_ref().is_some_and(|stated| *stated != found) {
+        let problem = "its rows are not those that its sidecar was written for: it was altered after it was built, so nothing \
+                       in it counts as proven; build it anew";
+        return Err(bad(problem.into()));
+    }
+    Ok((table, sidecar))
 }
 
 /// Which cell of a row is not what it should be.
@@ -163,6 +183,28 @@ mod tests {
             std::fs::read_dir(dir.path()).unwrap().map(|f| f.unwrap().file_name()).collect();
         names.sort();
         assert_eq!(names, ["b.csv", "b.csv.json"]);
+    }
+
+    /// Bounds that are all multiplied by a number contradict nothing else.
+    #[test]
+    fn an_altered_table_is_not_proven() {
+        let (_dir, path, table) = written();
+        let rows = table.rows().iter().map(|row| BracketRow {
+            lower: 1.3 * row.lower,
+            upper: 1.3 * row.upper,
+            ..*row
+        });
+        let other = BracketTable::new("t", RULES, rows.collect()).unwrap();
+        let text = String::from_utf8(super::written(other.rows()).unwrap()).unwrap();
+        std::fs::write(&path, &text).unwrap();
+        let message = read_bracket(&path).unwrap_err().to_string();
+        assert!(message.contains("it was altered after it was built"), "{message}");
+        let beside = sidecar_path(&path);
+        let sidecar = std::fs::read_to_string(&beside).unwrap();
+        let without: String =
+            sidecar.lines().filter(|line| !line.contains("sha256")).map(|l| l.to_owned() + "\n").collect();
+        std::fs::write(&beside, without).unwrap();
+        assert!(read_bracket(&path).unwrap().0.rows().iter().all(|row| !row.certified));
     }
 
     #[test]

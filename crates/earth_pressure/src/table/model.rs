@@ -87,8 +87,7 @@ pub struct BracketModel {
     reference: &'static str,
     lower: Interpolator,
     upper: Interpolator,
-    /// Of plates with ends: the upper bound on wide ones, and what a depth over width of one adds.
-    ends: Option<(Interpolator, Interpolator)>,
+    ends: Option<EndTables<Interpolator>>,
 }
 
 impl BracketModel {
@@ -114,9 +113,20 @@ impl BracketModel {
         table: &BracketTable,
     ) -> Result<Self, EarthPressureError> {
         let (lower, upper) = table.split()?;
-        let ends = table.ends()?.map(|(upper, term)| (Interpolator::new(upper), Interpolator::new(term)));
+        let ends = table.ends()?.map(|ends| {
+            let [lower, upper, term] = ends.map(Interpolator::new);
+            EndTables { lower, upper, term }
+        });
         Ok(Self { ends, ..Self::new(id, reference, lower, upper) })
     }
+}
+
+/// Of plates with ends: the lower bound, the upper one on wide plates, and what a depth over width of one adds to that.
+#[derive(Debug, Clone)]
+struct EndTables<T> {
+    lower: T,
+    upper: T,
+    term: T,
 }
 
 /// A bound moved outwards by its margin.
@@ -124,19 +134,23 @@ fn outwards(look: Lookup, sign: f64) -> f64 {
     look.k_net * libm::exp(sign * look.margin)
 }
 
-/// The upper bound from the tables of plane strain or of ends, each looked up, and the greatest margin.
-fn upper_bound<T>(
-    tables: (&T, Option<(&T, &T)>),
+/// Both bounds at a width over depth from tables that are each looked up, and the greatest margin.
+fn bracket<T>(
+    [lower, upper]: [&T; 2],
+    ends: Option<&EndTables<T>>,
     width_ratio: WidthRatio,
     look: impl Fn(&T) -> Result<Lookup, EarthPressureError>,
-) -> Result<(f64, f64), EarthPressureError> {
-    match tables {
-        (_, Some((wide, term))) if width_ratio.finite().is_some() => {
-            let (wide, term) = (look(wide)?, look(term)?);
+) -> Result<((f64, f64), f64), EarthPressureError> {
+    match ends.filter(|_| width_ratio.finite().is_some()) {
+        Some(ends) => {
+            let (low, wide, term) = (look(&ends.lower)?, look(&ends.upper)?, look(&ends.term)?);
             let upper = outwards(wide, 1.0) + width_ratio.depth_over_width() * outwards(term, 1.0);
-            Ok((upper, wide.margin.max(term.margin)))
+            Ok(((outwards(low, -1.0), upper), low.margin.max(wide.margin).max(term.margin)))
         }
-        (plane, _) => look(plane).map(|look| (outwards(look, 1.0), look.margin)),
+        None => {
+            let (low, high) = (look(lower)?, look(upper)?);
+            Ok(((outwards(low, -1.0), outwards(high, 1.0)), low.margin.max(high.margin)))
+        }
     }
 }
 
@@ -181,11 +195,9 @@ impl ForceModel for BracketModel {
         let alpha = case.tool_angle.degrees();
         let (phi, delta) = (case.friction.degrees(), case.interface.degrees());
         let look = |table: &Interpolator| table.at(alpha)?.lookup(phi, delta);
-        let low = look(&self.lower)?;
-        let ends = self.ends.as_ref().map(|(wide, term)| (wide, term));
-        let (upper, margin) = upper_bound((&self.upper, ends), case.width_ratio, look)?;
-        let sides = (outwards(low, -1.0), upper);
-        Ok(prediction((sides.0 * sides.1).sqrt(), sides, low.margin.max(margin)))
+        let (sides, margin) =
+            bracket([&self.lower, &self.upper], self.ends.as_ref(), case.width_ratio, look)?;
+        Ok(prediction((sides.0 * sides.1).sqrt(), sides, margin))
     }
 
     fn at(
@@ -195,31 +207,34 @@ impl ForceModel for BracketModel {
         width_ratio: WidthRatio,
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         self.valid_range().check_geometry(self.id, tool_angle, surface_slope)?;
-        let (lower, upper) =
-            (self.lower.slice(tool_angle.degrees())?, self.upper.slice(tool_angle.degrees())?);
+        let slice = |table| Interpolator::slice(table, tool_angle.degrees());
         let ends = match &self.ends {
-            Some((wide, term)) => {
-                Some((wide.slice(tool_angle.degrees())?, term.slice(tool_angle.degrees())?))
+            Some(EndTables { lower, upper, term }) => {
+                Some(EndTables { lower: slice(lower)?, upper: slice(upper)?, term: slice(term)? })
             }
             None => None,
         };
-        Ok(Box::new(BracketSlice { lower, upper, ends, width_ratio }))
+        Ok(Box::new(BracketSlice {
+            lower: slice(&self.lower)?,
+            upper: slice(&self.upper)?,
+            ends,
+            width_ratio,
+        }))
     }
 }
 
 struct BracketSlice<'a> {
     lower: TableSlice<'a>,
     upper: TableSlice<'a>,
-    ends: Option<(TableSlice<'a>, TableSlice<'a>)>,
+    ends: Option<EndTables<TableSlice<'a>>>,
     width_ratio: WidthRatio,
 }
 
 impl ModelSlice for BracketSlice<'_> {
     fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<NetFactors, EarthPressureError> {
         let look = |table: &TableSlice<'_>| table.lookup(phi_deg, delta_deg);
-        let weight_lower = outwards(look(&self.lower)?, -1.0);
-        let ends = self.ends.as_ref().map(|(wide, term)| (wide, term));
-        let (weight_upper, _) = upper_bound((&self.upper, ends), self.width_ratio, look)?;
+        let ((weight_lower, weight_upper), _) =
+            bracket([&self.lower, &self.upper], self.ends.as_ref(), self.width_ratio, look)?;
         let factors = LoadFactors { weight: (weight_lower * weight_upper).sqrt(), ..LoadFactors::default() };
         Ok(NetFactors { weight_lower, weight_upper, factors })
     }
@@ -252,12 +267,13 @@ mod tests {
     fn model(with_ends: bool) -> BracketModel {
         let mut rows = square();
         for row in rows.iter_mut().filter(|_| with_ends) {
+            row.ends_lower = Some(0.99 * row.lower);
             (row.ends_upper, row.ends_term) = (Some(1.05 * row.upper), Some(0.5 * row.upper));
         }
         BracketModel::of("t", "a test", &BracketTable::new("t", RULES, rows).unwrap()).unwrap()
     }
 
-    /// The upper bound grows with depth over width from that of wide plates; the lower one and plane strain stay.
+    /// The upper bound grows with depth over width from that of wide plates; the lower one stays, and so does plane strain.
     #[test]
     fn ends_raise_the_upper_bound_by_their_term() {
         let (plain, ended) = (model(false), model(true));
@@ -270,7 +286,9 @@ mod tests {
             let case = case.with_width_ratio(width_ratio);
             let found = ended.predict(&case).unwrap();
             let upper = plane.net_upper.0 * (1.05 + 0.5 / ratio);
-            assert!((found.net_upper.0 / upper - 1.0).abs() < 1e-12 && found.net_lower == plane.net_lower);
+            let lower = 0.99 * plane.net_lower.0;
+            assert!((found.net_upper.0 / upper - 1.0).abs() < 1e-12);
+            assert!((found.net_lower.0 / lower - 1.0).abs() < 1e-12);
             let slice = ended.at(case.tool_angle, case.surface_slope, width_ratio).unwrap();
             assert!((slice.net(40.0, 10.0).unwrap().weight_upper / upper - 1.0).abs() < 1e-12);
             assert_eq!(plain.predict(&case).unwrap(), plane);
@@ -281,11 +299,11 @@ mod tests {
     #[test]
     fn rows_without_ends_make_a_table_of_plane_strain() {
         let mut rows = square();
-        (rows[0].ends_upper, rows[0].ends_term) = (Some(3.0), Some(1.0));
+        (rows[0].ends_lower, rows[0].ends_upper, rows[0].ends_term) = (Some(2.0), Some(3.0), Some(1.0));
         let table = BracketTable::new("t", RULES, rows.clone()).unwrap();
         assert!(!BracketModel::of("t", "a test", &table).unwrap().has_ends());
         rows[0].ends_term = None;
         let message = BracketTable::new("t", RULES, rows).unwrap_err().to_string();
-        assert!(message.contains("ends_upper and ends_term go together"), "{message}");
+        assert!(message.contains("ends_term go together"), "{message}");
     }
 }

@@ -8,7 +8,7 @@ mod options;
 mod solve;
 mod store;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use soilctl_earth_pressure::table::{BracketRow, BracketRules, BracketTable};
@@ -19,7 +19,7 @@ use cases::{Node, key};
 use cost::Cost;
 use journal::{Entry, Found, Header};
 pub use options::BoundsOptions;
-use solve::{Solver, solution_path};
+use solve::{Solver, may_have_ends, solution_path};
 use store::Store;
 
 use super::Answer;
@@ -77,7 +77,10 @@ pub(super) fn build(
     let (entries, finished) = run(options, &header, known, &todo, &cost, kept, watch)?;
     let mut empty = Vec::new();
     let mut rows: Vec<BracketRow> = Vec::new();
-    for entry in entries {
+    // A row that got its ends later stands in it twice, without them first.
+    let mut latest: BTreeMap<_, Entry> = BTreeMap::new();
+    latest.extend(entries.into_iter().map(|entry| (key(entry.node()), entry)));
+    for entry in latest.into_values() {
         match entry.found {
             Found::Solved(row) => rows.push(row),
             Found::Empty { node, reason } => empty.push((node, reason)),
@@ -117,17 +120,26 @@ fn known(out: &Path, header: &Header) -> Result<Vec<Entry>, AppError> {
             out.display()
         )));
     }
-    Ok(table.rows().iter().map(|row| Entry { found: Found::Solved(*row), seconds: None }).collect())
+    let proven = table.rows().iter().filter(|row| row.certified);
+    Ok(proven.map(|row| Entry { found: Found::Solved(*row), seconds: None }).collect())
 }
 
-/// Cases that are not known, or known without the solution that is to be saved.
+/// Cases that are not known, or known without ends or without the solution that is to be saved.
 fn todo(cases: &[Node], known: &[Entry], save: Option<&Path>) -> Vec<Node> {
-    let is_whole = |entry: &&Entry| match (&entry.found, save) {
-        (Found::Solved(row), Some(folder)) => solution_path(folder, row.node()).exists(),
-        _ => true,
+    let is_whole = |entry: &&Entry| match &entry.found {
+        Found::Solved(row) => {
+            let saved = save.is_none_or(|folder| solution_path(folder, row.node()).exists());
+            saved && !is_without_ends(row)
+        }
+        Found::Empty { .. } => true,
     };
     let whole: BTreeSet<_> = known.iter().filter(is_whole).map(|entry| key(entry.node())).collect();
     cases.iter().filter(|node| !whole.contains(&key(**node))).copied().collect()
+}
+
+/// Whether a row lacks what can be known of plates with ends: one of an earlier version.
+fn is_without_ends(row: &BracketRow) -> bool {
+    row.ends_term.is_none() && may_have_ends(row.node())
 }
 
 /// Solves what is left to do. All entries, and whether all is done.
@@ -148,7 +160,12 @@ fn run(
     watch.say("first cases");
     let mut left = cost.time_left(todo, options.threads());
     let stop = watch.stop(Interrupted::KeepsResults);
-    let solver = Solver { rules: header.rules, save: options.save.as_deref(), stop };
+    // With solutions to save, all is solved anew.
+    let plane = entries.iter().filter_map(|entry| match &entry.found {
+        Found::Solved(row) if is_without_ends(row) && options.save.is_none() => Some((key(row.node()), *row)),
+        _ => None,
+    });
+    let solver = Solver { rules: header.rules, save: options.save.as_deref(), stop, plane: plane.collect() };
     let before = entries.len();
     let solved = solver.solve(todo, options.threads(), |entry| {
         kept.add(&entry)?;

@@ -1,20 +1,24 @@
 //! Solving cases, several at a time.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use soilctl_certificate::{Solution, Statement};
+use soilctl_certificate::Solution;
 use soilctl_earth_pressure::table::{BracketRow, BracketRules, CellStatus};
-use soilctl_earth_pressure::{Blocks, EndLaw};
+use soilctl_earth_pressure::{Blocks, ForceModel};
 use soilctl_jobs::each;
 use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Options, Problem, bound_section};
 
-use super::cases::{Node, mixed};
+use super::cases::{Node, key, mixed};
 use super::journal::{Entry, Found};
 use crate::AppError;
 use crate::bound::ScaledPlate;
+
+/// Most elements for the lower bound of plates with ends, which on more gains less than the gap to the upper one.
+const SECTION_ELEMENTS: usize = 1500;
 
 /// How every case is solved. No time limit: the result may not depend on the machine.
 #[derive(Debug)]
@@ -22,6 +26,15 @@ pub(super) struct Solver<'a> {
     pub(super) rules: BracketRules,
     pub(super) save: Option<&'a Path>,
     pub(super) stop: Arc<AtomicBool>,
+    /// Rows that are known in plane strain, by their node: only what ends add is left to do.
+    pub(super) plane: BTreeMap<[i64; 3], BracketRow>,
+}
+
+/// Whether the mechanism in space covers a case.
+pub(super) fn may_have_ends([alpha, phi, delta]: Node) -> bool {
+    let range = Blocks.valid_range();
+    let inside = |(low, high): (f64, f64), x: f64| (low..=high).contains(&x);
+    inside(range.alpha_deg, alpha) && inside(range.phi_deg, phi) && inside(range.delta_deg, delta)
 }
 
 /// Where the solution of a case is saved.
@@ -47,72 +60,80 @@ impl Solver<'_> {
         let start = Instant::now();
         let [alpha_deg, phi_deg, delta_deg] = node;
         let plate = EmbeddedPlate { alpha_deg, phi_deg, delta_deg, ..EmbeddedPlate::default() };
-        // Any width will do: the lower bound holds for every one.
-        let problem = plate.problem().and_then(|problem| problem.with_width(1.0));
-        let solved = problem.and_then(|problem| Ok((self.bounds(&problem)?, problem)));
+        let scaled = ScaledPlate::unit(plate);
+        let found = match self.plane.get(&key(node)) {
+            Some(row) => Found::Solved(*row),
+            None => self.plane_case(node, &scaled)?,
+        };
+        let found = match found {
+            Found::Solved(row) => Found::Solved(self.with_ends(row, &scaled)?),
+            empty @ Found::Empty { .. } => empty,
+        };
         // Checked last, since a case that the user stops still comes back with bounds, only wider ones.
         if self.stop.load(Ordering::Relaxed) {
             return Ok(None);
         }
-        let found = match solved {
+        Ok(Some(Entry { found, seconds: Some(start.elapsed().as_secs_f64()) }))
+    }
+
+    /// The bracket in plane strain.
+    fn plane_case(&self, node: Node, scaled: &ScaledPlate) -> Result<Found, AppError> {
+        let elements = self.rules.max_elements;
+        let solved = scaled.problem().and_then(|problem| Ok((self.bounds(&problem, elements)?, problem)));
+        Ok(match solved {
             // True, but of no use: a coefficient is above zero in any case.
             Ok((bounds, _)) if bounds.lower.value <= 0.0 => {
-                let elements = self.rules.max_elements;
                 let reason =
                     format!("no lower bound above 0 was proven with {elements} elements; allow more");
                 Found::Empty { node, reason }
             }
             Ok((bounds, problem)) => {
-                let scaled = ScaledPlate::unit(plate);
                 if let Some(folder) = self.save {
-                    Self::save(folder, node, &scaled, &problem, &bounds)?;
+                    scaled.solution(&problem, &bounds).write(&solution_path(folder, node))?;
                 }
-                let law = self.law(&scaled, &problem);
-                Found::Solved(row(node, &scaled, &bounds, law))
+                Found::Solved(row(node, scaled, &bounds))
             }
             Err(problem) => Found::Empty { node, reason: self.reason(&problem) },
-        };
-        Ok(Some(Entry { found, seconds: Some(start.elapsed().as_secs_f64()) }))
+        })
     }
 
-    fn bounds(&self, problem: &Problem) -> Result<Bounds, LimitError> {
+    /// A row with what is proven of plates with ends; as it is if nothing is.
+    fn with_ends(&self, row: BracketRow, scaled: &ScaledPlate) -> Result<BracketRow, AppError> {
+        let plane = scaled.problem()?;
+        let (case, loads) = scaled.case();
+        let width = scaled.slant_width(Blocks::LAW_AT);
+        let (Ok(law), Ok(section)) =
+            (Blocks.proven_law(&case, plane.statement(), loads), plane.clone().with_width(width))
+        else {
+            return Ok(row);
+        };
+        let elements = self.rules.max_elements.min(SECTION_ELEMENTS);
+        let Ok(bounds) = self.bounds(&section, elements) else { return Ok(row) };
+        let [lower, upper] = scaled.of_forces([bounds.lower.value, law.without_ends]);
+        let [_, term] = scaled.of_forces([law.term, law.term]);
+        if lower <= 0.0 {
+            return Ok(row);
+        }
+        if let Some(folder) = self.save
+            && let Ok(blocks) = Blocks.proven(&case, section.statement(), loads)
+        {
+            let solution = scaled.solution(&section, &bounds);
+            Solution { upper: None, mechanism: Some(blocks), ..solution }
+                .write(&solution_path(folder, row.node()).with_extension("ends.json"))?;
+        }
+        Ok(BracketRow { ends_lower: Some(lower), ends_upper: Some(upper), ends_term: Some(term), ..row })
+    }
+
+    fn bounds(&self, problem: &Problem, max_elements: usize) -> Result<Bounds, LimitError> {
         let options = Options {
             max_gap: self.rules.max_gap,
-            max_elements: self.rules.max_elements,
+            max_elements,
             max_work: u64::MAX,
             threads: 1,
             stop: Arc::clone(&self.stop),
             ..Options::default()
         };
         bound_section(problem, &options, &mut |_, _| {})
-    }
-
-    /// The proof in plane strain, and beside it that of a plate with ends, as far as there is one.
-    fn save(
-        folder: &Path,
-        node: Node,
-        scaled: &ScaledPlate,
-        problem: &Problem,
-        bounds: &Bounds,
-    ) -> Result<(), AppError> {
-        let path = solution_path(folder, node);
-        let solution = scaled.solution(problem, bounds);
-        let (case, loads) = scaled.case();
-        let width = scaled.slant_width(Blocks::LAW_AT);
-        let statement = solution.statement.clone().with_width(width);
-        if let Ok(blocks) = Blocks.proven(&case, &statement, loads) {
-            let lower = solution.lower.clone();
-            Solution { statement, lower, upper: None, mechanism: Some(blocks), ..solution.clone() }
-                .write(&path.with_extension("ends.json"))?;
-        }
-        let statement = Statement { width: None, ..solution.statement.clone() };
-        Ok(Solution { statement, ..solution }.write(&path)?)
-    }
-
-    /// Upper bounds for every width; none outside the range of the mechanism in space.
-    fn law(&self, scaled: &ScaledPlate, problem: &Problem) -> Option<EndLaw> {
-        let (case, loads) = scaled.case();
-        Blocks.proven_law(&case, problem.statement(), loads).ok()
     }
 
     /// Why a node stays empty, without the time that it took to find out.
@@ -126,15 +147,8 @@ impl Solver<'_> {
     }
 }
 
-fn row(
-    [alpha_deg, phi_deg, delta_deg]: Node,
-    scaled: &ScaledPlate,
-    bounds: &Bounds,
-    law: Option<EndLaw>,
-) -> BracketRow {
+fn row([alpha_deg, phi_deg, delta_deg]: Node, scaled: &ScaledPlate, bounds: &Bounds) -> BracketRow {
     let [lower, upper] = scaled.coefficients(bounds);
-    // Bounds on forces become bounds on coefficients, rounded up.
-    let above = |force: f64| scaled.of_forces([force, force])[1];
     BracketRow {
         alpha_deg,
         phi_deg,
@@ -147,7 +161,8 @@ fn row(
         lower_elements: bounds.lower.elements,
         upper_elements: bounds.upper.elements,
         status: CellStatus::Solved,
-        ends_upper: law.map(|law| above(law.without_ends)),
-        ends_term: law.map(|law| above(law.term)),
+        ends_lower: None,
+        ends_upper: None,
+        ends_term: None,
     }
 }
