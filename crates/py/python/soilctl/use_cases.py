@@ -1020,6 +1020,9 @@ class TableBracketCell(Record):
         alpha_deg: Tool angle.
         certified: Whether both bounds are proven.
         delta_deg: Interface friction angle.
+        ends_lower: Lower bound for plates with ends, of every width; null if the table does not know.
+        ends_term: What a depth over width of one adds to that; null likewise.
+        ends_upper: Upper bound for plates with ends, as the width goes to infinity; null likewise.
         gap: ``(U - L) / ((U + L) / 2)``.
         lower: Lower bound on the net coefficient per slant length.
         lower_elements: Triangles behind the lower bound.
@@ -1035,6 +1038,12 @@ class TableBracketCell(Record):
     """Whether both bounds are proven."""
     delta_deg: float
     """Interface friction angle."""
+    ends_lower: float | None
+    """Lower bound for plates with ends, of every width; null if the table does not know."""
+    ends_term: float | None
+    """What a depth over width of one adds to that; null likewise."""
+    ends_upper: float | None
+    """Upper bound for plates with ends, as the width goes to infinity; null likewise."""
     gap: float
     """``(U - L) / ((U + L) / 2)``."""
     lower: float
