@@ -353,3 +353,19 @@ def test_bad_options_are_refused(soilctl, campaign, option):
 def test_same_question_same_bytes(soilctl, campaign):
     runs = {soilctl("estimate", campaign.file, *options(), "--format", "json", code=0).stdout for _ in range(2)}
     assert len(runs) == 1
+
+
+def test_plates_with_ends_leave_more_soils(soilctl, validate, data):
+    """The force of a plate with ends is above that of plane strain, so weaker soils explain it too."""
+    file = data / "soils" / "ticino_rained" / "strokes.csv"
+    asked = ("estimate", file, "--delta", "23", "--density", "1600")
+    ranges = {}
+    for ends in ("none", "finite"):
+        answer = soilctl.json(*asked, "--ends", ends)
+        validate(answer)
+        assert answer["ends"] == ends and answer["consistent"]
+        ranges[ends] = answer["phi_deg"]
+    assert ranges["finite"][0] < ranges["none"][0] - 2.0
+    assert abs(ranges["finite"][1] - ranges["none"][1]) < 0.5
+    assert soilctl.json(*asked)["phi_deg"] == ranges["none"]
+    soilctl.refuses(*asked, "--model", "chen", "--ends", "finite", mentions=["chen is for plane strain"])
