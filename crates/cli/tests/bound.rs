@@ -45,8 +45,8 @@ fn a_plate_with_a_width_has_ends() {
     let dir = tempfile::tempdir().unwrap();
     let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
     let (file, page) = (path("ended.json"), path("ended.html"));
-    let rough = ["bound", "--alpha", "90", "--phi", "30", "--delta", "15", "--max-elements", "1500"];
-    let asked = ["--max-gap", "0.05", "--width-ratio", "5", "--save", &file, "--report", &page];
+    let rough = ["bound", "--alpha", "90", "--phi", "30", "--delta", "15", "--max-elements", "2500"];
+    let asked = ["--max-gap", "0.02", "--width-ratio", "5", "--save", &file, "--report", &page];
     let (code, answer, stderr) = soilctl(&[&rough[..], &asked].concat());
     assert_eq!(code, 0, "{stderr}");
     let of = |row: &Value| ["lower", "upper"].map(|key| row[key].as_f64().unwrap());

@@ -195,7 +195,10 @@ fn a_table_is_saved_shown_checked_and_used() {
     let cells = shown["cells"].as_array().unwrap();
     assert_eq!((cells.len(), &shown["gaps"]["uncertified"]), (6, &0.into()));
     let (code, proven) = json(&["certify", proof.to_str().unwrap()]);
-    assert_eq!((code, std::fs::read_dir(&saved).unwrap().count()), (0, 6));
+    // Beside each the proof of a plate with ends.
+    assert_eq!((code, std::fs::read_dir(&saved).unwrap().count()), (0, 12));
+    let (code, ended) = json(&["certify", proof.with_extension("ends.json").to_str().unwrap()]);
+    assert!(code == 0 && ended["width"].as_f64().unwrap() > 4.0, "{ended}");
     let cell = &cells[2];
     for side in ["lower", "upper"] {
         let force = proven[side]["proven"].as_f64().unwrap();
