@@ -6,7 +6,7 @@
 
 use soilctl_earth_pressure::table::BracketModel;
 use soilctl_earth_pressure::thesis::{Column, appendix_c};
-use soilctl_earth_pressure::{ForceModel, model};
+use soilctl_earth_pressure::{ForceModel, model, plane_model};
 use soilctl_estimator::{Estimate, Observation, Setup, estimate, section};
 use soilctl_soil::{Angle, Plate, units};
 use soilctl_tests::{data, shown};
@@ -45,7 +45,7 @@ fn setup<'m>(model: &'m dyn ForceModel, soil: &str, density_known: bool) -> Setu
 }
 
 fn run(id: &str, soil: &str, density_known: bool) -> Estimate {
-    let model = model(id).unwrap();
+    let model = plane_model(id).unwrap();
     estimate(&setup(&*model, soil, density_known)).unwrap()
 }
 
