@@ -282,7 +282,7 @@ def test_the_budget_ends_the_run():
 
 
 def test_the_bracket_is_that_of_the_command_line(bracket, tmp_path):
-    words = ["--alpha", 90, "--phi", 30, "--delta", 0, "--density", 1600, "--depth", 0.1, "--width", 0.2]
+    words = ["--alpha", 90, "--phi", 30, "--delta", 0, "--density", 1600, "--depth", 0.1, "--width", 0.2, "--ends", "none"]
     there = soilctl.answer("bound", *words, "--max-gap", 0.03, "--save", tmp_path / "s.json")
     assert there["exit_code"] == 0
     assert (there["lower"], there["upper"]) == (bracket.lower, bracket.upper)

@@ -360,6 +360,8 @@ def bound(
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
     gravity_m_s2: float = 9.80665,
+    width_ratio: float | None = None,
+    ends: str | None = None,
     max_gap: float = 0.01,
     max_elements: int = 20000,
     max_work: int | None = None,
@@ -465,6 +467,12 @@ class Solution:
     @property
     def stress_pa(self) -> float | None:
         """One unit of stress in Pa; None if the file does not say."""
+    @property
+    def width(self) -> float | None:
+        """Width of the structure in units of length; None in plane strain. A structure with ends has no flow in the
+        plane: its upper
+        bound is proven by blocks in space.
+        """
     @property
     def origin_m(self) -> tuple[float, float]:
         """Where the fields' origin is in the coordinates of the problem, in m: a point of the fields is at
