@@ -51,6 +51,10 @@ impl ForceModel for Watched<'_> {
         self.model.has_ends()
     }
 
+    fn is_for_plane_strain(&self) -> bool {
+        self.model.is_for_plane_strain()
+    }
+
     fn is_slow(&self) -> bool {
         self.model.is_slow()
     }

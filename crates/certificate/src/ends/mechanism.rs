@@ -26,7 +26,7 @@ use super::plate::EndedPlate;
 use super::position::{Corner, Spatial};
 use crate::CertificateError;
 use crate::fields::{BeyondFacet, Facet, Mechanism};
-use crate::interval::{Angle, Interval, Vector};
+use crate::interval::{Interval, Vector};
 use crate::problem::{Problem, exists, finite};
 use crate::statement::Statement;
 
@@ -97,6 +97,9 @@ impl<'a> Blocks<'a> {
         for (i, velocity) in mechanism.velocities.iter().enumerate() {
             velocity.iter().try_for_each(|v| finite("velocity", || format!("block {i}"), *v, ""))?;
         }
+        let at_side = |(i, corner): (usize, &Corner)| side_of(plate, corner, || format!("vertex {i}"));
+        let corner_sides: Vec<Option<usize>> =
+            corners.iter().enumerate().map(at_side).collect::<Result<_, _>>()?;
         let count = mechanism.velocities.len();
         let mut edges: Vec<Edges> = (0..count).map(|_| Edges::default()).collect();
         let mut sides: Vec<Option<usize>> = vec![None; count];
@@ -113,13 +116,9 @@ impl<'a> Blocks<'a> {
                 owners.push(other);
             }
             for block in owners {
-                for corner in facet.corners {
-                    let side = side_of(plate, &corners[corner], || format!("vertex {corner}"))?;
-                    if let Some(side) = side
-                        && *sides[block].get_or_insert(side) != side
-                    {
-                        return bad(format!("block {block}"), "lies on both sides of the plate's plane");
-                    }
+                let mut off_plate = facet.corners.iter().filter_map(|&c| corner_sides[c]);
+                if off_plate.any(|side| *sides[block].get_or_insert(side) != side) {
+                    return bad(format!("block {block}"), "lies on both sides of the plate's plane");
                 }
             }
         }
@@ -137,26 +136,23 @@ impl<'a> Blocks<'a> {
     fn at_faces(&self) -> Result<Interval, CertificateError> {
         let mut power = Interval::ZERO;
         for (side, name) in ["the face on the left", "the face on the right"].into_iter().enumerate() {
-            let mut edges = Edges::default();
             let at_face = |f: &&Facet| f.beyond == BeyondFacet::Plate && self.sides[f.block] == side;
-            for facet in self.mechanism.facets.iter().filter(at_face) {
-                // Seen from the soil on the left, the way down and the way across turn clockwise.
-                edges.add(facet.corners, side == 1);
-            }
-            let rim: Vec<[[f64; 2]; 2]> = edges
-                .rim()
-                .map(|edge| edge.map(|c| self.corners[c].on_plate.unwrap_or([f64::NAN; 2])))
-                .collect();
-            if self.mechanism.facets.iter().any(|f| at_face(&f)) {
-                if !goes_around(&rim, self.plate.half_width) {
-                    return bad(name.into(), "facets must cover it once");
-                }
+            let mut facets = self.mechanism.facets.iter().filter(at_face).peekable();
+            if facets.peek().is_none() {
+                let down = Spatial::in_plane(self.plate.down);
+                let across = Spatial { y: Interval::point(self.plate.half_width), ..Spatial::ZERO };
+                let outwards = if side == 0 { across.cross(down) } else { down.cross(across) };
+                power = power + self.face(side, Spatial::ZERO, outwards, || name.to_owned())?;
                 continue;
             }
-            let down = Spatial::in_plane(self.plate.down);
-            let across = Spatial { y: Interval::point(self.plate.half_width), ..Spatial::ZERO };
-            let outwards = if side == 0 { across.cross(down) } else { down.cross(across) };
-            power = power + self.face(side, Spatial::ZERO, outwards, || name.to_owned())?;
+            let mut edges = Edges::default();
+            // Seen from the soil on the left, the way down and the way across turn clockwise.
+            facets.for_each(|facet| edges.add(facet.corners, side == 1));
+            let place = |c: usize| self.corners[c].on_plate.unwrap_or([f64::NAN; 2]);
+            let rim: Vec<[[f64; 2]; 2]> = edges.rim().map(|edge| edge.map(place)).collect();
+            if !goes_around(&rim, self.plate.half_width) {
+                return bad(name.into(), "facets must cover it once");
+            }
         }
         Ok(power)
     }
@@ -172,7 +168,7 @@ impl<'a> Blocks<'a> {
         let plate = self.plate;
         let soil = |jump: Spatial| {
             opened(jump, outwards, plate.soil.friction, place)
-                .map(|volume| apex(plate.cohesion, plate.soil.friction) * volume)
+                .map(|volume| plate.soil.friction.cot_times(plate.cohesion) * volume)
         };
         let dissipated = match facet.beyond {
             BeyondFacet::Rest => soil(Spatial::ZERO - velocity)?,
@@ -203,7 +199,8 @@ impl<'a> Blocks<'a> {
     fn work(&self, velocity: Spatial, [a, b, c]: [Spatial; 3]) -> Interval {
         let from = Spatial::in_plane(self.plate.top);
         let volume_by_6 = (a - from).dot((b - from).cross(c - from));
-        let falls = Spatial::in_plane(self.plate.gravity).dot(velocity) * self.plate.unit_weight;
+        let falls = Spatial::in_plane(self.plate.gravity).dot(velocity)
+            * Interval::point(self.plate.material.unit_weight);
         volume_by_6 * falls / Interval::point(6.0)
     }
 
@@ -217,7 +214,7 @@ impl<'a> Blocks<'a> {
     ) -> Result<Interval, CertificateError> {
         let face = self.plate.faces[side];
         let jump = Spatial::in_plane(self.plate.velocity) - velocity;
-        Ok(apex(face.adhesion, face.friction) * opened(jump, outwards, face.friction, place)?)
+        Ok(face.friction.cot_times(face.adhesion) * opened(jump, outwards, face.friction, place)?)
     }
 
     /// Checks that a facet at a face of the plate turns the right way, as the plate's sides alone tell.
@@ -230,11 +227,6 @@ impl<'a> Blocks<'a> {
         let area = if self.sides[facet.block] == 1 { area } else { -area };
         if area.is_positive() { Ok(()) } else { bad(place(), "at the plate, it must turn its back to it") }
     }
-}
-
-/// Tension at the apex of a cone of strength.
-fn apex(cohesion: Interval, friction: Angle) -> Interval {
-    if cohesion.is_zero() { cohesion } else { cohesion * friction.cot() }
 }
 
 /// Checks that a facet is said to be in one of the three planes if it is there.

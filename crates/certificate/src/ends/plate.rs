@@ -20,7 +20,7 @@ pub(super) struct Face {
 pub(super) struct EndedPlate<'a> {
     pub(super) soil: &'a Strength,
     pub(super) cohesion: Interval,
-    pub(super) unit_weight: Interval,
+    pub(super) material: Material,
     pub(super) gravity: Vector,
     pub(super) datum: f64,
     pub(super) surcharge: Interval,
@@ -39,9 +39,7 @@ fn not_covered(place: impl Into<String>, what: &'static str) -> CertificateError
 }
 
 /// The soil of a statement with a width, and its material: it must be one soil, the same everywhere, without water.
-pub(super) fn only_soil<'a>(
-    problem: &'a Problem,
-) -> Result<(&'a Strength, Material, Interval), CertificateError> {
+fn only_soil<'a>(problem: &'a Problem) -> Result<(&'a Strength, Material, Interval), CertificateError> {
     let ([region], [strength]) = (problem.statement.regions.as_slice(), problem.strengths.as_slice()) else {
         return Err(not_covered("the regions", "with a width there is one soil only"));
     };
@@ -112,7 +110,7 @@ impl<'a> EndedPlate<'a> {
         Ok(Self {
             soil,
             cohesion,
-            unit_weight: Interval::point(material.unit_weight),
+            material,
             gravity: Vector::point(statement.gravity),
             datum: statement.datum,
             surcharge: Interval::point(statement.surcharge),

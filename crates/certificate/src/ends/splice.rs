@@ -20,7 +20,7 @@
 //! the place, of which all is linear, limit the radius of Mohr's circle: states that obey are a convex set of stress and
 //! place together, and the nodes decide.
 
-use super::plate::{EndedPlate, only_soil};
+use super::plate::EndedPlate;
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
 use crate::problem::{Problem, ReferenceStress};
@@ -56,8 +56,7 @@ impl Splice {
         if problem.statement.width.is_none() {
             return Ok(None);
         }
-        EndedPlate::new(problem)?;
-        let (strength, material, cohesion) = only_soil(problem)?;
+        let EndedPlate { soil: strength, material, cohesion, .. } = EndedPlate::new(problem)?;
         let base = ReferenceStress::new(problem.statement, material.unit_weight);
         let (sin, one) = (strength.friction.sin, Interval::ONE);
         let mean = -(base.gradient.yy - base.difference.half());
@@ -79,7 +78,7 @@ impl Splice {
             change: [mean + radius, mean - radius],
             datum: Interval::point(problem.statement.datum),
             ratio: ratio.square(),
-            apex: if cohesion.is_zero() { cohesion } else { cohesion * strength.friction.cot() },
+            apex: strength.friction.cot_times(cohesion),
         }))
     }
 

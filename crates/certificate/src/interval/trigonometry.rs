@@ -18,6 +18,11 @@ impl Angle {
     pub(crate) fn cot(self) -> Interval {
         self.cos / self.sin
     }
+
+    /// `x cot`, for a cohesion the tension at the apex of its cone; nothing of nothing, also if the angle is zero.
+    pub(crate) fn cot_times(self, x: Interval) -> Interval {
+        if x.is_zero() { x } else { x * self.cot() }
+    }
 }
 
 /// Sine and cosine of an angle in degrees, from 0 up to 90. The platform's functions come without a guarantee.

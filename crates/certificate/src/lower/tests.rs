@@ -7,6 +7,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::examples::{Plate, fill, pushed_field, rankine_field, wall};
+use crate::interval::{Interval, Vector};
 use crate::{Gradient, Jet, LineUse, Linear, Place, VertexCopy};
 
 fn plates() -> impl Strategy<Value = Plate> {
@@ -131,4 +132,33 @@ fn gauges_belong_to_their_runs() {
     field.gauges.pop();
     let error = prove_lower(&statement, &field).unwrap_err();
     assert!(matches!(error, CertificateError::Length { .. }), "{error}");
+}
+
+/// Pressed hard from all sides, soil bears what cannot be spliced with the ground at rest beyond the ends.
+#[test]
+fn ends_limit_what_the_soil_bears() {
+    let plate = Plate { lean: 0.0, delta_deg: 20.0, surcharge: 0.0, gravity: [0.0, -1.0] };
+    let statement = plate.statement().with_width(2.0);
+    let problem = Problem::new(&statement).unwrap();
+    let splice = Splice::new(&problem).unwrap().unwrap();
+    let at = Vector::point([1.0, -2.0]);
+    let bears = |splice: Option<&Splice>, pressure: f64| {
+        let limit = strength::Limit::at(
+            &problem.strengths[0],
+            Divisor::new(&statement, &fill(&statement, &plate.mesh(0.1, 1), 0.0, 1)).unwrap(),
+            splice,
+            at,
+        );
+        let p = Interval::point(-pressure);
+        limit.check_parts(p, Interval::ZERO, Interval::ZERO, "strength", || "here".into()).is_ok()
+    };
+    // K^2 at 35 deg, times the depth of two.
+    let most = 2.0 * (62.5_f64).to_radians().tan().powi(4);
+    let least = 4.0 / most;
+    for (pressure, with_ends) in
+        [(most * 0.999, true), (most * 1.001, false), (least * 1.001, true), (least * 0.999, false)]
+    {
+        assert!(bears(None, pressure));
+        assert_eq!(bears(Some(&splice), pressure), with_ends, "{pressure}");
+    }
 }

@@ -72,7 +72,7 @@ impl<const N: usize> Resistance<N> {
 
     /// `c cot(phi)` at the corners.
     fn apex(&self) -> [Interval; N] {
-        self.cohesion.map(|c| if c.is_zero() { c } else { c * self.friction.cot() })
+        self.cohesion.map(|c| self.friction.cot_times(c))
     }
 
     /// The lesser of the two bounds, of those that there are, and what the water does.

@@ -83,7 +83,13 @@ pub(crate) fn page(
     let (kind, headline, text) = content.verdict;
     page.kind(content.kind).subtitle(content.subtitle).verdict(kind, headline, text).table(content.bounds);
     page.heading("How the soil fails");
-    for kind in [Kind::Blocks, Kind::Mechanism, Kind::Velocity, Kind::Dissipation] {
+    plot::add(&mut page, fields, Kind::Blocks)?;
+    if fields.blocks.is_some() && fields.flow.is_some() {
+        page.heading("How its section would fail without ends").paragraph(
+            "What follows is in plane strain, which bounds the force of this plate from below only: its flow says where meshes are fine.",
+        );
+    }
+    for kind in [Kind::Mechanism, Kind::Velocity, Kind::Dissipation] {
         plot::add(&mut page, fields, kind)?;
     }
     moving_ground(&mut page, results);

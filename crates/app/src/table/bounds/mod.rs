@@ -161,9 +161,9 @@ fn run(
     let mut left = cost.time_left(todo, options.threads());
     let stop = watch.stop(Interrupted::KeepsResults);
     // With solutions to save, all is solved anew.
-    let plane = entries.iter().filter_map(|entry| match &entry.found {
-        Found::Solved(row) if is_without_ends(row) && options.save.is_none() => Some((key(row.node()), *row)),
-        _ => None,
+    let plane = entries.iter().filter(|_| options.save.is_none()).filter_map(|entry| match &entry.found {
+        Found::Solved(row) => is_without_ends(row).then(|| (key(row.node()), *row)),
+        Found::Empty { .. } => None,
     });
     let solver = Solver { rules: header.rules, save: options.save.as_deref(), stop, plane: plane.collect() };
     let before = entries.len();

@@ -61,26 +61,30 @@ impl Solver<'_> {
         let [alpha_deg, phi_deg, delta_deg] = node;
         let plate = EmbeddedPlate { alpha_deg, phi_deg, delta_deg, ..EmbeddedPlate::default() };
         let scaled = ScaledPlate::unit(plate);
-        let found = match self.plane.get(&key(node)) {
-            Some(row) => Found::Solved(*row),
+        let plane = match self.plane.get(&key(node)) {
+            Some(row) => Some(Found::Solved(*row)),
             None => self.plane_case(node, &scaled)?,
         };
-        let found = match found {
-            Found::Solved(row) => Found::Solved(self.with_ends(row, &scaled)?),
-            empty @ Found::Empty { .. } => empty,
+        let found = match plane {
+            Some(Found::Solved(row)) => self.with_ends(row, &scaled)?.map(Found::Solved),
+            empty @ (Some(Found::Empty { .. }) | None) => empty,
         };
-        // Checked last, since a case that the user stops still comes back with bounds, only wider ones.
-        if self.stop.load(Ordering::Relaxed) {
-            return Ok(None);
-        }
-        Ok(Some(Entry { found, seconds: Some(start.elapsed().as_secs_f64()) }))
+        Ok(found.map(|found| Entry { found, seconds: Some(start.elapsed().as_secs_f64()) }))
     }
 
-    /// The bracket in plane strain.
-    fn plane_case(&self, node: Node, scaled: &ScaledPlate) -> Result<Found, AppError> {
+    /// Whether the user has ended the run: what was being solved comes back with bounds all the same, only wider ones.
+    fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
+    /// The bracket in plane strain; none if it was stopped.
+    fn plane_case(&self, node: Node, scaled: &ScaledPlate) -> Result<Option<Found>, AppError> {
         let elements = self.rules.max_elements;
         let solved = scaled.problem().and_then(|problem| Ok((self.bounds(&problem, elements)?, problem)));
-        Ok(match solved {
+        if self.is_stopped() {
+            return Ok(None);
+        }
+        Ok(Some(match solved {
             // True, but of no use: a coefficient is above zero in any case.
             Ok((bounds, _)) if bounds.lower.value <= 0.0 => {
                 let reason =
@@ -94,25 +98,24 @@ impl Solver<'_> {
                 Found::Solved(row(node, scaled, &bounds))
             }
             Err(problem) => Found::Empty { node, reason: self.reason(&problem) },
-        })
+        }))
     }
 
-    /// A row with what is proven of plates with ends; as it is if nothing is.
-    fn with_ends(&self, row: BracketRow, scaled: &ScaledPlate) -> Result<BracketRow, AppError> {
+    /// A row with what is proven of plates with ends, as it is if nothing is; none if it was stopped.
+    fn with_ends(&self, row: BracketRow, scaled: &ScaledPlate) -> Result<Option<BracketRow>, AppError> {
         let plane = scaled.problem()?;
         let (case, loads) = scaled.case();
-        let width = scaled.slant_width(Blocks::LAW_AT);
-        let (Ok(law), Ok(section)) =
-            (Blocks.proven_law(&case, plane.statement(), loads), plane.clone().with_width(width))
-        else {
-            return Ok(row);
-        };
-        let elements = self.rules.max_elements.min(SECTION_ELEMENTS);
-        let Ok(bounds) = self.bounds(&section, elements) else { return Ok(row) };
+        let Ok(law) = Blocks.proven_law(&case, plane.statement(), loads) else { return Ok(Some(row)) };
+        let section = plane.with_width(scaled.slant_width(Blocks::LAW_AT))?;
+        let bounds = self.bounds(&section, self.rules.max_elements.min(SECTION_ELEMENTS));
+        if self.is_stopped() {
+            return Ok(None);
+        }
+        let Ok(bounds) = bounds else { return Ok(Some(row)) };
         let [lower, upper] = scaled.of_forces([bounds.lower.value, law.without_ends]);
         let [_, term] = scaled.of_forces([law.term, law.term]);
         if lower <= 0.0 {
-            return Ok(row);
+            return Ok(Some(row));
         }
         if let Some(folder) = self.save
             && let Ok(blocks) = Blocks.proven(&case, section.statement(), loads)
@@ -121,7 +124,8 @@ impl Solver<'_> {
             Solution { upper: None, mechanism: Some(blocks), ..solution }
                 .write(&solution_path(folder, row.node()).with_extension("ends.json"))?;
         }
-        Ok(BracketRow { ends_lower: Some(lower), ends_upper: Some(upper), ends_term: Some(term), ..row })
+        let (ends_lower, ends_upper, ends_term) = (Some(lower), Some(upper), Some(term));
+        Ok(Some(BracketRow { ends_lower, ends_upper, ends_term, ..row }))
     }
 
     fn bounds(&self, problem: &Problem, max_elements: usize) -> Result<Bounds, LimitError> {

@@ -142,6 +142,18 @@ fn what_is_no_mechanism_is_refused() {
         })
         .contains("cover it once")
     );
+    // Twice, and once inside out: in sum it covers the plate once.
+    assert!(
+        refused(&|m| {
+            let own = m.facets.clone();
+            m.facets.extend(own.iter().map(|f| Facet { block: 1, ..*f }));
+            let inside_out =
+                |f: &Facet| Facet { block: 2, corners: [f.corners[0], f.corners[2], f.corners[1]], ..*f };
+            m.facets.extend(own.iter().map(inside_out));
+            m.velocities = vec![m.velocities[0]; 3];
+        })
+        .contains("turn its back")
+    );
     let plane = Statement { width: None, ..statement.clone() };
     let error = prove_mechanism(&plane, &good).unwrap_err();
     assert!(matches!(error, CertificateError::NotCovered { .. }), "{error}");
