@@ -36,7 +36,7 @@ fn content(answer: &Answer) -> Result<PageContent, PageError> {
     if answer.width_ratio.is_some() {
         text = format!(
             "Both bounds are proven with interval arithmetic, the lower by {}, the upper by {}. They are {} % apart, in plane \
-             strain {} %: the rest is what the ends may add. Figures show the plane section.",
+             strain {} %: the rest is what the ends may add.",
             answer.lower_proof.words(),
             answer.upper_proof.words(),
             number(round(100.0 * answer.gap)),
