@@ -14,7 +14,7 @@ SOILS = {"ticino_rained": "Ticino, rained", "ticino_loose": "Ticino, loose", "ne
 
 def tables():
     """Markdown by name, as it stands in `<!-- table: name -->`."""
-    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "estimates": estimates(), "direct_shear": direct_shear(), "exact": exact()}
+    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "estimates": estimates(), "direct_shear": direct_shear(), "exact": exact(), "end_factor": end_factor()}
 
 
 def _markdown(head, rows):
@@ -66,6 +66,13 @@ def direct_shear():
         stress, angle = ([float(row[f"{name}{end}"]) for end in ("", "_printed")] for name in ("stress_psi", "phi_deg"))
         rows.append([SOILS[row["soil"]], f"{float(row['depth_in']):.2f}", row["stress"], f"{stress[0]:.4f} ({stress[1]:.3f})", f"{angle[0]:.1f} ({angle[1]:.1f})"])
     return _markdown(["soil", "depth (in)", "stress", "psi (printed)", "friction angle, deg (printed)"], rows)
+
+
+def end_factor():
+    """How often the true soil is in the region, with ends and as if there were none."""
+    found = [list(row.values()) for row in _read("end_factor.csv")]
+    head = ["plates", "true soil in the region, with ends", "by plane strain", "no soil at all by plane strain"]
+    return _markdown(head, [[plates, *(f"{float(share):.0f} %" for share in shares)] for plates, *shares in found])
 
 
 def exact():

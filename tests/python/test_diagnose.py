@@ -108,7 +108,7 @@ def test_taking_the_effect_out_leaves_the_plain_model(diagnosed, soilctl, tmp_pa
     soil = ["--phi", patch["soil"]["phi_deg"]["value"], "--delta", 20]
     density = ["--density", patch["soil"]["density_kg_m3"]["value"]]
     ours = soilctl.json("predict", "--model-file", plain, "--delta", 20, *place)
-    theirs = soilctl.json("predict", "--model", patch["model"], *soil, *density, *place)
+    theirs = soilctl.json("predict", "--model", patch["model"], "--ends", "none", *soil, *density, *place)
     assert math.isclose(ours["force_n"], theirs["force_n"], rel_tol=1e-9)
 
 
@@ -120,6 +120,15 @@ def test_estimate_takes_the_effects_out(diagnosed, soilctl, tmp_path):
     plain = soilctl.json("estimate", strokes, *options)
     patched = soilctl.json("estimate", strokes, *options, "--model-file", answer["patch"])
     assert plain["phi_deg"] != patched["phi_deg"]
+    assert patched["ends"] == "finite"
+    with open(answer["patch"], encoding="utf-8") as file:
+        patch = json.load(file)
+    sides_of = {"value": 0.5, "sd": 0.1, "unit": "1"}
+    patch["effects"] = [{"id": "side_effects_3d", "parameters": {"kappa": sides_of}, "shape": 0.0, "log_bayes_factor": 5.0}]
+    sides = tmp_path / "sides.json"
+    sides.write_text(json.dumps(patch), encoding="utf-8")
+    assert soilctl.json("estimate", strokes, *options, "--model-file", sides)["ends"] == "none"
+    soilctl.refuses("estimate", strokes, *options, "--model-file", sides, "--ends", "finite", mentions=["count it again"])
 
 
 def test_the_next_experiment_has_the_columns_of_a_stroke_table(diagnosed):

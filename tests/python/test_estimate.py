@@ -367,5 +367,11 @@ def test_plates_with_ends_leave_more_soils(soilctl, validate, data):
         ranges[ends] = answer["phi_deg"]
     assert ranges["finite"][0] < ranges["none"][0] - 2.0
     assert abs(ranges["finite"][1] - ranges["none"][1]) < 0.5
-    assert soilctl.json(*asked)["phi_deg"] == ranges["none"]
+    usual = soilctl.json(*asked)
+    assert usual["phi_deg"] == ranges["finite"] and usual["plane_strain"]["phi_deg"] == ranges["none"]
+    assert usual["end_factor"] == [0, 1] and min(usual["width_ratio"]) > 4.9
+    assert soilctl.json(*asked, "--end-tol", "1")["end_factor"] is None
+    closed = soilctl.json(*asked, "--model", "chen")
+    assert any("is of plane strain" in warning for warning in closed["warnings"])
+    assert not any("is of plane strain" in warning for warning in soilctl.json(*asked, "--model", "chen", "--ends", "none")["warnings"])
     soilctl.refuses(*asked, "--model", "chen", "--ends", "finite", mentions=["chen is for plane strain"])

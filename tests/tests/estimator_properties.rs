@@ -8,23 +8,7 @@ use soilctl_estimator::{
     exact_estimate, local_minima, next_strokes, projections, section, spread_starts,
 };
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, WidthRatio};
-
-/// A small reproducible generator (splitmix64), so that the soils are the same on every machine.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-}
+use soilctl_tests::Random;
 
 #[derive(Clone, Copy)]
 struct Truth {
@@ -250,7 +234,7 @@ fn the_next_stroke_is_a_flat_one() {
     let menu = StrokeMenu {
         tool_angles_deg: vec![40.0, 55.0, 70.0, 85.0, 100.0],
         depths_m: vec![0.02],
-        width_m: 0.127,
+        widths_m: vec![0.127],
         force_scatter: 0.06,
         depth_error_m: 0.0005,
         force_limit_n: None,

@@ -196,16 +196,18 @@ pub enum Ends {
 }
 
 impl Ends {
-    /// What a model is asked about: its own way where nothing is wished.
+    /// What a model is asked about. Where nothing is wished, a plate has ends if the model knows them, and its width if the model
+    /// is one of plane strain too.
     ///
     /// # Errors
     /// [`EarthPressureError::NoEnds`] for a model of plane strain.
-    pub fn of(wish: Option<Self>, model: &dyn ForceModel) -> Result<Self, EarthPressureError> {
+    pub fn of(wish: Option<Self>, model: &dyn ForceModel, sized: bool) -> Result<Self, EarthPressureError> {
         match wish {
             Some(Self::None) => Ok(Self::None),
-            None if model.is_for_plane_strain() => Ok(Self::None),
             Some(Self::Finite) if !model.has_ends() => Err(EarthPressureError::NoEnds { model: model.id() }),
-            Some(Self::Finite) | None => Ok(Self::Finite),
+            Some(Self::Finite) => Ok(Self::Finite),
+            None if model.has_ends() && (sized || !model.is_for_plane_strain()) => Ok(Self::Finite),
+            None => Ok(Self::None),
         }
     }
 }

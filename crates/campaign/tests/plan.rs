@@ -48,6 +48,8 @@ fn what_is_refused() {
         (format!("{HEAD}speed = 3\n{STROKE}"), "unknown field `speed`"),
         (format!("{HEAD}model = \"plasticity\"\n{STROKE}"), "plasticity"),
         (format!("{HEAD}seed = -1\n{STROKE}"), "-1"),
+        (format!("{HEAD}end_factor = 1.5\n{STROKE}"), "`end_factor` is 1.5; it must be from 0 to 1"),
+        (format!("{HEAD}end_factor = nan\n{STROKE}"), "`end_factor` is NaN"),
         (
             HEAD.to_owned() + &STROKE.replace("radius_m = 0.4, ", ""),
             "`batches[0].strokes[0].radius_m` is missing",

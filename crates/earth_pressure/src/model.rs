@@ -24,7 +24,12 @@ pub trait ForceModel: Send + Sync {
         false
     }
 
-    /// Whether it is asked about plane strain where nothing is said of ends; see [`crate::InPlaneStrain`].
+    /// Whether its bracket says what ends add at most: [`NetFactors::ends_at_most`] is above 0 for plates that have ends.
+    fn bounds_ends(&self) -> bool {
+        false
+    }
+
+    /// Whether it is asked about plane strain where nothing is said of a plate's width; see [`crate::InPlaneStrain`].
     fn is_for_plane_strain(&self) -> bool {
         !self.has_ends()
     }
@@ -89,6 +94,9 @@ pub struct NetFactors {
     pub weight_lower: f64,
     /// Upper end of the weight factor.
     pub weight_upper: f64,
+    /// How much of the bracket the ends of the plate are behind: what they add to the weight factor lies between nothing and this.
+    /// 0 in plane strain, and of a model whose bracket says nothing of it.
+    pub ends_at_most: f64,
     /// The other factors; `weight` is the geometric mean of the ends.
     pub factors: LoadFactors,
 }
@@ -124,7 +132,8 @@ impl<M: ForceModel> ModelSlice for DirectSlice<'_, M> {
             interface: Angle::from_degrees(delta_deg),
         };
         let p = self.model.predict(&case)?;
-        Ok(NetFactors { weight_lower: p.net_lower.0, weight_upper: p.net_upper.0, factors: p.net })
+        let [weight_lower, weight_upper] = [p.net_lower.0, p.net_upper.0];
+        Ok(NetFactors { weight_lower, weight_upper, ends_at_most: 0.0, factors: p.net })
     }
 }
 

@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let menu = StrokeMenu {
         tool_angles_deg: vec![50.0, 70.0, 90.0, 110.0],
         depths_m: vec![DEPTH_M],
-        width_m: WIDTH_M,
+        widths_m: vec![WIDTH_M],
         force_scatter: RELATIVE,
         depth_error_m: 0.0,
         force_limit_n: Some(100.0),

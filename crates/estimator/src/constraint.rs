@@ -1,7 +1,8 @@
 //! Measurements as constraints on density: for given phi and delta, a force interval is a density interval.
 
-use soilctl_earth_pressure::{EarthPressureError, ModelSlice, NetFactors};
+use soilctl_earth_pressure::{EarthPressureError, ModelSlice};
 
+use crate::end_factor::EndFactors;
 use crate::{EstimatorError, Observation, Setup};
 
 /// Densities consistent with a measurement at one (phi, delta), in kg/m3.
@@ -18,41 +19,56 @@ pub(crate) struct Constraint<'m> {
     high_n: f64,
 }
 
+/// What a model says of a measurement at one (phi, delta): net weight factors, and the force of the other loads in N.
+#[derive(Clone, Copy)]
+pub(crate) struct Net {
+    lower: f64,
+    upper: f64,
+    ends_at_most: f64,
+    rest_n: f64,
+}
+
+impl Net {
+    /// The bracket of the weight factor for end factors in an interval.
+    fn bracket(&self, ends: EndFactors) -> (f64, f64) {
+        (self.lower + ends.low * self.ends_at_most, self.upper - (1.0 - ends.high) * self.ends_at_most)
+    }
+}
+
 impl Constraint<'_> {
-    /// Band at a point. `None` where the model carries any load (Coulomb's singular corner), so that no finite
+    /// What the model says at a point. `None` where it carries any load (Coulomb's singular corner), so that no finite
     /// force is consistent.
-    pub(crate) fn band(&self, phi_deg: f64, delta_deg: f64) -> Result<Option<Band>, EarthPressureError> {
-        let Some((net, rest)) = self.net(phi_deg, delta_deg)? else { return Ok(None) };
-        // The denominators swap where the force left for the weight is negative, so that the interval stays one.
-        let divide = |force: f64, k: f64, k_negative: f64| {
-            force / (self.scale * if force >= 0.0 { k } else { k_negative })
-        };
-        let low = divide(self.low_n - rest, net.weight_upper, net.weight_lower);
-        let high = divide(self.high_n - rest, net.weight_lower, net.weight_upper);
-        Ok(Some([low, high]))
-    }
-
-    /// Force per density and force without density at a point, by the geometric mean of a bracket; `None` as for
-    /// [`Self::band`].
-    pub(crate) fn force_parts(
-        &self,
-        phi_deg: f64,
-        delta_deg: f64,
-    ) -> Result<Option<(f64, f64)>, EarthPressureError> {
-        Ok(self.net(phi_deg, delta_deg)?.map(|(net, rest)| (self.scale * net.factors.weight, rest)))
-    }
-
-    /// The model's factors and the force of the loads other than weight.
-    fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<Option<(NetFactors, f64)>, EarthPressureError> {
+    pub(crate) fn net(&self, phi_deg: f64, delta_deg: f64) -> Result<Option<Net>, EarthPressureError> {
         match self.slice.net(phi_deg, delta_deg) {
             Ok(net) if net.weight_lower > 0.0 => {
                 let [surcharge, cohesion, adhesion] = self.loads_n;
                 let f = net.factors;
-                Ok(Some((net, surcharge * f.surcharge + cohesion * f.cohesion + adhesion * f.adhesion)))
+                Ok(Some(Net {
+                    lower: net.weight_lower,
+                    upper: net.weight_upper,
+                    ends_at_most: net.ends_at_most,
+                    rest_n: surcharge * f.surcharge + cohesion * f.cohesion + adhesion * f.adhesion,
+                }))
             }
             Ok(_) | Err(EarthPressureError::Singular { .. }) => Ok(None),
             Err(error) => Err(error),
         }
+    }
+
+    /// Densities that the measurement leaves, for end factors in an interval.
+    pub(crate) fn band(&self, net: &Net, ends: EndFactors) -> Band {
+        let (lower, upper) = net.bracket(ends);
+        // The denominators swap where the force left for the weight is negative, so that the interval stays one.
+        let divide = |force: f64, k: f64, k_negative: f64| {
+            force / (self.scale * if force >= 0.0 { k } else { k_negative })
+        };
+        [divide(self.low_n - net.rest_n, upper, lower), divide(self.high_n - net.rest_n, lower, upper)]
+    }
+
+    /// Force per density and force without density, by the geometric mean of the bracket.
+    pub(crate) fn force_parts(&self, net: &Net, ends: EndFactors) -> (f64, f64) {
+        let (lower, upper) = net.bracket(ends);
+        (self.scale * (lower * upper).sqrt(), net.rest_n)
     }
 }
 
@@ -91,7 +107,11 @@ fn scale(setup: &Setup<'_>, observation: &Observation) -> f64 {
     0.5 * setup.gravity_m_s2 * plate.slant_length_m().powi(2) * plate.width_m()
 }
 
-fn constraint<'m>(setup: &Setup<'m>, observation: &Observation) -> Result<Constraint<'m>, EstimatorError> {
+/// The constraint of one measurement.
+pub(crate) fn constraint<'m>(
+    setup: &Setup<'m>,
+    observation: &Observation,
+) -> Result<Constraint<'m>, EstimatorError> {
     let plate = observation.plate();
     let slice = setup.model.at(plate.tool_angle(), plate.surface_slope(), setup.width_ratio(plate)).map_err(
         |source| EstimatorError::Model { context: format!("measurement {}: ", observation.label()), source },

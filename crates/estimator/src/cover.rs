@@ -11,7 +11,8 @@
 use rustc_hash::FxHashMap;
 use soilctl_earth_pressure::{EarthPressureError, ValidRange};
 
-use crate::constraint::{Band, Constraint};
+use crate::constraint::{Band, Constraint, Net};
+use crate::end_factor::EndFactors;
 use crate::piece::{Piece, Plane};
 use crate::{EstimatorError, Setup};
 
@@ -114,18 +115,20 @@ enum Enclosure {
     Planes { lower: Vec<Plane>, upper: Vec<Plane>, tight: bool },
 }
 
-/// Bands at lattice points, evaluated once each.
+/// What the model says at lattice points, evaluated once each.
 struct Lattice<'a, 'm> {
     constraints: &'a [Constraint<'m>],
-    /// Index of a point's first band, or `None` where a model has no answer.
+    /// Index of a point's first net factors, or `None` where a model has no answer.
     index: FxHashMap<(i32, i32), Option<usize>>,
-    bands: Vec<Band>,
+    nets: Vec<Net>,
     density: Band,
     range: ValidRange,
     /// The only delta, for a section.
     section: Option<f64>,
     /// Part of the density that a band sweeps over the interval of delta.
     sweep: f64,
+    /// By how much end factors differ from one that all strokes share; `None` if they share nothing.
+    end_tolerance: Option<f64>,
     /// Why the first point without an answer has none.
     refusal: Option<EarthPressureError>,
 }
@@ -133,14 +136,24 @@ struct Lattice<'a, 'm> {
 impl<'a, 'm> Lattice<'a, 'm> {
     fn new(setup: &Setup<'_>, constraints: &'a [Constraint<'m>], section: Option<f64>) -> Self {
         let (low, high) = setup.density_range_kg_m3();
-        let (index, bands) = (FxHashMap::default(), Vec::new());
+        let (index, nets) = (FxHashMap::default(), Vec::new());
         let range = setup.model.valid_range();
         let sweep = SWEEP_PER_DEG * (setup.delta_deg.1 - setup.delta_deg.0);
         let sweep = if section.is_some() { 0.0 } else { sweep };
-        Self { constraints, index, bands, density: [low, high], range, section, sweep, refusal: None }
+        Self {
+            constraints,
+            index,
+            nets,
+            density: [low, high],
+            range,
+            section,
+            sweep,
+            end_tolerance: setup.shares_ends().then_some(setup.end_tolerance),
+            refusal: None,
+        }
     }
 
-    /// Pieces over the triangles of one cell, or `None` if it should be cut.
+    /// Pieces over the triangles of one cell, one for each interval of a shared end factor, or `None` if it should be cut.
     fn pieces(
         &mut self,
         cell: [i32; 3],
@@ -151,14 +164,22 @@ impl<'a, 'm> Lattice<'a, 'm> {
         let finest = cell[2] < 4;
         let mut found = Vec::with_capacity(2);
         for &corners in triangles {
-            match self.enclose(corners) {
-                Enclosure::Empty => {}
-                Enclosure::Loose if finest => {}
-                Enclosure::Planes { lower, upper, tight } if tight || finest => {
-                    let at = corners.map(|(u, v)| [deg(u), deg(v)]);
-                    found.extend(Piece::new(cell, at, lower, upper, phi, delta));
+            let mut stack = vec![EndFactors::ANY];
+            while let Some(ends) = stack.pop() {
+                match self.enclose(corners, ends) {
+                    Enclosure::Empty => {}
+                    Enclosure::Loose if finest => {}
+                    Enclosure::Planes { lower, upper, tight } if tight || finest => {
+                        match self.end_tolerance.and_then(|_| ends.halves()) {
+                            Some([below, above]) => stack.extend([above, below]),
+                            None => {
+                                let at = corners.map(|(u, v)| [deg(u), deg(v)]);
+                                found.extend(Piece::new(cell, at, ends, lower, upper, phi, delta));
+                            }
+                        }
+                    }
+                    Enclosure::Loose | Enclosure::Planes { .. } => return None,
                 }
-                Enclosure::Loose | Enclosure::Planes { .. } => return None,
             }
         }
         Some(found)
@@ -167,7 +188,7 @@ impl<'a, 'm> Lattice<'a, 'm> {
     /// The pieces, unless the model answered nowhere.
     fn finish(self, pieces: Vec<Piece>) -> Result<Vec<Piece>, EstimatorError> {
         match self.refusal {
-            Some(refusal) if self.bands.is_empty() => Err(refusal.into()),
+            Some(refusal) if self.nets.is_empty() => Err(refusal.into()),
             _ => Ok(pieces),
         }
     }
@@ -176,17 +197,17 @@ impl<'a, 'm> Lattice<'a, 'm> {
         if let Some(&known) = self.index.get(&(u, v)) {
             return known;
         }
-        let start = self.bands.len();
+        let start = self.nets.len();
         let mut place = Some(start);
         // Corners that stick out of the model's range take its value at the edge; the pieces are clipped there.
         let delta = self.section.unwrap_or(deg(v)).clamp(self.range.delta_deg.0, self.range.delta_deg.1);
         let phi = deg(u).clamp(self.range.phi_deg.0, self.range.phi_deg.1).max(delta);
         for constraint in self.constraints {
-            match constraint.band(phi, delta) {
-                Ok(Some(band)) => self.bands.push(band),
+            match constraint.net(phi, delta) {
+                Ok(Some(net)) => self.nets.push(net),
                 refused => {
                     self.refusal = self.refusal.take().or(refused.err());
-                    self.bands.truncate(start);
+                    self.nets.truncate(start);
                     place = None;
                     break;
                 }
@@ -196,7 +217,9 @@ impl<'a, 'm> Lattice<'a, 'm> {
         place
     }
 
-    fn enclose(&mut self, corners: [(i32, i32); 3]) -> Enclosure {
+    /// The planes that bound densities over a triangle, for end factors in an interval.
+    fn enclose(&mut self, corners: [(i32, i32); 3], ends: EndFactors) -> Enclosure {
+        let ends = ends.of_strokes(self.end_tolerance.unwrap_or(1.0));
         let middle = |a: (i32, i32), b: (i32, i32)| (i32::midpoint(a.0, b.0), i32::midpoint(a.1, b.1));
         let [a, b, c] = corners;
         let mut places = [0; 6];
@@ -214,7 +237,8 @@ impl<'a, 'm> Lattice<'a, 'm> {
         let (mut floor, mut ceiling) = (self.density[0], self.density[1]);
         let mut tight = true;
         for i in 0..n {
-            let at = |point: usize, side: usize| self.bands[places[point] + i][side];
+            let bands: [Band; 6] = places.map(|place| self.constraints[i].band(&self.nets[place + i], ends));
+            let at = |point: usize, side: usize| bands[point][side];
             let mut planes = [[0.0; 3]; 2];
             let mut moved = 0.0_f64;
             for (side, plane) in planes.iter_mut().enumerate() {

@@ -1,5 +1,6 @@
 use crate::constraint::merged;
 use crate::cover::{cover, cover_section};
+use crate::end_factor::EndFactors;
 use crate::piece::Piece;
 use crate::region::Region;
 use crate::{EstimatorError, Setup};
@@ -15,6 +16,9 @@ pub struct Estimate {
     pub density_kg_m3: Option<[f64; 2]>,
     /// Where the region was cut by the limits of the search rather than by a measurement.
     pub limits: Limits,
+    /// Consistent values of the end factor that strokes share, enclosed in steps of 1/32; `None` if they share none, or no soil
+    /// is consistent.
+    pub end_factor: Option<[f64; 2]>,
 }
 
 /// The consistent set seen along the other two axes, and its volume; empty and 0 if delta is known exactly.
@@ -24,7 +28,7 @@ pub struct Projections {
     pub delta_density: Region,
     /// Consistent (phi, delta) in degrees.
     pub phi_delta: Region,
-    /// Volume of the consistent set in deg2 kg/m3.
+    /// Volume of the consistent set in deg2 kg/m3; by quadrature where strokes share an end factor, otherwise exact for the cover.
     pub volume: f64,
 }
 
@@ -74,6 +78,12 @@ pub fn estimate(setup: &Setup<'_>) -> Result<Estimate, EstimatorError> {
         phi_deg: bounds.map(|b| b.0),
         density_kg_m3: bounds.map(|b| b.1),
         limits: bounds.map_or_else(Limits::default, |b| touched(setup, b)),
+        end_factor: pieces
+            .iter()
+            .map(Piece::ends)
+            .reduce(EndFactors::hull)
+            .filter(|_| setup.shares_ends())
+            .map(|ends| [ends.low, ends.high]),
         region,
     })
 }
@@ -92,7 +102,7 @@ pub fn projections(setup: &Setup<'_>) -> Result<Projections, EstimatorError> {
         delta_density: Region::of_angle_and_density(pieces.iter().map(|p| (p.delta_strip(), p.shadow(1)))),
         phi_delta: Region::of_angles(pieces.iter().map(|p| (p.phi_strip(), p.base().to_vec()))),
         // An empty sum is -0.
-        volume: pieces.iter().map(Piece::volume).sum::<f64>() + 0.0,
+        volume: pieces.chunk_by(Piece::beside).map(Piece::volume_together).sum::<f64>() + 0.0,
     })
 }
 

@@ -7,6 +7,7 @@
 use crate::constraint::{Constraint, each};
 use crate::convex::Point;
 use crate::ellipse::{Ellipse, smallest_ellipse};
+use crate::end_factor::EndFactors;
 use crate::{EstimatorError, Setup};
 
 /// Contours and their intersections at one delta.
@@ -118,7 +119,8 @@ pub fn exact_estimate(setup: &Setup<'_>) -> Result<Option<ExactSection>, Estimat
 }
 
 fn density(constraint: &Constraint<'_>, force_n: f64, phi_deg: f64, delta_deg: f64) -> Option<f64> {
-    let (per_density, rest) = constraint.force_parts(phi_deg, delta_deg).ok().flatten()?;
+    let net = constraint.net(phi_deg, delta_deg).ok().flatten()?;
+    let (per_density, rest) = constraint.force_parts(&net, EndFactors::ANY);
     let density = (force_n - rest) / per_density;
     (density > 0.0 && density.is_finite()).then_some(density)
 }

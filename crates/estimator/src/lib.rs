@@ -4,6 +4,7 @@ mod constraint;
 mod convex;
 mod cover;
 mod ellipse;
+mod end_factor;
 mod error;
 mod estimate;
 mod exact;

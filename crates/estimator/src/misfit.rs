@@ -1,6 +1,7 @@
 //! The weighted sum of squared errors and the best soil inside the consistent region.
 
-use crate::constraint::{Constraint, each};
+use crate::constraint::{Constraint, Net, each};
+use crate::end_factor::EndFactors;
 use crate::estimate::Estimate;
 use crate::{EstimatorError, Setup};
 
@@ -17,7 +18,7 @@ pub struct Fit {
     pub misfit: f64,
 }
 
-/// Misfit of soils against the measurements; a bracket predicts its geometric mean.
+/// Misfit of soils against the measurements; a bracket predicts its geometric mean, also that of one end factor.
 pub(crate) struct Misfit<'m> {
     constraints: Vec<Constraint<'m>>,
     forces_n: Vec<f64>,
@@ -35,29 +36,57 @@ impl<'m> Misfit<'m> {
 
     /// Relative residuals; `None` where the model has no answer.
     pub(crate) fn residuals(&self, phi_deg: f64, density_kg_m3: f64, delta_deg: f64) -> Option<Vec<f64>> {
-        self.constraints
-            .iter()
-            .zip(&self.forces_n)
-            .map(|(constraint, force)| {
-                let (per_density, rest) = constraint.force_parts(phi_deg, delta_deg).ok().flatten()?;
-                Some(1.0 - (density_kg_m3 * per_density + rest) / force)
-            })
-            .collect()
+        let nets = self.nets(phi_deg, delta_deg)?;
+        Some(self.residuals_of(&nets, density_kg_m3, EndFactors::ANY).collect())
     }
 
     pub(crate) fn value(&self, phi_deg: f64, density_kg_m3: f64, delta_deg: f64) -> Option<f64> {
         Some(self.residuals(phi_deg, density_kg_m3, delta_deg)?.iter().map(|r| r * r).sum())
     }
 
-    /// Best density at (phi, delta) within the consistent interval there, which is a parabola's minimum; `None` if
-    /// no density is consistent.
+    /// What the model says of each measurement.
+    fn nets(&self, phi_deg: f64, delta_deg: f64) -> Option<Vec<Net>> {
+        self.constraints.iter().map(|constraint| constraint.net(phi_deg, delta_deg).ok().flatten()).collect()
+    }
+
+    fn residuals_of(&self, nets: &[Net], density_kg_m3: f64, ends: EndFactors) -> impl Iterator<Item = f64> {
+        self.constraints.iter().zip(nets).zip(&self.forces_n).map(move |((constraint, net), force)| {
+            let (per_density, rest) = constraint.force_parts(net, ends);
+            1.0 - (density_kg_m3 * per_density + rest) / force
+        })
+    }
+
+    /// Best density at (phi, delta) within the consistent interval there; `None` if no density is consistent.
     fn best_density(&self, setup: &Setup<'_>, phi_deg: f64, delta_deg: f64) -> Option<Fit> {
+        let nets = self.nets(phi_deg, delta_deg)?;
+        let of = |ends: EndFactors, predicted: EndFactors| {
+            let (density_kg_m3, misfit) = self.parabola(setup, &nets, ends, predicted)?;
+            Some(Fit { phi_deg, density_kg_m3, delta_deg, misfit })
+        };
+        if setup.shares_ends() {
+            let shared = EndFactors::all().filter_map(|ends| of(ends, EndFactors::at(ends.middle())));
+            shared.min_by(|a, b| a.misfit.total_cmp(&b.misfit))
+        } else {
+            of(EndFactors::ANY, EndFactors::ANY)
+        }
+    }
+
+    /// The density of least misfit, which is a parabola's minimum, among those that bands of end factors leave, and its misfit
+    /// by the forces predicted at others of these.
+    fn parabola(
+        &self,
+        setup: &Setup<'_>,
+        nets: &[Net],
+        ends: EndFactors,
+        predicted: EndFactors,
+    ) -> Option<(f64, f64)> {
+        let of_strokes = ends.of_strokes(setup.end_tolerance);
         let (mut low, mut high) = setup.density_range_kg_m3();
         let (mut slope, mut curvature) = (0.0, 0.0);
-        for (constraint, force) in self.constraints.iter().zip(&self.forces_n) {
-            let band = constraint.band(phi_deg, delta_deg).ok().flatten()?;
+        for ((constraint, net), force) in self.constraints.iter().zip(nets).zip(&self.forces_n) {
+            let band = constraint.band(net, of_strokes);
             (low, high) = (low.max(band[0]), high.min(band[1]));
-            let (per_density, rest) = constraint.force_parts(phi_deg, delta_deg).ok().flatten()?;
+            let (per_density, rest) = constraint.force_parts(net, predicted);
             slope += (per_density / force) * (1.0 - rest / force);
             curvature += (per_density / force).powi(2);
         }
@@ -65,8 +94,8 @@ impl<'m> Misfit<'m> {
             return None;
         }
         let density_kg_m3 = (slope / curvature).clamp(low, high);
-        let misfit = self.value(phi_deg, density_kg_m3, delta_deg)?;
-        Some(Fit { phi_deg, density_kg_m3, delta_deg, misfit })
+        let misfit = self.residuals_of(nets, density_kg_m3, predicted).map(|r| r * r).sum();
+        Some((density_kg_m3, misfit))
     }
 }
 

@@ -1,12 +1,14 @@
-//! The next best stroke: which tool angle and depth would shrink the region most.
+//! The next best stroke: which tool angle, depth and width would shrink the region most.
 //!
 //! For a few soils spread over the consistent set the failure force of each candidate is predicted, given the
 //! uncertainty that such a stroke would have, and added as a measurement. What is left of the region, averaged
 //! over those soils, ranks the candidate. (Hong 2001, figure 7-13, found 40 deg by hand.)
 
-use soilctl_earth_pressure::{Case, ForceModel};
+use soilctl_earth_pressure::ForceModel;
 use soilctl_soil::{Angle, Plate};
 
+use crate::constraint::{constraint, merged};
+use crate::end_factor::EndFactors;
 use crate::estimate::{Estimate, estimate, region_only};
 use crate::{EstimatorError, Observation, Setup};
 
@@ -17,8 +19,8 @@ pub struct StrokeMenu {
     pub tool_angles_deg: Vec<f64>,
     /// Vertical depths in m to consider.
     pub depths_m: Vec<f64>,
-    /// Plate width in m.
-    pub width_m: f64,
+    /// Plate widths in m to consider.
+    pub widths_m: Vec<f64>,
     /// Relative scatter of the force from stroke to stroke (one band half width).
     pub force_scatter: f64,
     /// Uncertainty of the depth in m (one band half width); it enters twice, force going with depth squared.
@@ -34,6 +36,8 @@ pub struct Candidate {
     pub alpha_deg: f64,
     /// Vertical depth in m.
     pub depth_m: f64,
+    /// Plate width in m.
+    pub width_m: f64,
     /// Expected area of the (phi, density) region after the stroke, relative to before.
     pub area_left: f64,
     /// Expected width of the phi range after the stroke in degrees.
@@ -83,7 +87,9 @@ pub fn next_strokes<'m>(
             continue;
         };
         for &depth_m in &menu.depths_m {
-            candidates.extend(stage.candidate(menu, alpha_deg, depth_m)?);
+            for &width_m in &menu.widths_m {
+                candidates.extend(stage.candidate(menu, alpha_deg, depth_m, width_m)?);
+            }
         }
     }
     candidates.sort_by(|a, b| a.area_left.total_cmp(&b.area_left).then(a.alpha_deg.total_cmp(&b.alpha_deg)));
@@ -102,12 +108,13 @@ impl Stage<'_> {
         menu: &StrokeMenu,
         alpha_deg: f64,
         depth_m: f64,
+        width_m: f64,
     ) -> Result<Option<Candidate>, EstimatorError> {
-        let plate = Plate::new(Angle::from_degrees(alpha_deg), Angle::ZERO, depth_m, menu.width_m)?;
+        let plate = Plate::new(Angle::from_degrees(alpha_deg), Angle::ZERO, depth_m, width_m)?;
         let uncertainty = menu.force_scatter + 2.0 * menu.depth_error_m / depth_m;
         let (mut area, mut phi, mut density, mut force, mut count) = (0.0, 0.0, 0.0, 0.0_f64, 0.0);
-        for [phi_deg, density_kg_m3, delta_deg] in self.soils() {
-            let Some(force_n) = self.force_n(&plate, phi_deg, density_kg_m3, delta_deg) else {
+        for soil in self.soils() {
+            let Some(force_n) = self.force_n(&plate, soil)? else {
                 return Ok(None);
             };
             let mut observations = self.setup.observations.clone();
@@ -126,6 +133,7 @@ impl Stage<'_> {
         Ok(Some(Candidate {
             alpha_deg,
             depth_m,
+            width_m,
             area_left: area / count / self.before.region.area(),
             phi_width_deg: phi / count,
             density_width_kg_m3: density / count,
@@ -162,12 +170,42 @@ impl Stage<'_> {
         ends
     }
 
-    fn force_n(&self, plate: &Plate, phi_deg: f64, density_kg_m3: f64, delta_deg: f64) -> Option<f64> {
-        let case = Case::level_deg(plate.tool_angle().degrees(), phi_deg, delta_deg);
-        let prediction = self.setup.model.predict(&case).ok()?;
-        let soil = soilctl_soil::Soil::new(case.friction, density_kg_m3).ok()?;
-        let soil = soil.with_gravity(self.setup.gravity_m_s2).ok()?;
-        let force = prediction.force_n(plate, &soil, &self.setup.loads);
-        (force > 0.0).then_some(force)
+    /// The force that a plate needs in a soil, by the model at the end factor that the measurements leave there; `None` if
+    /// the model has no answer or no force above 0.
+    fn force_n(
+        &self,
+        plate: &Plate,
+        [phi_deg, density_kg_m3, delta_deg]: [f64; 3],
+    ) -> Result<Option<f64>, EstimatorError> {
+        let any = Observation::new("candidate", *plate, 1.0, 1.0)?;
+        let Ok(constraint) = constraint(&self.setup, &any) else { return Ok(None) };
+        let ends = self.end_factor([phi_deg, density_kg_m3, delta_deg])?;
+        let force = constraint.net(phi_deg, delta_deg).ok().flatten().map(|net| {
+            let (per_density, rest_n) = constraint.force_parts(&net, ends);
+            density_kg_m3 * per_density + rest_n
+        });
+        Ok(force.filter(|force| *force > 0.0))
+    }
+
+    /// The middle of the end factors that measurements leave in a soil, or all if strokes share none.
+    fn end_factor(
+        &self,
+        [phi_deg, density_kg_m3, delta_deg]: [f64; 3],
+    ) -> Result<EndFactors, EstimatorError> {
+        if !self.setup.shares_ends() {
+            return Ok(EndFactors::ANY);
+        }
+        let constraints = merged(&self.setup)?;
+        let nets = constraints.iter().map(|c| Some((c, c.net(phi_deg, delta_deg).ok().flatten()?)));
+        let Some(nets) = nets.collect::<Option<Vec<_>>>() else { return Ok(EndFactors::ANY) };
+        let left = EndFactors::all().filter(|ends| {
+            let ends = ends.of_strokes(self.setup.end_tolerance);
+            nets.iter().all(|(constraint, net)| {
+                let [low, high] = constraint.band(net, ends);
+                low <= density_kg_m3 && density_kg_m3 <= high
+            })
+        });
+        let hull = left.reduce(EndFactors::hull);
+        Ok(hull.map_or(EndFactors::ANY, |ends| EndFactors::at(ends.middle())))
     }
 }

@@ -1,6 +1,7 @@
 //! The consistent set over one triangle of the (phi, delta) plane, enclosed in a convex polytope.
 
 use crate::convex::{Point, area_centroid, clip};
+use crate::end_factor::EndFactors;
 
 /// A linear function on a triangle: values at its three corners.
 #[derive(Clone, Copy)]
@@ -14,6 +15,7 @@ pub(crate) struct Piece {
     /// Lattice cell the triangle belongs to: lower corner in phi and delta, size.
     cell: [i32; 3],
     corners: [Point; 3],
+    ends: EndFactors,
     lower: Vec<Plane>,
     upper: Vec<Plane>,
     /// Part of the triangle in (phi, delta) where every lower bound is below every upper bound.
@@ -21,11 +23,12 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
-    /// The set between the bounds over the part of a triangle where delta lies in `delta` and phi in `phi`;
-    /// `None` if it is empty. Corners counter-clockwise.
+    /// The set between the bounds over the part of a triangle where delta lies in `delta` and phi in `phi`, for end factors
+    /// in an interval; `None` if it is empty. Corners counter-clockwise.
     pub(crate) fn new(
         cell: [i32; 3],
         corners: [Point; 3],
+        ends: EndFactors,
         lower: Vec<Plane>,
         upper: Vec<Plane>,
         phi: (f64, f64),
@@ -33,7 +36,7 @@ impl Piece {
     ) -> Option<Self> {
         let lower = undominated(lower, |a, b| a <= b);
         let upper = undominated(upper, |a, b| a >= b);
-        let mut piece = Self { cell, corners, lower, upper, base: corners.to_vec() };
+        let mut piece = Self { cell, corners, ends, lower, upper, base: corners.to_vec() };
         for (d, (low, high)) in [phi, delta].into_iter().enumerate() {
             piece.base = clip(&piece.base, |p| p[d] - low);
             piece.base = clip(&piece.base, |p| high - p[d]);
@@ -56,6 +59,11 @@ impl Piece {
         (self.cell[1], self.cell[2])
     }
 
+    /// End factors for which it holds.
+    pub(crate) const fn ends(&self) -> EndFactors {
+        self.ends
+    }
+
     /// Shadow on the (phi, delta) plane.
     pub(crate) fn base(&self) -> &[Point] {
         &self.base
@@ -73,8 +81,38 @@ impl Piece {
         points
     }
 
+    /// Volume in deg2 kg/m3 of pieces over one triangle together. At each point of the triangle what they leave of the density is
+    /// one interval, because what measurements leave of density and density times end factor is convex there.
+    pub(crate) fn volume_together(pieces: &[Self]) -> f64 {
+        let [alone] = pieces else {
+            let Some(first) = pieces.first() else { return 0.0 };
+            let (area, _) = area_centroid(&first.corners);
+            let height = |p: Point| {
+                let ranges = pieces.iter().filter_map(|piece| piece.densities(p));
+                let hull = ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+                hull.map_or(0.0, |[low, high]| high - low)
+            };
+            let points = midpoints(&first.corners, QUADRATURE);
+            return area.abs() * points.iter().map(|&p| height(p)).sum::<f64>() / points.len() as f64;
+        };
+        alone.volume()
+    }
+
+    /// Whether it stands over the same triangle as another one.
+    pub(crate) fn beside(&self, other: &Self) -> bool {
+        self.corners == other.corners
+    }
+
+    /// Densities left at a point of the triangle; `None` if none are.
+    fn densities(&self, p: Point) -> Option<[f64; 2]> {
+        let at = |plane: &Plane| value(&self.corners, plane, p);
+        let low = self.lower.iter().map(at).fold(f64::NEG_INFINITY, f64::max);
+        let high = self.upper.iter().map(at).fold(f64::INFINITY, f64::min);
+        (low <= high).then_some([low, high])
+    }
+
     /// Volume in deg2 kg/m3: the density range integrated over the base.
-    pub(crate) fn volume(&self) -> f64 {
+    fn volume(&self) -> f64 {
         let integral = |planes: &[Plane], side: f64| -> f64 {
             self.parts(planes, side)
                 .map(|(plane, part)| {
@@ -104,6 +142,27 @@ impl Piece {
             (!part.is_empty()).then_some((plane, part))
         })
     }
+}
+
+/// Rows of smaller triangles whose centres the volume of several pieces is summed over.
+const QUADRATURE: usize = 6;
+
+/// Centres of the triangles into which one is cut by rows.
+fn midpoints([a, b, c]: &[Point; 3], rows: usize) -> Vec<Point> {
+    let third = 1.0 / (3.0 * rows as f64);
+    let mut points = Vec::with_capacity(rows * rows);
+    for i in 0..rows {
+        for j in 0..rows - i {
+            for (step, fits) in [(1.0, true), (2.0, i + j + 2 <= rows)] {
+                if fits {
+                    let u = (3.0 * i as f64 + step) * third;
+                    let v = (3.0 * j as f64 + step) * third;
+                    points.push([0, 1].map(|d| a[d] + u * (b[d] - a[d]) + v * (c[d] - a[d])));
+                }
+            }
+        }
+    }
+    points
 }
 
 /// Drops planes that another one makes redundant at all three corners, hence everywhere between them.
@@ -141,6 +200,7 @@ mod tests {
         let piece = Piece::new(
             [0, 0, 1],
             CORNERS,
+            EndFactors::ANY,
             vec![Plane([1.0; 3]), Plane([0.5; 3])],
             vec![Plane([3.0; 3])],
             (0.0, 1.0),
@@ -157,6 +217,7 @@ mod tests {
         let piece = Piece::new(
             [0, 0, 1],
             CORNERS,
+            EndFactors::ANY,
             vec![Plane([0.0; 3])],
             vec![Plane([1.0, -1.0, -1.0])],
             (0.0, 1.0),
@@ -168,8 +229,16 @@ mod tests {
         // Volume: integral over phi in 0..1/2 of phi (1 - 2 phi).
         assert!((piece.volume() - 1.0 / 24.0).abs() < 1e-15);
         assert!(
-            Piece::new([0, 0, 1], CORNERS, vec![Plane([2.0; 3])], vec![Plane([1.0; 3])], (0., 1.), (0., 1.))
-                .is_none()
+            Piece::new(
+                [0, 0, 1],
+                CORNERS,
+                EndFactors::ANY,
+                vec![Plane([2.0; 3])],
+                vec![Plane([1.0; 3])],
+                (0., 1.),
+                (0., 1.)
+            )
+            .is_none()
         );
     }
 }

@@ -27,10 +27,13 @@ pub struct Setup<'m> {
     pub gravity_m_s2: f64,
     /// Known cohesion, adhesion and surcharge.
     pub loads: Loads,
+    /// By how much the end factor of a stroke may differ from one that all share, 0 to 1; 1 if they share nothing. The end
+    /// factor is the part of what ends add at most, by a bracket that knows of them, which the ends of a plate do add.
+    pub end_tolerance: f64,
 }
 
 impl<'m> Setup<'m> {
-    /// A setup under standard gravity, cohesionless, density unknown.
+    /// A setup under standard gravity, cohesionless, density unknown; strokes share nothing of their ends.
     #[must_use]
     pub fn new(model: &'m dyn ForceModel, observations: Vec<Observation>, delta_deg: (f64, f64)) -> Self {
         Self {
@@ -41,6 +44,7 @@ impl<'m> Setup<'m> {
             phi_search_deg: None,
             gravity_m_s2: STANDARD_GRAVITY_M_S2,
             loads: Loads::default(),
+            end_tolerance: 1.0,
         }
     }
 
@@ -69,6 +73,11 @@ impl<'m> Setup<'m> {
     #[must_use]
     pub fn density_range_kg_m3(&self) -> (f64, f64) {
         self.density_kg_m3.unwrap_or(DENSITY_SEARCH_KG_M3)
+    }
+
+    /// Whether strokes share something of their end factors.
+    pub(crate) fn shares_ends(&self) -> bool {
+        self.model.bounds_ends() && self.end_tolerance < 1.0
     }
 
     /// Width over depth as the model sees it: plane strain for a model without ends.
@@ -108,6 +117,8 @@ impl<'m> Setup<'m> {
                 "the estimator",
             )?;
         }
+        let tolerance = (self.end_tolerance, self.end_tolerance);
+        interval("the tolerance of the end factor", tolerance, "", (0.0, 1.0), "the estimator")?;
         for load in [self.loads.cohesion_pa, self.loads.adhesion_pa, self.loads.surcharge_pa] {
             interval("a load", (load, load), "Pa", (0.0, 1e9), "the estimator")?;
         }

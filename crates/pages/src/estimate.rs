@@ -95,6 +95,13 @@ pub(crate) fn region(work: &Estimation) -> Result<Figure, PageError> {
             push_region(&mut figure, &format!("δ = {}°", number(*delta)), region, i + 1)?;
         }
     }
+    // On top, and in the colour of the frame: the sections below are many.
+    if let Some(plane) = &work.answer.plane_strain {
+        for outline in plane.region.iter().filter_map(|rings| rings.first()) {
+            let closed = outline.iter().chain(outline.first()).map(|p| (p[0], p[1]));
+            figure.push(Line::new("without ends", closed.collect::<Vec<_>>()).dash(Dash::Dash).color(6))?;
+        }
+    }
     if let Some(best) = &work.answer.best_estimate {
         let label =
             format!("φ {:.2}°, ρ {:.0} kg/m³, δ {:.2}°", best.phi_deg, best.density_kg_m3, best.delta_deg);

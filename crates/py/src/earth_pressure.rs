@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyTuple};
+use soilctl_app::request::Ends;
 use soilctl_earth_pressure::{
     Case, EarthPressureError, ForceModel, InPlaneStrain, Loads, MODEL_IDS, check_loads, model,
 };
@@ -15,19 +16,46 @@ use crate::copies::maker;
 use crate::error::{Answer, Fail, file_at, input, no_answer};
 use crate::work::in_blocks;
 
-/// Models by id, made once: tables take a while to read.
-pub(crate) fn known(id: &str) -> Result<Arc<dyn ForceModel>, EarthPressureError> {
-    static MODELS: OnceLock<Mutex<BTreeMap<String, Arc<dyn ForceModel>>>> = OnceLock::new();
+/// Models by id and by whether they are asked about plane strain, made once: tables take a while to read.
+fn made_once(id: &str, in_plane_strain: bool) -> Result<Arc<dyn ForceModel>, EarthPressureError> {
+    static MODELS: OnceLock<Mutex<BTreeMap<(String, bool), Arc<dyn ForceModel>>>> = OnceLock::new();
     let models = MODELS.get_or_init(Mutex::default);
     let mut models = models.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(found) = models.get(id) {
+    let key = (id.to_owned(), in_plane_strain);
+    if let Some(found) = models.get(&key) {
         return Ok(Arc::clone(found));
     }
     let made = model(id)?;
-    let made = if made.is_for_plane_strain() { InPlaneStrain::of(made) } else { made };
-    let made: Arc<dyn ForceModel> = Arc::from(made);
-    models.insert(id.to_owned(), Arc::clone(&made));
+    let made: Arc<dyn ForceModel> = Arc::from(if in_plane_strain { InPlaneStrain::of(made) } else { made });
+    models.insert(key, Arc::clone(&made));
     Ok(made)
+}
+
+/// A model by its id; plates have ends if it knows them and they have a width.
+pub(crate) fn known(id: &str) -> Result<Arc<dyn ForceModel>, EarthPressureError> {
+    made_once(id, false)
+}
+
+/// A model of plane strain by its id.
+pub(crate) fn plane(id: &str) -> Result<Arc<dyn ForceModel>, EarthPressureError> {
+    let model = made_once(id, true)?;
+    let own = made_once(id, false)?;
+    if own.is_for_plane_strain() { Ok(model) } else { Err(EarthPressureError::HasEnds { model: own.id() }) }
+}
+
+/// A model as it is asked about plates, and whether they have ends.
+pub(crate) fn asked(id: &str, ends: Option<&str>, sized: bool) -> Answer<(Arc<dyn ForceModel>, Ends)> {
+    let own = made_once(id, false)?;
+    let ends = Ends::of(ends.map(ends_named).transpose()?, own.as_ref(), sized)?;
+    Ok((if ends == Ends::None { made_once(id, true)? } else { own }, ends))
+}
+
+pub(crate) fn ends_named(name: &str) -> Answer<Ends> {
+    match name {
+        "finite" => Ok(Ends::Finite),
+        "none" => Ok(Ends::None),
+        other => Err(input(format!("ends is {other:?}; it must be finite or none"))),
+    }
 }
 
 /// Coefficients of a plate, and its failure force if all that it needs was given.
@@ -46,7 +74,7 @@ pub(crate) struct Prediction {
     #[pyo3(get)]
     coefficient: Py<PyAny>,
     /// Ends of the bracket on the net coefficient and on the force; None for a point model.
-    ends: Option<Ends>,
+    ends: Option<Bounds>,
     /// By how much, relatively, interpolation in a table may be wrong; None for a formula.
     #[pyo3(get)]
     interpolation_margin: Option<Py<PyAny>>,
@@ -56,7 +84,7 @@ pub(crate) struct Prediction {
 }
 
 /// Lower and upper ends.
-struct Ends {
+struct Bounds {
     coefficient: [Py<PyAny>; 2],
     force_n: Option<[Py<PyAny>; 2]>,
 }
@@ -179,7 +207,7 @@ pub(crate) fn restore_prediction(
 ) -> Prediction {
     let (model, reference) = named;
     let ends =
-        ends.map(|(both, force_n)| Ends { coefficient: both.into(), force_n: force_n.map(Into::into) });
+        ends.map(|(both, force_n)| Bounds { coefficient: both.into(), force_n: force_n.map(Into::into) });
     Prediction { model, reference, coefficient, ends, interpolation_margin, force_n }
 }
 
@@ -212,7 +240,7 @@ impl Given<'_> {
             let Some([_, depth, width]) = &self.sizes else {
                 return Err(EarthPressureError::NeedsEnds {
                     model: model.id(),
-                    advice: "give density_kg_m3, depth_m and width_m",
+                    advice: "give density_kg_m3, depth_m and width_m, or ends=\"none\" for plane strain",
                 });
             };
             let plate = Plate::new(case.tool_angle, case.surface_slope, depth.at(i), width.at(i))?;
@@ -257,6 +285,8 @@ impl Given<'_> {
 ///     adhesion_pa: Adhesion between soil and plate.
 ///     surcharge_pa: Vertical pressure on the surface.
 ///     gravity_m_s2: Gravity.
+///     ends: ``finite`` for a plate with ends, whose force is above that of plane strain, ``none`` for plane strain. By default a
+///         plate has ends if the model knows them and the plate has a width.
 ///
 /// Raises:
 ///     InputError: If a number is out of the model's range, not finite, or a shape does not go with the others.
@@ -265,7 +295,7 @@ impl Given<'_> {
 #[pyo3(signature = (
     model = "chen", *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = None,
     density_kg_m3 = None, depth_m = None, width_m = None, cohesion_pa = None, adhesion_pa = None, surcharge_pa = None,
-    gravity_m_s2 = None,
+    gravity_m_s2 = None, ends = None,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn predict<'py>(
@@ -282,6 +312,7 @@ pub(crate) fn predict<'py>(
     adhesion_pa: Option<&Bound<'py, PyAny>>,
     surcharge_pa: Option<&Bound<'py, PyAny>>,
     gravity_m_s2: Option<&Bound<'py, PyAny>>,
+    ends: Option<&str>,
 ) -> Answer<Prediction> {
     let alpha = Array::new("tool_angle_deg", tool_angle_deg)?;
     let phi = Array::new("friction_angle_deg", friction_angle_deg)?;
@@ -329,7 +360,7 @@ pub(crate) fn predict<'py>(
             None => None,
         },
     };
-    let model = known(model)?;
+    let (model, _) = asked(model, ends, sizes.is_some())?;
     let mut columns = Columns::default();
     in_blocks(py, &shape, |i| given.point(model.as_ref(), i), |points| columns.take(&points))?;
     columns.answer(py, model.as_ref(), &shape)
@@ -369,7 +400,7 @@ impl Columns {
         let force_n = force(&self.net)?;
         let ends = if self.lower != self.net || self.upper != self.net {
             let force_n = force(&self.lower)?.zip(force(&self.upper)?).map(Into::into);
-            Some(Ends { coefficient: [array(self.lower)?, array(self.upper)?], force_n })
+            Some(Bounds { coefficient: [array(self.lower)?, array(self.upper)?], force_n })
         } else {
             None
         };

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use soilctl_app::request::Ends;
 use soilctl_earth_pressure::{ChenLiu, EarthPressureError, ForceModel, Loads};
 use soilctl_estimator::{
     Conflict, Estimate as ConsistentSoils, EstimatorError, Fit, Observation, Setup, StrokeMenu,
@@ -13,7 +14,7 @@ use soilctl_soil::{Angle, Plate};
 
 use crate::array::{Array, Column, common_shape, interval, interval_or_none};
 use crate::copies::maker;
-use crate::earth_pressure::known;
+use crate::earth_pressure::asked;
 use crate::error::{Answer, Fail, input, no_answer};
 use crate::interruptible::stoppable;
 use crate::region::{boundary_table, geojson, html, svg};
@@ -24,6 +25,8 @@ struct Known {
     /// As given, a row a measurement: tool angle and slope of the ground in degrees, depth, width, force and its half width.
     given: Vec<[f64; 6]>,
     model: Arc<dyn ForceModel>,
+    ends: Ends,
+    end_tolerance: f64,
     observations: Vec<Observation>,
     delta_deg: (f64, f64),
     density_kg_m3: Option<(f64, f64)>,
@@ -42,6 +45,7 @@ impl Known {
             phi_search_deg: self.phi_search_deg,
             gravity_m_s2: self.gravity_m_s2,
             loads: self.loads,
+            end_tolerance: self.end_tolerance,
         }
     }
 
@@ -84,6 +88,13 @@ impl Estimate {
     #[getter]
     fn density_kg_m3(&self) -> Option<(f64, f64)> {
         self.found.density_kg_m3.map(Into::into)
+    }
+
+    /// Least and greatest end factor that strokes may share: the part of what ends add at most that they do add.
+    /// None if they share none, or no soil is consistent.
+    #[getter]
+    fn end_factor(&self) -> Option<(f64, f64)> {
+        self.found.end_factor.map(Into::into)
     }
 
     /// Area of the region in deg kg/m3.
@@ -165,13 +176,13 @@ impl Estimate {
         found.iter().map(|region| Ok(geojson(py, region)?)).collect()
     }
 
-    /// Strokes that would shrink the region most, the best first: dicts of ``tool_angle_deg``, ``depth_m``, ``area_left``
-    /// (relative to now), ``friction_angle_width_deg``, ``density_width_kg_m3``, ``force_n`` and ``model``.
+    /// Strokes that would shrink the region most, the best first: dicts of ``tool_angle_deg``, ``depth_m``,
+    /// ``width_m``, ``area_left`` (relative to now), ``friction_angle_width_deg``, ``density_width_kg_m3``, ``force_n`` and ``model``.
     ///
     /// Args:
     ///     tool_angle_deg: Angles to consider, shape (n,).
     ///     depth_m: Depths to consider, shape (m,).
-    ///     width_m: Width of the plate.
+    ///     width_m: Widths of plates to consider, a number or shape (k,).
     ///     force_scatter: Relative scatter of the force from stroke to stroke, one half width.
     ///     depth_error_m: Uncertainty of the depth, one half width.
     ///     force_limit_n: Greatest force of the arm; strokes above it are left out. None for any.
@@ -186,7 +197,7 @@ impl Estimate {
         py: Python<'py>,
         tool_angle_deg: &Bound<'py, PyAny>,
         depth_m: &Bound<'py, PyAny>,
-        width_m: f64,
+        width_m: &Bound<'py, PyAny>,
         force_scatter: f64,
         depth_error_m: f64,
         force_limit_n: Option<f64>,
@@ -195,7 +206,7 @@ impl Estimate {
         let menu = StrokeMenu {
             tool_angles_deg: listed("tool_angle_deg", tool_angle_deg)?,
             depths_m: listed("depth_m", depth_m)?,
-            width_m,
+            widths_m: listed("width_m", width_m)?,
             force_scatter,
             depth_error_m,
             force_limit_n,
@@ -209,6 +220,7 @@ impl Estimate {
             let dict = PyDict::new(py);
             dict.set_item("tool_angle_deg", stroke.alpha_deg)?;
             dict.set_item("depth_m", stroke.depth_m)?;
+            dict.set_item("width_m", stroke.width_m)?;
             dict.set_item("area_left", stroke.area_left)?;
             dict.set_item("friction_angle_width_deg", stroke.phi_width_deg)?;
             dict.set_item("density_width_kg_m3", stroke.density_width_kg_m3)?;
@@ -225,6 +237,7 @@ impl Estimate {
         dict.set_item("consistent", self.consistent())?;
         dict.set_item("friction_angle_deg", self.friction_angle_deg())?;
         dict.set_item("density_kg_m3", self.density_kg_m3())?;
+        dict.set_item("end_factor", self.end_factor())?;
         dict.set_item("area", self.area())?;
         dict.set_item("cut_by_search", self.cut_by_search())?;
         dict.set_item("best_fit", self.best_fit(py)?)?;
@@ -267,6 +280,12 @@ impl Estimate {
         dict.set_item("adhesion_pa", known.loads.adhesion_pa)?;
         dict.set_item("surcharge_pa", known.loads.surcharge_pa)?;
         dict.set_item("gravity_m_s2", known.gravity_m_s2)?;
+        let ends = match known.ends {
+            Ends::Finite => "finite",
+            Ends::None => "none",
+        };
+        dict.set_item("ends", ends)?;
+        dict.set_item("end_tolerance", known.end_tolerance)?;
         let again =
             py.import("functools")?.getattr("partial")?.call((maker(py, "estimate")?,), Some(&dict))?;
         Ok((again, ()))
@@ -308,6 +327,10 @@ impl Estimate {
 ///     friction_search_deg: Friction angles to search between; None for 5 to 60, as far as the model reaches.
 ///     model: Force model, one of ``soilctl.MODELS``.
 ///     cohesion_pa, adhesion_pa, surcharge_pa, gravity_m_s2: Known.
+///     ends: ``finite`` for plates with ends, each of its own width, ``none`` for plane strain. By default plates have ends if the
+///         model knows them.
+///     end_tolerance: By how much the end factor of a measurement may differ from one that all share, 0 to 1; 1 if they share
+///         nothing.
 ///
 /// Raises:
 ///     InputError: If there is no measurement, a number is out of its range, or the model does not cover it.
@@ -315,7 +338,7 @@ impl Estimate {
 #[pyo3(signature = (
     *, tool_angle_deg, depth_m, width_m, force_n, force_error_n, interface_friction_deg, surface_slope_deg = None,
     density_kg_m3 = None, friction_search_deg = None, model = "table", cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
-    gravity_m_s2 = 9.80665,
+    gravity_m_s2 = 9.80665, ends = None, end_tolerance = 0.1,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn estimate<'py>(
@@ -334,7 +357,10 @@ pub(crate) fn estimate<'py>(
     adhesion_pa: f64,
     surcharge_pa: f64,
     gravity_m_s2: f64,
+    ends: Option<&str>,
+    end_tolerance: f64,
 ) -> Answer<Estimate> {
+    let (model, ends) = asked(model, ends, true)?;
     let alpha = Array::new("tool_angle_deg", tool_angle_deg)?;
     let depth = Array::new("depth_m", depth_m)?;
     let width = Array::new("width_m", width_m)?;
@@ -361,7 +387,9 @@ pub(crate) fn estimate<'py>(
     let observations = observations.collect::<Answer<Vec<_>>>()?;
     let known = Known {
         given,
-        model: known(model)?,
+        model,
+        ends,
+        end_tolerance,
         observations,
         delta_deg: interval("interface_friction_deg", interface_friction_deg)?,
         density_kg_m3: interval_or_none("density_kg_m3", density_kg_m3)?,

@@ -8,7 +8,6 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping};
 use soilctl_app::bound::ratio_of_ends;
-use soilctl_app::request::Ends;
 use soilctl_certificate::{LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
 use soilctl_earth_pressure::{Blocks, Case, LoadFactors};
 use soilctl_limit_analysis::describe::{Aim, Quantity};
@@ -21,7 +20,7 @@ use soilctl_soil::{Angle, Interface, Plate, Soil};
 
 use crate::array::{whole, whole_or_none};
 use crate::bracket::{Bracket, Progress, Proofs};
-use crate::earth_pressure::beyond;
+use crate::earth_pressure::{beyond, ends_named};
 use crate::error::{Answer, Fail, file_at, input, kinds, no_answer};
 use crate::interruptible::run_interruptible;
 
@@ -161,14 +160,6 @@ fn saved(
         lower: lower.map(Proven::claim),
         upper: upper.map(Proven::claim),
         mechanism: None,
-    }
-}
-
-fn ends_named(name: &str) -> Answer<Ends> {
-    match name {
-        "finite" => Ok(Ends::Finite),
-        "none" => Ok(Ends::None),
-        other => Err(input(format!("ends is {other:?}; it must be finite or none"))),
     }
 }
 

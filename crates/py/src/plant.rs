@@ -12,7 +12,7 @@ use soilctl_plant::{Drive, Ground, Hardware, PlantError, PlantParams, SoilPreset
 
 use crate::array::{Array, shaped, whole};
 use crate::copies::maker;
-use crate::earth_pressure::known;
+use crate::earth_pressure::plane;
 use crate::error::{Answer, Fail, file_at, input, kinds};
 
 /// Torques beyond this are a mistake of the caller, in N m.
@@ -179,7 +179,7 @@ impl Plant {
         let ground = match soil {
             Some(name) => {
                 let preset = SoilPreset::named(name)?;
-                Some(Ground::new(&params, &preset, known(model)?.as_ref(), surface_z_m, seed)?)
+                Some(Ground::new(&params, &preset, plane(model)?.as_ref(), surface_z_m, seed)?)
             }
             None => None,
         };

@@ -51,6 +51,10 @@ impl ForceModel for Watched<'_> {
         self.model.has_ends()
     }
 
+    fn bounds_ends(&self) -> bool {
+        self.model.bounds_ends()
+    }
+
     fn is_for_plane_strain(&self) -> bool {
         self.model.is_for_plane_strain()
     }

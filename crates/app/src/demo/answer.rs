@@ -72,6 +72,8 @@ pub struct Truth {
     pub cohesion_pa: f64,
     /// Gravity (m/s2); the estimate takes it as known.
     pub gravity_m_s2: f64,
+    /// Part of what the plate's ends add at most, by the proven bounds, that they add; 0 in plane strain.
+    pub end_factor: f64,
 }
 
 /// How many strokes there are.

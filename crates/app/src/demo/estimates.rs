@@ -12,6 +12,7 @@ use super::folder::Folder;
 use super::region::{self, Known};
 use crate::estimate::Estimation;
 use crate::files::save;
+use crate::request::Ends;
 use crate::{AppError, document};
 
 /// An estimate, or why there is none.
@@ -48,6 +49,7 @@ pub(super) fn all(
     answer: &mut Answer,
     folder: &Folder,
     plan: &Plan,
+    ends: Ends,
     strokes: &[StrokeRecord],
     density_kg_m3: Option<f64>,
 ) -> Result<Vec<Estimated>, AppError> {
@@ -65,6 +67,7 @@ pub(super) fn all(
     let known = |measurements| Known {
         measurements,
         model: &answer.model,
+        ends,
         cohesion_pa: plan.soil().cohesion_pa,
         gravity_m_s2: plan.soil().gravity_m_s2,
         density_sd_rel: campaign.density_sd_rel,

@@ -19,13 +19,15 @@ pub(super) struct Made {
     soil: String,
     seed: u64,
     model: String,
+    #[serde(default)]
+    end_factor: f64,
     quick: bool,
 }
 
 impl Made {
-    pub(super) fn new(soil: String, seed: u64, model: String, quick: bool) -> Self {
+    pub(super) fn new(soil: String, seed: u64, model: String, end_factor: f64, quick: bool) -> Self {
         let program_version = env!("CARGO_PKG_VERSION").into();
-        Self { schema: SCHEMA.into(), program_version, soil, seed, model, quick }
+        Self { schema: SCHEMA.into(), program_version, soil, seed, model, end_factor, quick }
     }
 }
 
@@ -71,6 +73,7 @@ impl Folder {
             ("soil", &found.soil, &wanted.soil),
             ("seed", &found.seed.to_string(), &wanted.seed.to_string()),
             ("model", &found.model, &wanted.model),
+            ("end factor", &found.end_factor.to_string(), &wanted.end_factor.to_string()),
             ("choice of --quick", &found.quick.to_string(), &wanted.quick.to_string()),
         ];
         for (what, found, wanted) in pairs {

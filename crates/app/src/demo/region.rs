@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::answer::{Region, Truth};
 use crate::estimate::{self, Estimation};
-use crate::request::{Loads, NumberOrColumn};
+use crate::request::{Ends, Loads, NumberOrColumn};
 use crate::{AppError, Unwatched};
 
 /// Half width of what is known of the inclination at failure, in deg.
@@ -16,6 +16,7 @@ const WEIGHED: f64 = 0.01;
 pub(super) struct Known<'a> {
     pub(super) measurements: &'a Path,
     pub(super) model: &'a str,
+    pub(super) ends: Ends,
     pub(super) cohesion_pa: f64,
     pub(super) gravity_m_s2: f64,
     pub(super) density_sd_rel: f64,
@@ -27,6 +28,7 @@ impl Known<'_> {
         estimate::Request {
             file: self.measurements.into(),
             model: self.model.to_owned(),
+            ends: Some(self.ends),
             delta_deg: NumberOrColumn::Column,
             delta_tol_deg: INCLINATION_DEG,
             density_kg_m3: weighed_kg_m3.map(NumberOrColumn::Number),

@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_campaign::{SoilPreset, presets};
+use soilctl_earth_pressure::model;
 
 use crate::AppError;
+use crate::request::{Ends, finite};
 
 /// A simulated campaign from the soil to the estimate, compared with the truth.
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -35,6 +37,15 @@ pub struct Request {
     #[arg(long, value_name = "NAME")]
     pub model: Option<String>,
 
+    /// Whether the plate has ends, in the simulated soil and for the estimate [default: finite if the model knows what ends add]
+    #[arg(long, value_name = "ENDS")]
+    pub ends: Option<Ends>,
+
+    /// Part of what ends add at most that they add in the simulated soil; the estimate does not know it
+    #[arg(long, value_name = "PART", default_value_t = Request::default().end_factor, value_parser = finite)]
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub end_factor: f64,
+
     /// Four strokes instead of sixteen: every step in a quarter of the time, but too few to tell much
     #[arg(long)]
     pub quick: bool,
@@ -42,7 +53,16 @@ pub struct Request {
 
 impl Default for Request {
     fn default() -> Self {
-        Self { soil: "ticino_rained".into(), out: None, seed: 1, threads: None, model: None, quick: false }
+        Self {
+            soil: "ticino_rained".into(),
+            out: None,
+            seed: 1,
+            threads: None,
+            model: None,
+            ends: None,
+            end_factor: 0.5,
+            quick: false,
+        }
     }
 }
 
@@ -56,6 +76,12 @@ impl Request {
             let known: Vec<String> = presets().into_iter().map(|soil| soil.name).collect();
             AppError::Request(format!("--soil is {}; it must be one of {}", self.soil, known.join(", ")))
         })
+    }
+
+    /// Whether plates have ends, and the part of what they add at most that they add in the simulated soil.
+    pub(super) fn ends(&self, model_id: &str) -> Result<(Ends, f64), AppError> {
+        let ends = Ends::of(self.ends, model(model_id)?.as_ref(), true)?;
+        Ok((ends, if ends == Ends::Finite { self.end_factor } else { 0.0 }))
     }
 
     /// The force model: the table knows no cohesion.

@@ -8,6 +8,7 @@ use super::estimates::{self, Estimated};
 use super::folder::{Folder, Made};
 use super::{Request, delta, found, recovered};
 use crate::files::save;
+use crate::request::Ends;
 use crate::{AppError, Watch, process, simulate};
 
 /// A demonstration with everything that figures and page are drawn from.
@@ -40,12 +41,14 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Demonstration, AppErr
     let soil = request.soil()?;
     let model = request.model(&soil);
     let guess_deg = soil.delta_deg.round();
-    let plan = demonstration(&soil.name, &model, request.seed, guess_deg, request.quick)?;
+    let (ends, end_factor) = request.ends(&model)?;
+    let plan = demonstration(&soil.name, &model, end_factor, request.seed, guess_deg, request.quick)?;
     let out = request.out.clone().unwrap_or_else(|| std::path::Path::new("demo").join(&soil.name));
-    let folder = Folder::open(&out, &Made::new(soil.name.clone(), request.seed, model, request.quick))?;
+    let folder =
+        Folder::open(&out, &Made::new(soil.name.clone(), request.seed, model, end_factor, request.quick))?;
     save(&folder.file("plan.toml"), plan.text().as_bytes())?;
     let mut answer = begun(&soil, &plan, &folder, guess_deg);
-    let work = work(request, &soil, plan, &folder, &mut answer, watch)?;
+    let work = work(request, &soil, plan, ends, &folder, &mut answer, watch)?;
     Ok(Demonstration { answer, work })
 }
 
@@ -54,6 +57,7 @@ fn work(
     request: &Request,
     soil: &SoilPreset,
     plan: Plan,
+    ends: Ends,
     folder: &Folder,
     answer: &mut Answer,
     watch: &dyn Watch,
@@ -88,7 +92,7 @@ fn work(
 
     watch.note("3 of 4: interface friction, friction angle and density");
     compared(answer, &plan, &simulated, truths, &processed);
-    let estimates = estimates::all(answer, folder, &plan, &processed.strokes, density_kg_m3)?;
+    let estimates = estimates::all(answer, folder, &plan, ends, &processed.strokes, density_kg_m3)?;
     answer.complete = true;
     answer.not_recovered = recovered::not_recovered(answer);
     answer.found = found::in_words(answer);
@@ -128,6 +132,7 @@ fn begun(soil: &SoilPreset, plan: &Plan, folder: &Folder, guess_deg: f64) -> Ans
             density_kg_m3: soil.density_kg_m3,
             cohesion_pa: soil.cohesion_pa,
             gravity_m_s2: soil.gravity_m_s2,
+            end_factor: plan.file().end_factor,
         },
         strokes: StrokeCount {
             asked: plan.strokes().strokes().len(),

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_estimator::{Candidate, Fit, LocalMinimum, Observation, Optimiser, Ring};
+use soilctl_estimator::{Candidate, Estimate, Fit, LocalMinimum, Observation, Optimiser, Ring};
 use soilctl_strokes::PooledBand;
 
 use super::ExactAnswer;
@@ -206,6 +206,8 @@ pub struct NextStroke {
     pub alpha_deg: f64,
     /// Vertical depth (m).
     pub depth_m: f64,
+    /// Plate width (m).
+    pub width_m: f64,
     /// Expected area of the region after it, relative to now.
     pub area_left: f64,
     /// Expected width of the friction range after it (deg).
@@ -223,11 +225,36 @@ impl From<&Candidate> for NextStroke {
         Self {
             alpha_deg: c.alpha_deg,
             depth_m: c.depth_m,
+            width_m: c.width_m,
             area_left: c.area_left,
             phi_width_deg: c.phi_width_deg,
             density_width_kg_m3: c.density_width_kg_m3,
             force_n: c.force_n,
             model: c.model,
+        }
+    }
+}
+
+/// What the same measurements say if ends are forgotten: plates as parts of endless ones.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PlaneStrain {
+    /// Whether any soil explains all measurements.
+    pub consistent: bool,
+    /// Range of the friction angle (deg); null if inconsistent.
+    pub phi_deg: Option<[f64; 2]>,
+    /// Range of the density (kg/m3); null if inconsistent.
+    pub density_kg_m3: Option<[f64; 2]>,
+    /// Consistent [phi, density]: polygons, each an outer ring and its holes.
+    pub region: Vec<Vec<Ring>>,
+}
+
+impl From<&Estimate> for PlaneStrain {
+    fn from(estimate: &Estimate) -> Self {
+        Self {
+            consistent: estimate.is_consistent(),
+            phi_deg: estimate.phi_deg,
+            density_kg_m3: estimate.density_kg_m3,
+            region: estimate.region.polygons().to_vec(),
         }
     }
 }
@@ -239,6 +266,13 @@ pub struct Answer {
     pub model: String,
     /// Whether plates have ends.
     pub ends: Ends,
+    /// Least and greatest width of a plate over its vertical depth.
+    pub width_ratio: [f64; 2],
+    /// Consistent values of the end factor that strokes share, the part of what ends add at most; null if they share none, or no soil is
+    /// consistent.
+    pub end_factor: Option<[f64; 2]>,
+    /// The same without ends, for comparison; null if plates have none, and for exact data.
+    pub plane_strain: Option<PlaneStrain>,
     /// Whether any soil explains all measurements.
     pub consistent: bool,
     /// Range of the friction angle (deg) over the whole interval of delta; null if inconsistent.

@@ -101,6 +101,7 @@ impl Inputs {
         setup.phi_search_deg = request.phi_range_deg;
         setup.gravity_m_s2 = request.loads.gravity_m_s2;
         setup.loads = request.loads.into();
+        setup.end_tolerance = request.end_tolerance;
         Ok(setup)
     }
 

@@ -14,12 +14,16 @@ use soilctl_estimator::{
 };
 
 pub use answer::{
-    Answer, Centre, Disagreement, LeftOut, Measured, Minimum, NextStroke, Point, Pooled, Section, distinct,
+    Answer, Centre, Disagreement, LeftOut, Measured, Minimum, NextStroke, PlaneStrain, Point, Pooled,
+    Section, distinct,
 };
 pub use bands::Bands;
 pub use exact::{ContourSection, Crossing, ExactAnswer};
 pub use inputs::Inputs;
 pub use request::{Request, Uncertainty};
+
+use soilctl_effects::{EffectId, Loaded};
+use soilctl_strokes::Measurement;
 
 use crate::request::Ends;
 use crate::{AppError, Watch, request as requests};
@@ -60,10 +64,11 @@ impl Estimation {
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError> {
     requests::check(request)?;
     let exact_data = request.exact;
-    let model = model(&request.model)?;
-    let model = match Ends::of(request.ends, &*model)? {
-        Ends::Finite => model,
-        Ends::None => InPlaneStrain::of(model),
+    let known = model(&request.model)?;
+    let knows_ends = known.has_ends();
+    let (ends, model) = match ends(request, &*known)? {
+        Ends::Finite => (Ends::Finite, known),
+        Ends::None => (Ends::None, InPlaneStrain::of(known)),
     };
     let inputs = Inputs::read(request, exact_data, &*model)?;
     let setup = inputs.setup(request, &*model)?;
@@ -91,9 +96,17 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     };
     let optimisers = if request.compare { Some(compare(&setup, &estimate)?) } else { None };
     let best_estimate = best_fit(&setup, &estimate)?.map(Into::into);
+    let plane_strain = if ends == Ends::Finite && !exact_data {
+        Some(PlaneStrain::from(&in_plane_strain(request)?))
+    } else {
+        None
+    };
     let mut answer = Answer {
         model: model.id().into(),
-        ends: if model.has_ends() { Ends::Finite } else { Ends::None },
+        ends,
+        width_ratio: width_ratio(&setup),
+        end_factor: estimate.end_factor,
+        plane_strain,
         consistent,
         phi_deg: estimate.phi_deg,
         density_kg_m3: estimate.density_kg_m3,
@@ -136,8 +149,38 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
             .collect();
     }
     answer.verdict = words::verdict(&answer);
-    answer.warnings.extend(words::warnings(&answer));
+    answer.warnings.extend(words::warnings(&answer, request, knows_ends));
     Ok(Estimation { request: request.clone(), inputs, model, estimate, projections, sections, answer })
+}
+
+/// Whether plates have ends. If a model file has their effect, its forces are without it, and they must not be counted twice.
+fn ends(request: &Request, model: &dyn ForceModel) -> Result<Ends, AppError> {
+    let ends = Ends::of(request.ends, model, true)?;
+    let (Ends::Finite, Some(path)) = (ends, &request.model_file) else { return Ok(ends) };
+    let file = Loaded::read(path)?;
+    if !file.effects().iter().any(|active| active.effect.id == EffectId::SideEffects3d) {
+        return Ok(ends);
+    }
+    if request.ends.is_some() {
+        return Err(AppError::Request(format!(
+            "{} takes the effect of ends out of the forces, and --ends finite would count it again; leave one of them out",
+            path.display()
+        )));
+    }
+    Ok(Ends::None)
+}
+
+/// The same measurements and the same model, asked about plates without ends.
+fn in_plane_strain(request: &Request) -> Result<Estimate, AppError> {
+    let model = InPlaneStrain::of(model(&request.model)?);
+    let inputs = Inputs::read(request, false, &*model)?;
+    Ok(estimate(&inputs.setup(request, &*model)?)?)
+}
+
+/// Least and greatest width of a plate over its depth.
+fn width_ratio(setup: &Setup<'_>) -> [f64; 2] {
+    let ratios = setup.observations.iter().map(|o| o.plate().width_m() / o.plate().depth_m());
+    ratios.fold([f64::INFINITY, 0.0], |[low, high], ratio| [low.min(ratio), high.max(ratio)])
 }
 
 fn centre(estimate: &Estimate) -> Option<Centre> {
@@ -164,17 +207,20 @@ fn disagreement(setup: &Setup<'_>) -> Result<Disagreement, AppError> {
 
 /// Strokes to choose from: scatter as in the table, depth error as in the campaign.
 fn menu(request: &Request, inputs: &Inputs, setup: &Setup<'_>) -> StrokeMenu {
-    let mut depths_m = request.next_depth_m.clone();
-    if depths_m.is_empty() {
-        depths_m = inputs.measurements.iter().map(|m| (m.depth_m * 1e3).round() / 1e3).collect();
-        depths_m.sort_by(f64::total_cmp);
-        depths_m.dedup();
-    }
+    let or_of_table = |asked: &[f64], of: fn(&Measurement) -> f64| {
+        let mut lengths_m = asked.to_vec();
+        if lengths_m.is_empty() {
+            lengths_m = inputs.measurements.iter().map(|m| (of(m) * 1e3).round() / 1e3).collect();
+            lengths_m.sort_by(f64::total_cmp);
+            lengths_m.dedup();
+        }
+        lengths_m
+    };
     let relative = setup.observations.iter().map(|o| 0.5 * (o.high_n() - o.low_n()) / o.force_n());
     StrokeMenu {
         tool_angles_deg: request.next_alpha_deg.clone(),
-        depths_m,
-        width_m: inputs.measurements[0].width_m,
+        depths_m: or_of_table(&request.next_depth_m, |m| m.depth_m),
+        widths_m: or_of_table(&request.next_width_m, |m| m.width_m),
         force_scatter: relative.sum::<f64>() / setup.observations.len() as f64,
         // Bands of strokes of one kind have it in them.
         depth_error_m: if inputs.bands.is_some() { 0.0 } else { inputs.campaign.depth_sd_m },

@@ -34,9 +34,16 @@ pub struct Request {
     pub model: String,
 
     /// Whether plates have ends, each its own width: the force is then above that of plane strain. By default they have them
-    /// for the models that are made for it (mckyes, perumpral, godwin-spoor); `table` knows both
+    /// for the models that know ends (table, mckyes, perumpral, godwin-spoor); the other models are of plane strain
     #[arg(long, value_name = "ENDS")]
     pub ends: Option<Ends>,
+
+    /// By how much the end factor of a stroke may differ from one that all strokes share. It is the part of what ends add at most, by
+    /// the proven bracket of `table`, that the ends of a plate do add. At 1 strokes share nothing
+    #[arg(long = "end-tol", value_name = "PART", default_value_t = Request::default().end_tolerance, value_parser = finite,
+          allow_negative_numbers = true)]
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub end_tolerance: f64,
 
     /// A model file, such as the patch of `diagnose`: its effects are taken out of the measured forces first, at the
     /// soil of the file
@@ -114,6 +121,10 @@ pub struct Request {
     #[arg(long = "next-depth", value_name = "M,...", value_delimiter = ',', value_parser = finite, requires = "next_strokes")]
     pub next_depth_m: Vec<f64>,
 
+    /// Plate widths to consider for the next stroke (m); default: the widths of the table
+    #[arg(long = "next-width", value_name = "M,...", value_delimiter = ',', value_parser = finite, requires = "next_strokes")]
+    pub next_width_m: Vec<f64>,
+
     /// Greatest force the arm can exert (N); dearer strokes are left out
     #[arg(long = "force-limit", value_name = "N", value_parser = finite, requires = "next_strokes")]
     pub force_limit_n: Option<f64>,
@@ -133,6 +144,7 @@ impl Default for Request {
             file: TableSource::default(),
             model: "table".into(),
             ends: None,
+            end_tolerance: 0.1,
             model_file: None,
             delta_deg: NumberOrColumn::Column,
             delta_tol_deg: 1.0,
@@ -148,6 +160,7 @@ impl Default for Request {
             next_strokes: false,
             next_alpha_deg: vec![40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0],
             next_depth_m: Vec::new(),
+            next_width_m: Vec::new(),
             force_limit_n: None,
             exact: false,
             compare: false,

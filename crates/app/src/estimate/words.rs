@@ -3,11 +3,15 @@
 use crate::request::Ends;
 use soilctl_estimator::Estimate;
 
-use super::answer::{Answer, Disagreement};
+use super::answer::{Answer, Disagreement, PlaneStrain};
+use super::request::Request;
 use crate::text::number;
 
 /// Pairs in conflict that are named; the JSON answer has all.
 const MOST_PAIRS: usize = 6;
+
+/// Width over depth from which on ends add less than what forces scatter by: a percent or two.
+const WIDE: f64 = 100.0;
 
 /// Names of the search limits that the region touches.
 pub(super) fn limits(estimate: &Estimate) -> Vec<&'static str> {
@@ -44,11 +48,17 @@ pub(super) fn verdict(answer: &Answer) -> String {
         Ends::None => answer.model.clone(),
     };
     match (answer.phi_deg, answer.density_kg_m3) {
-        (Some(phi), Some(density)) => format!(
-            "The measurements agree under model {}: phi lies between {:.1} and {:.1} deg and the density between \
-             {:.0} and {:.0} kg/m3, for {delta}.",
-            model, phi[0], phi[1], density[0], density[1]
-        ),
+        (Some(phi), Some(density)) => {
+            let mut text = format!(
+                "The measurements agree under model {model}: phi lies between {:.1} and {:.1} deg and the density \
+                 between {:.0} and {:.0} kg/m3, for {delta}.",
+                phi[0], phi[1], density[0], density[1]
+            );
+            if let Some(plane) = &answer.plane_strain {
+                text += &without_ends(plane);
+            }
+            text
+        }
         _ => {
             let mut text = format!("No soil explains all measurements under model {model} with {delta}");
             if let Some([low, high]) = answer.density_known_kg_m3 {
@@ -60,6 +70,16 @@ pub(super) fn verdict(answer: &Answer) -> String {
             }
             text
         }
+    }
+}
+
+/// What would come out if ends were forgotten.
+fn without_ends(plane: &PlaneStrain) -> String {
+    match plane.phi_deg {
+        Some([low, high]) => {
+            format!(" If the plates had no ends (plane strain), phi would be {low:.1} to {high:.1} deg.")
+        }
+        None => " No soil explains them if the plates had no ends (plane strain).".into(),
     }
 }
 
@@ -85,8 +105,23 @@ fn disagreement(d: &Disagreement) -> String {
 }
 
 /// What the numbers call for.
-pub(super) fn warnings(answer: &Answer) -> Vec<String> {
+pub(super) fn warnings(answer: &Answer, request: &Request, knows_ends: bool) -> Vec<String> {
     let mut warnings = Vec::new();
+    if !knows_ends && request.ends.is_none() && answer.width_ratio[0] < WIDE {
+        warnings.push(format!(
+            "model {} is of plane strain, and plates of {:.1} times their depth have ends, which make the force higher: phi comes out too \
+             high, by a degree and more where plates are narrow. `--model table` knows ends; `--ends none` says that they are meant to \
+             be left out",
+            answer.model, answer.width_ratio[0]
+        ));
+    }
+    if answer.end_factor.is_some() && request.end_tolerance < 1.0 {
+        warnings.push(format!(
+            "strokes are taken to share what their ends add, to within {} of its proven most, as they would in one soil; `--end-tol 1` \
+             leaves each stroke its whole bracket",
+            number(request.end_tolerance)
+        ));
+    }
     if !answer.cut_by.is_empty() {
         warnings.push(format!(
             "the region touches the {}; its true extent there may be larger",

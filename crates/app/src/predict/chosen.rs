@@ -32,7 +32,7 @@ impl Chosen {
         plate: Option<&Plate>,
     ) -> Result<(Ends, WidthRatio), EarthPressureError> {
         let model = self.model.as_ref();
-        match (Ends::of(request.ends, model)?, plate) {
+        match (Ends::of(request.ends, model, plate.is_some())?, plate) {
             (Ends::None, _) => Ok((Ends::None, WidthRatio::PLANE_STRAIN)),
             (Ends::Finite, Some(plate)) => Ok((Ends::Finite, plate.width_ratio())),
             (Ends::Finite, None) => Err(EarthPressureError::NeedsEnds {

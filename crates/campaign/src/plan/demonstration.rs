@@ -61,13 +61,14 @@ fn quick() -> Vec<Vec<Cell>> {
     vec![vec![far(-25.0, 90.0, b), far(25.0, 80.0, c)], vec![far(-25.0, 80.0, b), near(70.0, SLANT_M)]]
 }
 
-/// The campaign for a soil, around a guess for the interface friction in deg; its strokes are checked for the arm's reach.
+/// The campaign for a soil and the part of what ends add at most that they do add, around a guess for the interface friction in deg; its strokes are checked for the arm's reach.
 ///
 /// # Errors
 /// [`CampaignError`] if there is no such soil or model, or one cannot be had with the other.
 pub fn demonstration(
     soil: &str,
     model: &str,
+    end_factor: f64,
     seed: u64,
     guess_deg: f64,
     is_quick: bool,
@@ -77,7 +78,7 @@ pub fn demonstration(
          # and strokes at four tool angles and two depths for friction angle and density.\n\n\
          version = 1\n\
          design = \"demonstration: sweep of set-points around {guess_deg} deg, four tool angles, two depths\"\n\
-         soil = \"{soil}\"\nmodel = \"{model}\"\nseed = {seed}\n"
+         soil = \"{soil}\"\nmodel = \"{model}\"\nend_factor = {end_factor:?}\nseed = {seed}\n"
     );
     for batch in if is_quick { quick() } else { whole() } {
         text += "\n[[batches]]\nstrokes = [\n";
@@ -108,7 +109,8 @@ mod tests {
     fn plans_of_all_soils_can_be_made_and_hold_a_sweep() {
         for soil in presets() {
             for is_quick in [false, true] {
-                let plan = demonstration(&soil.name, "chen", 1, soil.delta_deg.round(), is_quick).unwrap();
+                let plan =
+                    demonstration(&soil.name, "chen", 0.0, 1, soil.delta_deg.round(), is_quick).unwrap();
                 let strokes = plan.strokes().strokes();
                 let upright: Vec<f64> = strokes
                     .iter()

@@ -29,6 +29,10 @@ pub struct PlanFile {
     /// Force model whose forces are the true ones: any that `predict` knows, or `table` for a bracket.
     #[serde(default = "table")]
     pub model: String,
+    /// Part of what the plate's ends add at most, by the table of proven bounds, that they do add to the forces of the model; 0 to 1.
+    /// Left out: 0, plane strain.
+    #[serde(default)]
+    pub end_factor: f64,
     /// Seed of noise and scatter, from 0; an option of the command line goes before.
     #[serde(default)]
     pub seed: u64,

@@ -1,7 +1,7 @@
 //! From a plan to what runs: the record of a session, the simulated plant, controller and plant together.
 
 use soilctl_controller::{Params, State};
-use soilctl_earth_pressure::plane_model;
+use soilctl_earth_pressure::{model, plane_model};
 use soilctl_plant::{Ground, Plant, Simulation};
 use soilctl_session::SessionSetup;
 
@@ -24,10 +24,15 @@ impl Plan {
     /// # Errors
     /// [`CampaignError::Plant`] or [`CampaignError::Model`] if the soil and its force model do not go together.
     pub fn simulated_plant(&self, seed: u64, batch: usize) -> Result<Plant, CampaignError> {
-        let model = plane_model(&self.file().model)?;
+        let plane_strain = plane_model(&self.file().model)?;
         let surface_z_m = self.controller().site.surface_z_m;
         let [soil_seed, sensor_seed] = seed::of_batch(seed, batch);
-        let mut ground = Ground::new(self.plant(), self.soil(), model.as_ref(), surface_z_m, soil_seed)?;
+        let mut ground =
+            Ground::new(self.plant(), self.soil(), plane_strain.as_ref(), surface_z_m, soil_seed)?;
+        let end_factor = self.file().end_factor;
+        if end_factor != 0.0 {
+            ground = ground.with_ends(model("table")?.as_ref(), end_factor)?;
+        }
         ground.prepare();
         let park = soilctl_kinematics::JointAngles::from_degrees(self.controller().site.park_deg);
         Ok(Plant::new(self.plant().clone(), Some(ground), &park, sensor_seed)?)

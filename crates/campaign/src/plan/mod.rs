@@ -58,6 +58,9 @@ impl Plan {
         if let Some(empty) = file.batches.iter().position(|batch| batch.strokes.is_empty()) {
             return Err(refused(format!("`batches[{empty}].strokes` is empty; give at least one stroke")));
         }
+        if !(0.0..=1.0).contains(&file.end_factor) {
+            return Err(refused(format!("`end_factor` is {}; it must be from 0 to 1", file.end_factor)));
+        }
         let soil = soil(&file, name)?;
         let strokes = StrokePlan::from_toml(text, name)?;
         let arm = match file.arm.as_str() {

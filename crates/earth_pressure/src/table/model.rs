@@ -74,6 +74,7 @@ impl ModelSlice for PointSlice<'_> {
         Ok(NetFactors {
             weight_lower: k,
             weight_upper: k,
+            ends_at_most: 0.0,
             factors: LoadFactors { weight: k, ..LoadFactors::default() },
         })
     }
@@ -186,6 +187,10 @@ impl ForceModel for BracketModel {
         self.ends.is_some()
     }
 
+    fn bounds_ends(&self) -> bool {
+        self.has_ends()
+    }
+
     fn is_for_plane_strain(&self) -> bool {
         true
     }
@@ -235,8 +240,13 @@ impl ModelSlice for BracketSlice<'_> {
         let look = |table: &TableSlice<'_>| table.lookup(phi_deg, delta_deg);
         let ((weight_lower, weight_upper), _) =
             bracket([&self.lower, &self.upper], self.ends.as_ref(), self.width_ratio, look)?;
+        let ends_at_most = if self.ends.is_some() && self.width_ratio.finite().is_some() {
+            (weight_upper - outwards(look(&self.upper)?, 1.0)).max(0.0)
+        } else {
+            0.0
+        };
         let factors = LoadFactors { weight: (weight_lower * weight_upper).sqrt(), ..LoadFactors::default() };
-        Ok(NetFactors { weight_lower, weight_upper, factors })
+        Ok(NetFactors { weight_lower, weight_upper, ends_at_most, factors })
     }
 }
 

@@ -92,6 +92,7 @@ fn soil(page: &mut HtmlReport, answer: &Answer, work: &Work) -> Result<(), PageE
         ("Density ρ", format!("{} kg/m³", number(truth.density_kg_m3))),
         ("Cohesion (known to the estimate)", format!("{} Pa", number(truth.cohesion_pa))),
         ("Gravity (known to the estimate)", format!("{} m/s²", number(truth.gravity_m_s2))),
+        ("End factor (0 in plane strain)", number(truth.end_factor)),
         (
             "Density as weighed",
             work.density_kg_m3.map_or("not weighed".into(), |density| {

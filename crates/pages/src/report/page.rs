@@ -20,6 +20,7 @@ pub fn page(report: &Report) -> Result<HtmlReport, PageError> {
     let mut page = HtmlReport::new(&report.title);
     page.kind("Soil estimate").subtitle(subtitle(work));
     verdict(&mut page, work)?;
+    ends(&mut page, work)?;
     measurements(&mut page, work)?;
     regions(&mut page, work)?;
     models(&mut page, work)?;
@@ -94,6 +95,51 @@ fn verdict(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
         best(|b| format!("{:.2}", b.delta_deg)),
     ])?;
     page.table(table);
+    Ok(())
+}
+
+/// The estimate with and without ends, side by side.
+fn ends(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
+    let a = &work.answer;
+    let Some(plane) = &a.plane_strain else { return Ok(()) };
+    page.heading("With and without ends");
+    let [narrow, wide] = a.width_ratio.map(|ratio| format!("{ratio:.1}"));
+    let widths = if narrow == wide { narrow } else { format!("{narrow} to {wide}") };
+    page.paragraph(format!(
+        "A plate moves the soil ahead of it and also some beside its two ends, so it needs more force than a piece of the same width of an \
+         endless plate (plane strain). The plates here are {widths} times as wide as deep. Who takes the measured force for that of plane \
+         strain explains what the ends add by stronger soil, and finds a friction angle that is too high."
+    ));
+    let columns = [
+        ("", Align::Left),
+        ("φ from (deg)", Align::Right),
+        ("to", Align::Right),
+        ("ρ from (kg/m³)", Align::Right),
+        ("to", Align::Right),
+    ];
+    let mut table = Table::new("The same measurements, understood in two ways", columns);
+    let row = |name: &str, phi: Option<[f64; 2]>, density: Option<[f64; 2]>| {
+        let ends = |range: Option<[f64; 2]>, digits: usize| {
+            range.map_or(["–".into(), "–".into()], |range| range.map(|x| format!("{x:.digits$}")))
+        };
+        let ([a, b], [c, d]) = (ends(phi, 1), ends(density, 0));
+        [name.to_owned(), a, b, c, d]
+    };
+    table.row(row("with ends", a.phi_deg, a.density_kg_m3))?;
+    table.row(row("without ends (plane strain)", plane.phi_deg, plane.density_kg_m3))?;
+    page.table(table);
+    if !plane.consistent {
+        page.paragraph("Without ends no soil explains all measurements.");
+    }
+    if let Some([low, high]) = a.end_factor {
+        page.paragraph(format!(
+            "What ends add is known to lie between nothing and a proven most. The measurements are explained if it is between {:.0} and \
+             {:.0} % of that most, nearly the same part for all strokes. Strokes with a plate of another width, or at another depth, would \
+             narrow this.",
+            100.0 * low,
+            100.0 * high
+        ));
+    }
     Ok(())
 }
 
@@ -201,6 +247,7 @@ fn next(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
     let columns = [
         "tool angle (deg)",
         "depth (mm)",
+        "width (mm)",
         "area left (%)",
         "φ width (deg)",
         "ρ width (kg/m³)",
@@ -215,6 +262,7 @@ fn next(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
         table.row([
             number(n.alpha_deg),
             format!("{:.1}", 1e3 * n.depth_m),
+            format!("{:.0}", 1e3 * n.width_m),
             format!("{:.0}", 100.0 * n.area_left),
             format!("{:.2}", n.phi_width_deg),
             format!("{:.0}", n.density_width_kg_m3),

@@ -1,5 +1,5 @@
 use soilctl_earth_pressure::{
-    Case, ChenLiu, EarthPressureError, ForceModel, LoadFactors, Loads, check_loads,
+    Case, ChenLiu, EarthPressureError, ForceModel, LoadFactors, Loads, ModelSlice, check_loads,
 };
 use soilctl_soil::{Angle, Interface, Soil, WidthRatio};
 
@@ -18,6 +18,9 @@ const SHARES: usize = 17;
 pub(crate) struct LimitCoefficients {
     /// Net factors of weight and cohesion and the passive one of surcharge, by angle and share.
     nodes: Vec<[LoadFactors; SHARES]>,
+    /// What the plate's ends add to the factor of weight, by angle and share: of wide plates, and with depth over width. Empty in
+    /// plane strain.
+    ends: Vec<[[f64; 2]; SHARES]>,
 }
 
 impl LimitCoefficients {
@@ -62,11 +65,52 @@ impl LimitCoefficients {
             }
             nodes.push(row);
         }
-        Ok(Self { nodes })
+        Ok(Self { nodes, ends: Vec::new() })
     }
 
-    /// Factors at a tool angle in rad with a share (0 to 1) of the friction on the plate.
-    pub(crate) fn at(&self, tool_angle_rad: f64, share: f64) -> LoadFactors {
+    /// The same for a plate with ends, which add a part (0 to 1) of what they add at most by the model's bracket.
+    pub(crate) fn with_ends(
+        mut self,
+        model: &dyn ForceModel,
+        soil: &Soil,
+        interface: &Interface,
+        factor: f64,
+    ) -> Result<Self, EarthPressureError> {
+        let range = model.valid_range().alpha_deg;
+        self.ends.reserve(ANGLES);
+        for (i, nodes) in self.nodes.iter().enumerate() {
+            #[allow(clippy::cast_precision_loss, reason = "small integers")]
+            let alpha_deg = FIRST_DEG as f64 + 0.5 * i as f64;
+            let inside = Angle::from_degrees(alpha_deg.max(range.0).min(range.1));
+            let [square, twice] = [1.0, 2.0].map(|ratio| {
+                let ratio = WidthRatio::new(ratio)?;
+                model.at(inside, Angle::ZERO, ratio)
+            });
+            let (square, twice) = (square?, twice?);
+            let mut row = [[0.0; 2]; SHARES];
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "within the angles of the nodes"
+            )]
+            let nearest = &self.nodes[(2.0 * inside.degrees()).round() as usize - 2 * FIRST_DEG];
+            for (share, ((ends, plane), near)) in row.iter_mut().zip(nodes).zip(nearest).enumerate() {
+                #[allow(clippy::cast_precision_loss, reason = "small integers")]
+                let delta_deg = share as f64 / (SHARES - 1) as f64 * interface.friction().degrees();
+                let net = |slice: &dyn ModelSlice| slice.net(soil.friction().degrees(), delta_deg);
+                let (one, half) = (net(&*square)?, net(&*twice)?);
+                // Linear in depth over width; beyond the angles of the model as plane strain goes on there.
+                let term = 2.0 * (one.ends_at_most - half.ends_at_most);
+                let scale = factor * plane.weight / near.weight;
+                *ends = [one.ends_at_most - term, term].map(|x| round(scale * x));
+            }
+            self.ends.push(row);
+        }
+        Ok(self)
+    }
+
+    /// Factors at a tool angle in rad with a share (0 to 1) of the friction on the plate, for a depth over width.
+    pub(crate) fn at(&self, tool_angle_rad: f64, share: f64, depth_over_width: f64) -> LoadFactors {
         #[allow(clippy::cast_precision_loss, reason = "small integers")]
         let (first, last) = (FIRST_DEG as f64, (ANGLES - 2) as f64);
         let (row, in_row) = place(2.0 * (tool_angle_rad.to_degrees() - first), last);
@@ -74,7 +118,14 @@ impl LimitCoefficients {
         let (column, in_column) = place(share * (SHARES - 1) as f64, (SHARES - 2) as f64);
         let (low, high) = (&self.nodes[row], &self.nodes[row + 1]);
         let at = |row: &[LoadFactors; SHARES]| between(&row[column], &row[column + 1], in_column);
-        between(&at(low), &at(high), in_row)
+        let mut factors = between(&at(low), &at(high), in_row);
+        if let Some([low, high]) = self.ends.get(row..row + 2).and_then(|rows| rows.first_chunk()) {
+            let mix = |a: f64, b: f64, share: f64| a + share * (b - a);
+            let of = |[wide, term]: [f64; 2]| wide + depth_over_width * term;
+            let at = |row: &[[f64; 2]; SHARES]| mix(of(row[column]), of(row[column + 1]), in_column);
+            factors.weight += mix(at(low), at(high), in_row);
+        }
+        factors
     }
 }
 
@@ -96,8 +147,11 @@ fn between(a: &LoadFactors, b: &LoadFactors, share: f64) -> LoadFactors {
     }
 }
 
+fn round(value: f64) -> f64 {
+    (value * 1e9).round() * 1e-9
+}
+
 fn rounded(factors: LoadFactors) -> LoadFactors {
-    let round = |value: f64| (value * 1e9).round() * 1e-9;
     LoadFactors {
         weight: round(factors.weight),
         surcharge: round(factors.surcharge),
@@ -123,13 +177,36 @@ mod tests {
                 for delta in [0.0, 10.0, 25.0] {
                     let p = model.predict(&Case::level_deg(alpha, 40.0, delta)).unwrap();
                     let expected = 0.5 * (p.net_lower.0 + p.net_upper.0);
-                    let found = limits.at(alpha.to_radians(), delta / 25.0).weight;
+                    let found = limits.at(alpha.to_radians(), delta / 25.0, 0.2).weight;
                     assert!(
                         (found / expected - 1.0).abs() < 4e-3,
                         "{id} {alpha} {delta}: {found} {expected}"
                     );
                 }
             }
+        }
+    }
+
+    /// A part of what ends add at most, at any depth over width, between the nodes too; nothing at a factor of 0.
+    #[test]
+    fn ends_add_their_part_of_what_the_table_allows() {
+        let soil = Soil::new(Angle::from_degrees(40.0), 1500.0).unwrap();
+        let interface = Interface::new(Angle::from_degrees(25.0), 0.0).unwrap();
+        let (chen, table) = (model("chen").unwrap(), model("table").unwrap());
+        let plane = LimitCoefficients::new(chen.as_ref(), &soil, &interface, 0.5).unwrap();
+        let of = |factor| plane.clone().with_ends(table.as_ref(), &soil, &interface, factor).unwrap();
+        let (none, some) = (of(0.0), of(0.7));
+        for (alpha, delta, ratio) in
+            [(70.0, 25.0, 5.0), (82.3, 10.0, 0.8), (90.0, 0.0, 50.0), (99.5, 20.0, 2.0)]
+        {
+            let at = |limits: &LimitCoefficients| {
+                limits.at(f64::to_radians(alpha), delta / 25.0, 1.0 / ratio).weight
+            };
+            assert_eq!(at(&none), at(&plane));
+            let slice = table.at(Angle::from_degrees(alpha), Angle::ZERO, WidthRatio::new(ratio).unwrap());
+            let most = slice.unwrap().net(40.0, delta).unwrap().ends_at_most;
+            let found = (at(&some) - at(&plane)) / most;
+            assert!((found - 0.7).abs() < 1e-2, "{alpha} {delta} {ratio}: {found}");
         }
     }
 
@@ -140,7 +217,7 @@ mod tests {
         let interface = Interface::new(Angle::from_degrees(25.0), 0.0).unwrap();
         let limits =
             LimitCoefficients::new(model("table").unwrap().as_ref(), &soil, &interface, 0.5).unwrap();
-        let at = |deg: f64| limits.at(deg.to_radians(), 1.0).weight;
+        let at = |deg: f64| limits.at(deg.to_radians(), 1.0, 0.2).weight;
         assert!(at(69.0) < at(70.0) && at(68.0) > 0.9 * at(70.0));
         assert!(at(101.0) > at(100.0) && at(101.0) < 1.1 * at(100.0));
     }

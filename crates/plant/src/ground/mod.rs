@@ -6,7 +6,7 @@ mod presets;
 mod strength;
 mod surface;
 
-use soilctl_earth_pressure::ForceModel;
+use soilctl_earth_pressure::{EarthPressureError, ForceModel};
 use soilctl_kinematics::{Arm, Frame};
 use soilctl_soil::{Interface, Soil};
 
@@ -91,6 +91,20 @@ impl Ground {
             surface_z_m,
             surface,
         })
+    }
+
+    /// The same for a plate with ends, which add a part of what they add at most by the bracket of `model`: its end factor, 0 to 1.
+    ///
+    /// # Errors
+    /// [`PlantError::Config`] for a factor out of its range, [`PlantError::Force`] if the model has no answer for this soil or does not
+    /// say what ends add.
+    pub fn with_ends(mut self, model: &dyn ForceModel, end_factor: f64) -> Result<Self, PlantError> {
+        crate::rules::Rules { file: "ground" }.range("end_factor", end_factor, "", 0.0, 1.0)?;
+        if !model.bounds_ends() {
+            return Err(EarthPressureError::NoEnds { model: model.id() }.into());
+        }
+        self.strength = self.strength.with_ends(model, &self.soil, &self.interface, end_factor)?;
+        Ok(self)
     }
 
     /// Level sand again, with a density that scatters as the preset says. To be called while the plate is out of it.

@@ -49,6 +49,18 @@ impl Strength {
         })
     }
 
+    /// The same for a plate with ends.
+    pub(crate) fn with_ends(
+        mut self,
+        model: &dyn ForceModel,
+        soil: &Soil,
+        interface: &Interface,
+        factor: f64,
+    ) -> Result<Self, EarthPressureError> {
+        self.limits = self.limits.with_ends(model, soil, interface, factor)?;
+        Ok(self)
+    }
+
     pub(crate) fn set_density(&mut self, preset: &SoilPreset, density_kg_m3: f64) {
         self.density_kg_m3 = density_kg_m3;
         self.relative_density = preset.relative_density(density_kg_m3);
@@ -68,7 +80,7 @@ impl Strength {
         share: f64,
     ) -> f64 {
         let slant_m = depth_m / libm::sin(tool_angle_rad);
-        let factors = self.limits.at(tool_angle_rad, share);
+        let factors = self.limits.at(tool_angle_rad, share, depth_m / width_m);
         let per_length = slant_m * width_m;
         let weight = self.unit_weight_n_m3() * (0.5 * slant_m * factors.weight + heap_m * factors.surcharge);
         per_length * (weight + self.cohesion_pa * factors.cohesion)

@@ -106,6 +106,7 @@ def predict(
     adhesion_pa: ArrayLike | None = None,
     surcharge_pa: ArrayLike | None = None,
     gravity_m_s2: ArrayLike | None = None,
+    ends: str | None = None,
 ) -> Prediction:
     """Coefficients and forces of a flat plate that fails soil, by a named model.
 
@@ -125,6 +126,8 @@ def predict(
         adhesion_pa: Adhesion between soil and plate.
         surcharge_pa: Vertical pressure on the surface.
         gravity_m_s2: Gravity.
+        ends: ``finite`` for a plate with ends, whose force is above that of plane strain, ``none`` for plane strain. By default a
+            plate has ends if the model knows them and the plate has a width.
 
     Raises:
         InputError: If a number is out of the model's range, not finite, or a shape does not go with the others.
@@ -582,6 +585,11 @@ class Estimate:
     def density_kg_m3(self) -> tuple[float, float] | None:
         """Least and greatest bulk density in kg/m3; None if no soil is consistent."""
     @property
+    def end_factor(self) -> tuple[float, float] | None:
+        """Least and greatest end factor that strokes may share: the part of what ends add at most that they do add.
+        None if they share none, or no soil is consistent.
+        """
+    @property
     def area(self) -> float:
         """Area of the region in deg kg/m3."""
     @property
@@ -624,19 +632,18 @@ class Estimate:
         *,
         tool_angle_deg: ArrayLike,
         depth_m: ArrayLike,
-        width_m: float,
+        width_m: ArrayLike,
         force_scatter: float = 0.05,
         depth_error_m: float = 0.0005,
         force_limit_n: float | None = None,
     ) -> list[dict[str, Any]]:
         """Strokes that would shrink the region most, the best first: dicts of ``tool_angle_deg``, ``depth_m``,
-        ``area_left``
-        (relative to now), ``friction_angle_width_deg``, ``density_width_kg_m3``, ``force_n`` and ``model``.
+        ``width_m``, ``area_left`` (relative to now), ``friction_angle_width_deg``, ``density_width_kg_m3``, ``force_n`` and ``model``.
 
         Args:
             tool_angle_deg: Angles to consider, shape (n,).
             depth_m: Depths to consider, shape (m,).
-            width_m: Width of the plate.
+            width_m: Widths of plates to consider, a number or shape (k,).
             force_scatter: Relative scatter of the force from stroke to stroke, one half width.
             depth_error_m: Uncertainty of the depth, one half width.
             force_limit_n: Greatest force of the arm; strokes above it are left out. None for any.
@@ -685,6 +692,8 @@ def estimate(
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
     gravity_m_s2: float = 9.80665,
+    ends: str | None = None,
+    end_tolerance: float = 0.1,
 ) -> Estimate:
     """Every soil that could have produced measured failure forces.
 
@@ -703,6 +712,10 @@ def estimate(
         friction_search_deg: Friction angles to search between; None for 5 to 60, as far as the model reaches.
         model: Force model, one of ``soilctl.MODELS``.
         cohesion_pa, adhesion_pa, surcharge_pa, gravity_m_s2: Known.
+        ends: ``finite`` for plates with ends, each of its own width, ``none`` for plane strain. By default plates have ends if the
+            model knows them.
+        end_tolerance: By how much the end factor of a measurement may differ from one that all share, 0 to 1; 1 if they share
+            nothing.
 
     Raises:
         InputError: If there is no measurement, a number is out of its range, or the model does not cover it.

@@ -61,6 +61,7 @@ __all__ = [
     "EstimateMeasured",
     "EstimateMinimum",
     "EstimateNextStroke",
+    "EstimatePlaneStrain",
     "EstimatePoint",
     "EstimatePooled",
     "EstimateSection",
@@ -1543,6 +1544,7 @@ class EstimateNextStroke(Record):
         force_n: Force to expect at most (N).
         model: Model that predicts it.
         phi_width_deg: Expected width of the friction range after it (deg).
+        width_m: Plate width (m).
     """
 
     alpha_deg: float
@@ -1559,6 +1561,29 @@ class EstimateNextStroke(Record):
     """Model that predicts it."""
     phi_width_deg: float
     """Expected width of the friction range after it (deg)."""
+    width_m: float
+    """Plate width (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class EstimatePlaneStrain(Record):
+    """What the same measurements say if ends are forgotten: plates as parts of endless ones.
+
+    Attributes:
+        consistent: Whether any soil explains all measurements.
+        density_kg_m3: Range of the density (kg/m3); null if inconsistent.
+        phi_deg: Range of the friction angle (deg); null if inconsistent.
+        region: Consistent [phi, density]: polygons, each an outer ring and its holes.
+    """
+
+    consistent: bool
+    """Whether any soil explains all measurements."""
+    density_kg_m3: list[float] | None
+    """Range of the density (kg/m3); null if inconsistent."""
+    phi_deg: list[float] | None
+    """Range of the friction angle (deg); null if inconsistent."""
+    region: list[list[list[list[float]]]]
+    """Consistent [phi, density]: polygons, each an outer ring and its holes."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -1648,6 +1673,8 @@ class EstimateAnswer(Answer):
         density_kg_m3: Range of the density (kg/m3) over the whole interval of delta; null if inconsistent.
         density_known_kg_m3: What was known of the density (kg/m3).
         disagreement: What breaks consistency; null if nothing does.
+        end_factor: Consistent values of the end factor that strokes share, the part of what ends add at most; null
+            if they share none, or no soil is consistent.
         ends: Whether plates have ends.
         exact: Results for exact data; null unless ``--exact``.
         left_out: Strokes in which the soil did not fail as models have it; empty unless strokes of one kind are
@@ -1658,6 +1685,7 @@ class EstimateAnswer(Answer):
         optimisers: What local optimisers find; null if not asked for.
         phi_deg: Range of the friction angle (deg) over the whole interval of delta; null if inconsistent.
         phi_delta: Consistent [phi, delta], the same form; empty if delta is known exactly.
+        plane_strain: The same without ends, for comparison; null if plates have none, and for exact data.
         region: Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi,
             density].
         regions: Sections at chosen deltas; empty if inconsistent.
@@ -1666,6 +1694,7 @@ class EstimateAnswer(Answer):
         verdict: The result in words.
         volume_deg2_kg_m3: Volume of the consistent set (deg2 kg/m3).
         warnings: What to keep in mind.
+        width_ratio: Least and greatest width of a plate over its vertical depth.
     """
 
     schema: Literal["soilctl.estimate/1"]
@@ -1698,6 +1727,10 @@ class EstimateAnswer(Answer):
     """What was known of the density (kg/m3)."""
     disagreement: EstimateDisagreement | None
     """What breaks consistency; null if nothing does."""
+    end_factor: list[float] | None
+    """Consistent values of the end factor that strokes share, the part of what ends add at most; null if they share
+    none, or no soil is consistent.
+    """
     ends: Literal["finite", "none"]
     """Whether plates have ends."""
     exact: EstimateExact | None
@@ -1718,6 +1751,8 @@ class EstimateAnswer(Answer):
     """Range of the friction angle (deg) over the whole interval of delta; null if inconsistent."""
     phi_delta: list[list[list[list[float]]]]
     """Consistent [phi, delta], the same form; empty if delta is known exactly."""
+    plane_strain: EstimatePlaneStrain | None
+    """The same without ends, for comparison; null if plates have none, and for exact data."""
     region: list[list[list[list[float]]]]
     """Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi, density]."""
     regions: list[EstimateSection]
@@ -1732,6 +1767,8 @@ class EstimateAnswer(Answer):
     """Volume of the consistent set (deg2 kg/m3)."""
     warnings: list[str]
     """What to keep in mind."""
+    width_ratio: list[float]
+    """Least and greatest width of a plate over its vertical depth."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -3276,6 +3313,8 @@ class DemoTruth(Record):
         cohesion_pa: Cohesion (Pa); the estimate takes it as known.
         delta_deg: Friction angle between soil and plate (deg).
         density_kg_m3: Bulk density (kg/m3).
+        end_factor: Part of what the plate's ends add at most, by the proven bounds, that they add; 0 in plane
+            strain.
         gravity_m_s2: Gravity (m/s2); the estimate takes it as known.
         phi_deg: Friction angle (deg).
     """
@@ -3286,6 +3325,8 @@ class DemoTruth(Record):
     """Friction angle between soil and plate (deg)."""
     density_kg_m3: float
     """Bulk density (kg/m3)."""
+    end_factor: float
+    """Part of what the plate's ends add at most, by the proven bounds, that they add; 0 in plane strain."""
     gravity_m_s2: float
     """Gravity (m/s2); the estimate takes it as known."""
     phi_deg: float
@@ -3778,8 +3819,8 @@ def predict(
         density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of ``strokes``.
         depth_m: Vertical depth of the plate's lower edge below the surface (m).
         width_m: Width of the plate (m).
-        ends: Whether the plate has ends; by default it has them for the models that know ends (mckyes, perumpral,
-            godwin-spoor, blocks-3d), which then take width and depth.
+        ends: Whether the plate has ends; by default it has them for the models that know ends: mckyes, perumpral,
+            godwin-spoor and blocks-3d, which then take width and depth, and ``table`` where these are given.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
@@ -4082,6 +4123,7 @@ def estimate(
     *,
     model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "blocks-3d", "table"] = "table",
     ends: Literal["finite", "none"] | None = None,
+    end_tolerance: float = 0.1,
     model_file: PathLike | None = None,
     delta_tol_deg: float = 1.0,
     density_kg_m3: Literal["column"] | float | None = None,
@@ -4100,6 +4142,7 @@ def estimate(
     next_strokes: bool = False,
     next_alpha_deg: Sequence[float] = (40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0),
     next_depth_m: Sequence[float] = (),
+    next_width_m: Sequence[float] = (),
     force_limit_n: float | None = None,
     exact: bool = False,
     compare: bool = False,
@@ -4113,8 +4156,11 @@ def estimate(
             friction_angle_deg where strokes of one kind are taken together, otherwise delta_set_deg.
         model: Force model; ``table`` is the bracket of proven bounds.
         ends: Whether plates have ends, each its own width: the force is then above that of plane strain. By default
-            they have them for the models that are made for it (mckyes, perumpral, godwin-spoor); ``table`` knows
-            both.
+            they have them for the models that know ends (table, mckyes, perumpral, godwin-spoor); the other models
+            are of plane strain.
+        end_tolerance: By how much the end factor of a stroke may differ from one that all strokes share. It is the
+            part of what ends add at most, by the proven bracket of ``table``, that the ends of a plate do add. At 1
+            strokes share nothing. At least 0 and at most 1.
         model_file: A model file, such as the patch of ``diagnose``: its effects are taken out of the measured
             forces first, at the soil of the file.
         delta_tol_deg: Half width of what is known of delta (deg). At least 0.
@@ -4139,6 +4185,7 @@ def estimate(
         next_strokes: Rank the next strokes by how much they would shrink the region.
         next_alpha_deg: Tool angles to consider for the next stroke (deg).
         next_depth_m: Depths to consider for the next stroke (m); default: the depths of the table.
+        next_width_m: Plate widths to consider for the next stroke (m); default: the widths of the table.
         force_limit_n: Greatest force the arm can exert (N); dearer strokes are left out.
         exact: Take the forces as exact: contour lines instead of bands.
         compare: Also run what one would otherwise use, downhill simplex and Levenberg-Marquardt from many starts.
@@ -4413,6 +4460,8 @@ def demo(
     seed: int = 1,
     threads: int | None = None,
     model: str | None = None,
+    ends: Literal["finite", "none"] | None = None,
+    end_factor: float = 0.5,
     quick: bool = False,
     progress: Progress = None,
 ) -> DemoAnswer:
@@ -4425,6 +4474,9 @@ def demo(
         seed: Seed of noise and scatter. At least 0.
         threads: Batches and logs at a time; results are the same for any number. At least 1 and at most 1024.
         model: Force model of the simulated soil and of the estimate.
+        ends: Whether the plate has ends, in the simulated soil and for the estimate.
+        end_factor: Part of what ends add at most that they add in the simulated soil; the estimate does not know
+            it. At least 0 and at most 1.
         quick: Four strokes instead of sixteen: every step in a quarter of the time, but too few to tell much.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 

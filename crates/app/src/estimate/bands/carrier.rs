@@ -14,6 +14,7 @@ const USUAL_PHI_DEG: f64 = 40.0;
 /// At 30 or 45 deg such a correction is by this share of itself different, by the table of proven bounds at 70 to 100 deg.
 const CARRIED_SHARE: f64 = 0.2;
 const USUAL_DENSITY_KG_M3: f64 = 1500.0;
+const USUAL_END_FACTOR: f64 = 0.5;
 
 /// The plate of a kind.
 pub(super) struct Reference {
@@ -38,8 +39,10 @@ pub(super) struct Carrier<'a> {
     pub(super) friction_deg: Option<f64>,
     /// Of the density between preparations.
     pub(super) density_sd_rel: f64,
-    /// What forces are carried by: Chen and Liu's model, or the estimate's own where plates have ends.
+    /// What forces are carried by: the estimate's own model if it is one of plates with ends alone, otherwise Chen and Liu's.
     pub(super) by: &'a dyn ForceModel,
+    /// What says how much ends add to that at most; half of it is carried by. `None` if plates have no ends, or the model has them.
+    pub(super) ends: Option<&'a dyn ForceModel>,
     /// Tool angles that the model covers, in deg.
     pub(super) range: (f64, f64),
 }
@@ -168,11 +171,24 @@ impl Carrier<'_> {
         };
         let net = self.by.predict(&case)?.net;
         let slant_m = depth_m / alpha_deg.to_radians().sin();
-        let weight = 0.5 * USUAL_DENSITY_KG_M3 * loads.gravity_m_s2 * slant_m * net.weight;
+        let ended = net.weight * self.ended_over_plane(&case)?;
+        let weight = 0.5 * USUAL_DENSITY_KG_M3 * loads.gravity_m_s2 * slant_m * ended;
         let others = loads.surcharge_pa * net.surcharge
             + loads.cohesion_pa * net.cohesion
             + loads.adhesion_pa * net.adhesion;
         Ok(slant_m * width_m * (weight + others))
+    }
+
+    /// The factor of weight of a plate with ends over that in plane strain, in the nearest case that is covered.
+    fn ended_over_plane(&self, case: &Case) -> Result<f64, EarthPressureError> {
+        let Some(model) = self.ends else { return Ok(1.0) };
+        let range = model.valid_range();
+        let alpha_deg = case.tool_angle.degrees().clamp(range.alpha_deg.0, range.alpha_deg.1);
+        let delta_deg = case.interface.degrees().clamp(range.delta_deg.0, range.delta_deg.1);
+        let slice = model.at(Angle::from_degrees(alpha_deg), Angle::ZERO, case.width_ratio)?;
+        let net = slice.net(case.friction.degrees(), delta_deg)?;
+        let plane = (net.weight_lower * (net.weight_upper - net.ends_at_most)).sqrt();
+        Ok(1.0 + USUAL_END_FACTOR * net.ends_at_most / plane)
     }
 }
 

@@ -55,7 +55,8 @@ pub(super) fn bands(
         campaign,
         friction_deg,
         density_sd_rel: if is_one_preparation { 0.0 } else { campaign.density_sd_rel },
-        by: if model.has_ends() { model } else { &ChenLiu },
+        by: if model.has_ends() && !model.bounds_ends() { model } else { &ChenLiu },
+        ends: model.bounds_ends().then_some(model),
         range: model.valid_range().alpha_deg,
     };
     let mut measurements = Vec::new();

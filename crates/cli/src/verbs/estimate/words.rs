@@ -21,6 +21,11 @@ impl Words for Answer {
             text += "\n";
             text += &columns(&rows);
         }
+        if let Some([low, high]) = self.end_factor {
+            text += &format!(
+                "end factor {low:.2} to {high:.2}: the part of what ends add at most that they do add\n"
+            );
+        }
         text += "\n";
         text += &bands(self);
         if let Some(next) = &self.next_strokes {
@@ -28,6 +33,7 @@ impl Words for Answer {
             let heading = [
                 "alpha (deg)",
                 "depth (mm)",
+                "width (mm)",
                 "area left",
                 "phi width",
                 "density width",
@@ -39,6 +45,7 @@ impl Words for Answer {
                 rows.push(vec![
                     number(n.alpha_deg),
                     format!("{:.1}", 1e3 * n.depth_m),
+                    format!("{:.0}", 1e3 * n.width_m),
                     format!("{:.0} %", 100.0 * n.area_left),
                     format!("{:.2}", n.phi_width_deg),
                     format!("{:.0}", n.density_width_kg_m3),
