@@ -18,7 +18,7 @@ GRAVITY_M_S2 = 9.80665
 
 
 class Bounds:
-    """Coefficients between the proven bounds, their logarithms interpolated in between."""
+    """Coefficients between the proven bounds, their logarithms interpolated in between, and a part of what ends add at most."""
 
     angles = (70.0, 80.0, 90.0, 100.0)
     options = ()
@@ -27,16 +27,17 @@ class Bounds:
         with open(data / "plate_bounds.csv", newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         axes = [sorted({float(row[key]) for row in rows}) for key in ("alpha_deg", "phi_deg", "delta_deg")]
-        grid = np.full([*map(len, axes), 2], np.nan)
+        grid = np.full([*map(len, axes), 4], np.nan)
         for row in rows:
             place = [axis.index(float(row[key])) for axis, key in zip(axes, ("alpha_deg", "phi_deg", "delta_deg"), strict=True)]
-            grid[tuple(place)] = np.log([float(row["lower"]), float(row["upper"])])
+            grid[tuple(place)] = np.log([float(row[key]) for key in ("lower", "upper", "ends_upper", "ends_term")])
         self.of = RegularGridInterpolator(axes, grid, method="linear")
 
     def force_n(self, alpha_deg, soil, delta_deg, depth_m):
-        low, high = self.of([alpha_deg, soil["phi_deg"], delta_deg])[0]
+        low, high, wide, term = self.of([alpha_deg, soil["phi_deg"], delta_deg])[0]
         slant_m = depth_m / math.sin(math.radians(alpha_deg))
-        coefficient = math.exp(low + soil["place"] * (high - low))
+        most = math.exp(wide) + math.exp(term) * depth_m / WIDTH_M - math.exp(high)
+        coefficient = math.exp(low + soil["place"] * (high - low)) + soil["end_factor"] * most
         return 0.5 * soil["density_kg_m3"] * GRAVITY_M_S2 * slant_m**2 * WIDTH_M * coefficient
 
 
@@ -63,6 +64,7 @@ def campaign(model, random, *, repeats, stated):
         "phi_deg": random.uniform(30.0, 44.0),
         "density_kg_m3": random.uniform(1350.0, 1700.0),
         "place": random.uniform(0.0, 1.0),
+        "end_factor": random.uniform(0.0, 1.0),
     }
     set_deg = random.uniform(14.0, 22.0)
     gain, datum_m = 1.0 + random.normal(0.0, 0.01), random.normal(0.0, 0.0002)

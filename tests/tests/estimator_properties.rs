@@ -38,7 +38,10 @@ fn force(model: &dyn ForceModel, truth: Truth, plate: &Plate, fraction: f64) -> 
 #[test]
 fn the_truth_is_inside_every_time() {
     let mut random = Random(20_011_107);
-    let models: Vec<_> = MODEL_IDS.iter().map(|id| model(id).unwrap()).filter(|m| !m.is_slow()).collect();
+    let covers =
+        |m: &dyn ForceModel| m.valid_range().alpha_deg.0 <= 70.0 && m.valid_range().alpha_deg.1 >= 100.0;
+    let models: Vec<_> =
+        MODEL_IDS.iter().map(|id| model(id).unwrap()).filter(|m| !m.is_slow() && covers(&**m)).collect();
     let quick = ["coulomb", "caquot", "thesis-ub", "thesis-lb", "table"].map(|id| model(id).unwrap());
     let mut done = 0;
     while done < 1000 {

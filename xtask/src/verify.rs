@@ -31,6 +31,7 @@ pub(crate) enum Part {
     Properties,
     Meshes,
     Exact,
+    Ends,
     Arm,
     Mutants,
     Bags,
@@ -40,10 +41,11 @@ pub(crate) enum Part {
     Windows,
 }
 
-pub(crate) const PARTS: [(Part, &str, &str); 10] = [
+pub(crate) const PARTS: [(Part, &str, &str); 11] = [
     (Part::Properties, "properties", "property tests with 20000 cases each"),
     (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
     (Part::Exact, "exact", "known collapse loads on fine meshes"),
+    (Part::Ends, "ends", "a thousand plates with ends: the order of their bounds, and proofs"),
     (Part::Arm, "arm", "millions of steps, and many killed processes"),
     (Part::Mutants, "mutants", "every byte of a recording or a robot may be wrong: 2500 copies of each"),
     (Part::Bags, "bags", "strokes in 60 bags of other arms"),
@@ -76,6 +78,7 @@ impl Part {
             Self::Exact => {
                 ignored(workspace, "known collapse loads", &["exact", "describe", "plates"], "exact")
             }
+            Self::Ends => ignored(workspace, "a thousand plates with ends", &["ends"], "plates"),
             Self::Arm => ignored(workspace, "long tests of the arm", &["kill", "log", "no_allocation"], ""),
             Self::Mutants => {
                 tests(workspace, "recordings made to do harm", &["mutants", "foreign", "monitor_others"])

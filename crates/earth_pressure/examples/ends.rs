@@ -5,7 +5,7 @@ use soilctl_soil::WidthRatio;
 
 #[allow(clippy::print_stdout, reason = "an example")]
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let ids = ["mckyes", "perumpral", "godwin-spoor", "blocks-3d"];
+    let ids = ["mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d"];
     println!("{:>12} {:>5} {}", "phi, delta", "w/H", ids.map(|id| format!("{id:>13}")).join(""));
     for (phi, delta) in [(30.0, 15.0), (40.0, 25.0)] {
         for ratio in [f64::INFINITY, 10.0, 5.0, 3.0, 2.0, 1.0] {

@@ -79,7 +79,7 @@ pub enum EarthPressureError {
     /// Ends asked of a model that has none.
     #[error(
         "model {model} is for plane strain, in which a plate has no ends; use blocks-3d, mckyes, perumpral or \
-         godwin-spoor, or leave the ends out (--ends none)"
+         godwin-spoor, ovesen, or leave the ends out (--ends none)"
     )]
     NoEnds {
         /// Model id.

@@ -16,7 +16,7 @@ pub use model::{
 };
 pub use models::{
     Blocks, Caquot, ChenLiu, Coulomb, EndLaw, GodwinSpoor, InPlaneStrain, LogSpiral, MODEL_IDS, McKyesAli,
-    Perumpral, model, plane_model, plate_bounds, thesis,
+    Ovesen, Perumpral, model, plane_model, plate_bounds, thesis,
 };
 pub use sensitivity::{Input, sensitivity_percent};
 

@@ -199,10 +199,12 @@ fn in_range(
     if value >= low - 1e-9 && value <= high + 1e-9 {
         return Ok(());
     }
-    let advice = if low == high {
-        "it is for a level surface; use coulomb, chen or log-spiral, or blocks-3d for a plate with ends"
-    } else {
-        "use a model that covers it (coulomb, chen and log-spiral cover most)"
+    let advice = match (low == high, quantity) {
+        (true, "alpha") => "it is for an upright plate; use mckyes, perumpral or blocks-3d",
+        (true, _) => {
+            "it is for a level surface; use coulomb, chen or log-spiral, or blocks-3d for a plate with ends"
+        }
+        (false, _) => "use a model that covers it (coulomb, chen and log-spiral cover most)",
     };
     Err(EarthPressureError::OutsideModel { model, quantity, value, low, high, advice })
 }

@@ -45,6 +45,7 @@ def test_all_loads_add_up():
 @pytest.mark.parametrize("model", soilctl.MODELS)
 def test_an_array_gives_what_each_number_gives(model):
     alpha, phi = np.array([[80.0], [90.0]]), np.array([30.0, 35.0, 40.0])
+    alpha = np.clip(alpha, *soilctl.valid_range(model)["tool_angle_deg"])
     found = soilctl.predict(model, tool_angle_deg=alpha, friction_angle_deg=phi, interface_friction_deg=20.0, **PLATE)
     assert found.coefficient.shape == found.force_n.shape == found.lower.shape == (2, 3)
     for (i, j), value in np.ndenumerate(found.coefficient):

@@ -34,7 +34,7 @@ pub struct Request {
     pub model: String,
 
     /// Whether plates have ends, each its own width: the force is then above that of plane strain. By default they have them
-    /// for the models that know ends (table, mckyes, perumpral, godwin-spoor); the other models are of plane strain
+    /// for the models that know ends (table, mckyes, perumpral, godwin-spoor, ovesen); the other models are of plane strain
     #[arg(long, value_name = "ENDS")]
     pub ends: Option<Ends>,
 

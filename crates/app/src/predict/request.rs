@@ -62,8 +62,8 @@ pub struct Request {
           conflicts_with = "strokes")]
     pub width_m: Option<f64>,
 
-    /// Whether the plate has ends; by default it has them for the models that know ends: mckyes, perumpral, godwin-spoor and
-    /// blocks-3d, which then take width and depth, and `table` where these are given
+    /// Whether the plate has ends; by default it has them for the models that know ends: mckyes, perumpral, godwin-spoor, ovesen
+    /// and blocks-3d, which then take width and depth, and `table` where these are given
     #[arg(long, value_name = "ENDS", conflicts_with = "model_file")]
     pub ends: Option<Ends>,
 

@@ -14,7 +14,7 @@ use crate::output::{Output, Words};
 #[command(
     after_help = "Coefficients are per slant length, K = 2 F / (gamma L^2 w) with L = depth / sin(alpha); the net \
     one is passive minus active. Without --depth, --width and --density the force is null. \
-    The models mckyes, perumpral, godwin-spoor and blocks-3d know that soil fails beside the plate's ends as well, so they \
+    The models mckyes, perumpral, godwin-spoor, ovesen and blocks-3d know that soil fails beside the plate's ends as well, so they \
     take --depth and --width; blocks-3d is an upper bound."
 )]
 pub(crate) struct Args {

@@ -8,6 +8,7 @@ mod godwin_spoor;
 mod in_plane_strain;
 mod log_spiral;
 mod mckyes;
+mod ovesen;
 mod perumpral;
 mod plate_bounds;
 pub mod thesis;
@@ -21,6 +22,7 @@ pub use godwin_spoor::GodwinSpoor;
 pub use in_plane_strain::InPlaneStrain;
 pub use log_spiral::LogSpiral;
 pub use mckyes::McKyesAli;
+pub use ovesen::Ovesen;
 pub use perumpral::Perumpral;
 pub use plate_bounds::plate_bounds;
 
@@ -41,6 +43,7 @@ const MODELS: &[(&str, Make)] = &[
     ("mckyes", || Ok(Box::new(McKyesAli))),
     ("perumpral", || Ok(Box::new(Perumpral))),
     ("godwin-spoor", || Ok(Box::new(GodwinSpoor))),
+    ("ovesen", || Ok(Box::new(Ovesen))),
     ("blocks-3d", || Ok(Box::new(Blocks))),
     ("table", || Ok(Box::new(plate_bounds::bracket()?))),
 ];

@@ -3788,7 +3788,7 @@ class ArmUrdfAnswer(Answer):
 
 def predict(
     *,
-    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "blocks-3d", "table"] = "chen",
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d", "table"] = "chen",
     model_table: PathLike | None = None,
     alpha_deg: float | None = None,
     model_file: PathLike | None = None,
@@ -3820,7 +3820,8 @@ def predict(
         depth_m: Vertical depth of the plate's lower edge below the surface (m).
         width_m: Width of the plate (m).
         ends: Whether the plate has ends; by default it has them for the models that know ends: mckyes, perumpral,
-            godwin-spoor and blocks-3d, which then take width and depth, and ``table`` where these are given.
+            godwin-spoor, ovesen and blocks-3d, which then take width and depth, and ``table`` where these are
+            given.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
@@ -4121,7 +4122,7 @@ def estimate(
     file: Table,
     delta_deg: Literal["column"] | float = "column",
     *,
-    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "blocks-3d", "table"] = "table",
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d", "table"] = "table",
     ends: Literal["finite", "none"] | None = None,
     end_tolerance: float = 0.1,
     model_file: PathLike | None = None,
@@ -4156,8 +4157,8 @@ def estimate(
             friction_angle_deg where strokes of one kind are taken together, otherwise delta_set_deg.
         model: Force model; ``table`` is the bracket of proven bounds.
         ends: Whether plates have ends, each its own width: the force is then above that of plane strain. By default
-            they have them for the models that know ends (table, mckyes, perumpral, godwin-spoor); the other models
-            are of plane strain.
+            they have them for the models that know ends (table, mckyes, perumpral, godwin-spoor, ovesen); the other
+            models are of plane strain.
         end_tolerance: By how much the end factor of a stroke may differ from one that all strokes share. It is the
             part of what ends add at most, by the proven bracket of ``table``, that the ends of a plate do add. At 1
             strokes share nothing. At least 0 and at most 1.
