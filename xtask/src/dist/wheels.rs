@@ -15,8 +15,15 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
         Some(target) => vec![target.to_owned()],
         None if host.ends_with("linux-gnu") => vec![host.clone(), host.replace("gnu", "musl")],
         None if host.contains("apple") => vec!["universal2-apple-darwin".into()],
-        None => vec![host],
+        None => vec![host.clone()],
     };
+    if let Some(target) = targets.iter().find(|target| target.contains("apple") && !host.contains("apple")) {
+        return Err(XtaskError::Missing {
+            step: "build wheels".into(),
+            what: format!("{target} cannot be built on {host}: what it links against is in Apple's SDK"),
+            remedy: "build it on a Mac; the workflow `release` has one".into(),
+        });
+    }
     let environment = Environment::new(workspace.target().join("maturin-zig"));
     environment.ensure_tools(&["maturin==1.16.0", "ziglang==0.15.2", "auditwheel==6.8.2"])?;
     let folder = super::folder(workspace);
