@@ -14,6 +14,9 @@ use crate::systems::WINDOWS;
 use crate::tasks::cargo;
 use crate::workspace::Workspace;
 
+/// Cargo builds in a folder of this name.
+pub(crate) const PROFILE: &str = "shipped";
+
 /// Folder of what is released.
 pub(crate) fn folder(workspace: &Workspace) -> PathBuf {
     workspace.target().join("dist")
@@ -50,10 +53,10 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
 /// The program, with its symbols.
 pub(crate) fn build(workspace: &Workspace, target: &str) -> Result<PathBuf, XtaskError> {
     same_bytes(workspace, cargo(workspace, "build the release"))
-        .args(["build", "--locked", "--profile", "dist", "--package", "soilctl", "--target", target])
+        .args(["build", "--locked", "--profile", PROFILE, "--package", "soilctl", "--target", target])
         .run()?;
     let program = if target.contains("windows") { "soilctl.exe" } else { "soilctl" };
-    Ok(workspace.target().join(target).join("dist").join(program))
+    Ok(workspace.target().join(target).join(PROFILE).join(program))
 }
 
 /// A build whose bytes do not tell in which folders it was made.

@@ -45,7 +45,7 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             _ => &[],
         };
         let step = Step::new("build wheels", environment.python())
-            .args(["-m", "maturin", "build", "--profile", "dist", "--locked", "--strip"])
+            .args(["-m", "maturin", "build", "--profile", super::PROFILE, "--locked", "--strip"])
             .args(["--manifest-path", "crates/py/Cargo.toml", "--target", target, "--out"])
             .args([&folder])
             .args(compatibility)
