@@ -95,18 +95,39 @@ fn objcopy() -> Result<PathBuf, XtaskError> {
 
 /// CycloneDX, by the tool of its own project.
 fn bill_of_materials(workspace: &Workspace, target: &str) -> Result<(), XtaskError> {
+    let step = "bill of materials";
     let cyclonedx = tool(workspace, "cargo-cyclonedx", "0.5.9")?;
     let name = format!("soilctl-{}-{target}.cdx", rust::of_workspace(workspace, "version")?);
-    let made = workspace.root().join("crates/cli").join(format!("{name}.json"));
-    Step::new("bill of materials", cyclonedx)
+    Step::new(step, cyclonedx)
         .args(["cyclonedx", "--manifest-path", "crates/cli/Cargo.toml", "--format", "json"])
         .args(["--spec-version", "1.5", "--target", target, "--override-filename", &name])
         .dir(workspace.root())
-        // It writes one beside each manifest otherwise, and says when.
+        // It says when, otherwise.
         .env("SOURCE_DATE_EPOCH", "0")
         .run()?;
-    let kept = folder(workspace).join(format!("{name}.json"));
-    std::fs::rename(&made, &kept).map_err(|problem| XtaskError::file("bill of materials", &made, problem))
+    let name = format!("{name}.json");
+    let made = workspace.root().join("crates/cli").join(&name);
+    let text = std::fs::read_to_string(&made).map_err(|problem| XtaskError::file(step, &made, problem))?;
+    let kept = folder(workspace).join(&name);
+    std::fs::write(&kept, anywhere(&text, workspace.root()))
+        .map_err(|problem| XtaskError::file(step, &kept, problem))?;
+    // It wrote one beside the manifest of each crate.
+    for crates in [workspace.root().to_path_buf(), workspace.root().join("crates")] {
+        let entries =
+            std::fs::read_dir(&crates).map_err(|problem| XtaskError::file(step, &crates, problem))?;
+        for file in
+            entries.filter_map(|entry| Some(entry.ok()?.path().join(&name))).filter(|file| file.is_file())
+        {
+            std::fs::remove_file(&file).map_err(|problem| XtaskError::file(step, &file, problem))?;
+        }
+    }
+    Ok(())
+}
+
+/// The bill without the folder of the checkout, by which it names our own crates.
+fn anywhere(bill: &str, root: &Path) -> String {
+    let root = root.display().to_string().replace('\\', "/").replace(' ', "%20");
+    bill.replace(&format!("file:///{}", root.trim_start_matches('/')), "file:///soilctl")
 }
 
 /// One list of all that lies there.
@@ -115,4 +136,17 @@ pub(crate) fn checksums(workspace: &Workspace) -> Result<(), XtaskError> {
         .args(["packaging/checksums.py".into(), folder(workspace)])
         .dir(workspace.root())
         .run()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bill_does_not_tell_where_it_was_made() {
+        let told = |folder: &str| format!("\"path+file:///{folder}/crates/cli#soilctl@0.1.0\"");
+        for (root, folder) in [("/a/b c", "a/b%20c"), ("C:\\a\\b", "C:/a/b")] {
+            assert_eq!(anywhere(&told(folder), Path::new(root)), told("soilctl"));
+        }
+    }
 }
