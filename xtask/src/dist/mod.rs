@@ -43,11 +43,18 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
         });
     }
     let built = build(workspace, target)?;
-    // What comes with the program is the same for all systems; a program of another one does not run here.
-    let runs_here = if target == host { built.clone() } else { build(workspace, &host)? };
+    let runs_here = if target == host { built.clone() } else { runs_here(workspace)? };
     archive(workspace, target, &built, &runs_here)?;
     bill_of_materials(workspace, target)?;
     checksums(workspace)
+}
+
+/// A program that tells the completions and man pages, which are the same for all systems, where the one for another system cannot.
+/// Built as for tests: this costs less than a release, and nothing where it was built already.
+fn runs_here(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
+    let name = "build what tells completions and man pages";
+    cargo(workspace, name).args(["build", "--locked", "--package", "soilctl"]).run()?;
+    Ok(workspace.target().join("debug").join(format!("soilctl{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// The program, with its symbols.
