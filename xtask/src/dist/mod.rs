@@ -71,13 +71,15 @@ fn same_bytes(workspace: &Workspace, step: Step) -> Step {
     let home = std::env::var_os("CARGO_HOME")
         .map(PathBuf::from)
         .or_else(|| Some(std::env::home_dir()?.join(".cargo")));
-    let folders = [(Some(workspace.root().to_path_buf()), "/soilctl"), (home, "/cargo")];
+    let root = Some(workspace.root().to_path_buf());
+    // The last that fits holds, and what is built may be elsewhere.
+    let folders = [(root, "/soilctl"), (Some(workspace.target()), "/soilctl/target"), (home, "/cargo")];
     let folders = || folders.iter().filter_map(|(folder, name)| Some((folder.as_ref()?.display(), name)));
     let rust: Vec<String> = folders().map(|(from, to)| format!("--remap-path-prefix={from}={to}")).collect();
-    let c: Vec<String> = folders().map(|(from, to)| format!("-ffile-prefix-map={from}={to}")).collect();
-    // Separated so that a folder may have a blank in its name.
+    let c: Vec<String> = folders().map(|(from, to)| format!("'-ffile-prefix-map={from}={to}'")).collect();
+    // Separated, and quoted, so that a folder may have a blank in its name.
     let step = step.env("CARGO_ENCODED_RUSTFLAGS", rust.join("\u{1f}")).env("CARGO_INCREMENTAL", "0");
-    if cfg!(windows) { step } else { step.env("CFLAGS", c.join(" ")) }
+    if cfg!(windows) { step } else { step.env("CFLAGS", c.join(" ")).env("CC_SHELL_ESCAPED_FLAGS", "1") }
 }
 
 fn archive(workspace: &Workspace, target: &str, built: &Path, runs_here: &Path) -> Result<(), XtaskError> {
