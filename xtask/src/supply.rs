@@ -37,9 +37,16 @@ pub(crate) fn audit(workspace: &Workspace) -> Result<(), XtaskError> {
     Ok(())
 }
 
+/// Names the folder of the tools, for a checkout that takes those of another one.
+pub(crate) const TOOLS: &str = "XTASK_TOOLS";
+
+pub(crate) fn tools(workspace: &Workspace) -> PathBuf {
+    std::env::var_os(TOOLS).map_or_else(|| workspace.target().join("tools"), PathBuf::from)
+}
+
 /// A program of crates.io in this version, built once.
 pub(crate) fn tool(workspace: &Workspace, name: &str, version: &str) -> Result<PathBuf, XtaskError> {
-    let root = workspace.target().join("tools");
+    let root = tools(workspace);
     let program = root.join(format!("bin/{name}{}", std::env::consts::EXE_SUFFIX));
     let told = Step::new("try a tool", &program).args(["--version"]).output();
     if told.is_ok_and(|told| told.contains(version)) {

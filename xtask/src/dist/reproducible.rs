@@ -2,14 +2,13 @@
 
 use crate::error::XtaskError;
 use crate::run::Step;
-use crate::rust;
+use crate::supply::{TOOLS, tools};
 use crate::workspace::Workspace;
 
-/// Builds the release in two folders with nothing in common, and compares the archives.
+/// Builds the release in two folders with nothing in common, and compares all that is handed to others.
 pub(crate) fn run(workspace: &Workspace) -> Result<(), XtaskError> {
-    let host = rust::host()?;
-    let mut archives = Vec::new();
-    for name in ["first", "the second, elsewhere"] {
+    let mut lists = Vec::new();
+    for (name, target) in [("first", "target"), ("the second, elsewhere", "built/here")] {
         let copy = workspace.target().join("reproducible").join(name);
         if copy.exists() {
             std::fs::remove_dir_all(&copy)
@@ -22,20 +21,23 @@ pub(crate) fn run(workspace: &Workspace) -> Result<(), XtaskError> {
         Step::new("build the release", workspace.cargo())
             .args(["--locked", "xtask", "dist"])
             .dir(&copy)
-            .env("CARGO_TARGET_DIR", copy.join("target"))
+            .env("CARGO_TARGET_DIR", copy.join(target))
+            // What makes the bill of materials is not what is compared.
+            .env(TOOLS, tools(workspace))
             .run()?;
-        let version = rust::of_workspace(workspace, "version")?;
-        let archive = copy.join("target/dist").join(format!("soilctl-{version}-{host}.tar.gz"));
-        let bytes = std::fs::read(&archive);
-        archives.push(bytes.map_err(|problem| XtaskError::file("read the archive", &archive, problem))?);
+        let list = copy.join(target).join("dist/SHA256SUMS");
+        let text = std::fs::read_to_string(&list);
+        lists.push(text.map_err(|problem| XtaskError::file("read the checksums", &list, problem))?);
     }
-    if archives[0] == archives[1] {
-        eprintln!("== both builds are the same {} bytes", archives[0].len());
+    let differ: Vec<&str> =
+        lists[0].lines().filter(|line| !lists[1].lines().any(|other| other == *line)).collect();
+    if differ.is_empty() && lists[0].lines().count() == lists[1].lines().count() {
+        eprintln!("== both builds are the same bytes:\n{}", lists[0].trim_end());
         return Ok(());
     }
     Err(XtaskError::Missing {
-        step: "compare the archives".into(),
-        what: "two builds of the same source differ".into(),
+        step: "compare the releases".into(),
+        what: format!("two builds of the same source differ: {}", differ.join(", ")),
         remedy: "compare what is in them, in target/reproducible, with diffoscope".into(),
     })
 }
