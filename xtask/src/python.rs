@@ -1,5 +1,6 @@
 //! Virtual environments of the Python tests.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use crate::apt;
@@ -29,6 +30,17 @@ impl Environment {
     /// Its Python.
     pub(crate) fn python(&self) -> PathBuf {
         self.folder.join(PYTHON)
+    }
+
+    /// `PATH` with its programs first, for those that look for others of it there.
+    pub(crate) fn path(&self) -> OsString {
+        let mut folders =
+            self.python().parent().map_or_else(OsString::new, |folder| folder.as_os_str().to_owned());
+        if let Some(rest) = std::env::var_os("PATH") {
+            folders.push(if cfg!(windows) { ";" } else { ":" });
+            folders.push(rest);
+        }
+        folders
     }
 
     /// A call of its pip.

@@ -49,6 +49,8 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             .args(["--manifest-path", "crates/py/Cargo.toml", "--target", target, "--out"])
             .args([&folder])
             .args(compatibility)
+            // Where maturin looks for zig.
+            .env("PATH", environment.path())
             .dir(workspace.root());
         if target == WINDOWS { step.env("PYO3_CROSS_PYTHON_VERSION", "3.10") } else { step }.run()?;
     }
