@@ -44,7 +44,7 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             linux if linux.ends_with("linux-musl") => &["--zig", "--compatibility", "musllinux_1_2"],
             _ => &[],
         };
-        let step = Step::new("build wheels", environment.python())
+        let step = super::same_bytes(workspace, Step::new("build wheels", environment.python()))
             .args(["-m", "maturin", "build", "--profile", super::PROFILE, "--locked", "--strip"])
             .args(["--manifest-path", "crates/py/Cargo.toml", "--target", target, "--out"])
             .args([&folder])
