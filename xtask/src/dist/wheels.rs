@@ -1,5 +1,7 @@
 //! Wheels of the Python package for systems other than the one that builds them: old ones of Linux, both processors of a Mac, Windows.
 
+use std::path::{Path, PathBuf};
+
 use crate::error::XtaskError;
 use crate::python::Environment;
 use crate::run::Step;
@@ -54,5 +56,60 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             .dir(workspace.root());
         if target == WINDOWS { step.env("PYO3_CROSS_PYTHON_VERSION", "3.10") } else { step }.run()?;
     }
+    audit(&environment, &folder)?;
     super::checksums(workspace)
+}
+
+/// Whether each wheel for Linux runs with C libraries as old as its name promises, by auditwheel: maturin has checks of its own, and this
+/// is the one that others use.
+fn audit(environment: &Environment, folder: &Path) -> Result<(), XtaskError> {
+    let step = "check the wheels";
+    let entries = std::fs::read_dir(folder).map_err(|problem| XtaskError::file(step, folder, problem))?;
+    let mut wheels: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    wheels.retain(|file| file.extension().is_some_and(|ending| ending == "whl"));
+    wheels.sort();
+    for wheel in wheels {
+        let name = wheel.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let Some(promised) = c_library(&name) else { continue };
+        let told = Step::new(step, environment.python()).args(["-m", "auditwheel", "show", "--json"]);
+        let told = told.args([&wheel]).output()?;
+        let tag = serde_json::from_str::<serde_json::Value>(&told).ok();
+        let tag = tag.and_then(|told| Some(told["overall_tag"].as_str()?.to_owned())).unwrap_or_default();
+        if c_library(&tag).is_none_or(|needed| needed.0 != promised.0 || needed > promised) {
+            return Err(XtaskError::Missing {
+                step: step.into(),
+                what: format!(
+                    "{name} is of the tag {tag:?}, says auditwheel, which is not what its name promises"
+                ),
+                remedy: "see which library or symbol asks for more, with `auditwheel show --verbose`".into(),
+            });
+        }
+        eprintln!("== {name}: auditwheel says {tag}");
+    }
+    Ok(())
+}
+
+/// The C library and its version of a tag such as `manylinux_2_17_x86_64`, or of the first in a wheel's name.
+fn c_library(tag: &str) -> Option<(&str, u32, u32)> {
+    ["manylinux", "musllinux"].into_iter().find_map(|library| {
+        let mut numbers = tag.split(&format!("{library}_")).nth(1)?.split('_');
+        Some((library, numbers.next()?.parse().ok()?, numbers.next()?.parse().ok()?))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wheel_tells_its_c_library() {
+        let wheel = "soilctl-0.1.0-cp310-abi3-manylinux2014_x86_64.manylinux_2_17_x86_64.whl";
+        assert_eq!(c_library(wheel), Some(("manylinux", 2, 17)));
+        assert_eq!(
+            c_library("soilctl-0.1.0-cp310-abi3-musllinux_1_2_aarch64.whl"),
+            Some(("musllinux", 1, 2))
+        );
+        assert_eq!(c_library("soilctl-0.1.0-cp310-abi3-win_amd64.whl"), None);
+        assert_eq!(c_library("linux_x86_64"), None);
+    }
 }
