@@ -66,8 +66,7 @@ pub(crate) fn build(workspace: &Workspace, target: &str) -> Result<PathBuf, Xtas
     Ok(workspace.target().join(target).join(PROFILE).join(program))
 }
 
-/// A build whose bytes do not tell in which folders it was made. That of the wheels has the same flags, and takes over what the
-/// program's has compiled.
+/// A build whose bytes do not tell in which folders it was made.
 fn same_bytes(workspace: &Workspace, step: Step) -> Step {
     let home = std::env::var_os("CARGO_HOME")
         .map(PathBuf::from)
