@@ -16,9 +16,12 @@ use crate::copies::maker;
 use crate::error::{Answer, Fail, file_at, input, no_answer};
 use crate::work::in_blocks;
 
-/// Models by id and by whether they are asked about plane strain, made once: tables take a while to read.
+/// Models by id and by whether they are asked about plane strain.
+type Models = BTreeMap<(String, bool), Arc<dyn ForceModel>>;
+
+/// A model of these, made once: tables take a while to read.
 fn made_once(id: &str, in_plane_strain: bool) -> Result<Arc<dyn ForceModel>, EarthPressureError> {
-    static MODELS: OnceLock<Mutex<BTreeMap<(String, bool), Arc<dyn ForceModel>>>> = OnceLock::new();
+    static MODELS: OnceLock<Mutex<Models>> = OnceLock::new();
     let models = MODELS.get_or_init(Mutex::default);
     let mut models = models.lock().unwrap_or_else(PoisonError::into_inner);
     let key = (id.to_owned(), in_plane_strain);
