@@ -20,7 +20,7 @@ const SEEDS: u32 = 10;
 /// Models beside the one that the plant used, for the same measurements.
 const OTHERS: [&str; 4] = ["chen", "caquot", "log-spiral", "coulomb"];
 
-/// A demonstration, and what the other models make of its measurements: least and largest friction angle, if they agree.
+/// A demonstration in plane strain, as the other models are, and what these make of its measurements: least and largest friction angle, if they agree.
 struct Campaign {
     soil: &'static str,
     seed: u32,
@@ -61,7 +61,8 @@ fn other(folder: &Path, model: &str, [low, high]: [f64; 2]) -> Option<[f64; 2]> 
 fn campaign(soil: &'static str, seed: u32) -> Campaign {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("demo");
-    let words = ["demo", "--soil", soil, "--seed", &seed.to_string(), "--threads", "1", "--quiet"];
+    let words =
+        ["demo", "--soil", soil, "--seed", &seed.to_string(), "--ends", "none", "--threads", "1", "--quiet"];
     let answer = json(&[&words[..], &["--format", "json", "--out", out.to_str().unwrap()]].concat());
     let weighed = range(&answer["density_weighed"]["density_known_kg_m3"]);
     let others = OTHERS.iter().map(|model| other(&out, model, weighed?)).collect();
