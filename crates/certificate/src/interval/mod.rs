@@ -36,7 +36,7 @@ impl Interval {
     }
 
     /// From `lo` to `hi`; any number if that is not an interval.
-    const fn new(lo: f64, hi: f64) -> Self {
+    pub(crate) const fn new(lo: f64, hi: f64) -> Self {
         if lo <= hi && lo < f64::INFINITY && hi > f64::NEG_INFINITY { Self { lo, hi } } else { Self::ANY }
     }
 
