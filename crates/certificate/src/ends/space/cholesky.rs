@@ -15,7 +15,9 @@
 use super::dissection::Part;
 
 /// The most rows of a front: its square must be held.
-const MAX_FRONT: usize = 12_000;
+const MAX_FRONT: usize = 8_000;
+/// The most numbers of a factor.
+const MAX_NUMBERS: usize = 150_000_000;
 /// Columns that are eliminated before what is beyond them is changed.
 const BLOCK: usize = 32;
 
@@ -49,7 +51,7 @@ pub(super) struct Factor<'a> {
 }
 
 impl Layout {
-    /// `rows` has the rows of each group. Nothing if a front would be too large.
+    /// `rows` has the rows of each group. Nothing if too much would have to be held.
     pub(super) fn new(parts: &[Part], neighbours: &[Vec<usize>], rows: &[Vec<usize>]) -> Option<Self> {
         let mut order = vec![0; rows.len()];
         let mut starts = Vec::new();
@@ -68,7 +70,7 @@ impl Layout {
         starts.push(next);
         let mut beyond: Vec<Vec<usize>> = Vec::new();
         let mut fronts = Vec::new();
-        let mut done = 0;
+        let (mut done, mut numbers) = (0, 0);
         for part in parts {
             let from = done;
             done += part.groups.len();
@@ -79,10 +81,11 @@ impl Layout {
             later.dedup();
             let all = (from..done).chain(later.iter().copied());
             let rows: Vec<usize> = all.flat_map(|at| starts[at]..starts[at + 1]).collect();
-            if rows.len() > MAX_FRONT {
+            let (first, pivots) = (starts[from], starts[done] - starts[from]);
+            numbers += pivots * rows.len();
+            if rows.len() > MAX_FRONT || numbers > MAX_NUMBERS {
                 return None;
             }
-            let (first, pivots) = (starts[from], starts[done] - starts[from]);
             fronts.push(Front { first, pivots, rows, children: part.children.clone() });
             beyond.push(later);
         }

@@ -26,6 +26,8 @@ pub(super) struct System {
     /// For each group of rows, where it is: only for speed.
     pub(super) places: Vec<[f64; 3]>,
     pub(super) columns: usize,
+    /// What is balanced, in messages.
+    pub(super) of: &'static str,
 }
 
 /// `sum of factor x_number = right`.
@@ -50,11 +52,11 @@ const STEPS: usize = 4;
 /// Steps of the inverse iteration, from which the least eigenvalue is guessed.
 const GUESSES: usize = 12;
 
-fn not_proven(quantity: &'static str, low: f64) -> CertificateError {
-    CertificateError::NotProven { quantity, place: "the whole field".into(), low, unit: "" }
-}
-
 impl System {
+    fn not_proven(&self, quantity: &'static str) -> CertificateError {
+        CertificateError::NotProven { quantity, place: format!("all {}s", self.of), low: -1.0, unit: "" }
+    }
+
     /// Enclosures of numbers that obey all equations, near a guess of them.
     pub(super) fn solve(mut self, guess: &[f64]) -> Result<Vec<Interval>, CertificateError> {
         let quantity = "rank of the balances, less their number,";
@@ -71,7 +73,7 @@ impl System {
         let middle = self.middle(&layout);
         let matrix = middle.square(self.columns);
         let Some(factor) = layout.factor(&matrix, 0.0) else {
-            return Err(not_proven(quantity, -1.0));
+            return Err(self.not_proven(quantity));
         };
         let mut numbers = guess.to_vec();
         let mut residual = self.residual(&numbers);
@@ -93,17 +95,18 @@ impl System {
             }
             shift *= 0.25;
         }
-        Err(not_proven(quantity, -1.0))
+        Err(self.not_proven(quantity))
     }
 
     /// Scales each row to the length 1, about.
     fn scale(&mut self) -> Result<(), CertificateError> {
+        let length = |row: &Row| row.entries.iter().map(|(_, factor)| factor.middle().powi(2)).sum::<f64>().sqrt();
+        // Also if one is infinite or not a number.
+        if !self.rows.iter().all(|row| (f64::MIN_POSITIVE..f64::MAX).contains(&length(row))) {
+            return Err(self.not_proven("number of free tractions in a balance, less one,"));
+        }
         for row in &mut self.rows {
-            let length = row.entries.iter().map(|(_, factor)| factor.middle().powi(2)).sum::<f64>().sqrt();
-            let scale = Interval::point(1.0 / length);
-            if !(length > 0.0 && scale.is_positive()) {
-                return Err(not_proven("number of free tractions of a balance, less one,", -1.0));
-            }
+            let scale = Interval::point(1.0 / length(row));
             row.entries.iter_mut().for_each(|(_, factor)| *factor = *factor * scale);
             row.right = row.right * scale;
         }

@@ -19,7 +19,7 @@ use crate::interval::Interval;
 use crate::problem::{exists, finite};
 
 /// Most simplices of a field.
-const MAX_CELLS: usize = 20_000;
+const MAX_CELLS: usize = 10_000;
 
 /// A plane of the box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,7 +89,7 @@ impl<'a, const N: usize> Complex<'a, N> {
         let (low, high) = check_box(places, words)?;
         if corners.len() > MAX_CELLS {
             let place = format!("{} {}s", corners.len(), words.cell);
-            return Err(CertificateError::NotCovered { place, what: "a field has at most 20000 of them" });
+            return Err(CertificateError::NotCovered { place, what: "a field has at most 10000 of them" });
         }
         let mut numbers = BTreeMap::new();
         for (i, cell) in corners.iter().enumerate() {

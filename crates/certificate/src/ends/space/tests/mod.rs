@@ -1,1 +1,9 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+mod altered;
+mod balanced;
+mod known;
+mod linear;
+mod small;
+
+use small::Small;
