@@ -271,7 +271,9 @@ mod tests;
 mod tiling;
 mod upper;
 
-pub use ends::{EndForce, SpaceSection, SpaceStress, prove_end, prove_mechanism, prove_space, show_mechanism};
+pub use ends::{
+    EndForce, SpaceSection, SpaceStress, prove_end, prove_mechanism, prove_space, show_mechanism,
+};
 pub use error::CertificateError;
 pub use fields::{
     BeyondFacet, Facet, Flow, Gauge, Gradient, Jet, LowerField, Mechanism, Position, StreamCopy, StreamJet,

@@ -54,7 +54,7 @@ pub(super) fn balances<const N: usize>(complex: &Complex<'_, N>, sheets: &Sheets
             rows.push(row(group, Interval::ZERO, terms));
         }
     }
-    System { rows, places, columns: sheets.guess.len(), of: complex.words.cell }
+    System { rows, places, columns: sheets.guess.len(), of: complex.words.cells }
 }
 
 /// What presses on a face of a simplex at one vertex of the face.

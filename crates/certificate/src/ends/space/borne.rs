@@ -2,8 +2,8 @@
 
 use super::balance::balances;
 use super::simplex::{Matrix, factorial};
-use super::stress::stresses;
 use super::strength::Strengths;
+use super::stress::stresses;
 use super::topology::Complex;
 use super::tractions::{Pressing, Sheets};
 use crate::CertificateError;
@@ -45,8 +45,10 @@ impl<'a, const N: usize> Balanced<'a, N> {
         for (number, face) in self.complex.faces.iter().enumerate() {
             let place = || format!("{} {number}", self.complex.words.face);
             let sheets = [Some(number), face.plate.map(|plate| self.complex.faces.len() + plate)];
-            for (sheet, (k, &corner)) in
-                sheets.into_iter().flatten().flat_map(|s| face.corners.iter().enumerate().map(move |c| (s, c)))
+            for (sheet, (k, &corner)) in sheets
+                .into_iter()
+                .flatten()
+                .flat_map(|s| face.corners.iter().enumerate().map(move |c| (s, c)))
             {
                 let depth = self.complex.depth(corner);
                 if depth == 0.0 {
@@ -62,7 +64,11 @@ impl<'a, const N: usize> Balanced<'a, N> {
                 } else if let Some(rim) = face.rim.filter(|rim| !given(rim.axis, rim.high)) {
                     let spare = strengths.far(pressing[rim.axis] / face.normal[rim.axis], depth);
                     if spare < 0.0 {
-                        return Err(not_proven("strength to spare of the ground beyond the box", place(), spare));
+                        return Err(not_proven(
+                            "strength to spare of the ground beyond the box",
+                            place(),
+                            spare,
+                        ));
                     }
                 }
             }

@@ -74,7 +74,8 @@ impl Layout {
         for part in parts {
             let from = done;
             done += part.groups.len();
-            let mut later: Vec<usize> = part.groups.iter().flat_map(|&g| &neighbours[g]).map(|&g| order[g]).collect();
+            let mut later: Vec<usize> =
+                part.groups.iter().flat_map(|&g| &neighbours[g]).map(|&g| order[g]).collect();
             part.children.iter().for_each(|&child| later.extend(&beyond[child]));
             later.retain(|&at| at >= done);
             later.sort_unstable();

@@ -83,9 +83,13 @@ use crate::interval::{Interval, angle};
 use crate::problem::Problem;
 use crate::statement::Statement;
 
-const SPACE: Words = Words { vertex: "vertex", cell: "tetrahedron", face: "face" };
-const PLANE: Words =
-    Words { vertex: "vertex of the section", cell: "triangle of the section", face: "edge of the section" };
+const SPACE: Words = Words { vertex: "vertex", cell: "tetrahedron", cells: "tetrahedra", face: "face" };
+const PLANE: Words = Words {
+    vertex: "vertex of the section",
+    cell: "triangle of the section",
+    cells: "triangles of the section",
+    face: "edge of the section",
+};
 
 /// What a stress field about one end of a plate proves, in units of the plate's depth and the soil's weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,15 +193,22 @@ pub fn prove_space(statement: &Statement, stress: &SpaceStress) -> Result<f64, C
         return not_covered("the soil", what);
     }
     let Some(delta_deg) = alike(statement) else {
-        return not_covered("the plate", "a stress field in space needs faces of one friction, without adhesion");
+        return not_covered(
+            "the plate",
+            "a stress field in space needs faces of one friction, without adhesion",
+        );
     };
     if !(plate.velocity.y.is_zero() && plate.velocity.x.is_not_zero()) {
-        return not_covered("the velocity", "a stress field in space is for plates that move across their faces");
+        return not_covered(
+            "the velocity",
+            "a stress field in space is for plates that move across their faces",
+        );
     }
     let force = prove_end(material.phi_deg, delta_deg, stress)?;
     let depth = -plate.down.y;
     // Behind is ahead for a plate that moves to the left.
-    let unit = Interval::point(material.unit_weight) * -plate.gravity.y * depth.square() * plate.velocity.x.abs();
+    let unit =
+        Interval::point(material.unit_weight) * -plate.gravity.y * depth.square() * plate.velocity.x.abs();
     let width = Interval::point(plate.half_width) * Interval::point(2.0) / depth;
     match force.at(width).map(|force| (force * unit).lo()) {
         Some(bound) if bound.is_finite() => Ok(bound),

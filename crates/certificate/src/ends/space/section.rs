@@ -65,9 +65,5 @@ fn weights(corners: &[[f64; 2]], place: &[f64; 2]) -> Option<[Interval; 3]> {
 /// A stress in the plane with a pressure across.
 pub(super) fn with_across(plane: &Matrix<2>, across: Interval) -> Matrix<3> {
     let zero = Interval::ZERO;
-    [
-        [plane[0][0], zero, plane[0][1]],
-        [zero, across, zero],
-        [plane[1][0], zero, plane[1][1]],
-    ]
+    [[plane[0][0], zero, plane[0][1]], [zero, across, zero], [plane[1][0], zero, plane[1][1]]]
 }

@@ -60,8 +60,8 @@ impl Strengths {
 fn least_pivot(mut matrix: Matrix<3>) -> f64 {
     let mut least = f64::INFINITY;
     let mut left = vec![0, 1, 2];
-    while let Some(at) =
-        (0..left.len()).max_by(|&a, &b| matrix[left[a]][left[a]].lo().total_cmp(&matrix[left[b]][left[b]].lo()))
+    while let Some(at) = (0..left.len())
+        .max_by(|&a, &b| matrix[left[a]][left[a]].lo().total_cmp(&matrix[left[b]][left[b]].lo()))
     {
         let k = left.swap_remove(at);
         let pivot = matrix[k][k];

@@ -97,13 +97,15 @@ pub(super) fn stresses<const N: usize>(
     let mut mean = [[Interval::ZERO; N]; N];
     for (f, &opposite) in cell.corners.iter().enumerate() {
         for &corner in cell.corners.iter().filter(|&&c| c != opposite) {
-            let (pressing, arm) = (out(f, corner), between(&complex.places[corner], &complex.places[opposite]));
+            let (pressing, arm) =
+                (out(f, corner), between(&complex.places[corner], &complex.places[opposite]));
             for (i, j) in (0..N).flat_map(|i| (0..N).map(move |j| (i, j))) {
                 mean[i][j] = mean[i][j] + pressing[i] * arm[j];
             }
         }
     }
-    let mean = std::array::from_fn(|i| std::array::from_fn(|j| (mean[i][j] + mean[j][i]).half() / cell.volume));
+    let mean =
+        std::array::from_fn(|i| std::array::from_fn(|j| (mean[i][j] + mean[j][i]).half() / cell.volume));
     add(&mut centre, &mean, Interval::ONE);
     points.push(Point { stress: centre, corner: None });
     points
@@ -119,8 +121,7 @@ fn part<const N: usize>(given: &Matrix<N>, a: usize) -> Matrix<N> {
             part[b][b] = given[b][b] - given[b][a] + given[a][b];
         }
         for c in (0..b).filter(|&c| b != a && c != a) {
-            let twice =
-                given[a][b] + given[a][c] + given[b][c] + given[c][b] - given[b][a] - given[c][a];
+            let twice = given[a][b] + given[a][c] + given[b][c] + given[c][b] - given[b][a] - given[c][a];
             part[b][c] = twice.half();
             part[c][b] = twice.half();
         }

@@ -54,7 +54,7 @@ const GUESSES: usize = 12;
 
 impl System {
     fn not_proven(&self, quantity: &'static str) -> CertificateError {
-        CertificateError::NotProven { quantity, place: format!("all {}s", self.of), low: -1.0, unit: "" }
+        CertificateError::NotProven { quantity, place: self.of.to_owned(), low: -1.0, unit: "" }
     }
 
     /// Enclosures of numbers that obey all equations, near a guess of them.
@@ -91,7 +91,10 @@ impl System {
             let singular = middle.least_singular_value(&layout, &matrix, shift, self.columns);
             if singular > 0.0 {
                 let radius = (norm(&residual) / Interval::point(singular)).hi();
-                return Ok(numbers.iter().map(|&x| Interval::point(x) + Interval::new(-radius, radius)).collect());
+                return Ok(numbers
+                    .iter()
+                    .map(|&x| Interval::point(x) + Interval::new(-radius, radius))
+                    .collect());
             }
             shift *= 0.25;
         }
@@ -100,7 +103,8 @@ impl System {
 
     /// Scales each row to the length 1, about.
     fn scale(&mut self) -> Result<(), CertificateError> {
-        let length = |row: &Row| row.entries.iter().map(|(_, factor)| factor.middle().powi(2)).sum::<f64>().sqrt();
+        let length =
+            |row: &Row| row.entries.iter().map(|(_, factor)| factor.middle().powi(2)).sum::<f64>().sqrt();
         // Also if one is infinite or not a number.
         if !self.rows.iter().all(|row| (f64::MIN_POSITIVE..f64::MAX).contains(&length(row))) {
             return Err(self.not_proven("number of free tractions in a balance, less one,"));
@@ -150,9 +154,9 @@ impl System {
 
     fn residual(&self, numbers: &[f64]) -> Vec<Interval> {
         let left = |row: &Row| {
-            row.entries.iter().fold(row.right, |sum, (number, factor)| {
-                sum - *factor * Interval::point(numbers[*number])
-            })
+            row.entries
+                .iter()
+                .fold(row.right, |sum, (number, factor)| sum - *factor * Interval::point(numbers[*number]))
         };
         self.rows.iter().map(left).collect()
     }
@@ -246,8 +250,7 @@ impl Middle {
         let rounded = gamma(longest as f64 + 2.0) * (greatest(&of_rows) + shift);
         // Far more than underflow can add, and finite only if all else is.
         let tiny = 1e-200;
-        let [shift, rounded, factored, tiny] =
-            [shift, rounded, factor.rounding(), tiny].map(Interval::point);
+        let [shift, rounded, factored, tiny] = [shift, rounded, factor.rounding(), tiny].map(Interval::point);
         let eigenvalue = shift - (rounded + factored + tiny) * Interval::point(1.0 + 1e-9);
         (eigenvalue.or_zero().sqrt() - Interval::point(self.off)).lo()
     }

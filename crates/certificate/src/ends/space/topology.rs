@@ -63,7 +63,6 @@ pub(super) struct Complex<'a, const N: usize> {
     /// Least and greatest coordinates.
     pub(super) low: [f64; N],
     pub(super) high: [f64; N],
-    /// What a vertex is called.
     pub(super) words: &'static Words,
 }
 
@@ -72,6 +71,8 @@ pub(super) struct Complex<'a, const N: usize> {
 pub(super) struct Words {
     pub(super) vertex: &'static str,
     pub(super) cell: &'static str,
+    /// Of all together.
+    pub(super) cells: &'static str,
     pub(super) face: &'static str,
 }
 
@@ -88,7 +89,7 @@ impl<'a, const N: usize> Complex<'a, N> {
     ) -> Result<Self, CertificateError> {
         let (low, high) = check_box(places, words)?;
         if corners.len() > MAX_CELLS {
-            let place = format!("{} {}s", corners.len(), words.cell);
+            let place = format!("{} {}", corners.len(), words.cells);
             return Err(CertificateError::NotCovered { place, what: "a field has at most 10000 of them" });
         }
         let mut numbers = BTreeMap::new();
@@ -114,8 +115,13 @@ impl<'a, const N: usize> Complex<'a, N> {
         let mut cells = Vec::new();
         for (i, cell) in corners.iter().enumerate() {
             let place = || format!("{} {i}", words.cell);
-            let mut built =
-                Cell { corners: cell.to_vec(), faces: vec![], outwards: vec![], volume: Interval::ZERO, at_surface: false };
+            let mut built = Cell {
+                corners: cell.to_vec(),
+                faces: vec![],
+                outwards: vec![],
+                volume: Interval::ZERO,
+                at_surface: false,
+            };
             for k in 0..=N {
                 let number = numbers[&opposite(cell, k)];
                 let face = &faces[number];
@@ -163,11 +169,12 @@ impl<'a, const N: usize> Complex<'a, N> {
     /// Proves that the simplices do not cover the box twice.
     fn check_volume(&self) -> Result<(), CertificateError> {
         let sum = self.cells.iter().fold(Interval::ZERO, |sum, cell| sum + cell.volume);
-        let size = between(&self.high, &self.low).into_iter().fold(factorial::<N>(), |size, side| size * side);
+        let size =
+            between(&self.high, &self.low).into_iter().fold(factorial::<N>(), |size, side| size * side);
         if !self.cells.is_empty() && (size + size - sum).is_positive() {
             return Ok(());
         }
-        bad(format!("all {}s", self.words.cell), "must cover the box once")
+        bad(self.words.cells.to_owned(), "must cover the box once")
     }
 
     /// Proves that faces cover the plate once.
@@ -237,5 +244,8 @@ fn check_box<const N: usize>(
     if across && low[up::<N>()] < -1.0 && high[up::<N>()] == 0.0 {
         return Ok((low, high));
     }
-    bad("the box".into(), "must have the surface on top, and the lower edge and the end of the plate within it")
+    bad(
+        "the box".into(),
+        "must have the surface on top, and the lower edge and the end of the plate within it",
+    )
 }

@@ -21,7 +21,10 @@ use crate::problem::finite;
 pub(super) enum Component {
     Known(Interval),
     /// A free number, times its unit.
-    Free { number: usize, unit: f64 },
+    Free {
+        number: usize,
+        unit: f64,
+    },
 }
 
 /// What is known of all sheets.
@@ -103,12 +106,16 @@ impl<const N: usize> Sheets<N> {
     }
 
     /// The components at a vertex of a sheet.
-    pub(super) fn at(&self, complex: &Complex<'_, N>, cell: usize, face: usize, corner: usize) -> [Component; N] {
+    pub(super) fn at(
+        &self,
+        complex: &Complex<'_, N>,
+        cell: usize,
+        face: usize,
+        corner: usize,
+    ) -> [Component; N] {
         let corners = &complex.faces[complex.cells[cell].faces[face]].corners;
         let place = corners.iter().position(|&c| c == corner);
-        place.map_or([Component::Known(Interval::ZERO); N], |k| {
-            self.components[self.of_cells[cell][face]][k]
-        })
+        place.map_or([Component::Known(Interval::ZERO); N], |k| self.components[self.of_cells[cell][face]][k])
     }
 
     /// All that presses, given enclosures of the free numbers.
@@ -117,8 +124,10 @@ impl<const N: usize> Sheets<N> {
             Component::Known(known) => known,
             Component::Free { number, unit } => free[number] * Interval::point(unit),
         };
-        let known =
-            self.components.iter().map(|sheet| sheet.iter().map(|c| std::array::from_fn(|k| value(&c[k]))).collect());
+        let known = self
+            .components
+            .iter()
+            .map(|sheet| sheet.iter().map(|c| std::array::from_fn(|k| value(&c[k]))).collect());
         Pressing { known: known.collect() }
     }
 }

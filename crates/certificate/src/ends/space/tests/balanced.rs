@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::super::SPACE;
 use super::super::balance::balances;
 use super::super::cholesky::Layout;
 use super::super::dissection::dissect;
@@ -9,7 +10,6 @@ use super::super::stress::stresses;
 use super::super::system::{Row, System};
 use super::super::topology::Complex;
 use super::super::tractions::Sheets;
-use super::super::SPACE;
 use super::Small;
 use super::small::ground;
 use crate::CertificateError;
@@ -109,7 +109,9 @@ fn forces_on_the_whole_box_balance() {
 fn eigenvalues_of_springs_are_bounded_from_below() {
     let count = 200;
     let neighbours: Vec<Vec<usize>> = (0..count)
-        .map(|i: usize| [i.checked_sub(1), Some(i + 1).filter(|&n| n < count)].into_iter().flatten().collect())
+        .map(|i: usize| {
+            [i.checked_sub(1), Some(i + 1).filter(|&n| n < count)].into_iter().flatten().collect()
+        })
         .collect();
     let places: Vec<[f64; 3]> = (0..count).map(|i| [i as f64, 0.0, 0.0]).collect();
     let rows: Vec<Vec<usize>> = (0..count).map(|i| vec![i]).collect();
@@ -154,7 +156,10 @@ fn system(rows: &[(&[f64], f64)]) -> System {
 fn equations_are_solved_near_the_guess_or_refused() {
     let found = system(&[(&[1.0, 1.0, 1.0], 3.0), (&[1.0, -1.0, 0.0], 1.0)]).solve(&[9.0, 0.0, 0.0]).unwrap();
     let middle: Vec<f64> = found.iter().map(|x| x.middle()).collect();
-    assert!((middle[0] + middle[1] + middle[2] - 3.0).abs() < 1e-14 && (middle[0] - middle[1] - 1.0).abs() < 1e-14);
+    assert!(
+        (middle[0] + middle[1] + middle[2] - 3.0).abs() < 1e-14
+            && (middle[0] - middle[1] - 1.0).abs() < 1e-14
+    );
     assert!(found.iter().all(|x| x.hi() - x.lo() < 1e-14), "{found:?}");
     // The nearest to the guess: what was added to it is a combination of the rows.
     assert!((middle[0] - 9.0 + middle[1] - 2.0 * middle[2]).abs() < 1e-13, "{middle:?}");

@@ -25,9 +25,14 @@ fn the_ground_at_rest_presses_alike_on_both_sides() {
 fn what_the_soil_does_not_bear_is_refused() {
     // `K` is 3: between the limits and outside.
     let small = Small::new(true);
-    for (x, s, bears) in
-        [(2.99, 1.0, true), (3.01, 1.0, false), (0.34, 1.0, true), (0.33, 1.0, false), (2.0, 0.7, true), (2.0, 0.66, false)]
-    {
+    for (x, s, bears) in [
+        (2.99, 1.0, true),
+        (3.01, 1.0, false),
+        (0.34, 1.0, true),
+        (0.33, 1.0, false),
+        (2.0, 0.7, true),
+        (2.0, 0.66, false),
+    ] {
         let proven = prove_end(30.0, 15.0, &small.field(&ground(x, s), &ground(x, s)));
         assert_eq!(proven.is_ok(), bears, "{x} {s} {proven:?}");
     }
@@ -35,8 +40,8 @@ fn what_the_soil_does_not_bear_is_refused() {
 
 #[test]
 fn a_push_is_worth_something_and_holds_for_all_widths() {
-    let force = prove_end(30.0, 15.0, &pushed(0.3)).unwrap();
-    assert!(force.end > 0.01 && force.between > 0.05, "{force:?}");
+    let force = prove_end(30.0, 15.0, &pushed(0.1)).unwrap();
+    assert!(force.end > 0.003 && force.between > 0.01, "{force:?}");
     assert_eq!(force.per_width(0.99), None);
     assert_eq!(force.per_width(f64::NAN), None);
     let expected = |width: f64| (2.0 * force.end + (width - 1.0) * force.between) / width;
@@ -45,7 +50,7 @@ fn a_push_is_worth_something_and_holds_for_all_widths() {
         assert!(proven <= expected(width) + 1e-15 && proven > expected(width) - 1e-12);
     }
     // The other way round there is nothing to gain.
-    assert!(prove_end(30.0, 15.0, &pushed(-0.3)).unwrap().end < 0.0);
+    assert!(prove_end(30.0, 15.0, &pushed(-0.1)).unwrap().end < 0.0);
 }
 
 #[test]
@@ -53,7 +58,7 @@ fn a_statement_has_its_own_units() {
     // Two deep, of soil with 35 degrees.
     let plate = Plate { lean: 0.0, delta_deg: 20.0, surcharge: 0.0, gravity: [0.0, -1.0] };
     let statement = plate.statement().with_width(6.0);
-    let field = pushed(0.3);
+    let field = pushed(0.1);
     let force = prove_end(35.0, 20.0, &field).unwrap().per_width(3.0).unwrap();
     let weight = statement.regions[0].material.unit_weight;
     let proven = prove_space(&statement, &field).unwrap();

@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 
-use super::super::stress::stresses;
 use super::super::strength::Strengths;
+use super::super::stress::stresses;
 use super::super::topology::Complex;
 use super::super::tractions::{Pressing, Sheets};
 use super::super::{PLANE, SPACE};

@@ -72,7 +72,8 @@ impl Small {
             let long = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
             face.map(|v| stress(self.vertices[v]).map(|row| (0..3).map(|k| row[k] * normal[k] / long).sum()))
         };
-        let all = |face: &[usize; 3], is: &dyn Fn([f64; 3]) -> bool| face.iter().all(|&v| is(self.vertices[v]));
+        let all =
+            |face: &[usize; 3], is: &dyn Fn([f64; 3]) -> bool| face.iter().all(|&v| is(self.vertices[v]));
         let plate: Vec<&[usize; 3]> =
             faces.iter().filter(|f| all(f, &|[x, s, z]| x == 0.0 && s <= 0.0 && z >= -1.0)).collect();
         let (mut numbers, mut middles) = (BTreeMap::new(), BTreeMap::new());
