@@ -92,14 +92,13 @@ fn extremes(mut a: [[f64; 3]; 3]) -> [f64; 2] {
             let tan = theta.signum() / (theta.abs() + theta.hypot(1.0));
             let cos = 1.0 / tan.hypot(1.0);
             let sin = tan * cos;
-            for k in 0..3 {
-                let (x, y) = (a[k][p], a[k][q]);
-                (a[k][p], a[k][q]) = (cos * x - sin * y, sin * x + cos * y);
+            for row in &mut a {
+                let (x, y) = (row[p], row[q]);
+                (row[p], row[q]) = (cos * x - sin * y, sin * x + cos * y);
             }
-            for k in 0..3 {
-                let (x, y) = (a[p][k], a[q][k]);
-                (a[p][k], a[q][k]) = (cos * x - sin * y, sin * x + cos * y);
-            }
+            let (x, y) = (a[p], a[q]);
+            a[p] = std::array::from_fn(|k| cos * x[k] - sin * y[k]);
+            a[q] = std::array::from_fn(|k| sin * x[k] + cos * y[k]);
         }
     }
     let diagonal = [a[0][0], a[1][1], a[2][2]];

@@ -117,9 +117,9 @@ fn eigenvalues_of_springs_are_bounded_from_below() {
     let rows: Vec<Vec<usize>> = (0..count).map(|i| vec![i]).collect();
     let layout = Layout::new(&dissect(&places, &neighbours), &neighbours, &rows).unwrap();
     let mut matrix = vec![vec![]; count];
-    for i in 0..count {
+    for (i, list) in neighbours.iter().enumerate() {
         matrix[layout.place[i]].push((layout.place[i], 2.0));
-        for &n in neighbours[i].iter().filter(|&&n| layout.place[n] > layout.place[i]) {
+        for &n in list.iter().filter(|&&n| layout.place[n] > layout.place[i]) {
             matrix[layout.place[i]].push((layout.place[n], -1.0));
         }
     }
@@ -132,9 +132,9 @@ fn eigenvalues_of_springs_are_bounded_from_below() {
     let mut right: Vec<f64> = (0..count).map(|i| (i % 5) as f64).collect();
     let given = right.clone();
     factor.solve(&mut right);
-    for i in 0..count {
+    for (i, list) in neighbours.iter().enumerate() {
         let at = layout.place[i];
-        let sum: f64 = neighbours[i].iter().map(|&n| right[layout.place[n]]).sum();
+        let sum: f64 = list.iter().map(|&n| right[layout.place[n]]).sum();
         assert!((2.0 * right[at] - sum - given[at]).abs() < 1e-9);
     }
 }
