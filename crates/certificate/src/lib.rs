@@ -217,6 +217,11 @@
 //! which is proven besides yield, also beyond far lines. The bound then holds for every width. Two flows in the plane cannot
 //! be spliced: between them the soil would shear without opening.
 //!
+//! *Lower, in space.* For an upright plate in soil with weight and friction only, [`prove_space`] proves a [`SpaceStress`]: stresses in
+//! tetrahedra about each end, linear in the four parts of each, and a plane stress field between. They follow from what presses
+//! on faces, and are in equilibrium if forces and moments on each tetrahedron balance. In the numbers of a file they do not
+//! quite; it is proven that close to these there are others that do.
+//!
 //! *Upper.* A [`Mechanism`] of rigid blocks in translation, bounded by triangles, is proven by [`prove_mechanism`]. Its
 //! velocity `v` jumps by `[v]` across facets with the area vector `N`. Virtual work demands of them
 //!

@@ -4,7 +4,7 @@
 mod root;
 mod rounding;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod trigonometry;
 mod vector;
 

@@ -7,10 +7,10 @@ use proptest::prelude::*;
 
 use super::*;
 
-type BigRational = Ratio<BigInt>;
+pub(crate) type BigRational = Ratio<BigInt>;
 
 /// A number of the machine is a whole number times a power of two.
-fn exact(x: f64) -> BigRational {
+pub(crate) fn exact(x: f64) -> BigRational {
     assert!(x.is_finite());
     let (significand, exponent, sign) = Float::integer_decode(x);
     let whole = BigInt::from(significand) * sign;
@@ -18,7 +18,7 @@ fn exact(x: f64) -> BigRational {
     if exponent < 0 { Ratio::new(whole, power) } else { Ratio::from_integer(whole * power) }
 }
 
-fn holds(interval: Interval, x: &BigRational) -> bool {
+pub(crate) fn holds(interval: Interval, x: &BigRational) -> bool {
     let above = interval.lo == f64::NEG_INFINITY || exact(interval.lo) <= *x;
     let below = interval.hi == f64::INFINITY || *x <= exact(interval.hi);
     above && below

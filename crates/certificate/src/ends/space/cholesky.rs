@@ -90,10 +90,11 @@ impl Layout {
             fronts.push(Front { first, pivots, rows, children: part.children.clone() });
             beyond.push(later);
         }
-        Some(Self { place, fronts })
+        (next == place.len()).then_some(Self { place, fronts })
     }
 
-    /// Factors a matrix whose rows are in the order of elimination; nothing if a pivot is not positive.
+    /// Factors a matrix less `shift` times the unit matrix, with rows in the order of elimination; nothing if a pivot is not
+    /// positive, or there are numbers where the layout has none.
     pub(super) fn factor(&self, columns: &Columns, shift: f64) -> Option<Factor<'_>> {
         let mut local = vec![0; self.place.len()];
         let mut panels = Vec::with_capacity(self.fronts.len());
@@ -104,12 +105,21 @@ impl Layout {
             let mut dense = vec![0.0; size * size];
             for column in front.first..front.first + front.pivots {
                 let start = local[column] * size;
-                columns[column].iter().for_each(|&(row, value)| dense[start + local[row]] += value);
+                for &(row, value) in &columns[column] {
+                    // Otherwise these would be the factors of another matrix.
+                    if front.rows.get(local[row]) != Some(&row) {
+                        return None;
+                    }
+                    dense[start + local[row]] += value;
+                }
                 dense[start + local[column]] -= shift;
             }
             for &child in &front.children {
                 let update = std::mem::take(&mut updates[child]);
                 let rows = &self.fronts[child].rows[self.fronts[child].pivots..];
+                if rows.iter().any(|&row| front.rows.get(local[row]) != Some(&row)) {
+                    return None;
+                }
                 for (c, &column) in rows.iter().enumerate() {
                     let start = local[column] * size;
                     let values = &update[c * rows.len()..];

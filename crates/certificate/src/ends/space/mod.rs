@@ -6,41 +6,39 @@
 //!
 //! # The whole field
 //!
-//! Let the plate have the width `w >= 2 b`. About each end the stress is that of the tetrahedra in the box `x0 < x < x1`, `-b < s < e`, `-D < z < 0`,
-//! mirrored at the other end. Elsewhere it is, with `d = -z`,
+//! Let the plate have the width `w >= 2 b`, and let `d = -z` be the depth. About each end, in the *box* `x0 < x < x1`, `-b < s < e`, `-D <
+//! z < 0`, the stress is that of the tetrahedra, mirrored at the other end. Between both boxes, in the *section* `x0 < x <
+//! x1`, `-D < z < 0`, it is that of the triangles, the same across, with `P_ss = f(x, z)` and no shear stress across. Elsewhere the soil stands in
+//! columns:
 //!
 //! ```text
-//! between the boxes, in the section of the box     P_xx, P_zz, P_xz of the triangles,  P_ss = f(x, z),  P_xs = P_sz = 0
-//! x < x0 or x > x1, at s or between the boxes       diag(P_xx of the box or the section there, d, d)
-//! s > e at the x of the box                         diag(d, P_ss of the box there, d)
-//! below the box or the section                      diag(d, d, d + g(x, s)),  g = P_zz - D at z = -D
-//! in all corners                                    diag(d, d, d)
+//! ahead of and behind box and section, d < D     P_xx as in their planes x = x1 and x = x0,     P_ss = P_zz = d
+//! beside the box, s > e, x0 < x < x1, d < D      P_ss as in its plane s = e,                    P_xx = P_zz = d
+//! below box and section, d > D                   P_zz = d + g,  g = P_zz - D at z = -D,         P_xx = P_ss = d
+//! everywhere else                                the ground at rest,                            P_xx = P_ss = P_zz = d
 //! ```
 //!
-//! Here "below" and "in all corners" are: at depths above `D` only the columns in x and s of the first lines, so beside the
-//! columns below there is the ground at rest.
+//! *It is in equilibrium.* In tetrahedra and triangles this is [proven](stress) once all [balances](balance) hold; that `f` and the rest of
+//! the section do not vary across means that nothing else is needed there. In columns no stress varies along its own direction but `P_zz`,
+//! which grows as the weight demands. In the planes between these parts there are no shear stresses on either side:
+//! in those of the box and on the rim of the section by what is given, elsewhere since there are none at all. The pressure across them is the same on
+//! both sides: by construction where the box or the section adjoins, and `d` where columns adjoin columns or the ground at rest. In
+//! the plane between box and section it is `f`. At the surface nothing presses.
 //!
-//! *It is in equilibrium.* In the tetrahedra and triangles, by [what is proven of them](stress) once all [balances](balance) hold; a
-//! pressure `f` across that does not vary with s needs nothing. Columns: the pressures along x (or s) do not vary along it, nor do others; `P_zz`
-//! grows as the weight demands. Across the planes between these parts all shear stresses are zero on both sides: planes of the
-//! box and the rim of the section bear normal pressures only. Across `x = x0` and `x = x1` the pressure `P_xx` is continuous by
-//! construction within the section and the width of the box, and beyond the box in s it is `d` on both sides; across `s = e` the same holds
-//! of `P_ss`; across `s = -b` it is `f` within the section, and `d` beyond x0 and x1 and below; across `z = -D` it is `P_zz` of the
-//! box within, and `D` beyond. At the surface all stress is zero: in simplices that touch it only at vertices or edges as well, since all that
-//! presses there is. Columns are so, too.
+//! *It is borne.* In each part of a tetrahedron or a triangle the stress is linear, with `f` in the latter, and what the soil bears is a
+//! convex cone: [vertices and centroids](strength) decide. It bears a column ahead, behind or beside if and only if its own pressure `p` obeys `d/K <= p <=
+//! K d`. Both are linear on each face, so its vertices decide. The same is proven of `P_zz` at `z = -D`; below, `K d - (d + g)` and `d + g - d/K`
+//! grow with the depth. The faces of the plate bear `|(P_xs, P_xz)| <= tan(delta) P_xx`, a convex cone too. Its edges are thin.
 //!
-//! *It is borne.* In the parts of a simplex the stress is linear, and what is borne is a convex cone: [the vertices and the
-//! centroid](strength) decide. Between the boxes, `f` is linear on each triangle, and decided with it. Columns in x or s: if and only if `d/K <= P_xx <= K d`, of
-//! which both sides are linear on each face, so that the vertices decide. Below the box, the same is proven of `P_zz` at `z = -D`; from
-//! there on `K d - (d + g)` and `d + g - d/K` grow with the depth. The plate bears `|(P_xs, P_xz)| <= tan(delta) P_xx`, a convex cone of
-//! what is linear on each face, on both sides; its edges are thin.
-//!
-//! *So the plate's force is a lower bound*, by the static theorem, of the force in the direction x that moves it: with `F`
-//! that on the plate in the box and `h` that per unit width between,
+//! *So the plate's force is a lower bound* by the static theorem, for a plate that moves along x: with `F` the force along x
+//! on the part of the plate in the box, and `h` that per unit width between,
 //!
 //! ```text
 //! 2 F + (w - 2 b) h
 //! ```
+//!
+//! The cone has nothing to spare where the best field lies on its boundary, so that fields must keep a margin for the rounding of their
+//! numbers: a share of 1e-7 of the ground at rest, which all bear with strength to spare, is enough and costs nothing.
 //!
 //! # What is proven of a field
 //!

@@ -2,6 +2,7 @@
 
 mod altered;
 mod balanced;
+mod exact;
 mod known;
 mod linear;
 mod small;
