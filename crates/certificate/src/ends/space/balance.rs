@@ -1,8 +1,9 @@
 //! The balances of all simplices.
 //!
-//! Let `t` be what presses on the faces of a simplex at their vertices, with `s = 1` where the face's normal points out of
-//! it and -1 where it points into it, and `J` be `N!` times its volume. The integral of the linear function that is 1 at one of `N` vertices
-//! and 0 at the others is an `N`-th of the area, so the balance of forces, with the weight, is
+//! Let `t` be what presses on the faces of a simplex at their vertices, with `s = 1` where the face's normal points
+//! out of it and -1 where it points into it, and `J` be `N!` times its volume. The integral of the linear function
+//! that is 1 at one of `N` vertices and 0 at the others is an `N`-th of the area, so the balance of forces, with the
+//! weight, is
 //!
 //! ```text
 //! sum over faces f and vertices j of f of  s t_fj  =  -J e_z
@@ -15,11 +16,11 @@
 //! sum over f, j of  s ((x_j - x_f)_a t_fj,b - (x_j - x_f)_b t_fj,a)  =  0     for all a < b
 //! ```
 //!
-//! *At the surface.* In a simplex with a face in the surface `t` is zero but at the vertex `p` below it, where
-//! `t_z = |z| n_z` on the others. Then `sum s t_z` is `|z|` times the opposite of the normal of the face in the surface, which is
-//! `-J`: forces along z balance. With `d_f = x_f - p` and the dual basis `e_f`, `s n_f = -J e_f`, so the moments of `t_z` about
-//! the axis across `a` and z are `|z| J sum (d_f)_a (e_f)_z`, which is zero, and those of `t_a` are `z_p` times the force along `a`,
-//! zero if that is balanced. These balances are left out: they hold.
+//! *At the surface.* In a simplex with a face in the surface `t` is zero but at the vertex `p` below it, where `t_z =
+//! |z| n_z` on the others. Then `sum s t_z` is `|z|` times the opposite of the normal of the face in the surface,
+//! which is `-J`: forces along z balance. With `d_f = x_f - p` and the dual basis `e_f`, `s n_f = -J e_f`, so the
+//! moments of `t_z` about the axis across `a` and z are `|z| J sum (d_f)_a (e_f)_z`, which is zero, and those of
+//! `t_a` are `z_p` times the force along `a`, zero if that is balanced. These balances are left out: they hold.
 
 use super::simplex::{Vector, between, up};
 use super::system::{Row, System};

@@ -35,8 +35,8 @@ impl<'a, const N: usize> Balanced<'a, N> {
         Ok(Self { complex, sheets, pressing })
     }
 
-    /// Proves that the plate and the ground beyond the box bear what presses on them. In the planes of `given` the latter
-    /// need not be proven.
+    /// Proves that the plate and the ground beyond the box bear what presses on them. In the planes of `given` the
+    /// latter need not be proven.
     pub(super) fn check_faces(
         &self,
         strengths: &Strengths,
@@ -76,8 +76,8 @@ impl<'a, const N: usize> Balanced<'a, N> {
         Ok(())
     }
 
-    /// Proves that the soil bears the stress: `whole` makes it one in space, given a simplex and where in it, as weights of
-    /// its vertices.
+    /// Proves that the soil bears the stress: `whole` makes it one in space, given a simplex and where in it, as
+    /// weights of its vertices.
     pub(super) fn check_soil(
         &self,
         strengths: &Strengths,

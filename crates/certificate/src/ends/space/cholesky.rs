@@ -1,16 +1,16 @@
-//! Cholesky's factors of a large sparse matrix in floating point, by dense fronts (Duff & Reid 1983), and a bound on what
-//! rounding did to them.
+//! Cholesky's factors of a large sparse matrix in floating point, by dense fronts (Duff & Reid 1983), and a bound on
+//! what rounding did to them.
 //!
-//! If `L` is what comes of the algorithm on the matrix `A`, run to its end in whatever order sums are taken, then (Higham
-//! 2002, Accuracy and Stability of Numerical Algorithms, theorem 10.3; Rump 2006, BIT 46, 433-452)
+//! If `L` is what comes of the algorithm on the matrix `A`, run to its end in whatever order sums are taken, then
+//! (Higham 2002, Accuracy and Stability of Numerical Algorithms, theorem 10.3; Rump 2006, BIT 46, 433-452)
 //!
 //! ```text
 //! |L L' - A|  <=  g |L| |L'|,     g = (k + 1) u/(1 - (k + 1) u),   u = 2^-53
 //! ```
 //!
-//! in each entry, `k` being the most numbers in a row of `L`. As `L L'` has no negative eigenvalue, none of `A` is below
-//! the opposite of the norm of the right side, which is at most its greatest sum of a row. Underflow adds less than the
-//! smallest normal number times all that is ever added.
+//! in each entry, `k` being the most numbers in a row of `L`. As `L L'` has no negative eigenvalue, none of `A` is
+//! below the opposite of the norm of the right side, which is at most its greatest sum of a row. Underflow adds less
+//! than the smallest normal number times all that is ever added.
 
 use super::dissection::Part;
 
@@ -93,8 +93,8 @@ impl Layout {
         (next == place.len()).then_some(Self { place, fronts })
     }
 
-    /// Factors a matrix less `shift` times the unit matrix, with rows in the order of elimination; nothing if a pivot is not
-    /// positive, or there are numbers where the layout has none.
+    /// Factors a matrix less `shift` times the unit matrix, with rows in the order of elimination; nothing if a pivot
+    /// is not positive, or there are numbers where the layout has none.
     pub(super) fn factor(&self, columns: &Columns, shift: f64) -> Option<Factor<'_>> {
         let mut local = vec![0; self.place.len()];
         let mut panels = Vec::with_capacity(self.fronts.len());

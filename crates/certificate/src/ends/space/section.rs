@@ -1,5 +1,6 @@
-//! The stress between the ends: `P_xx`, `P_zz` and `P_xz` of triangles, the same for all y, and across them the pressure `f(x,
-//! z)` of the faces on the side of the box. Each triangle is proven to lie in its face, where `f` is linear.
+//! The stress between the ends: `P_xx`, `P_zz` and `P_xz` of triangles, the same for all y, and across them the
+//! pressure `f(x, z)` of the faces on the side of the box. Each triangle is proven to lie in its face, where `f` is
+//! linear.
 
 use super::borne::Balanced;
 use super::simplex::{Matrix, between};

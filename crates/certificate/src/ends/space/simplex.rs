@@ -27,8 +27,8 @@ pub(super) fn between<const N: usize>(a: &[f64; N], b: &[f64; N]) -> Vector<N> {
     std::array::from_fn(|k| Interval::point(a[k]) - Interval::point(b[k]))
 }
 
-/// The normal of a face through `N` places: in space twice the area long and right-handed, in the plane as long as the
-/// edge and to the right of it.
+/// The normal of a face through `N` places: in space twice the area long and right-handed, in the plane as long as
+/// the edge and to the right of it.
 pub(super) fn normal<const N: usize>(places: &[[f64; N]]) -> Vector<N> {
     let a = between(&places[1], &places[0]);
     if N == 2 {

@@ -1,8 +1,9 @@
 //! Whether the soil bears a stress.
 //!
-//! Soil without cohesion bears a stress with the principal pressures `p1 >= p2 >= p3` if and only if `p1 <= K p3`, `K = (1 + sin(phi))/(1 -
-//! sin(phi))`: if there is a `t` such that `P - t` and `K t - P` have no negative eigenvalue. A good `t` is guessed in floating
-//! point; both matrices are then proven to be positive definite, by the pivots of Gauss's elimination in intervals.
+//! Soil without cohesion bears a stress with the principal pressures `p1 >= p2 >= p3` if and only if `p1 <= K p3`, `K
+//! = (1 + sin(phi))/(1 - sin(phi))`: if there is a `t` such that `P - t` and `K t - P` have no negative eigenvalue. A
+//! good `t` is guessed in floating point; both matrices are then proven to be positive definite, by the pivots of
+//! Gauss's elimination in intervals.
 
 use super::simplex::Matrix;
 use crate::interval::{Angle, Interval, angle};
@@ -42,7 +43,8 @@ impl Strengths {
         least_pivot(below).min(least_pivot(above))
     }
 
-    /// What pressures to one side of the ground at rest must not go below: `least` and `greatest` times the pressure of its weight.
+    /// What pressures to one side of the ground at rest must not go below: `least` and `greatest` times the pressure
+    /// of its weight.
     pub(super) fn far(&self, pressure: Interval, depth: f64) -> f64 {
         let weight = Interval::point(depth);
         (self.ratio * pressure - weight).lo().min((self.ratio * weight - pressure).lo())
@@ -55,8 +57,8 @@ impl Strengths {
     }
 }
 
-/// The least pivot of a symmetric matrix, proven; it is positive definite if that is positive, and minus infinity or not
-/// positive is returned if that is not proven.
+/// The least pivot of a symmetric matrix, proven; it is positive definite if that is positive, and minus infinity or
+/// not positive is returned if that is not proven.
 fn least_pivot(mut matrix: Matrix<3>) -> f64 {
     let mut least = f64::INFINITY;
     let mut left = vec![0, 1, 2];

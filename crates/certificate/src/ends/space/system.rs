@@ -1,16 +1,16 @@
 //! Numbers that obey linear equations exactly, near numbers that nearly do.
 //!
-//! Let `B x = g` be the equations, with rows scaled to the length 1. If the least singular value of `B` is `s > 0`, there is
-//! an exact solution no farther from any `x` than `|g - B x|/s`. The residual is enclosed in intervals. Coefficients are known
-//! as intervals, too: `B = M + E`, where `M` has doubles, and
+//! Let `B x = g` be the equations, with rows scaled to the length 1. If the least singular value of `B` is `s > 0`,
+//! there is an exact solution no farther from any `x` than `|g - B x|/s`. The residual is enclosed in intervals.
+//! Coefficients are known as intervals, too: `B = M + E`, where `M` has doubles, and
 //!
 //! ```text
 //! s  >=  sqrt(least eigenvalue of M M')  -  |E|
 //! ```
 //!
-//! with the Frobenius norm of `E`. That `M M' - l` has no negative eigenvalue but for a known rounding error is proven by
-//! [factors](super::cholesky) of it: with `A` what floating point makes of it, `|A - (M M' - l)| <= g (|M| |M'| + l)`, where `g` is
-//! as there, with the most numbers that are ever added up.
+//! with the Frobenius norm of `E`. That `M M' - l` has no negative eigenvalue but for a known rounding error is
+//! proven by [factors](super::cholesky) of it: with `A` what floating point makes of it, `|A - (M M' - l)| <= g (|M|
+//! |M'| + l)`, where `g` is as there, with the most numbers that are ever added up.
 //!
 //! `x` is first improved by the same factors. So fields need not be balanced better than what can be written down.
 

@@ -1,15 +1,15 @@
 //! Triangles or tetrahedra that fill a box, and the plate in it.
 //!
 //! *They tile the box.* Each simplex is proven to have a volume, so it can be taken as positively oriented. Each face
-//! belongs to two simplices, on opposite sides of it, or to one and lies in a plane of the box. So the boundaries of all
-//! simplices add up to a cycle in the boundary of the box. Any such cycle is a multiple of that boundary, and the number of
-//! simplices over a point of the box is that multiple, the same everywhere but on faces. It is at least one as there
-//! are simplices, and below two as their volumes add up to less than twice that of the box.
+//! belongs to two simplices, on opposite sides of it, or to one and lies in a plane of the box. So the boundaries of
+//! all simplices add up to a cycle in the boundary of the box. Any such cycle is a multiple of that boundary, and the
+//! number of simplices over a point of the box is that multiple, the same everywhere but on faces. It is at least one
+//! as there are simplices, and below two as their volumes add up to less than twice that of the box.
 //!
-//! *The plate is covered.* Its faces are those with all vertices on it. They are oriented alike. Each of their edges is
-//! walked as often in one sense as in the other, or lies on the rim of the plate; so by the same argument they cover it
-//! once if there are any, and their areas add up to less than twice that of the plate. No simplex reaches through it then, since
-//! none reaches through a face.
+//! *The plate is covered.* Its faces are those with all vertices on it. They are oriented alike. Each of their edges
+//! is walked as often in one sense as in the other, or lies on the rim of the plate; so by the same argument they
+//! cover it once if there are any, and their areas add up to less than twice that of the plate. No simplex reaches
+//! through it then, since none reaches through a face.
 
 use std::collections::BTreeMap;
 

@@ -1,12 +1,13 @@
 //! What presses on faces: what is known of it exactly, and what is to be found so that all is balanced.
 //!
-//! A *sheet* is one side of a face that has something of its own pressing on it: faces on the plate have two, ahead and
-//! behind, all others one. On a sheet with the normal `n`, long as in [`normal`](super::simplex::normal), `t = P n` is
-//! linear, so its values at the vertices tell it. Of these
+//! A *sheet* is one side of a face that has something of its own pressing on it: faces on the plate have two, ahead
+//! and behind, all others one. On a sheet with the normal `n`, long as in [`normal`](super::simplex::normal), `t = P
+//! n` is linear, so its values at the vertices tell it. Of these
 //!
 //! - all that is at the surface is zero;
 //! - only what is along the normal is not zero in a plane of the box;
-//! - on all sheets of a simplex with a face in the surface what is along z is `|z| n_z` at the vertex below the surface;
+//! - on all sheets of a simplex with a face in the surface what is along z is `|z| n_z` at the vertex below the
+//!   surface;
 //! - where the plate is smooth, only what is along its normal is not zero;
 //! - the others are free: those of the field are a first guess of them.
 

@@ -15,8 +15,8 @@ use super::small::ground;
 use crate::CertificateError;
 use crate::interval::Interval;
 
-/// A field that is out of balance is balanced; then the parts of all tetrahedra are in equilibrium, and what they press
-/// on inner faces is the same on both sides.
+/// A field that is out of balance is balanced; then the parts of all tetrahedra are in equilibrium, and what they
+/// press on inner faces is the same on both sides.
 #[test]
 fn what_is_balanced_is_in_equilibrium() {
     let small = Small::new(true);

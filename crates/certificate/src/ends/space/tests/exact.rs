@@ -19,7 +19,8 @@ proptest! {
         let scale = 10.0_f64.powi(scale);
         let rows: Vec<Row> = factors.iter().enumerate().map(|(group, &(before, own, right))| {
             let before = group.checked_sub(1).map(|k| (k, (scale * before).into()));
-            Row { group, entries: before.into_iter().chain([(group, (scale * own).into())]).collect(), right: right.into() }
+            let entries = before.into_iter().chain([(group, (scale * own).into())]).collect();
+            Row { group, entries, right: right.into() }
         }).collect();
         let mut solution: Vec<BigRational> = Vec::new();
         for &(before, own, right) in &factors {

@@ -3,7 +3,7 @@
 use super::Small;
 use super::small::ground;
 use crate::examples::Plate;
-use crate::{CertificateError, EndForce, SpaceStress, prove_end, prove_space};
+use crate::{CertificateError, EndForce, Objective, SpaceStress, prove_end, prove_space};
 
 /// More pressure ahead of the plate than behind: what is at first not balanced.
 fn pushed(by: f64) -> SpaceStress {
@@ -63,6 +63,12 @@ fn a_statement_has_its_own_units() {
     let weight = statement.regions[0].material.unit_weight;
     let proven = prove_space(&statement, &field).unwrap();
     assert!((proven - 4.0 * weight * force).abs() < 1e-12, "{proven} {force}");
+    // To the left, twice as fast.
+    let mut left = statement.clone();
+    left.objective = Objective::Structure { velocity: [-2.0, 0.0] };
+    assert!((prove_space(&left, &field).unwrap() - 2.0 * proven).abs() < 1e-12);
+    left.objective = Objective::Structure { velocity: [1.0, 0.1] };
+    assert!(matches!(prove_space(&left, &field), Err(CertificateError::NotCovered { .. })));
     let narrow = prove_space(&plate.statement().with_width(1.9), &field);
     assert!(matches!(narrow, Err(CertificateError::NotCovered { .. })), "{narrow:?}");
     for other in [
