@@ -375,3 +375,24 @@ def test_plates_with_ends_leave_more_soils(soilctl, validate, data):
     assert any("is of plane strain" in warning for warning in closed["warnings"])
     assert not any("is of plane strain" in warning for warning in soilctl.json(*asked, "--model", "chen", "--ends", "none")["warnings"])
     soilctl.refuses(*asked, "--model", "chen", "--ends", "finite", mentions=["chen is for plane strain"])
+
+
+def test_strokes_of_several_depths_are_brought_together_with_their_ends(soilctl, tmp_path):
+    """Ends add the more, the deeper a plate of one width is: forces without noise must not seem to scatter for it."""
+    rows = ["alpha_deg,depth_m,width_m,delta_set_deg,force_n,force_sd_n,depth_sd_m"]
+    for alpha in (75, 90):
+        for depth in (0.021, 0.024, 0.027):
+            asked = ("predict", "--model", "table", "--alpha", alpha, "--phi", 40, "--delta", 20)
+            ended = soilctl.json(*asked, "--depth", depth, "--width", 0.05)
+            plane = soilctl.json(*asked, "--ends", "none")
+            coefficient = plane["k_net"] + 0.5 * (ended["k_net_upper"] - plane["k_net_upper"])
+            slant = depth / math.sin(math.radians(alpha))
+            force = 0.5 * 1500 * 9.80665 * slant**2 * 0.05 * coefficient
+            rows.append(f"{alpha},{depth},0.05,20,{force!r},{0.02 * force!r},0.0001")
+    file = tmp_path / "strokes.csv"
+    file.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    scatter = {}
+    for ends in ("finite", "none"):
+        answer = soilctl.json("estimate", file, "--ends", ends)
+        scatter[ends] = [one["pooled"]["scatter"] for one in answer["measurements"]]
+    assert len(scatter["finite"]) == 2 and max(scatter["finite"]) < 0.01 < min(scatter["none"])

@@ -68,7 +68,7 @@ pub fn next_strokes<'m>(
             found: "is none; find the conflict first".into(),
         });
     }
-    let own = Stage { setup: setup.clone(), before: now.clone() };
+    let own = Stage::new(setup.clone(), now.clone())?;
     let outside = |alpha: f64| {
         let (low, high) = setup.model.valid_range().alpha_deg;
         alpha < low || alpha > high
@@ -77,7 +77,7 @@ pub fn next_strokes<'m>(
     let closed_form = if menu.tool_angles_deg.iter().any(|&alpha| outside(alpha)) {
         let setup = Setup { model: closed_form, ..setup.clone() };
         let before = estimate(&setup)?;
-        before.is_consistent().then_some(Stage { setup, before })
+        if before.is_consistent() { Some(Stage::new(setup, before)?) } else { None }
     } else {
         None
     };
@@ -99,9 +99,17 @@ pub fn next_strokes<'m>(
 struct Stage<'m> {
     setup: Setup<'m>,
     before: Estimate,
+    /// Soils spread over the consistent set, with the end factor of each.
+    soils: Vec<([f64; 3], EndFactors)>,
 }
 
-impl Stage<'_> {
+impl<'m> Stage<'m> {
+    fn new(setup: Setup<'m>, before: Estimate) -> Result<Self, EstimatorError> {
+        let soils = spread(&setup, &before);
+        let factors = end_factors(&setup, &soils)?;
+        Ok(Self { soils: soils.into_iter().zip(factors).collect(), setup, before })
+    }
+
     /// `None` if the model has no answer for the candidate, or it needs more force than the arm has.
     fn candidate(
         &self,
@@ -113,8 +121,8 @@ impl Stage<'_> {
         let plate = Plate::new(Angle::from_degrees(alpha_deg), Angle::ZERO, depth_m, width_m)?;
         let uncertainty = menu.force_scatter + 2.0 * menu.depth_error_m / depth_m;
         let (mut area, mut phi, mut density, mut force, mut count) = (0.0, 0.0, 0.0, 0.0_f64, 0.0);
-        for soil in self.soils() {
-            let Some(force_n) = self.force_n(&plate, soil)? else {
+        for &(soil, ends) in &self.soils {
+            let Some(force_n) = self.force_n(&plate, soil, ends)? else {
                 return Ok(None);
             };
             let mut observations = self.setup.observations.clone();
@@ -142,70 +150,69 @@ impl Stage<'_> {
         }))
     }
 
-    /// Soils spread over the consistent set: at three densities of the region, the middle of its phi range there.
-    fn soils(&self) -> Vec<[f64; 3]> {
-        let delta = f64::midpoint(self.setup.delta_deg.0, self.setup.delta_deg.1);
-        let Some((_, density)) = self.before.region.bounds() else { return Vec::new() };
-        [0.2, 0.5, 0.8]
-            .into_iter()
-            .filter_map(|t| {
-                let rho = density[0] + t * (density[1] - density[0]);
-                let (low, high) = self.phi_range_at(rho)?;
-                Some([f64::midpoint(low, high), rho, delta])
-            })
-            .collect()
-    }
-
-    fn phi_range_at(&self, density: f64) -> Option<(f64, f64)> {
-        let mut ends: Option<(f64, f64)> = None;
-        for ring in self.before.region.polygons().iter().flatten() {
-            for (i, a) in ring.iter().enumerate() {
-                let b = ring[(i + 1) % ring.len()];
-                if (a[1] > density) != (b[1] > density) {
-                    let x = a[0] + (density - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-                    ends = Some(ends.map_or((x, x), |(l, h)| (l.min(x), h.max(x))));
-                }
-            }
-        }
-        ends
-    }
-
-    /// The force that a plate needs in a soil, by the model at the end factor that the measurements leave there; `None` if
-    /// the model has no answer or no force above 0.
+    /// The force that a plate needs in a soil, by the model at an end factor; `None` if the model has no answer or no force
+    /// above 0.
     fn force_n(
         &self,
         plate: &Plate,
         [phi_deg, density_kg_m3, delta_deg]: [f64; 3],
+        ends: EndFactors,
     ) -> Result<Option<f64>, EstimatorError> {
         let any = Observation::new("candidate", *plate, 1.0, 1.0)?;
         let Ok(constraint) = constraint(&self.setup, &any) else { return Ok(None) };
-        let ends = self.end_factor([phi_deg, density_kg_m3, delta_deg])?;
         let force = constraint.net(phi_deg, delta_deg).ok().flatten().map(|net| {
             let (per_density, rest_n) = constraint.force_parts(&net, ends);
             density_kg_m3 * per_density + rest_n
         });
         Ok(force.filter(|force| *force > 0.0))
     }
+}
 
-    /// The middle of the end factors that measurements leave in a soil, or all if strokes share none.
-    fn end_factor(
-        &self,
-        [phi_deg, density_kg_m3, delta_deg]: [f64; 3],
-    ) -> Result<EndFactors, EstimatorError> {
-        if !self.setup.shares_ends() {
-            return Ok(EndFactors::ANY);
+/// Soils spread over the consistent set: at three densities of the region, the middle of its phi range there.
+fn spread(setup: &Setup<'_>, before: &Estimate) -> Vec<[f64; 3]> {
+    let delta = f64::midpoint(setup.delta_deg.0, setup.delta_deg.1);
+    let Some((_, density)) = before.region.bounds() else { return Vec::new() };
+    [0.2, 0.5, 0.8]
+        .into_iter()
+        .filter_map(|t| {
+            let rho = density[0] + t * (density[1] - density[0]);
+            let (low, high) = phi_range_at(before, rho)?;
+            Some([f64::midpoint(low, high), rho, delta])
+        })
+        .collect()
+}
+
+fn phi_range_at(before: &Estimate, density: f64) -> Option<(f64, f64)> {
+    let mut ends: Option<(f64, f64)> = None;
+    for ring in before.region.polygons().iter().flatten() {
+        for (i, a) in ring.iter().enumerate() {
+            let b = ring[(i + 1) % ring.len()];
+            if (a[1] > density) != (b[1] > density) {
+                let x = a[0] + (density - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+                ends = Some(ends.map_or((x, x), |(l, h)| (l.min(x), h.max(x))));
+            }
         }
-        let constraints = merged(&self.setup)?;
+    }
+    ends
+}
+
+/// For each soil the middle of the end factors that measurements leave there, or all of them if strokes share none.
+fn end_factors(setup: &Setup<'_>, soils: &[[f64; 3]]) -> Result<Vec<EndFactors>, EstimatorError> {
+    if !setup.shares_ends() {
+        return Ok(vec![EndFactors::ANY; soils.len()]);
+    }
+    let constraints = merged(setup)?;
+    let of = |[phi_deg, density_kg_m3, delta_deg]: [f64; 3]| {
         let nets = constraints.iter().map(|c| Some((c, c.net(phi_deg, delta_deg).ok().flatten()?)));
-        let Some(nets) = nets.collect::<Option<Vec<_>>>() else { return Ok(EndFactors::ANY) };
+        let nets = nets.collect::<Option<Vec<_>>>()?;
         let left = EndFactors::all().filter(|ends| {
-            let ends = ends.of_strokes(self.setup.end_tolerance);
+            let ends = ends.of_strokes(setup.end_tolerance);
             nets.iter().all(|(constraint, net)| {
                 let [low, high] = constraint.band(net, ends);
                 low <= density_kg_m3 && density_kg_m3 <= high
             })
         });
-        let hull = left.reduce(EndFactors::hull);
-        Ok(hull.map_or(EndFactors::ANY, |ends| EndFactors::at(ends.middle())))
-    }
+        left.reduce(EndFactors::hull).map(|ends| EndFactors::at(ends.middle()))
+    };
+    Ok(soils.iter().map(|&soil| of(soil).unwrap_or(EndFactors::ANY)).collect())
 }

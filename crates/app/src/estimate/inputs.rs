@@ -1,7 +1,9 @@
 //! From a request and a stroke table to the estimator's setup.
 
+use std::path::PathBuf;
+
 use soilctl_earth_pressure::ForceModel;
-use soilctl_effects::Loaded;
+use soilctl_effects::{Active, EffectId, Loaded};
 use soilctl_estimator::{Observation, Setup};
 use soilctl_soil::{Angle, Plate};
 use soilctl_strokes::{
@@ -31,29 +33,53 @@ pub struct Inputs {
     pub warnings: Vec<String>,
 }
 
+/// What was read, once: a file may be a pipe.
+pub(super) struct Files {
+    /// Strokes without the effects of a model file.
+    table: StrokeTable,
+    campaign: Campaign,
+    /// The model file, if one took the effect of ends out of the forces.
+    pub(super) without_ends: Option<PathBuf>,
+}
+
+impl Files {
+    pub(super) fn read(request: &Request, exact: bool) -> Result<Self, AppError> {
+        let mut table = request.file.strokes(ReadOptions { allow_zero_sd: exact })?;
+        let mut without_ends = None;
+        if let Some(path) = &request.model_file {
+            let model = Loaded::read(path)?;
+            table = without_effects(&table, &model)?;
+            let is_of_ends = |active: &Active| active.effect.id == EffectId::SideEffects3d;
+            without_ends = model.effects().iter().any(is_of_ends).then(|| path.clone());
+        }
+        Ok(Self { table, campaign: request.file.campaign()?, without_ends })
+    }
+}
+
 /// Tool angles from which failure is mostly gradual, in degrees.
 const HIGH_ANGLE_DEG: f64 = 90.0;
 
 impl Inputs {
-    /// Reads the table and what is known beside it. Exact data need no standard deviations.
-    pub(super) fn read(request: &Request, exact: bool, model: &dyn ForceModel) -> Result<Self, AppError> {
-        let mut table = request.file.strokes(ReadOptions { allow_zero_sd: exact })?;
-        if let Some(path) = &request.model_file {
-            table = without_effects(&table, &Loaded::read(path)?)?;
-        }
-        let campaign = request.file.campaign()?;
+    /// What is known by a force model. Exact data need no standard deviations.
+    pub(super) fn new(
+        request: &Request,
+        files: &Files,
+        exact: bool,
+        model: &dyn ForceModel,
+    ) -> Result<Self, AppError> {
+        let Files { table, campaign, .. } = files;
         let confidence = match request.band_kind()? {
             BandKind::Joint(confidence) => Some(confidence),
-            BandKind::AsTold(confidence) => bands::tells_scatter(&table).then_some(confidence),
+            BandKind::AsTold(confidence) => bands::tells_scatter(table).then_some(confidence),
             BandKind::Own => None,
         };
         let bands = match confidence {
-            Some(confidence) => Some(bands::bands(request, &table, &campaign, model, confidence)?),
+            Some(confidence) => Some(bands::bands(request, table, campaign, model, confidence)?),
             None => None,
         };
         let measurements = match &bands {
             Some(bands) => bands.measurements.clone(),
-            None => with_depth(&table, exact)?,
+            None => with_depth(table, exact)?,
         };
         let mut warnings = bands.as_ref().map(|bands| bands.warnings.clone()).unwrap_or_default();
         let (low, high) = match (request.delta_deg, bands.as_ref().and_then(|bands| bands.friction_deg)) {
@@ -84,7 +110,7 @@ impl Inputs {
                     .into(),
             );
         }
-        Ok(Self { measurements, bands, campaign, delta_deg, density_kg_m3, warnings })
+        Ok(Self { measurements, bands, campaign: campaign.clone(), delta_deg, density_kg_m3, warnings })
     }
 
     /// The setup of the estimator.

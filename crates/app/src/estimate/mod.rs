@@ -19,10 +19,10 @@ pub use answer::{
 };
 pub use bands::Bands;
 pub use exact::{ContourSection, Crossing, ExactAnswer};
+use inputs::Files;
 pub use inputs::Inputs;
 pub use request::{Request, Uncertainty};
 
-use soilctl_effects::{EffectId, Loaded};
 use soilctl_strokes::Measurement;
 
 use crate::request::Ends;
@@ -66,11 +66,12 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     let exact_data = request.exact;
     let known = model(&request.model)?;
     let knows_ends = known.has_ends();
-    let (ends, model) = match ends(request, &*known)? {
+    let files = Files::read(request, exact_data)?;
+    let (ends, model) = match ends(request, &files, &*known)? {
         Ends::Finite => (Ends::Finite, known),
         Ends::None => (Ends::None, InPlaneStrain::of(known)),
     };
-    let inputs = Inputs::read(request, exact_data, &*model)?;
+    let inputs = Inputs::new(request, &files, exact_data, &*model)?;
     let setup = inputs.setup(request, &*model)?;
     let deltas = inputs.sections(request);
     // Exact data have bands of no width, which meet nowhere but in theory: contours take their place.
@@ -97,7 +98,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     let optimisers = if request.compare { Some(compare(&setup, &estimate)?) } else { None };
     let best_estimate = best_fit(&setup, &estimate)?.map(Into::into);
     let plane_strain = if ends == Ends::Finite && !exact_data {
-        Some(PlaneStrain::from(&in_plane_strain(request)?))
+        Some(PlaneStrain::from(&in_plane_strain(request, &files)?))
     } else {
         None
     };
@@ -154,13 +155,9 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
 }
 
 /// Whether plates have ends. If a model file has their effect, its forces are without it, and they must not be counted twice.
-fn ends(request: &Request, model: &dyn ForceModel) -> Result<Ends, AppError> {
+fn ends(request: &Request, files: &Files, model: &dyn ForceModel) -> Result<Ends, AppError> {
     let ends = Ends::of(request.ends, model, true)?;
-    let (Ends::Finite, Some(path)) = (ends, &request.model_file) else { return Ok(ends) };
-    let file = Loaded::read(path)?;
-    if !file.effects().iter().any(|active| active.effect.id == EffectId::SideEffects3d) {
-        return Ok(ends);
-    }
+    let (Ends::Finite, Some(path)) = (ends, &files.without_ends) else { return Ok(ends) };
     if request.ends.is_some() {
         return Err(AppError::Request(format!(
             "{} takes the effect of ends out of the forces, and --ends finite would count it again; leave one of them out",
@@ -171,9 +168,9 @@ fn ends(request: &Request, model: &dyn ForceModel) -> Result<Ends, AppError> {
 }
 
 /// The same measurements and the same model, asked about plates without ends.
-fn in_plane_strain(request: &Request) -> Result<Estimate, AppError> {
+fn in_plane_strain(request: &Request, files: &Files) -> Result<Estimate, AppError> {
     let model = InPlaneStrain::of(model(&request.model)?);
-    let inputs = Inputs::read(request, false, &*model)?;
+    let inputs = Inputs::new(request, files, false, &*model)?;
     Ok(estimate(&inputs.setup(request, &*model)?)?)
 }
 

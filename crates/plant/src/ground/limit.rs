@@ -35,18 +35,15 @@ impl LimitCoefficients {
         let loads = Loads { cohesion_pa: soil.cohesion_pa(), adhesion_pa: 0.0, surcharge_pa: 0.0 };
         let mut nodes = Vec::with_capacity(ANGLES);
         for i in 0..ANGLES {
-            #[allow(clippy::cast_precision_loss, reason = "small integers")]
-            let alpha_deg = FIRST_DEG as f64 + 0.5 * i as f64;
+            let alpha_deg = angle_deg(i);
             let mut row = [LoadFactors::default(); SHARES];
-            for (share, factors) in row.iter_mut().enumerate() {
-                #[allow(clippy::cast_precision_loss, reason = "small integers")]
-                let share = share as f64 / (SHARES - 1) as f64;
+            for (k, factors) in row.iter_mut().enumerate() {
                 let case = |alpha_deg: f64| Case {
                     tool_angle: Angle::from_degrees(alpha_deg),
                     surface_slope: Angle::ZERO,
                     width_ratio: WidthRatio::PLANE_STRAIN,
                     friction: soil.friction(),
-                    interface: Angle::from_radians(share * interface.friction().radians()),
+                    interface: Angle::from_radians(share(k) * interface.friction().radians()),
                 };
                 let inside = alpha_deg.max(range.0).min(range.1);
                 check_loads(model, &case(inside), &loads)?;
@@ -77,35 +74,26 @@ impl LimitCoefficients {
         factor: f64,
     ) -> Result<Self, EarthPressureError> {
         let range = model.valid_range().alpha_deg;
-        self.ends.reserve(ANGLES);
+        let mut ends = Vec::with_capacity(ANGLES);
         for (i, nodes) in self.nodes.iter().enumerate() {
-            #[allow(clippy::cast_precision_loss, reason = "small integers")]
-            let alpha_deg = FIRST_DEG as f64 + 0.5 * i as f64;
+            let alpha_deg = angle_deg(i);
             let inside = Angle::from_degrees(alpha_deg.max(range.0).min(range.1));
-            let [square, twice] = [1.0, 2.0].map(|ratio| {
-                let ratio = WidthRatio::new(ratio)?;
-                model.at(inside, Angle::ZERO, ratio)
-            });
-            let (square, twice) = (square?, twice?);
+            let of = |ratio| model.at(inside, Angle::ZERO, WidthRatio::new(ratio)?);
+            let (square, twice) = (of(1.0)?, of(2.0)?);
             let mut row = [[0.0; 2]; SHARES];
-            #[allow(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "within the angles of the nodes"
-            )]
-            let nearest = &self.nodes[(2.0 * inside.degrees()).round() as usize - 2 * FIRST_DEG];
-            for (share, ((ends, plane), near)) in row.iter_mut().zip(nodes).zip(nearest).enumerate() {
-                #[allow(clippy::cast_precision_loss, reason = "small integers")]
-                let delta_deg = share as f64 / (SHARES - 1) as f64 * interface.friction().degrees();
+            for (k, (ends, plane)) in row.iter_mut().zip(nodes).enumerate() {
+                let delta_deg = share(k) * interface.friction().degrees();
                 let net = |slice: &dyn ModelSlice| slice.net(soil.friction().degrees(), delta_deg);
                 let (one, half) = (net(&*square)?, net(&*twice)?);
                 // Linear in depth over width; beyond the angles of the model as plane strain goes on there.
                 let term = 2.0 * (one.ends_at_most - half.ends_at_most);
+                let near = self.at(inside.radians(), share(k), 0.0);
                 let scale = factor * plane.weight / near.weight;
                 *ends = [one.ends_at_most - term, term].map(|x| round(scale * x));
             }
-            self.ends.push(row);
+            ends.push(row);
         }
+        self.ends = ends;
         Ok(self)
     }
 
@@ -127,6 +115,18 @@ impl LimitCoefficients {
         }
         factors
     }
+}
+
+/// Tool angle of a node in deg.
+#[allow(clippy::cast_precision_loss, reason = "small integers")]
+fn angle_deg(i: usize) -> f64 {
+    FIRST_DEG as f64 + 0.5 * i as f64
+}
+
+/// Share of the friction on the plate at a node.
+#[allow(clippy::cast_precision_loss, reason = "small integers")]
+fn share(k: usize) -> f64 {
+    k as f64 / (SHARES - 1) as f64
 }
 
 /// Cell and place in it; beyond the ends the last cell is taken, at its edge.

@@ -216,9 +216,9 @@ pub fn prove_space(statement: &Statement, stress: &SpaceStress) -> Result<f64, C
     let unit =
         Interval::point(material.unit_weight) * -plate.gravity.y * depth.square() * plate.velocity.x.abs();
     let width = Interval::point(plate.half_width) * Interval::point(2.0) / depth;
-    match force.at(width).map(|force| (force * unit).lo()) {
-        Some(bound) if bound.is_finite() => Ok(bound),
-        _ => not_covered("the width", "the plate must be as wide as the field reaches from both ends"),
+    match force.at(width).map(|force| (force * unit).lo()).filter(|bound| bound.is_finite()) {
+        Some(bound) => Ok(bound),
+        None => not_covered("the width", "the plate must be as wide as the field reaches from both ends"),
     }
 }
 
