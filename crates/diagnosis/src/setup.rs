@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use soilctl_effects::{ALTERNATIVE_MODELS, Active, Base, Channel, Mechanics, force_n};
+use soilctl_effects::{
+    ALTERNATIVE_MODELS, Active, Base, Channel, Effect, EffectId, Mechanics, Range, force_n,
+};
 
 use crate::channels::Baseline;
 use crate::data::Data;
@@ -30,6 +32,8 @@ pub(crate) struct FitSetup<'a> {
     pub(crate) batch_terms: usize,
     /// Standard deviation of ln force between batches.
     pub(crate) batch_sd: f64,
+    /// Amplitudes of `side_effects_3d`: at most what the force model proves that ends add, if it does.
+    ends: Range,
 }
 
 impl<'a> FitSetup<'a> {
@@ -63,7 +67,13 @@ impl<'a> FitSetup<'a> {
                 }
             }
         }
-        Self { data, surface, baselines, nuisance, batch_terms, batch_sd }
+        let ends = ends_at_most(data, surface, phi_deg);
+        Self { data, surface, baselines, nuisance, batch_terms, batch_sd, ends }
+    }
+
+    /// Plausible amplitudes of an effect in this campaign.
+    pub(crate) fn range(&self, effect: &Effect) -> Range {
+        if effect.id == EffectId::SideEffects3d { self.ends } else { effect.range }
     }
 
     /// ln force of a stroke, with `effects`, for a friction angle (deg), an offset of the interface friction (deg) and ln of the
@@ -96,5 +106,51 @@ impl<'a> FitSetup<'a> {
     /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.
     pub(crate) fn without_model_error(&self) -> Self {
         Self { nuisance: self.nuisance[..self.batch_terms].to_vec(), ..self.clone() }
+    }
+}
+
+/// Amplitudes of `side_effects_3d` that the catalogue and the force model both have; where they share none, those of the catalogue.
+fn ends_at_most(data: &Data, surface: &Surface, phi_deg: f64) -> Range {
+    let range = EffectId::SideEffects3d.effect().range;
+    let delta = data.delta_set_deg(0);
+    let at = data.levels_deg.iter().map(|&alpha| surface.most_of_ends(alpha, phi_deg, delta));
+    match at.collect::<Option<Vec<f64>>>().and_then(|most| most.into_iter().reduce(f64::max)) {
+        Some(most) if most > range.low => Range { high: most.min(range.high), ..range },
+        _ => range,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+    use soilctl_earth_pressure::model;
+    use soilctl_strokes::{Campaign, StrokeRow};
+
+    use super::*;
+
+    /// By the mechanism of blocks alone, computed without the table, ends add 4.0 of 4.3 at most at phi 30 and delta 15 deg.
+    #[test]
+    fn ends_add_no_more_than_the_force_model_proves() {
+        let row = StrokeRow {
+            alpha_deg: 90.0,
+            depth_m: 0.01,
+            width_m: 0.05,
+            force_n: 5.0,
+            delta_set_deg: Some(15.0),
+            ..StrokeRow::default()
+        };
+        let data = Data::new("test", vec![row], Campaign::default()).unwrap();
+        let high = |id: &str, phi: f64| {
+            let surface = Surface::new(model(id).unwrap(), (90.0, 90.0)).unwrap();
+            let setup = FitSetup::new(&data, &surface, phi);
+            (setup.range(EffectId::SideEffects3d.effect()), setup.range(EffectId::Cohesion.effect()))
+        };
+        let catalogue = EffectId::SideEffects3d.effect().range;
+        assert_eq!(high("chen", 30.0), (catalogue, EffectId::Cohesion.effect().range));
+        let (ends, cohesion) = high("table", 30.0);
+        assert_eq!((ends.low, cohesion), (catalogue.low, EffectId::Cohesion.effect().range));
+        assert!((ends.high - 4.0 / 4.31).abs() < 0.05, "{ends:?}");
+        assert!(high("table", 40.0).0.high > ends.high);
     }
 }

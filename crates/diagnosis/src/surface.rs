@@ -2,6 +2,7 @@
 
 use soilctl_earth_pressure::{Case, ChenLiu, ForceModel, model};
 use soilctl_effects::{ALTERNATIVE_MODELS, DirectMechanics, EffectsError, Mechanics, Net};
+use soilctl_soil::{Angle, WidthRatio};
 
 use crate::DiagnosisError;
 use crate::grid::{Axis, Grid};
@@ -20,6 +21,8 @@ pub struct Surface {
     cohesion_share: Grid,
     surcharge_share: Grid,
     alternatives: Vec<Grid>,
+    /// What the ends of a plate as wide as deep add at most, over the force in plane strain; none if the model does not bound that.
+    ends: Option<Grid>,
 }
 
 impl Surface {
@@ -57,6 +60,9 @@ impl Surface {
             Grid::new(coarse, |a, p, d| chen(0.0, a, p, d).map_or(f64::NAN, |n| n.cohesion / n.weight));
         let surcharge_share =
             Grid::new(coarse, |a, p, d| chen(0.0, a, p, d).map_or(f64::NAN, |n| n.surcharge / n.weight));
+        let ends = direct.model().bounds_ends().then(|| {
+            Grid::new(coarse, |a, p, d| most_of_ends(direct.model(), a, p, d.min(p)).unwrap_or(f64::NAN))
+        });
         let mut alternatives = Vec::new();
         for id in ALTERNATIVE_MODELS {
             let other = DirectMechanics::new(model(id)?);
@@ -71,7 +77,13 @@ impl Surface {
             cohesion_share,
             surcharge_share,
             alternatives,
+            ends,
         })
+    }
+
+    /// What the ends of a plate as wide as deep add at most, over the force in plane strain, if the model bounds that.
+    pub(crate) fn most_of_ends(&self, alpha: f64, phi: f64, delta: f64) -> Option<f64> {
+        self.ends.as_ref().map(|ends| ends.at(alpha, phi, delta.min(phi))).filter(|most| most.is_finite())
     }
 
     /// Half the log width of the model's bracket.
@@ -79,6 +91,13 @@ impl Surface {
         let width = self.half_width.at(alpha, phi, delta.min(phi));
         if width.is_finite() { width.max(0.0) } else { 0.0 }
     }
+}
+
+/// The same from the model itself.
+fn most_of_ends(model: &dyn ForceModel, alpha: f64, phi: f64, delta: f64) -> Option<f64> {
+    let square = WidthRatio::new(1.0).ok()?;
+    let net = model.at(Angle::from_degrees(alpha), Angle::ZERO, square).ok()?.net(phi, delta).ok()?;
+    Some(net.ends_at_most / (net.weight_upper - net.ends_at_most))
 }
 
 /// What a look-up outside the tabulated points means.

@@ -156,7 +156,7 @@ fn signal(setup: &FitSetup<'_>, phi_deg: f64, id: EffectId, amplitude: f64, sd: 
 /// What a design can show of an effect.
 pub(crate) fn expected(setup: &FitSetup<'_>, phi_deg: f64, id: EffectId) -> Expected {
     let sd = stroke_sd(setup, None);
-    let range = id.effect().range;
+    let range = setup.range(id.effect());
     let both = |size: f64| {
         let signs = range.signs().iter();
         signs

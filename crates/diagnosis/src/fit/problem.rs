@@ -80,7 +80,7 @@ impl<'a> Problem<'a> {
         }
         let amplitude_at = priors.len();
         for (k, choice) in spec.choices.iter().enumerate() {
-            let range = choice.effect.range;
+            let range = setup.range(choice.effect);
             priors.push(match spec.fixed.get(k) {
                 Some(amplitude) => Prior { mean: amplitude.abs().ln(), sd: FIXED_SD },
                 None => Prior { mean: range.typical().ln(), sd: range.ln_sd() },

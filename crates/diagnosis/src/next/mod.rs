@@ -65,7 +65,7 @@ pub(crate) fn next(
     }
     let typical = |id: EffectId| {
         let (effect, shapes) = (id.effect(), id.effect().shapes());
-        Active { effect, amplitude: effect.range.typical(), shape: shapes[shapes.len() / 2] }
+        Active { effect, amplitude: setup.range(effect).typical(), shape: shapes[shapes.len() / 2] }
     };
     let known = |id: EffectId| {
         let found = fitted.iter().find(|of| of.effect.id == id);
