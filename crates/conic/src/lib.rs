@@ -1,4 +1,4 @@
-//! Second-order cone programs, stated as lists of affine forms in cones, and the one place that names Clarabel.
+//! Programs with second-order and semidefinite cones, stated as lists of affine forms in cones, and the one place that names Clarabel.
 //!
 //! A crate of its own because what Clarabel and faer are made of is compiled where it is first used with numbers: here, beside
 //! everything else that is compiled, and not once more for each change of what states programs.
@@ -6,6 +6,8 @@
 mod error;
 mod form;
 mod program;
+mod small_blas;
+mod small_dense;
 mod solver;
 
 pub use error::ConicError;

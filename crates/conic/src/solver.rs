@@ -50,6 +50,9 @@ pub struct Answer {
     pub factorisation: Factorisation,
     /// Unknowns and rows.
     pub size: usize,
+    /// For each row of the program its multiplier, in units of the objective: by how much the least objective falls for each
+    /// unit that is added to the row's form. Those of a cone lie in its dual.
+    pub multipliers: Vec<f64>,
 }
 
 /// What factorises the linear systems of the solver's steps. With either a program has the same answer, bit for bit, on any
@@ -182,6 +185,7 @@ pub fn solve(program: &Program, how: How<'_>, stops: [&Arc<AtomicBool>; 2]) -> R
         seconds: solution.solve_time,
         factorisation,
         size: n + m,
+        multipliers: solution.z.iter().map(|z| z / OBJECTIVE).collect(),
     })
 }
 
@@ -194,6 +198,7 @@ fn cones(program: &Program) -> Vec<SupportedConeT<f64>> {
             (Cone::NonNegative, _) => cones.push(SupportedConeT::NonnegativeConeT(1)),
             (Cone::Zero, _) => cones.push(SupportedConeT::ZeroConeT(1)),
             (Cone::SecondOrder3, _) => cones.push(SupportedConeT::SecondOrderConeT(3)),
+            (Cone::Semidefinite3, _) => cones.push(SupportedConeT::PSDTriangleConeT(3)),
         }
     }
     cones
@@ -211,6 +216,8 @@ fn settings(how: How<'_>, factorisation: Factorisation) -> DefaultSettings<f64> 
         // Rows and columns are scaled by lengths and stresses already; equilibration undoes that and costs twice the
         // steps.
         equilibrate_enable: false,
+        // Matrices of three rows are not worth taking apart.
+        chordal_decomposition_enable: false,
         iterative_refinement_reltol: accuracy.steps,
         iterative_refinement_abstol: accuracy.steps,
         static_regularization_constant: accuracy.regularisation,
@@ -234,6 +241,33 @@ mod tests {
         assert_eq!(Factorisation::of(&program), Factorisation::Qdldl);
         program.unknown();
         assert_eq!(Factorisation::of(&program), Factorisation::Faer);
+    }
+
+    /// The least `x` for which `x - M` has no negative eigenvalue is the greatest eigenvalue of `M`, and its multiplier is the
+    /// matrix of its eigenvector: by both factorisations.
+    #[test]
+    fn the_greatest_eigenvalue_is_found_with_its_multiplier() {
+        let t = 2.0 / 3.0;
+        let mut program = Program::default();
+        let x = program.unknown();
+        program.objective.push((x, 1.0));
+        let matrix = [1.5 + t, 0.5 + t, 1.5 + t, t, t, 2.0 + t];
+        let on = [1.0, 0.0, 1.0, 0.0, 0.0, 1.0];
+        program.semidefinite(std::array::from_fn(|k| {
+            Form::constant(-matrix[k]).plus(on[k], &Form::unknown(x, 1.0))
+        }));
+        let accuracy = Accuracy { gap: 1e-9, feasibility: 1e-9, steps: 1e-12, regularisation: 1e-8 };
+        for factorisation in Factorisation::ALL {
+            let how = How { accuracy, factorisation: Some(factorisation), seconds: None, dump: None };
+            let answer = solve(&program, how, [&Arc::default(); 2]).unwrap();
+            assert_eq!(answer.status, Status::Solved);
+            assert!((answer.x[0] - 4.0).abs() < 1e-7);
+            let off = 2.0_f64.sqrt() / 3.0;
+            let expected = [1.0 / 3.0, off, 1.0 / 3.0, off, off, 1.0 / 3.0];
+            for (found, expected) in answer.multipliers.iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-6, "{:?}", answer.multipliers);
+            }
+        }
     }
 
     #[test]
