@@ -16,6 +16,10 @@ pub(crate) const FLOW_AGAIN: Accuracy = Accuracy { regularisation: 1e-12, ..FLOW
 pub(crate) const STRESS: Accuracy =
     Accuracy { gap: 1e-6, feasibility: 1e-8, steps: 1e-8, regularisation: 1e-13 };
 
+/// For lower bounds in space: their semidefinite cones do not bear less regularisation, and gain nothing by more accuracy.
+pub(crate) const SPACE: Accuracy =
+    Accuracy { gap: 1e-6, feasibility: 1e-6, steps: 1e-9, regularisation: 1e-7 };
+
 /// Solves a program of a test to the end.
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "helper of tests")]

@@ -64,6 +64,14 @@ pub enum LimitError {
         /// What the user can do.
         advice: &'static str,
     },
+    /// No stress field about the end of a plate was found.
+    #[error("no stress field about the plate's end was found: {why}; {advice}")]
+    NoField {
+        /// Why.
+        why: &'static str,
+        /// What the user can do.
+        advice: &'static str,
+    },
     /// A program could not be solved at all.
     #[error(transparent)]
     Conic(#[from] ConicError),
