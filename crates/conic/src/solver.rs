@@ -131,6 +131,10 @@ pub struct How<'a> {
 /// The solver refuses the program, or one that failed cannot be written to [`How::dump`]. That a program has no solution is no error:
 /// see [`Answer::status`].
 pub fn solve(program: &Program, how: How<'_>, stops: [&Arc<AtomicBool>; 2]) -> Result<Answer, ConicError> {
+    if cfg!(not(target_pointer_width = "64")) && program.cones.contains(&Cone::Semidefinite3) {
+        let message = "semidefinite cones are for systems with addresses of 64 bits".to_owned();
+        return Err(ConicError::Refused { message });
+    }
     let factorisation = how.factorisation.unwrap_or_else(|| Factorisation::of(program));
     let (m, n) = (program.rows.len(), program.unknowns);
     let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
@@ -198,7 +202,10 @@ fn cones(program: &Program) -> Vec<SupportedConeT<f64>> {
             (Cone::NonNegative, _) => cones.push(SupportedConeT::NonnegativeConeT(1)),
             (Cone::Zero, _) => cones.push(SupportedConeT::ZeroConeT(1)),
             (Cone::SecondOrder3, _) => cones.push(SupportedConeT::SecondOrderConeT(3)),
+            #[cfg(target_pointer_width = "64")]
             (Cone::Semidefinite3, _) => cones.push(SupportedConeT::PSDTriangleConeT(3)),
+            #[cfg(not(target_pointer_width = "64"))]
+            (Cone::Semidefinite3, _) => {}
         }
     }
     cones
@@ -206,7 +213,7 @@ fn cones(program: &Program) -> Vec<SupportedConeT<f64>> {
 
 fn settings(how: How<'_>, factorisation: Factorisation) -> DefaultSettings<f64> {
     let How { accuracy, seconds, .. } = how;
-    DefaultSettings {
+    let settings = DefaultSettings {
         verbose: false,
         time_limit: seconds.unwrap_or(f64::INFINITY),
         direct_solve_method: factorisation.name().to_owned(),
@@ -216,8 +223,6 @@ fn settings(how: How<'_>, factorisation: Factorisation) -> DefaultSettings<f64> 
         // Rows and columns are scaled by lengths and stresses already; equilibration undoes that and costs twice the
         // steps.
         equilibrate_enable: false,
-        // Matrices of three rows are not worth taking apart.
-        chordal_decomposition_enable: false,
         iterative_refinement_reltol: accuracy.steps,
         iterative_refinement_abstol: accuracy.steps,
         static_regularization_constant: accuracy.regularisation,
@@ -225,7 +230,11 @@ fn settings(how: How<'_>, factorisation: Factorisation) -> DefaultSettings<f64> 
         tol_gap_abs: accuracy.gap,
         tol_feas: accuracy.feasibility,
         ..DefaultSettings::default()
-    }
+    };
+    // Matrices of three rows are not worth taking apart.
+    #[cfg(target_pointer_width = "64")]
+    let settings = DefaultSettings { chordal_decomposition_enable: false, ..settings };
+    settings
 }
 
 #[cfg(test)]
