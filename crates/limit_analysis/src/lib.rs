@@ -61,6 +61,11 @@
 //! and neither integrand is anywhere negative. So the share of a triangle says where elements are missing: meshes are
 //! refined until all shares are alike, and slip lines of the velocity become edges along which the next one may jump.
 //!
+//! # Plates with ends
+//!
+//! [`end_lower`] finds a stress field in space about the ends of an upright plate, by semidefinite cones on tetrahedra, for
+//! [`soilctl_certificate::prove_end`] to prove.
+//!
 //! # Proofs
 //!
 //! Programs are tightened a little, so that the solver's rounding leaves fields strictly inside the cones. The certificate

@@ -40,7 +40,8 @@ impl Lengths {
     const SHARE: f64 = 0.3;
     /// How much shorter their edges become: most are bisected, some twice.
     const SHORTER: f64 = 0.6;
-    /// About how many triangles there are in the end. The plane part of the force is then within 0.3 % of its limit.
+    /// About how many triangles are asked for; faces of tetrahedra that are cut add to them. With twice as many the force of a plate
+    /// without ends grows by less than 0.5 %.
     const MOST: usize = 700;
 
     /// Shorter where a section yielded most for its size.

@@ -77,9 +77,9 @@ impl<const N: usize, const M: usize> Element<N, M> {
         let mut stresses = Vec::with_capacity(M * N + 1);
         let mut centre = [[0.0; N]; N];
         let square = self.volume * self.volume;
-        for at in 0..M {
+        for (at, place) in self.places.iter().enumerate() {
             let others: [usize; N] = std::array::from_fn(|a| if a < at { a } else { a + 1 });
-            let ways = others.map(|k| between(&self.places[k], &self.places[at]));
+            let ways = others.map(|k| between(&self.places[k], place));
             let given = others.map(|f| others.map(|k| dot(&self.normals[k], &pressing[f][at]) / square));
             for a in 0..N {
                 let stress = spread(&part(&given, a), &ways);

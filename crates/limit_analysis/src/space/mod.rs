@@ -28,6 +28,18 @@
 //! field with the greatest force is returned. All is on one thread; the same input gives the same bits on a machine of the same
 //! kind, unless it is stopped or limited in time.
 //!
+//! # What they find
+//!
+//! `K = 2 F/cos(delta)` per unit width, proven, with the tetrahedra of the last of six meshes; without ends, nearly exactly; by a
+//! mechanism of blocks in space, from above:
+//!
+//! | phi, delta | width | tetrahedra | K | without ends | from above |
+//! |---|---|---|---|---|---|
+//! | 30, 15 | 2 | 1,203 | 5.516 | 4.311 | 6.383 |
+//! | 30, 15 | 5 | 1,210 | 4.794 | 4.311 | 5.196 |
+//! | 40, 25 | 5 | 2,007 | 13.172 | 11.332 | 15.396 |
+//! | 40, 25 | 10 | 2,002 | 12.227 | 11.332 | 13.664 |
+//!
 //! # Sources
 //!
 //! - Johnson & Mercier (1978), Some equilibrium finite element methods for two-dimensional elasticity problems. Numer. Math. 30,

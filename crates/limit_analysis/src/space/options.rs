@@ -12,7 +12,7 @@ pub struct EndOptions {
     /// Meshes after the first, each finer where the soil yielded.
     pub steps: usize,
     /// How many tetrahedra the last mesh has, about; those before have fewer, each by the same factor. The first has a
-    /// little more than a hundred, and no fewer if fewer are asked for. Time grows with about the 1.3th power of their number.
+    /// little more than a hundred, and no fewer if fewer are asked for. Time grows a little faster than their number.
     pub tetrahedra: usize,
     /// Time in seconds, if the user wants to limit it. Where the run ends then depends on the machine.
     pub max_seconds: Option<f64>,

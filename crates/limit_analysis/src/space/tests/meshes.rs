@@ -52,7 +52,7 @@ fn faces_cover_the_plate_once() {
     let complex = Complex::new(&bisected(&region));
     let area: f64 = complex.plates().map(|[face, _]| 0.5 * complex.faces[face].normal[0].abs()).sum();
     assert!((area + region.planes[1][0]).abs() < 1e-12, "{area}");
-    // All but those in planes of the box, that are given by their width, are where halves are exact.
+    // Where halves are exact, as the section needs it.
     for place in &complex.places {
         for axis in [0, 2] {
             assert_eq!((place[axis] / GRAIN).fract(), 0.0);

@@ -56,7 +56,7 @@ fn slacks(of: &Assembled, x: f64, s: f64, ratio: f64) -> [f64; 2] {
 
 #[test]
 fn the_ground_with_other_pressures_is_borne_within_the_limits_only() {
-    // The square of the ratio of the least and the greatest pressure is what decides: `K` is 3.
+    // What decides is the ratio of the greatest and the least pressure: `K` is 3.
     let of = assembled(30.0, 15.0);
     for (x, s, borne) in [
         (1.0, 1.0, true),
