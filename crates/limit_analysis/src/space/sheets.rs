@@ -1,6 +1,6 @@
 //! The unknowns: what presses on sheets at their vertices.
 //!
-//! On a sheet with the normal `n`, long as in [`Face`], the traction `t = P n` is linear, so its values at the vertices tell it. Of
+//! On a sheet with the normal `n`, long as in `Face`, the traction `t = P n` is linear, so its values at the vertices tell it. Of
 //! these all at the surface are zero; in planes of the box and on smooth plates what is not along the normal is zero; on all
 //! sheets of a simplex with a face in the surface what is along z is `depth n_z`; the rest is unknown, in units of the depth.
 
