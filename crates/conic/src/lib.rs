@@ -6,9 +6,12 @@
 mod error;
 mod form;
 mod program;
-#[cfg(target_pointer_width = "64")]
+#[cfg(all(target_os = "linux", target_pointer_width = "64"))]
 mod small_blas;
-#[cfg_attr(not(target_pointer_width = "64"), allow(dead_code, reason = "most of it is for `small_blas`"))]
+#[cfg_attr(
+    not(all(target_os = "linux", target_pointer_width = "64")),
+    allow(dead_code, reason = "most of it is for `small_blas`")
+)]
 mod small_dense;
 mod solver;
 

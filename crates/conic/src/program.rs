@@ -16,7 +16,7 @@ pub enum Cone {
     SecondOrder3,
     /// A symmetric matrix of three rows without negative eigenvalues. Its forms are the upper triangle by columns, those off
     /// the diagonal times the square root of two, so that their length is that of the matrix: `m00, r m01, m11, r m02, r m12,
-    /// m22`. See [`Program::semidefinite`]. Solved only where addresses have 64 bits.
+    /// m22`. See [`Program::semidefinite`]. Solved only on Linux with addresses of 64 bits, so far.
     Semidefinite3,
 }
 

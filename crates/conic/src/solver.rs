@@ -131,8 +131,11 @@ pub struct How<'a> {
 /// The solver refuses the program, or one that failed cannot be written to [`How::dump`]. That a program has no solution is no error:
 /// see [`Answer::status`].
 pub fn solve(program: &Program, how: How<'_>, stops: [&Arc<AtomicBool>; 2]) -> Result<Answer, ConicError> {
-    if cfg!(not(target_pointer_width = "64")) && program.cones.contains(&Cone::Semidefinite3) {
-        let message = "semidefinite cones are for systems with addresses of 64 bits".to_owned();
+    if cfg!(not(all(target_os = "linux", target_pointer_width = "64")))
+        && program.cones.contains(&Cone::Semidefinite3)
+    {
+        let message =
+            "semidefinite cones are solved on Linux with addresses of 64 bits only, so far".to_owned();
         return Err(ConicError::Refused { message });
     }
     let factorisation = how.factorisation.unwrap_or_else(|| Factorisation::of(program));
@@ -202,9 +205,9 @@ fn cones(program: &Program) -> Vec<SupportedConeT<f64>> {
             (Cone::NonNegative, _) => cones.push(SupportedConeT::NonnegativeConeT(1)),
             (Cone::Zero, _) => cones.push(SupportedConeT::ZeroConeT(1)),
             (Cone::SecondOrder3, _) => cones.push(SupportedConeT::SecondOrderConeT(3)),
-            #[cfg(target_pointer_width = "64")]
+            #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
             (Cone::Semidefinite3, _) => cones.push(SupportedConeT::PSDTriangleConeT(3)),
-            #[cfg(not(target_pointer_width = "64"))]
+            #[cfg(not(all(target_os = "linux", target_pointer_width = "64")))]
             (Cone::Semidefinite3, _) => {}
         }
     }
@@ -232,7 +235,7 @@ fn settings(how: How<'_>, factorisation: Factorisation) -> DefaultSettings<f64> 
         ..DefaultSettings::default()
     };
     // Matrices of three rows are not worth taking apart.
-    #[cfg(target_pointer_width = "64")]
+    #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
     let settings = DefaultSettings { chordal_decomposition_enable: false, ..settings };
     settings
 }
@@ -254,6 +257,7 @@ mod tests {
 
     /// The least `x` for which `x - M` has no negative eigenvalue is the greatest eigenvalue of `M`, and its multiplier is the
     /// matrix of its eigenvector: by both factorisations.
+    #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
     #[test]
     fn the_greatest_eigenvalue_is_found_with_its_multiplier() {
         let t = 2.0 / 3.0;

@@ -65,7 +65,7 @@ mod shake;
 mod sheets;
 mod simplices;
 mod strength;
-#[cfg(test)]
+#[cfg(all(test, target_os = "linux", target_pointer_width = "64"))]
 mod tests;
 
 use std::sync::atomic::Ordering;
@@ -91,7 +91,7 @@ pub use options::{EndLevel, EndLower, EndOptions};
 /// # Errors
 ///
 /// An angle or the width is out of range: friction of the soil from 5 to 50 degrees, of the plate up to that of the soil, and a
-/// width of at least a tenth of the depth. No field was found before the time was up or a stop was set, or by numerical trouble.
+/// width of at least a tenth of the depth. The system is not Linux with addresses of 64 bits. No field was found before the time was up or a stop was set, or by numerical trouble.
 pub fn end_lower(
     phi_deg: f64,
     delta_deg: f64,
