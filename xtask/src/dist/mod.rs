@@ -45,7 +45,8 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
     let built = build(workspace, target)?;
     let runs_here = if target == host { built.clone() } else { runs_here(workspace)? };
     archive(workspace, target, &built, &runs_here)?;
-    bill_of_materials(workspace, target)?;
+    let name = format!("soilctl-{}-{target}.cdx.json", rust::of_workspace(workspace, "version")?);
+    write("bill of materials", &folder(workspace), &name, &bill_of_materials(workspace, "cli", target)?)?;
     checksums(workspace)
 }
 
@@ -102,24 +103,26 @@ fn objcopy() -> Result<PathBuf, XtaskError> {
     Ok(Path::new(libraries.trim()).with_file_name("bin").join(name))
 }
 
-/// CycloneDX, by the tool of its own project.
-fn bill_of_materials(workspace: &Workspace, target: &str) -> Result<(), XtaskError> {
+/// CycloneDX, by the tool of its own project: what a crate is made of, as text.
+pub(crate) fn bill_of_materials(
+    workspace: &Workspace,
+    package: &str,
+    target: &str,
+) -> Result<String, XtaskError> {
     let step = "bill of materials";
     let cyclonedx = tool(workspace, "cargo-cyclonedx", "0.5.9")?;
-    let name = format!("soilctl-{}-{target}.cdx", rust::of_workspace(workspace, "version")?);
+    let name = format!("bill-of-{target}");
     Step::new(step, cyclonedx)
-        .args(["cyclonedx", "--manifest-path", "crates/cli/Cargo.toml", "--format", "json"])
-        .args(["--spec-version", "1.5", "--target", target, "--override-filename", &name])
+        .args(["cyclonedx", "--format", "json", "--spec-version", "1.5", "--target", target])
+        .args(["--override-filename", &name, "--manifest-path"])
+        .args([workspace.root().join("crates").join(package).join("Cargo.toml")])
         .dir(workspace.root())
         // It says when, otherwise.
         .env("SOURCE_DATE_EPOCH", "0")
         .run()?;
     let name = format!("{name}.json");
-    let made = workspace.root().join("crates/cli").join(&name);
+    let made = workspace.root().join("crates").join(package).join(&name);
     let text = std::fs::read_to_string(&made).map_err(|problem| XtaskError::file(step, &made, problem))?;
-    let kept = folder(workspace).join(&name);
-    std::fs::write(&kept, anywhere(&text, workspace.root()))
-        .map_err(|problem| XtaskError::file(step, &kept, problem))?;
     // It wrote one beside the manifest of each crate.
     for crates in [workspace.root().to_path_buf(), workspace.root().join("crates")] {
         let entries =
@@ -130,7 +133,16 @@ fn bill_of_materials(workspace: &Workspace, target: &str) -> Result<(), XtaskErr
             std::fs::remove_file(&file).map_err(|problem| XtaskError::file(step, &file, problem))?;
         }
     }
-    Ok(())
+    Ok(anywhere(&text, workspace.root()))
+}
+
+/// Writes a file into a folder, which is made if there is none.
+pub(crate) fn write(step: &str, folder: &Path, name: &str, text: &str) -> Result<PathBuf, XtaskError> {
+    let file = folder.join(name);
+    std::fs::create_dir_all(folder)
+        .and_then(|()| std::fs::write(&file, text))
+        .map_err(|problem| XtaskError::file(step, &file, problem))?;
+    Ok(file)
 }
 
 /// The bill without the folder of the checkout, by which it names our own crates.

@@ -34,7 +34,7 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             "universal2-apple-darwin" => vec!["aarch64-apple-darwin", "x86_64-apple-darwin"],
             one => vec![one],
         };
-        if !parts.into_iter().all(rust::add_target) {
+        if !parts.iter().copied().all(rust::add_target) {
             return Err(XtaskError::Missing {
                 step: "build wheels".into(),
                 what: format!("there is no standard library for {target}"),
@@ -46,11 +46,14 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             linux if linux.ends_with("linux-musl") => &["--zig", "--compatibility", "musllinux_1_2"],
             _ => &[],
         };
+        let bills = bills(workspace, &parts)?;
         let step = super::same_bytes(workspace, Step::new("build wheels", environment.python()))
             .args(["-m", "maturin", "build", "--profile", super::PROFILE, "--locked", "--strip"])
             .args(["--manifest-path", "crates/py/Cargo.toml", "--target", target, "--out"])
             .args([&folder])
             .args(compatibility)
+            // Maturin's own, switched off in pyproject.toml, would name the folder of the checkout.
+            .args(bills.iter().flat_map(|bill| ["--sbom-include".as_ref(), bill.as_os_str()]))
             // Where maturin looks for zig.
             .env("PATH", environment.path())
             .dir(workspace.root());
@@ -58,6 +61,16 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
     }
     audit(&environment, &folder)?;
     super::checksums(workspace)
+}
+
+/// What is in a wheel, for each processor that it is for.
+fn bills(workspace: &Workspace, targets: &[&str]) -> Result<Vec<PathBuf>, XtaskError> {
+    let folder = workspace.target().join("bills");
+    let bill = |target: &&str| {
+        let text = super::bill_of_materials(workspace, "py", target)?;
+        super::write("bill of materials", &folder, &format!("soilctl-{target}.cdx.json"), &text)
+    };
+    targets.iter().map(bill).collect()
 }
 
 /// Whether each wheel for Linux runs with C libraries as old as its name promises, by auditwheel: maturin has checks of its own, and this
