@@ -91,6 +91,18 @@ fn has_mingw() -> bool {
         || installed("build for Windows", "gcc-mingw-w64-x86-64", || on_path(MINGW))
 }
 
+/// Makes sure that there is what compiles and links C for a target, if that is Windows and this is not.
+pub(crate) fn ensure_mingw(step: &str, target: &str) -> Result<(), XtaskError> {
+    if target != WINDOWS || has_mingw() {
+        return Ok(());
+    }
+    Err(XtaskError::Missing {
+        step: step.into(),
+        what: format!("there is no {MINGW}, which compiles and links for {target}"),
+        remedy: "install it (Debian: `apt-get install gcc-mingw-w64-x86-64`)".into(),
+    })
+}
+
 fn installed(step: &str, package: &str, there: impl Fn() -> bool) -> bool {
     match apt::install(step, package, &[package]) {
         Ok(()) => there(),

@@ -10,7 +10,7 @@ use crate::python::interpreter;
 use crate::run::Step;
 use crate::rust;
 use crate::supply::tool;
-use crate::systems::WINDOWS;
+use crate::systems::{WINDOWS, ensure_mingw};
 use crate::tasks::cargo;
 use crate::workspace::Workspace;
 
@@ -42,6 +42,7 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             remedy: format!("rustup target add {target}"),
         });
     }
+    ensure_mingw("build the release", target)?;
     let built = build(workspace, target)?;
     let runs_here = if target == host { built.clone() } else { runs_here(workspace)? };
     archive(workspace, target, &built, &runs_here)?;

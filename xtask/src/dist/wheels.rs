@@ -6,7 +6,7 @@ use crate::error::XtaskError;
 use crate::python::Environment;
 use crate::run::Step;
 use crate::rust;
-use crate::systems::WINDOWS;
+use crate::systems::{WINDOWS, ensure_mingw};
 use crate::workspace::Workspace;
 
 /// Of one ABI for all Pythons from 3.10 on. Without a target: on Linux for the oldest glibc that works and for musl, on a Mac for both
@@ -41,6 +41,7 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
                 remedy: "see `rustup target list`".into(),
             });
         }
+        ensure_mingw("build wheels", target)?;
         let compatibility: &[&str] = match target.as_str() {
             linux if linux.ends_with("linux-gnu") => &["--zig", "--compatibility", "manylinux2014"],
             linux if linux.ends_with("linux-musl") => &["--zig", "--compatibility", "musllinux_1_2"],
