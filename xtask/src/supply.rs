@@ -16,7 +16,7 @@ pub(crate) fn deny(workspace: &Workspace) -> Result<(), XtaskError> {
         eprintln!("== advisories were NOT checked: their database cannot be fetched from here");
         return Ok(());
     }
-    step("advisories").args(["--locked", "check", "--disable-fetch", "advisories"]).run()
+    step("advisories").args(["--locked", "check", "advisories"]).run()
 }
 
 /// The pinned packages of both environments, against PyPI's advisories.
