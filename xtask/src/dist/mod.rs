@@ -17,6 +17,9 @@ use crate::workspace::Workspace;
 /// Cargo builds in a folder of this name.
 pub(crate) const PROFILE: &str = "shipped";
 
+/// The hour of whatever is built, in seconds of 1970: that of the files in the archives, 1980 being the first year a zip file can name.
+const HOUR: &str = "315532800";
+
 /// Folder of what is released.
 pub(crate) fn folder(workspace: &Workspace) -> PathBuf {
     workspace.target().join("dist")
@@ -68,7 +71,7 @@ pub(crate) fn build(workspace: &Workspace, target: &str) -> Result<PathBuf, Xtas
     Ok(workspace.target().join(target).join(PROFILE).join(program))
 }
 
-/// A build whose bytes do not tell in which folders it was made.
+/// A build whose bytes do not tell in which folders and when it was made.
 fn same_bytes(workspace: &Workspace, step: Step) -> Step {
     let home = std::env::var_os("CARGO_HOME")
         .map(PathBuf::from)
@@ -81,6 +84,8 @@ fn same_bytes(workspace: &Workspace, step: Step) -> Step {
     let c: Vec<String> = folders().map(|(from, to)| format!("'-ffile-prefix-map={from}={to}'")).collect();
     // Separated, and quoted, so that a folder may have a blank in its name.
     let step = step.env("CARGO_ENCODED_RUSTFLAGS", rust.join("\u{1f}")).env("CARGO_INCREMENTAL", "0");
+    // The linker writes the hour into programs for Windows.
+    let step = step.env("SOURCE_DATE_EPOCH", HOUR);
     if cfg!(windows) { step } else { step.env("CFLAGS", c.join(" ")).env("CC_SHELL_ESCAPED_FLAGS", "1") }
 }
 
