@@ -59,7 +59,11 @@ const TASKS: [(&str, &str, &str); 16] = [
         "[TARGET]",
         "archive of the program with completions, man pages, notices, SBOM and checksums, in target/dist",
     ),
-    ("wheels", "[TARGET]", "wheels of the Python package that others can install, in target/dist"),
+    (
+        "wheels",
+        "[TARGET]",
+        "wheels of the Python package that others can install, tried if they are for this system, in target/dist",
+    ),
     ("reproducible", "", "build the archive in two folders and compare the bytes"),
     ("site", "", "the documentation, with the notebooks' outputs, for any static host, in target/site"),
 ];

@@ -23,10 +23,20 @@ pub(crate) fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     let wheel = build(workspace)?;
     bare(workspace, &wheel)?;
     install(workspace, &wheel)?;
-    pytest(workspace, "Python tests of the wheel")
-        .args(["tests/python/wheel", "--numprocesses", "2", "--dist", "loadfile"])
-        .run()?;
+    tests(workspace).run()?;
     pages(workspace)
+}
+
+/// Tries a wheel that is released, on a system that it is for: alone in an empty environment, and on Linux with all tests but those of
+/// the notebooks, which ask nothing else of a wheel.
+pub(crate) fn try_out(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskError> {
+    bare(workspace, wheel)?;
+    if !cfg!(target_os = "linux") {
+        return Ok(());
+    }
+    ensure(workspace)?;
+    install(workspace, wheel)?;
+    tests(workspace).args(["--ignore", "tests/python/wheel/test_notebooks.py"]).run()
 }
 
 /// The documentation as a site, with what the notebooks say.
@@ -56,6 +66,16 @@ fn install(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskError> {
         .run()
 }
 
+fn tests(workspace: &Workspace) -> Step {
+    pytest(workspace, "Python tests of the wheel").args([
+        "tests/python/wheel",
+        "--numprocesses",
+        "2",
+        "--dist",
+        "loadfile",
+    ])
+}
+
 fn pytest(workspace: &Workspace, name: &str) -> Step {
     Step::new(name, environment(workspace).python()).args(["-m", "pytest"]).dir(workspace.root())
 }
@@ -64,13 +84,7 @@ fn pytest(workspace: &Workspace, name: &str) -> Step {
 fn build(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
     let step = "build the wheel";
     let out = workspace.target().join("wheels");
-    // So that there is one wheel afterwards.
-    match std::fs::remove_dir_all(&out) {
-        Err(problem) if problem.kind() != std::io::ErrorKind::NotFound => {
-            return Err(XtaskError::file(step, &out, problem));
-        }
-        _ => {}
-    }
+    empty(step, &out)?;
     Step::new(step, workspace.venv_python())
         .args(["-m", "maturin", "build", "--profile", "dev", "--locked", "--compatibility", "linux"])
         .args(["--manifest-path", "crates/py/Cargo.toml", "--out"])
@@ -78,12 +92,27 @@ fn build(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
         .dir(workspace.root())
         .env("CARGO", workspace.cargo())
         .run()?;
-    let entries = std::fs::read_dir(&out).map_err(|problem| XtaskError::file(step, &out, problem))?;
+    only_wheel(step, &out)
+}
+
+/// Removes a folder, so that there is one wheel in it afterwards.
+pub(crate) fn empty(step: &str, folder: &Path) -> Result<(), XtaskError> {
+    match std::fs::remove_dir_all(folder) {
+        Err(problem) if problem.kind() != std::io::ErrorKind::NotFound => {
+            Err(XtaskError::file(step, folder, problem))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The wheel that was built into an empty folder.
+pub(crate) fn only_wheel(step: &str, folder: &Path) -> Result<PathBuf, XtaskError> {
+    let entries = std::fs::read_dir(folder).map_err(|problem| XtaskError::file(step, folder, problem))?;
     let mut files = entries.filter_map(|entry| Some(entry.ok()?.path()));
     let wheel = files.find(|path| path.extension().is_some_and(|ending| ending == "whl"));
     wheel.ok_or_else(|| XtaskError::Missing {
         step: step.to_owned(),
-        what: format!("there is no wheel in {}", out.display()),
+        what: format!("there is no wheel in {}", folder.display()),
         remedy: "see what maturin said above".into(),
     })
 }

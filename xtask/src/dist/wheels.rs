@@ -7,7 +7,10 @@ use crate::python::Environment;
 use crate::run::Step;
 use crate::rust;
 use crate::systems::{WINDOWS, ensure_mingw};
+use crate::wheel;
 use crate::workspace::Workspace;
+
+const STEP: &str = "build wheels";
 
 /// Of one ABI for all Pythons from 3.10 on. Without a target: on Linux for the oldest glibc that works and for musl, on a Mac for both
 /// processors, on Windows for it.
@@ -21,7 +24,7 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
     };
     if let Some(target) = targets.iter().find(|target| target.contains("apple") && !host.contains("apple")) {
         return Err(XtaskError::Missing {
-            step: "build wheels".into(),
+            step: STEP.into(),
             what: format!("{target} cannot be built on {host}: what it links against is in Apple's SDK"),
             remedy: "build it on a Mac; the workflow `release` has one".into(),
         });
@@ -29,6 +32,7 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
     let environment = Environment::new(workspace.target().join("maturin-zig"));
     environment.ensure_tools(&["maturin==1.16.0", "ziglang==0.15.2", "auditwheel==6.8.2"])?;
     let folder = super::folder(workspace);
+    let mut of_this_system = Vec::new();
     for target in &targets {
         let parts = match target.as_str() {
             "universal2-apple-darwin" => vec!["aarch64-apple-darwin", "x86_64-apple-darwin"],
@@ -36,22 +40,24 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
         };
         if !parts.iter().copied().all(rust::add_target) {
             return Err(XtaskError::Missing {
-                step: "build wheels".into(),
+                step: STEP.into(),
                 what: format!("there is no standard library for {target}"),
                 remedy: "see `rustup target list`".into(),
             });
         }
-        ensure_mingw("build wheels", target)?;
+        ensure_mingw(STEP, target)?;
         let compatibility: &[&str] = match target.as_str() {
             linux if linux.ends_with("linux-gnu") => &["--zig", "--compatibility", "manylinux2014"],
             linux if linux.ends_with("linux-musl") => &["--zig", "--compatibility", "musllinux_1_2"],
             _ => &[],
         };
         let bills = bills(workspace, &parts)?;
-        let step = super::same_bytes(workspace, Step::new("build wheels", environment.python()))
+        let built = workspace.target().join("wheels-of").join(target);
+        wheel::empty(STEP, &built)?;
+        let step = super::same_bytes(workspace, Step::new(STEP, environment.python()))
             .args(["-m", "maturin", "build", "--profile", super::PROFILE, "--locked", "--strip"])
             .args(["--manifest-path", "crates/py/Cargo.toml", "--target", target, "--out"])
-            .args([&folder])
+            .args([&built])
             .args(compatibility)
             // Maturin's own, switched off in pyproject.toml, would name the folder of the checkout.
             .args(bills.iter().flat_map(|bill| ["--sbom-include".as_ref(), bill.as_os_str()]))
@@ -59,9 +65,23 @@ pub(crate) fn run(workspace: &Workspace, target: Option<&str>) -> Result<(), Xta
             .env("PATH", environment.path())
             .dir(workspace.root());
         if target == WINDOWS { step.env("PYO3_CROSS_PYTHON_VERSION", "3.10") } else { step }.run()?;
+        let kept = keep(&wheel::only_wheel(STEP, &built)?, &folder)?;
+        if parts.contains(&host.as_str()) {
+            of_this_system.push(kept);
+        }
     }
     audit(&environment, &folder)?;
+    of_this_system.iter().try_for_each(|built| wheel::try_out(workspace, built))?;
     super::checksums(workspace)
+}
+
+/// Puts a wheel where the release is.
+fn keep(wheel: &Path, folder: &Path) -> Result<PathBuf, XtaskError> {
+    let kept = folder.join(wheel.file_name().unwrap_or_default());
+    std::fs::create_dir_all(folder)
+        .and_then(|()| std::fs::copy(wheel, &kept))
+        .map_err(|problem| XtaskError::file(STEP, &kept, problem))?;
+    Ok(kept)
 }
 
 /// What is in a wheel, for each processor that it is for.
