@@ -277,7 +277,8 @@ mod tiling;
 mod upper;
 
 pub use ends::{
-    EndForce, SpaceSection, SpaceStress, prove_end, prove_mechanism, prove_space, show_mechanism,
+    EndForce, ShownFace, ShownPart, ShownSpace, SpaceSection, SpaceStress, prove_end, prove_mechanism,
+    prove_space, show_mechanism, show_space,
 };
 pub use error::CertificateError;
 pub use fields::{

@@ -1,4 +1,4 @@
-use crate::ends::prove_mechanism;
+use crate::ends::{prove_mechanism, prove_space};
 use crate::lower::prove_lower;
 use crate::solution::{Claim, Solution};
 use crate::statement::Statement;
@@ -8,7 +8,7 @@ use crate::{CertificateError, SCHEMA};
 /// What a solution proves, in the units of its statement (force per unit width times velocity).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Proof {
-    /// Lower bound, if the solution has a field for it.
+    /// Lower bound, if the solution has a field for it: a stress field in the plane, or in space.
     pub lower: Option<Bound>,
     /// Upper bound, likewise: by a flow in the plane, or by blocks in space.
     pub upper: Option<Bound>,
@@ -46,10 +46,20 @@ impl Checked {
     }
 }
 
-/// Checks the lower bound of a solution, if it has one.
+/// Checks the lower bound of a solution, if it has one: by a stress field in the plane, or by one in space where the structure has
+/// ends. Of a solution with both the greater bound counts, and neither if one of them is not proven.
 #[must_use]
 pub fn check_lower(solution: &Solution) -> Option<Checked> {
-    solution.lower.as_ref().map(|claim| Checked::new(&solution.statement, claim, prove_lower))
+    let statement = &solution.statement;
+    let plane = solution.lower.as_ref().map(|claim| Checked::new(statement, claim, prove_lower));
+    let space = solution.space.as_ref().map(|claim| Checked::new(statement, claim, prove_space));
+    match (plane, space) {
+        (Some(plane), Some(space)) => Some(Checked {
+            claimed: plane.claimed.max(space.claimed),
+            proven: plane.proven.and_then(|plane| Ok(space.proven?.max(plane))),
+        }),
+        (plane, space) => plane.or(space),
+    }
 }
 
 /// Checks the upper bound of a solution, if it has one: by a flow in the plane, or by blocks in space where the structure has
@@ -73,7 +83,8 @@ pub fn check_upper(solution: &Solution) -> Option<Checked> {
 ///
 /// # Errors
 ///
-/// [`CertificateError::Schema`], and what [`prove_lower`], [`prove_upper`] and [`prove_mechanism`] return.
+/// [`CertificateError::Schema`], and what [`prove_lower`], [`prove_space`], [`prove_upper`] and
+/// [`prove_mechanism`] return.
 pub fn prove(solution: &Solution) -> Result<Proof, CertificateError> {
     if solution.schema != SCHEMA {
         return Err(CertificateError::Schema { found: solution.schema.clone(), expected: SCHEMA });

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{CertificateError, LowerField, Mechanism, Statement, UpperField};
+use crate::{CertificateError, LowerField, Mechanism, SpaceStress, Statement, UpperField};
 
 /// What [`Solution::schema`] must say.
 pub const SCHEMA: &str = "soilctl.solution/1";
@@ -32,6 +32,9 @@ pub struct Solution {
     /// Blocks in space for the upper bound, if the structure has ends.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mechanism: Option<Claim<Mechanism>>,
+    /// Stress field in space for the lower bound, likewise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub space: Option<Claim<SpaceStress>>,
 }
 
 /// What the units of a statement are. Each entry is optional.

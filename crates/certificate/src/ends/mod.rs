@@ -17,5 +17,7 @@ mod splice;
 mod tests;
 
 pub use mechanism::{prove_mechanism, show_mechanism};
-pub use space::{EndForce, SpaceSection, SpaceStress, prove_end, prove_space};
+pub use space::{
+    EndForce, ShownFace, ShownPart, ShownSpace, SpaceSection, SpaceStress, prove_end, prove_space, show_space,
+};
 pub(crate) use splice::{Splice, SpliceLimit};

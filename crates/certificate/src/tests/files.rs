@@ -16,6 +16,7 @@ pub(super) fn solution() -> Solution {
         lower: Some(Claim { field: rankine_field(4, 2.9), claimed: 99.0, computed: None }),
         upper: Some(Claim { field: wedge_field(1.8), claimed: 0.1, computed: None }),
         mechanism: None,
+        space: None,
     }
 }
 

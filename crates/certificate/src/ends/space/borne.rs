@@ -3,7 +3,7 @@
 use super::balance::balances;
 use super::simplex::{Matrix, factorial};
 use super::strength::Strengths;
-use super::stress::stresses;
+use super::stress::{Point, stresses};
 use super::topology::Complex;
 use super::tractions::{Pressing, Sheets};
 use crate::CertificateError;
@@ -84,7 +84,7 @@ impl<'a, const N: usize> Balanced<'a, N> {
         whole: impl Fn(usize, Option<usize>, &Matrix<N>) -> Matrix<3>,
     ) -> Result<(), CertificateError> {
         for number in 0..self.complex.cells.len() {
-            for point in stresses(&self.complex, &self.sheets, &self.pressing, number) {
+            for point in self.stresses(number) {
                 let spare = strengths.spare(&whole(number, point.corner, &point.stress));
                 if spare < 0.0 {
                     let cell = format!("{} {number}", self.complex.words.cell);
@@ -97,6 +97,18 @@ impl<'a, const N: usize> Balanced<'a, N> {
             }
         }
         Ok(())
+    }
+
+    /// The stresses of all parts of a simplex, as [`stresses`] lists them.
+    pub(super) fn stresses(&self, number: usize) -> Vec<Point<N>> {
+        stresses(&self.complex, &self.sheets, &self.pressing, number)
+    }
+
+    /// The pressure along x ahead of the plate less that behind it, on one of its faces at one of the face's vertices.
+    pub(super) fn net_pressure(&self, face: usize, at: usize) -> Interval {
+        let behind = self.complex.faces[face].plate.map_or(face, |plate| self.complex.faces.len() + plate);
+        let pressing = |sheet: usize| self.pressing.known[sheet][at][0];
+        (pressing(face) - pressing(behind)) / self.complex.faces[face].normal[0]
     }
 
     /// The force of the plate on the soil along x.

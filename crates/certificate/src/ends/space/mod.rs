@@ -67,6 +67,7 @@ mod cholesky;
 mod dissection;
 mod field;
 mod section;
+mod shown;
 mod simplex;
 mod strength;
 mod stress;
@@ -75,17 +76,18 @@ mod system;
 mod tests;
 mod topology;
 mod tractions;
+mod upright;
 
 pub use field::{SpaceSection, SpaceStress};
+pub use shown::{ShownFace, ShownPart, ShownSpace, show_space};
 
 use borne::Balanced;
 use strength::Strengths;
 use topology::{Complex, Words};
+use upright::{UprightPlate, not_covered};
 
-use super::plate::EndedPlate;
 use crate::CertificateError;
 use crate::interval::{Interval, angle};
-use crate::problem::Problem;
 use crate::statement::Statement;
 
 const SPACE: Words = Words { vertex: "vertex", cell: "tetrahedron", cells: "tetrahedra", face: "face" };
@@ -184,51 +186,12 @@ fn in_range(
 /// [`CertificateError`] if the statement is not such a plate, moved across its faces, in soil with friction and
 /// weight only, or the field is not proven to be statically admissible.
 pub fn prove_space(statement: &Statement, stress: &SpaceStress) -> Result<f64, CertificateError> {
-    let not_covered = |place: &str, what| Err(CertificateError::NotCovered { place: place.into(), what });
-    let problem = Problem::new(statement)?;
-    let plate = EndedPlate::new(&problem)?;
-    let material = plate.material;
-    if !plate.down.x.is_zero() {
-        return not_covered("the plate", "a stress field in space needs an upright one");
-    }
-    if !plate.gravity.x.is_zero() {
-        return not_covered("gravity", "a stress field in space needs a level surface");
-    }
-    if !(plate.cohesion.is_zero() && plate.surcharge.is_zero()) {
-        let what = "a stress field in space is for weight alone: no cohesion, no surcharge";
-        return not_covered("the soil", what);
-    }
-    let Some(delta_deg) = alike(statement) else {
-        return not_covered(
-            "the plate",
-            "a stress field in space needs faces of one friction, without adhesion",
-        );
-    };
-    if !(plate.velocity.y.is_zero() && plate.velocity.x.is_not_zero()) {
-        return not_covered(
-            "the velocity",
-            "a stress field in space is for plates that move across their faces",
-        );
-    }
-    let force = prove_end(material.phi_deg, delta_deg, stress)?;
-    let depth = -plate.down.y;
-    // Behind is ahead for a plate that moves to the left.
-    let unit =
-        Interval::point(material.unit_weight) * -plate.gravity.y * depth.square() * plate.velocity.x.abs();
-    let width = Interval::point(plate.half_width) * Interval::point(2.0) / depth;
+    let plate = UprightPlate::new(statement)?;
+    let force = prove_end(plate.phi_deg, plate.delta_deg, stress)?;
+    let unit = plate.unit_weight * plate.depth.square() * plate.speed;
+    let width = Interval::point(plate.half_width) * Interval::point(2.0) / plate.depth;
     match force.at(width).map(|force| (force * unit).lo()).filter(|bound| bound.is_finite()) {
         Some(bound) => Ok(bound),
         None => not_covered("the width", "the plate must be as wide as the field reaches from both ends"),
     }
-}
-
-/// The friction of the plate's faces, if it is one and they have no adhesion.
-fn alike(statement: &Statement) -> Option<f64> {
-    let faces = statement.boundaries.iter().filter_map(|boundary| match boundary.condition {
-        crate::statement::Condition::Face { delta_deg, adhesion } => Some([delta_deg, adhesion]),
-        _ => None,
-    });
-    let all: Vec<[f64; 2]> = faces.collect();
-    let first = *all.first()?;
-    (first[1] == 0.0 && all.iter().all(|face| *face == first)).then_some(first[0])
 }

@@ -84,7 +84,7 @@ fn least_pivot(mut matrix: Matrix<3>) -> f64 {
 }
 
 /// Least and greatest eigenvalue of a symmetric matrix, about, by Jacobi's rotations.
-fn extremes(mut a: [[f64; 3]; 3]) -> [f64; 2] {
+pub(super) fn extremes(mut a: [[f64; 3]; 3]) -> [f64; 2] {
     for _ in 0..12 {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
             if a[p][q] == 0.0 {

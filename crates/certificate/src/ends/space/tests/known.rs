@@ -2,8 +2,11 @@
 
 use super::Small;
 use super::small::ground;
-use crate::examples::Plate;
-use crate::{CertificateError, EndForce, Objective, SpaceStress, prove_end, prove_space};
+use crate::examples::{Plate, rankine_field};
+use crate::{
+    CertificateError, Claim, EndForce, Objective, SCHEMA, Scale, Solution, SpaceStress, check_lower, prove,
+    prove_end, prove_space,
+};
 
 /// More pressure ahead of the plate than behind: what is at first not balanced.
 fn pushed(by: f64) -> SpaceStress {
@@ -85,4 +88,28 @@ fn a_statement_has_its_own_units() {
 #[test]
 fn a_smooth_plate_bears_no_shear() {
     assert!(prove_end(30.0, 0.0, &pushed(0.1)).is_ok());
+}
+
+#[test]
+fn a_solution_has_it_alone_or_beside_one_in_the_plane() {
+    let plate = Plate { lean: 0.0, delta_deg: 20.0, surcharge: 0.0, gravity: [0.0, -1.0] };
+    let (statement, field) = (plate.statement().with_width(6.0), pushed(0.1));
+    let proven = prove_space(&statement, &field).unwrap();
+    let mut solution = Solution {
+        schema: SCHEMA.into(),
+        program: "test 0".into(),
+        statement,
+        scale: Scale::default(),
+        lower: None,
+        upper: None,
+        mechanism: None,
+        space: Some(Claim { field, claimed: proven, computed: None }),
+    };
+    let text = serde_json::to_string(&solution).unwrap();
+    assert_eq!(serde_json::from_str::<Solution>(&text).unwrap(), solution);
+    assert_eq!(prove(&solution).unwrap().lower.unwrap().proven, proven);
+    // One that is not proven spoils the other, whatever it claims.
+    solution.lower = Some(Claim { field: rankine_field(4, 2.9), claimed: 0.0, computed: None });
+    let checked = check_lower(&solution).unwrap();
+    assert!(checked.claimed == proven && checked.proven.is_err(), "{checked:?}");
 }

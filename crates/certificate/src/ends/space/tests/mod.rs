@@ -5,6 +5,7 @@ mod balanced;
 mod exact;
 mod known;
 mod linear;
+mod shown;
 mod small;
 
 use small::Small;
