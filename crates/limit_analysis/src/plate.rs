@@ -56,6 +56,25 @@ impl EmbeddedPlate {
     ///
     /// [`LimitError::Range`] or [`LimitError::NotCovered`] for numbers out of the ranges named above.
     pub fn problem(&self) -> Result<Problem, LimitError> {
+        // Against the surface, which is level in these axes, the plate stands at alpha + beta.
+        let (sin, cos) = (self.alpha_deg.to_radians() + self.beta_deg.to_radians()).sin_cos();
+        self.with_tip([cos, -sin])
+    }
+
+    /// The same for a plate of a width in slant lengths that has ends, per unit of its width. An upright plate on level ground
+    /// stands exactly upright, as stress fields in space demand; the cosine of 90 degrees is not zero in doubles.
+    ///
+    /// # Errors
+    ///
+    /// As [`problem`](Self::problem), and [`LimitError::Range`] for a width that is not above zero.
+    pub fn problem_with_ends(&self, width: f64) -> Result<Problem, LimitError> {
+        let is_upright = self.alpha_deg == 90.0 && self.beta_deg == 0.0;
+        let plane = if is_upright { self.with_tip([0.0, -1.0]) } else { self.problem() };
+        plane?.with_width(width)
+    }
+
+    /// The problem of the plate from the origin to a tip.
+    fn with_tip(&self, tip: [f64; 2]) -> Result<Problem, LimitError> {
         in_range("the tool angle alpha", self.alpha_deg, 10.0, 170.0, "deg")?;
         in_range("the friction angle phi", self.phi_deg, f64::MIN_POSITIVE, 70.0, "deg")?;
         in_range("the interface friction delta", self.delta_deg, 0.0, self.phi_deg.next_up(), "deg")?;
@@ -76,12 +95,9 @@ impl EmbeddedPlate {
             });
         }
         let beta = self.beta_deg.to_radians();
-        // Against the surface, which is level in these axes, the plate stands at alpha + beta.
-        let (sin, cos) = (self.alpha_deg.to_radians() + beta).sin_cos();
         let reach = 1.0 + 1.5 * (self.phi_deg / 25.0).powi(3);
         let (behind, ahead, below) = (8.0, 8.0 + 4.0 * reach, 8.0);
-        let points =
-            vec![[-behind, 0.0], [-behind, -below], [ahead, -below], [ahead, 0.0], [0.0, 0.0], [cos, -sin]];
+        let points = vec![[-behind, 0.0], [-behind, -below], [ahead, -below], [ahead, 0.0], [0.0, 0.0], tip];
         let ends = [(0, 1), (1, 2), (2, 3), (3, 4), (4, 5), (4, 0)];
         let outside = [0, 1, 2, 3, 4, 4, 5];
         let forward = [true, true, true, true, true, false, true];

@@ -20,7 +20,7 @@ fn case(plate: &EmbeddedPlate, width_ratio: f64) -> Case {
 
 /// The problem of a plate with a width over its vertical depth.
 fn ended(plate: &EmbeddedPlate, width_ratio: f64) -> Problem {
-    plate.problem().unwrap().with_width(width_ratio * plate.alpha_deg.to_radians().sin()).unwrap()
+    plate.problem_with_ends(width_ratio * plate.alpha_deg.to_radians().sin()).unwrap()
 }
 
 /// The force per width that a mechanism proves.
@@ -103,7 +103,7 @@ fn lower_bounds_hold_for_every_width_and_cost_little() {
         assert!(cost.abs() < 0.01, "{cost}");
         // The same field for other widths.
         for width in [0.01, 1e6] {
-            let other = plate.problem().unwrap().with_width(width).unwrap();
+            let other = plate.problem_with_ends(width).unwrap();
             assert_eq!(prove_lower(other.statement(), &section.lower.field).unwrap(), section.lower.value);
         }
         assert!(held(&plate, 2.0) > section.lower.value);

@@ -41,6 +41,7 @@ mod tests;
 mod units;
 mod vtu;
 mod vtu_file;
+mod vtu_space;
 mod work;
 
 pub use contact::{Contact, ContactPoint};
@@ -51,6 +52,7 @@ pub use stress::{Principal, StressResults};
 pub use surface::{MOVING, Stretch};
 pub use units::{Units, problem_units};
 pub use vtu::write_vtu;
+pub use vtu_space::{write_blocks_vtu, write_space_vtu};
 pub use work::shear_work;
 
 /// A point or a vector, x and y.

@@ -7,7 +7,7 @@ use super::finder::{at, centroid};
 use super::flow::{FlowResults, area, value};
 use super::stress::{Principal, StressResults};
 use super::units::Units;
-use super::vtu_file::{Field, write};
+use super::vtu_file::{Cells, Field, Shape, write};
 use super::work::shear_work;
 use crate::error::LimitError;
 use crate::mesh::Mesh;
@@ -74,7 +74,16 @@ pub fn write_vtu(
     for v in &mut mesh.vertices {
         v.position = units.point(v.position);
     }
-    write(&mesh, &columns, &cells)
+    let nodes = |t: usize| {
+        let [a, b, c] = mesh.corners(t);
+        [a, b, c, along(a, b, 0.5), along(b, c, 0.5), along(c, a, 0.5)].map(|[x, y]| [x, y, 0.0])
+    };
+    let triangles = Cells {
+        shape: Shape::QuadraticTriangle,
+        points: (0..mesh.triangles.len()).flat_map(nodes).collect(),
+        number: ("region", mesh.triangles.iter().map(|t| t.region).collect()),
+    };
+    write(&triangles, &columns, &cells)
 }
 
 fn soil(statement: &Statement, mesh: &Mesh) -> Vec<Field> {

@@ -1,18 +1,48 @@
-//! ParaView's XML format for unstructured grids: quadratic triangles that share no points, numbers as base64.
+//! ParaView's XML format for unstructured grids: cells of one shape that share no points, numbers as base64.
 
 use std::fmt::Write;
 
 use base64::prelude::{BASE64_STANDARD, Engine};
 
-use super::Point;
 use crate::error::LimitError;
-use crate::mesh::Mesh;
-use crate::vector::along;
 
-/// VTK's number of the triangle with six nodes.
-const QUADRATIC_TRIANGLE: u8 = 22;
+/// The shape of all cells of a file.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Shape {
+    Triangle,
+    Tetrahedron,
+    /// Three corners, then the middles of the edges from corner 0 to 1, from 1 to 2, and from 2 to 0.
+    QuadraticTriangle,
+}
 
-/// Numbers at points, or in triangles.
+impl Shape {
+    /// Points of a cell.
+    const fn points(self) -> usize {
+        match self {
+            Self::Triangle => 3,
+            Self::Tetrahedron => 4,
+            Self::QuadraticTriangle => 6,
+        }
+    }
+
+    /// VTK's number of it.
+    const fn number(self) -> u8 {
+        match self {
+            Self::Triangle => 5,
+            Self::Tetrahedron => 10,
+            Self::QuadraticTriangle => 22,
+        }
+    }
+}
+
+/// Cells, cell by cell their points, and for each a whole number that has a name.
+pub(super) struct Cells {
+    pub(super) shape: Shape,
+    pub(super) points: Vec<[f64; 3]>,
+    pub(super) number: (&'static str, Vec<usize>),
+}
+
+/// Numbers at points, or in cells.
 pub(super) struct Field {
     pub(super) name: &'static str,
     /// Numbers a point: 1 for scalars, 2 for vectors (written with a third that is zero), 9 for tensors.
@@ -27,39 +57,36 @@ impl Field {
     }
 }
 
-/// The text of a file. For each triangle, data at points are those at its three corners, then at the middles of its edges
-/// from corner 0 to 1, from 1 to 2, and from 2 to 0. The region of each triangle is written too.
+/// The text of a file.
 ///
 /// # Errors
 ///
 /// [`LimitError::NotFinite`] for a number that is too large to be written.
-pub(super) fn write(mesh: &Mesh, point_data: &[Field], cell_data: &[Field]) -> Result<String, LimitError> {
-    for field in point_data.iter().chain(cell_data) {
+pub(super) fn write(cells: &Cells, point_data: &[Field], cell_data: &[Field]) -> Result<String, LimitError> {
+    let points =
+        Field { name: "points", components: 3, values: cells.points.iter().flatten().copied().collect() };
+    for field in point_data.iter().chain(cell_data).chain([&points]) {
         if let Some(value) = field.values.iter().find(|v| !v.is_finite()) {
             return Err(LimitError::NotFinite { field: field.name, value: *value });
         }
     }
-    let cells = mesh.triangles.len();
-    let six = |t: usize| {
-        let [a, b, c] = mesh.corners(t);
-        [a, b, c, along(a, b, 0.5), along(b, c, 0.5), along(c, a, 0.5)]
-    };
-    let points = (0..cells).flat_map(six).flat_map(|[x, y]: Point| [x, y, 0.0]).collect();
+    let (shape, (name, numbers)) = (cells.shape, &cells.number);
+    let (count, nodes) = (numbers.len(), cells.points.len());
     let mut a = Arrays::default();
     a.xml += "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" \
               byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
-    let _ = writeln!(a.xml, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">", 6 * cells);
+    let _ = writeln!(a.xml, "<Piece NumberOfPoints=\"{nodes}\" NumberOfCells=\"{count}\">");
     a.xml += "<PointData>\n";
     point_data.iter().for_each(|f| a.field(f));
     a.xml += "</PointData>\n<CellData>\n";
-    a.integers("region", mesh.triangles.iter().map(|t| t.region));
+    a.integers(name, numbers.iter().copied());
     cell_data.iter().for_each(|f| a.field(f));
     a.xml += "</CellData>\n<Points>\n";
-    a.field(&Field { name: "points", components: 3, values: points });
+    a.field(&points);
     a.xml += "</Points>\n<Cells>\n";
-    a.integers("connectivity", 0..6 * cells);
-    a.integers("offsets", (1..=cells).map(|i| 6 * i));
-    a.array("UInt8", "types", 1, &vec![QUADRATIC_TRIANGLE; cells]);
+    a.integers("connectivity", 0..nodes);
+    a.integers("offsets", (1..=count).map(|i| shape.points() * i));
+    a.array("UInt8", "types", 1, &vec![shape.number(); count]);
     a.xml += "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"base64\">\n_";
     a.xml += &a.appended;
     a.xml += "\n</AppendedData>\n</VTKFile>\n";

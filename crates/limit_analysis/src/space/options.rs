@@ -3,8 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use soilctl_certificate::SpaceStress;
-use soilctl_conic::Status;
+use soilctl_certificate::{Claim, Computed, SpaceStress};
+use soilctl_conic::{SOLVER, Status};
+
+use super::FACTORISATION;
 
 /// When to stop, and what may be spent.
 #[derive(Debug, Clone)]
@@ -57,4 +59,14 @@ pub struct EndLower {
     pub value: f64,
     /// All meshes, in order.
     pub levels: Vec<EndLevel>,
+}
+
+impl EndLower {
+    /// The field with what is proven of it, for a file.
+    #[must_use]
+    pub fn claim(self, proven: f64) -> Claim<SpaceStress> {
+        let factorisation = FACTORISATION.name().to_owned();
+        let computed = Computed { solver: SOLVER.to_owned(), factorisation };
+        Claim { field: self.field, claimed: proven, computed: Some(computed) }
+    }
 }

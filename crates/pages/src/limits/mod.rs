@@ -2,6 +2,7 @@
 
 mod blocks;
 mod contact;
+mod end;
 mod field;
 mod frame;
 mod mechanism;

@@ -95,7 +95,7 @@ pub(crate) fn page(
     moving_ground(&mut page, results);
     if fields.stress.is_some() {
         page.heading("Stresses");
-        for kind in [Kind::Stress, Kind::Contact] {
+        for kind in [Kind::End, Kind::Stress, Kind::Contact] {
             plot::add(&mut page, fields, kind)?;
         }
         contacts(&mut page, results)?;
