@@ -33,11 +33,29 @@ fn bounds_are_proven_saved_and_proven_again() {
 
     let mut saved: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
     saved["upper"]["claimed"] = Value::from(1.0);
+    // What a file calls itself is not what is proven.
+    saved["scale"]["description"] = Value::from("phi 45 deg");
     std::fs::write(file, saved.to_string()).unwrap();
     let (code, proof, _) = soilctl(&["certify", file]);
     assert_eq!(code, 1);
     assert_eq!(proof["upper"]["confirmed"], false);
     assert_eq!(proof["lower"]["confirmed"], true);
+    assert_eq!(proof["description"], "phi 45 deg");
+    let said: Vec<_> =
+        proof["statement"].as_array().unwrap().iter().map(|said| said["says"].as_str().unwrap()).collect();
+    assert!(
+        said[0].starts_with("number 0, friction 30 deg, cohesion 0, unit weight 1; corners "),
+        "{said:?}"
+    );
+    let all = said.join("\n");
+    for words in [
+        "plane strain",
+        "times its velocity (1, ",
+        "face of the structure, friction 0 deg",
+        "the soil goes on beyond",
+    ] {
+        assert!(all.contains(words) && !all.contains("45"), "{words} in {all}");
+    }
 }
 
 #[test]
@@ -46,7 +64,8 @@ fn a_plate_with_a_width_has_ends() {
     let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
     let (file, page) = (path("ended.json"), path("ended.html"));
     let rough = ["bound", "--alpha", "90", "--phi", "30", "--delta", "15", "--max-elements", "2500"];
-    let asked = ["--max-gap", "0.02", "--width-ratio", "5", "--save", &file, "--report", &page];
+    let asked =
+        ["--max-gap", "0.02", "--width-ratio", "5", "--tetrahedra", "0", "--save", &file, "--report", &page];
     let (code, answer, stderr) = soilctl(&[&rough[..], &asked].concat());
     assert_eq!(code, 0, "{stderr}");
     let of = |row: &Value| ["lower", "upper"].map(|key| row[key].as_f64().unwrap());
@@ -56,6 +75,7 @@ fn a_plate_with_a_width_has_ends() {
     assert!(upper <= 5.196 && upper > 5.1, "{upper}");
     assert_eq!((&answer["ends"], &answer["width_ratio"]), (&"finite".into(), &5.0.into()));
     assert_eq!((&answer["lower_proof"], &answer["upper_proof"]), (&"splice".into(), &"mechanism".into()));
+    assert_eq!(answer["end"]["why_none"], "none was asked for");
     let rows = answer["over_width"].as_array().unwrap();
     assert!(rows.windows(2).all(|pair| of(&pair[0])[1] >= of(&pair[1])[1]));
     assert_eq!(rows[rows.len() - 1]["width_ratio"], Value::Null);
@@ -73,7 +93,7 @@ fn a_plate_with_a_width_has_ends() {
     assert_eq!((code, &proof["certified"]), (1, &false.into()));
 
     // In metres; without ends; and what does not go together.
-    let sizes = ["--max-gap", "0.2", "--width", "0.5", "--depth", "0.1"];
+    let sizes = ["--max-gap", "0.2", "--width", "0.5", "--depth", "0.1", "--tetrahedra", "0"];
     let (_, answer, _) = soilctl(&[&rough[..], &sizes].concat());
     assert_eq!(answer["width_ratio"], 5.0);
     assert!((of(&answer)[1] - upper).abs() < 1e-9);
@@ -88,6 +108,75 @@ fn a_plate_with_a_width_has_ends() {
         let (code, _, stderr) = soilctl(&[&rough[..], args].concat());
         assert!(code == 2 && stderr.contains(words), "{args:?}: {stderr}");
     }
+}
+
+/// Plane strain has 4.3107; another program's stress field in space, 4.575, and its mechanism, 5.196.
+#[test]
+fn a_stress_field_in_space_counts_what_ends_add() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let (file, vtu, page) = (path("ended.json"), path("ended.vtu"), path("ended.html"));
+    let rough = [
+        "bound",
+        "--alpha",
+        "90",
+        "--phi",
+        "30",
+        "--delta",
+        "15",
+        "--max-elements",
+        "1000",
+        "--width-ratio",
+        "5",
+    ];
+    let asked =
+        ["--max-gap", "0.2", "--tetrahedra", "200", "--save", &file, "--vtu", &vtu, "--report", &page];
+    let (code, answer, stderr) = soilctl(&[&rough[..], &asked].concat());
+    assert_eq!(code, 0, "{stderr}");
+    let of = |row: &Value| ["lower", "upper"].map(|key| row[key].as_f64().unwrap());
+    let ([lower, upper], [plane, _]) = (of(&answer), of(&answer["plane_strain"]));
+    assert!(lower > 1.02 * plane && lower > 4.35 && upper <= 5.196, "{lower} {upper} {plane}");
+    assert_eq!((&answer["lower_proof"], &answer["end"]["lower"]), (&"space".into(), &answer["lower"]));
+    // One field for all widths that hold it twice; narrower plates have the plane one.
+    for row in answer["over_width"].as_array().unwrap() {
+        let [lower, upper] = of(row);
+        assert!(lower >= plane - 1e-12 && lower <= upper, "{row}");
+        let is_space = row["width_ratio"].as_f64().is_some_and(|ratio| (2.0..=20.0).contains(&ratio));
+        assert!(!is_space || row["lower_proof"] == "space", "{row}");
+    }
+    let files = ["vtu", "blocks.vtu", "end.vtu", "html"].map(|ending| path(&format!("ended.{ending}")));
+    assert_eq!(answer["results"]["files"], serde_json::json!(files));
+    assert!(std::fs::read_to_string(&page).unwrap().contains("pressure on the plate near its end"));
+
+    let map = path("end.svg");
+    let (code, proof, stderr) = soilctl(&["certify", &file, "--plot", &map, "--plot-kind", "end"]);
+    assert_eq!((code, &proof["certified"]), (0, &true.into()), "{stderr}");
+    let proven = proof["lower"]["proven"].as_f64().unwrap();
+    assert!((2.0 * proven / 105_f64.to_radians().sin() - lower).abs() < 1e-12, "{proven}");
+    // Less friction on the plate than the field needs; a narrower plate than it is for.
+    let text = std::fs::read_to_string(&file).unwrap();
+    for (is, becomes) in [("\"delta_deg\":15.0", "\"delta_deg\":14.0"), ("\"width\":5.0", "\"width\":0.5")] {
+        std::fs::write(&file, text.replace(is, becomes)).unwrap();
+        let (code, proof, _) = soilctl(&["certify", &file]);
+        assert_eq!((code, &proof["lower"]["proven"]), (1, &Value::Null), "{becomes}: {proof}");
+    }
+
+    let leaning = [
+        "bound",
+        "--alpha",
+        "80",
+        "--phi",
+        "30",
+        "--delta",
+        "15",
+        "--max-elements",
+        "1000",
+        "--max-gap",
+        "0.2",
+    ];
+    let (code, answer, _) = soilctl(&[&leaning[..], &["--width-ratio", "5"]].concat());
+    assert_eq!((code, &answer["lower_proof"]), (0, &"splice".into()));
+    assert!(answer["end"]["why_none"].as_str().unwrap().contains("upright"));
 }
 
 #[test]
@@ -189,7 +278,8 @@ fn what_factorised_the_systems_is_in_the_answer_and_in_the_saved_solution() {
 
 #[test]
 fn forces_are_coefficients_in_newtons() {
-    let sizes = ["--depth", "0.1", "--width", "0.5", "--density", "1600", "--max-gap", "0.2"];
+    let sizes =
+        ["--depth", "0.1", "--width", "0.5", "--density", "1600", "--max-gap", "0.2", "--tetrahedra", "0"];
     let (_, answer, _) = soilctl(&[&PLATE[..], &sizes].concat());
     let newtons = 0.5 * 1600.0 * 9.80665 * 0.1 * 0.1 * 0.5;
     let force = answer["force_lower_n"].as_f64().unwrap();

@@ -41,10 +41,13 @@ fn content(answer: &Answer) -> Result<PageContent, PageError> {
     };
     Ok(PageContent {
         kind: "Saved solution",
-        subtitle: answer.description.clone().unwrap_or_default(),
+        subtitle: answer
+            .description
+            .as_ref()
+            .map_or_else(String::new, |title| format!("The file calls it “{title}”, which nothing proves.")),
         verdict: (verdict.0, verdict.1.to_owned(), verdict.2),
         bounds,
-        given: Vec::new(),
+        given: answer.statement.iter().map(|said| (said.of, said.says.clone())).collect(),
         steps: None,
     })
 }

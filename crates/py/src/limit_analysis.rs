@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping};
-use soilctl_app::bound::ratio_of_ends;
+use soilctl_app::bound::{EndBudget, EndField, find_end, ratio_of_ends};
 use soilctl_certificate::{LowerField, SCHEMA, Scale, Solution as Saved, Statement, UpperField};
 use soilctl_earth_pressure::{Blocks, Case, LoadFactors};
 use soilctl_limit_analysis::describe::{Aim, Quantity};
@@ -138,12 +138,15 @@ fn run_both(
     progress: Option<&Bound<'_, PyAny>>,
     bracket: impl Fn(&Bounds) -> Bracket,
 ) -> Answer<Bracket> {
-    let work = |options: &Options, report: &dyn Fn(Progress)| {
-        bound_section(problem, options, &mut |level, gap| {
-            report(Progress { elements: level.upper.elements, gap, factor: None });
-        })
-    };
+    let work = |options: &Options, report: &dyn Fn(Progress)| both(problem, options, report);
     run(py, options, progress, work, bracket)
+}
+
+/// Both bounds of a problem, each level of which is reported.
+fn both(problem: &Problem, options: &Options, report: &dyn Fn(Progress)) -> Result<Bounds, LimitError> {
+    bound_section(problem, options, &mut |level, gap| {
+        report(Progress { elements: level.upper.elements, gap, factor: None });
+    })
 }
 
 fn saved(
@@ -160,6 +163,7 @@ fn saved(
         lower: lower.map(Proven::claim),
         upper: upper.map(Proven::claim),
         mechanism: None,
+        space: None,
     }
 }
 
@@ -180,6 +184,8 @@ fn saved(
 ///     adhesion_pa: Adhesion between soil and plate.
 ///     surcharge_pa: Vertical pressure on the surface.
 ///     gravity_m_s2: Gravity; by default the standard one.
+///     tetrahedra: About how many tetrahedra the stress field about an end of an upright plate on level ground has, which bounds from
+///         below what ends add to the force of soil with weight alone: more take longer and narrow the bracket; 0 for none.
 ///     max_gap: Gap at which to stop.
 ///     max_elements: Most elements of a mesh.
 ///     max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
@@ -201,8 +207,9 @@ fn saved(
 #[pyo3(signature = (
     *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = 0.0, density_kg_m3 = None,
     depth_m = None, width_m = None, cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
-    gravity_m_s2 = 9.80665, width_ratio = None, ends = None, max_gap = 0.01, max_elements = 20000, max_work = None,
-    max_seconds = None, max_memory_mb = None, threads = 1, factorisation = "auto", progress = None,
+    gravity_m_s2 = 9.80665, width_ratio = None, ends = None, tetrahedra = 600, max_gap = 0.01,
+    max_elements = 20000, max_work = None, max_seconds = None, max_memory_mb = None, threads = 1,
+    factorisation = "auto", progress = None,
 ))]
 #[allow(clippy::too_many_arguments, reason = "keywords of a Python function")]
 pub(crate) fn bound(
@@ -220,6 +227,7 @@ pub(crate) fn bound(
     gravity_m_s2: f64,
     width_ratio: Option<f64>,
     ends: Option<&str>,
+    #[pyo3(from_py_with = whole)] tetrahedra: usize,
     max_gap: f64,
     #[pyo3(from_py_with = whole)] max_elements: usize,
     #[pyo3(from_py_with = whole_or_none)] max_work: Option<u64>,
@@ -264,7 +272,7 @@ pub(crate) fn bound(
     let ratio = ratio_of_ends(ends, width_ratio, width_m, depth_m).map_err(input)?;
     let mechanism = match ratio {
         Some(ratio) => {
-            problem = problem.with_width(ratio * degrees(tool_angle_deg).sin())?;
+            problem = embedded.problem_with_ends(ratio * degrees(tool_angle_deg).sin())?;
             let EmbeddedPlate { surcharge, cohesion, adhesion, .. } = embedded;
             let loads = LoadFactors { weight: 0.5, surcharge, cohesion, adhesion };
             let case =
@@ -293,16 +301,31 @@ pub(crate) fn bound(
         threads,
         factorisation,
     })?;
-    run_both(py, &problem, options, progress, |bounds| {
+    let work = |options: &Options, report: &dyn Fn(Progress)| {
+        let bounds = both(&problem, options, report)?;
+        let end = ratio.map(|ratio| {
+            let budget = EndBudget {
+                tetrahedra,
+                seconds: options.max_seconds.map(|all| all - bounds.seconds),
+                stop: Arc::clone(&options.stop),
+            };
+            find_end(&embedded, ratio * degrees(tool_angle_deg).sin(), &budget, &mut |_| {})
+        });
+        // Why there is none, the command line says.
+        Ok((bounds, end.and_then(Result::ok)))
+    };
+    run(py, options, progress, work, |(bounds, end): &(Bounds, Option<EndField>)| {
         // The factor and the product are each good to a rounding or two; rounding is outwards.
         let slack = 4.0 * f64::EPSILON;
         let held = mechanism.as_ref().map_or(bounds.upper.value, |claim| claim.claimed);
-        let (lower, upper) = (factor * bounds.lower.value, factor * held);
+        let borne = end.as_ref().map_or(bounds.lower.value, |end| end.claim.claimed.max(bounds.lower.value));
+        let (lower, upper) = (factor * borne, factor * held);
         let (lower, upper) = (lower - slack * lower.abs(), upper + slack * upper.abs());
         // A flow in the plane proves nothing where there are ends.
         let flow = mechanism.is_none().then_some(&bounds.upper);
         let mut solution = saved(problem.statement(), scale.clone(), Some(&bounds.lower), flow);
         solution.mechanism.clone_from(&mechanism);
+        solution.space = end.as_ref().map(|end| end.claim.clone());
         bracket(
             bounds,
             [lower, upper],

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_limit_analysis::{Bounds, Ended, Factorisation, StoppedBy};
 
+use super::end::EndAnswer;
 use super::ends::Brackets;
 use super::{ProofKind, Request, ScaledPlate, WidthAnswer};
 use crate::Outcome;
@@ -31,6 +32,8 @@ pub struct Answer {
     pub plane_strain: WidthAnswer,
     /// The same plate at other widths, narrow to wide, and plane strain last; empty if it has no ends.
     pub over_width: Vec<WidthAnswer>,
+    /// The stress field in space about the plate's ends; null in plane strain.
+    pub end: Option<EndAnswer>,
     /// Whether both bounds are proven with interval arithmetic.
     pub certified: bool,
     /// Triangles of the mesh of the lower bound; each has three parts.
@@ -100,7 +103,7 @@ impl Answer {
         request: &Request,
         scaled: &ScaledPlate,
         bounds: &Bounds,
-        brackets: Brackets,
+        (brackets, end): (Brackets, Option<EndAnswer>),
         results: ResultsAnswer,
     ) -> Self {
         let Brackets { own, plane: plane_strain, over_width } = brackets;
@@ -118,6 +121,7 @@ impl Answer {
             upper_proof,
             plane_strain,
             over_width,
+            end,
             certified: true,
             lower_elements: bounds.lower.elements,
             upper_elements: bounds.upper.elements,

@@ -7,6 +7,7 @@ use soilctl_earth_pressure::Blocks;
 use soilctl_limit_analysis::{Bounds, Problem};
 
 use super::ScaledPlate;
+use super::end::EndField;
 use crate::request::Ends;
 use crate::{AppError, Watch};
 
@@ -21,6 +22,8 @@ pub enum ProofKind {
     Plane,
     /// By a stress field in plane strain that is spliced with the ground at rest, for every width
     Splice,
+    /// By a stress field in space about the plate's ends, and one in plane strain between
+    Space,
     /// By rigid blocks in space
     Mechanism,
 }
@@ -32,6 +35,7 @@ impl ProofKind {
         match self {
             Self::Plane => "a field in plane strain",
             Self::Splice => "a plane stress field spliced with the ground at rest beyond the ends",
+            Self::Space => "a stress field in space about the ends",
             Self::Mechanism => "rigid blocks in space",
         }
     }
@@ -87,15 +91,15 @@ pub struct WidthAnswer {
 }
 
 impl WidthAnswer {
-    fn new(width_ratio: Option<f64>, [lower, upper]: [f64; 2], upper_proof: ProofKind) -> Self {
+    fn new(width_ratio: Option<f64>, [lower, upper]: [f64; 2], proofs: [ProofKind; 2]) -> Self {
         let gap = 2.0 * (upper - lower) / (upper + lower);
-        let lower_proof = if width_ratio.is_some() { ProofKind::Splice } else { ProofKind::Plane };
+        let [lower_proof, upper_proof] = proofs;
         Self { width_ratio, lower, upper, gap, lower_proof, upper_proof }
     }
 
     /// That of plane strain.
     pub(super) fn plane(scaled: &ScaledPlate, bounds: &Bounds) -> Self {
-        Self { gap: bounds.gap(), ..Self::new(None, scaled.coefficients(bounds), ProofKind::Plane) }
+        Self { gap: bounds.gap(), ..Self::new(None, scaled.coefficients(bounds), [ProofKind::Plane; 2]) }
     }
 }
 
@@ -129,11 +133,16 @@ impl Mechanisms {
         Ok(Self { width_ratio, own, others })
     }
 
-    /// The brackets that follow from a lower bound for every width.
-    pub(super) fn brackets(&self, scaled: &ScaledPlate, bounds: &Bounds) -> Brackets {
-        let bracket = |ratio: f64, force: f64| {
-            let sides = scaled.of_forces([bounds.lower.value, force]);
-            WidthAnswer::new(Some(ratio), sides, ProofKind::Mechanism)
+    /// The brackets that follow from a lower bound for every width, and from a field about the ends, if there is one.
+    pub(super) fn brackets(&self, scaled: &ScaledPlate, bounds: &Bounds, end: Option<&EndField>) -> Brackets {
+        let bracket = |ratio: f64, upper: f64| {
+            let about_end = end.and_then(|end| end.force.per_width(scaled.slant_width(ratio)));
+            let (lower, proof) = match about_end {
+                Some(force) if force > bounds.lower.value => (force, ProofKind::Space),
+                _ => (bounds.lower.value, ProofKind::Splice),
+            };
+            let sides = scaled.of_forces([lower, upper]);
+            WidthAnswer::new(Some(ratio), sides, [proof, ProofKind::Mechanism])
         };
         let plane = WidthAnswer::plane(scaled, bounds);
         let others = RATIOS.into_iter().zip(&self.others).map(|(ratio, force)| bracket(ratio, *force));
@@ -150,8 +159,9 @@ impl Mechanisms {
     }
 
     /// The solution for a file: without the flow in the plane, which proves nothing here.
-    pub(super) fn solution(&self, plane: Solution) -> Solution {
-        Solution { upper: None, mechanism: Some(self.own.clone()), ..plane }
+    pub(super) fn solution(&self, plane: Solution, end: Option<&EndField>) -> Solution {
+        let space = end.map(|end| end.claim.clone());
+        Solution { upper: None, mechanism: Some(self.own.clone()), space, ..plane }
     }
 }
 

@@ -1,11 +1,13 @@
 //! Proven bounds on the force of an embedded plate.
 
 mod answer;
+mod end;
 mod ends;
 mod plate;
 mod request;
 
 pub use answer::{Answer, Inputs};
+pub use end::{EndAnswer, EndBudget, EndField, find_end};
 pub use ends::{ProofKind, WidthAnswer, ratio_of_ends};
 pub(crate) use plate::ScaledPlate;
 pub use request::Request;
@@ -13,7 +15,7 @@ pub use request::Request;
 use ends::{Brackets, Mechanisms};
 
 use crate::limits::{self, Fields, ResultsAnswer};
-use crate::{AppError, Watch};
+use crate::{AppError, Interrupted, Watch};
 
 /// The answer, and the fields behind it.
 #[derive(Debug)]
@@ -33,22 +35,35 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     let scaled = ScaledPlate::new(request)?;
     let Request { ends, width_ratio, width_m, depth_m, .. } = *request;
     let width_ratio = ratio_of_ends(ends, width_ratio, width_m, depth_m)?;
-    let plane = scaled.problem()?;
     let problem = match width_ratio {
-        Some(ratio) => plane.with_width(scaled.slant_width(ratio))?,
-        None => plane,
+        Some(ratio) => scaled.problem_with_ends(ratio)?,
+        None => scaled.problem()?,
     };
     let options = request.budget.options(watch)?;
     let mechanisms = width_ratio.map(|ratio| Mechanisms::new(&scaled, &problem, ratio, watch)).transpose()?;
     let bounds = limits::bounds(&problem, &options, watch)?;
+    let end = width_ratio.map(|ratio| {
+        watch.begin(0, "stresses about the ends in space");
+        let budget = EndBudget {
+            tetrahedra: request.tetrahedra as usize,
+            seconds: request.budget.max_seconds.map(|all| all - bounds.seconds),
+            stop: watch.stop(Interrupted::KeepsResults),
+        };
+        let found = scaled.end(ratio, &budget, &mut |level| {
+            watch.say(&format!("{} tetrahedra", level.tetrahedra));
+        });
+        watch.end();
+        found
+    });
+    let field = end.as_ref().and_then(|found| found.as_ref().ok());
     let brackets = match &mechanisms {
-        Some(mechanisms) => mechanisms.brackets(&scaled, &bounds),
+        Some(mechanisms) => mechanisms.brackets(&scaled, &bounds, field),
         None => Brackets::plane(&scaled, &bounds),
     };
     if let Some(path) = &request.save {
         let plane = scaled.solution(&problem, &bounds);
         match &mechanisms {
-            Some(mechanisms) => mechanisms.solution(plane),
+            Some(mechanisms) => mechanisms.solution(plane, field),
             None => plane,
         }
         .write(path)?;
@@ -64,6 +79,11 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
         Some(mechanisms) => fields.with_blocks(statement, mechanisms.own())?,
         None => fields,
     };
-    let answer = Answer::new(request, &scaled, &bounds, brackets, ResultsAnswer::new(&fields)?);
+    let fields = match field {
+        Some(end) => fields.with_end(statement, &end.claim.field)?,
+        None => fields,
+    };
+    let end = end.map(|found| EndAnswer::new(&found, &scaled));
+    let answer = Answer::new(request, &scaled, &bounds, (brackets, end), ResultsAnswer::new(&fields)?);
     Ok(Bounded { answer, fields })
 }

@@ -3,10 +3,11 @@
 use soilctl_certificate::{SCHEMA, Scale, Solution};
 use soilctl_earth_pressure::{Case, LoadFactors};
 use soilctl_limit_analysis::results::Units;
-use soilctl_limit_analysis::{Bounds, EmbeddedPlate, LimitError, Problem};
+use soilctl_limit_analysis::{Bounds, EmbeddedPlate, EndLevel, LimitError, Problem};
 use soilctl_soil::{Angle, Interface, Plate, Soil};
 
 use super::Request;
+use super::end::{EndBudget, EndField, find_end};
 use crate::AppError;
 
 /// Stands in for a quantity that was not given, so that the others are checked all the same.
@@ -73,6 +74,11 @@ impl ScaledPlate {
         self.plate.problem()
     }
 
+    /// The same with ends, for a width over vertical depth.
+    pub(super) fn problem_with_ends(&self, width_ratio: f64) -> Result<Problem, LimitError> {
+        self.plate.problem_with_ends(self.slant_width(width_ratio))
+    }
+
     /// Lower and upper coefficient; rounding is outwards.
     pub(crate) fn coefficients(&self, bounds: &Bounds) -> [f64; 2] {
         self.of_forces([bounds.lower.value, bounds.upper.value])
@@ -89,6 +95,16 @@ impl ScaledPlate {
     /// Width in slant lengths of a plate with this width over vertical depth.
     pub(crate) fn slant_width(&self, width_ratio: f64) -> f64 {
         width_ratio * Angle::from_degrees(self.plate.alpha_deg).sin()
+    }
+
+    /// A stress field in space about the ends at a width over vertical depth, or why there is none.
+    pub(super) fn end(
+        &self,
+        width_ratio: f64,
+        budget: &EndBudget,
+        progress: &mut dyn FnMut(&EndLevel),
+    ) -> Result<EndField, String> {
+        find_end(&self.plate, self.slant_width(width_ratio), budget, progress)
     }
 
     /// The same plate, asked about by a force model, and the loads on it.
@@ -144,6 +160,7 @@ impl ScaledPlate {
             lower: Some(bounds.lower.claim()),
             upper: Some(bounds.upper.claim()),
             mechanism: None,
+            space: None,
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::limits::Budget;
 use crate::request::{Ends, Loads, finite};
 
 /// Proven lower and upper bounds on a plate's force, by limit analysis.
-#[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[serde(default)]
 pub struct Request {
     /// Tool angle from the horizontal (deg), 10 to 170
@@ -45,6 +45,12 @@ pub struct Request {
     #[arg(long, value_name = "WHICH", value_enum)]
     pub ends: Option<Ends>,
 
+    /// About how many tetrahedra the stress field about an end of a plate has, which bounds from below what ends add: more take longer
+    /// and narrow the bracket; 0 for none
+    #[arg(long, value_name = "N", default_value_t = Request::default().tetrahedra)]
+    #[schemars(range(min = 0, max = 10_000))]
+    pub tetrahedra: u32,
+
     #[command(flatten)]
     #[serde(flatten)]
     #[allow(missing_docs)]
@@ -58,4 +64,23 @@ pub struct Request {
     /// Saves the fields that prove the bounds, for `soilctl certify`
     #[arg(long, value_name = "FILE")]
     pub save: Option<PathBuf>,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self {
+            alpha_deg: 0.0,
+            phi_deg: 0.0,
+            delta_deg: 0.0,
+            density_kg_m3: None,
+            depth_m: None,
+            width_m: None,
+            width_ratio: None,
+            ends: None,
+            tetrahedra: 600,
+            loads: Loads::default(),
+            budget: Budget::default(),
+            save: None,
+        }
+    }
 }

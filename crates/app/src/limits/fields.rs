@@ -1,7 +1,11 @@
 //! The fields behind bounds, to look at.
 
-use soilctl_certificate::{LowerField, Mechanism, Statement, UpperField, show_mechanism};
-use soilctl_limit_analysis::results::{FlowResults, StressResults, Units, write_vtu};
+use soilctl_certificate::{
+    LowerField, Mechanism, ShownSpace, SpaceStress, Statement, UpperField, show_mechanism, show_space,
+};
+use soilctl_limit_analysis::results::{
+    FlowResults, StressResults, Units, write_blocks_vtu, write_space_vtu, write_vtu,
+};
 
 use crate::AppError;
 
@@ -18,6 +22,8 @@ pub struct Fields {
     pub title: String,
     /// Blocks in space behind the upper bound of a structure with ends, and where their vertices are: x, y across, z.
     pub blocks: Option<(Mechanism, Vec<[f64; 3]>)>,
+    /// The stresses about an end behind the lower bound of such a structure.
+    pub end: Option<ShownSpace>,
 }
 
 impl Fields {
@@ -34,6 +40,7 @@ impl Fields {
             units,
             title,
             blocks: None,
+            end: None,
         })
     }
 
@@ -41,6 +48,11 @@ impl Fields {
     pub(crate) fn with_blocks(self, statement: &Statement, mechanism: &Mechanism) -> Result<Self, AppError> {
         let places = show_mechanism(statement, mechanism)?;
         Ok(Self { blocks: Some((mechanism.clone(), places)), ..self })
+    }
+
+    /// The same with a stress field about an end.
+    pub(crate) fn with_end(self, statement: &Statement, stress: &SpaceStress) -> Result<Self, AppError> {
+        Ok(Self { end: Some(show_space(statement, stress)?), ..self })
     }
 
     /// The problem; that of both bounds has the same geometry.
@@ -59,6 +71,22 @@ impl Fields {
     /// [`AppError`] if there is no field.
     pub fn vtu(&self) -> Result<String, AppError> {
         Ok(write_vtu(self.flow.as_ref(), self.stress.as_ref(), &self.units)?)
+    }
+
+    /// What there is in space as further documents for ParaView, each with a word for its name: the `blocks` of the upper bound and
+    /// their velocities, and the stresses of the lower bound about an `end`.
+    ///
+    /// # Errors
+    /// [`AppError`] if a number cannot be written.
+    pub fn vtu_in_space(&self) -> Result<Vec<(&'static str, String)>, AppError> {
+        let mut files = Vec::new();
+        if let Some((mechanism, places)) = &self.blocks {
+            files.push(("blocks", write_blocks_vtu(mechanism, places, &self.units)?));
+        }
+        if let Some(stress) = &self.end {
+            files.push(("end", write_space_vtu(stress, &self.units)?));
+        }
+        Ok(files)
     }
 
     /// The mesh of the upper bound for gmsh (.msh).

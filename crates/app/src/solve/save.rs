@@ -35,6 +35,7 @@ fn write(
         lower: lower.map(Bound::claim),
         upper: upper.map(Bound::claim),
         mechanism: None,
+        space: None,
     };
     Ok(solution.write(path)?)
 }

@@ -1,7 +1,7 @@
 //! `soilctl bound`: proven bounds on the force of an embedded plate.
 
-use soilctl_app::bound::{self, Answer, Request, WidthAnswer};
-use soilctl_app::text::{columns, number};
+use soilctl_app::bound::{self, Answer, EndAnswer, Request, WidthAnswer};
+use soilctl_app::text::{columns, number, number_or_dash};
 use soilctl_app::{Answer as _, Outcome};
 
 use super::limits::{Show, level_table, results_text};
@@ -12,8 +12,8 @@ use crate::output::{Output, Words};
 #[command(
     after_help = "Both bounds are proven with interval arithmetic; the true force of the rigid-plastic soil with \
     associated flow lies between them. Coefficients are net and per slant length, K = 2 F / (gamma L^2 w). A plate that has a \
-    width has ends: a stress field beyond them bounds its force from below, blocks in space from above, and the gap asked for \
-    is that of plane strain. Exit code 3: the budget ended before the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
+    width has ends: a stress field in space about them bounds its force from below (upright plates on level ground, weight \
+    alone; otherwise one in plane strain), blocks in space from above, and the gap asked for is that of plane strain. Exit code 3: the budget ended before the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
 )]
 pub(crate) struct Args {
     #[command(flatten)]
@@ -42,6 +42,19 @@ fn over_width(rows: &[WidthAnswer]) -> String {
     columns(&cells)
 }
 
+/// What became of the stress field about the ends.
+fn end_text(end: &EndAnswer) -> String {
+    match (&end.why_none, end.lower) {
+        (Some(why), _) => format!("no stress field in space about the ends: {why}\n"),
+        (None, lower) => format!(
+            "stress field about an end: {} tetrahedra, {:.1} s, lower {}\n",
+            end.tetrahedra,
+            end.seconds,
+            number_or_dash(lower)
+        ),
+    }
+}
+
 impl Words for Answer {
     fn text(&self) -> String {
         let mut text = format!(
@@ -56,12 +69,15 @@ impl Words for Answer {
         text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
         if let Some(ratio) = self.width_ratio {
             text += &format!(
-                "per width of a plate {} times as wide as deep; lower by {}, upper by {}\n\n{}\n",
+                "per width of a plate {} times as wide as deep; lower by {}, upper by {}\n",
                 number(ratio),
                 self.lower_proof.words(),
                 self.upper_proof.words(),
-                over_width(&self.over_width)
             );
+            if let Some(end) = &self.end {
+                text += &end_text(end);
+            }
+            text += &format!("\n{}\n", over_width(&self.over_width));
         }
         text += &level_table(&self.levels);
         text += "\n";

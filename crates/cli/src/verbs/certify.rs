@@ -34,9 +34,21 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
 
 impl Words for Answer {
     fn text(&self) -> String {
-        let mut text = self.description.as_ref().map_or_else(String::new, |d| format!("{d}\n"));
+        let mut text = String::new();
         for (name, checked) in [("lower", &self.lower), ("upper", &self.upper)] {
             text += &checked.as_ref().map_or_else(String::new, |c| c.line(name));
+        }
+        let proven = [&self.lower, &self.upper].into_iter().flatten().all(|c| c.proven.is_some());
+        text += if proven {
+            "\nthey are bounds of this, as it was proven:\n"
+        } else {
+            "\nthe file states this:\n"
+        };
+        for said in &self.statement {
+            text += &format!("  {:<8} {}\n", said.of, said.says);
+        }
+        if let Some(title) = &self.description {
+            text += &format!("\nthe file calls it, which nothing proves: {title:?}\n");
         }
         for file in &self.files {
             text += &format!("written: {file}\n");

@@ -32,7 +32,8 @@ pub(crate) struct Show {
           help_heading = "Figures and files")]
     plot_kind: Kind,
 
-    /// Writes the solution for ParaView (.vtu): velocities, stresses, dissipation, soil
+    /// Writes the solution for ParaView (.vtu): velocities, stresses, dissipation, soil; for a plate with ends, blocks and stresses in
+    /// space too, in NAME.blocks.vtu and NAME.end.vtu
     #[arg(long, value_name = "FILE", help_heading = "Figures and files")]
     vtu: Option<PathBuf>,
 
@@ -84,13 +85,19 @@ impl Show {
         if let Some(path) = &self.plot {
             limits::save(path, self.plot_kind, fields, output.command())?;
         }
+        let mut in_space = Vec::new();
         if let Some(path) = &self.vtu {
             save(path, fields.vtu()?.as_bytes())?;
+            for (word, text) in fields.vtu_in_space()? {
+                let path = path.with_extension(format!("{word}.vtu"));
+                save(&path, text.as_bytes())?;
+                in_space.push(path);
+            }
         }
         if let Some(path) = &self.mesh {
             save(path, fields.msh()?.as_bytes())?;
         }
-        let written = [&self.plot, &self.vtu, &self.mesh].into_iter().flatten();
+        let written = [&self.plot, &self.vtu].into_iter().flatten().chain(&in_space).chain(&self.mesh);
         let mut files: Vec<String> = written.map(|path| path.display().to_string()).collect();
         if self.report.is_some() || self.figures.figures.is_some() {
             files.extend(pages::write(&mut page()?, self.report.as_deref(), &self.figures, output)?);

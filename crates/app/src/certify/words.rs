@@ -1,0 +1,156 @@
+//! What a statement says, in words: all of it is read from what is proven, nothing from what the file says of itself.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use soilctl_certificate::{Condition, LineUse, Linear, Material, Objective, Region, Scale, Statement};
+
+/// Most lines of one kind; of the others their number is told.
+const MOST: usize = 40;
+/// Most corners of a region that are listed.
+const CORNERS: usize = 12;
+
+/// One thing that a statement says.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Said {
+    /// What of: `soil`, `gravity`, `surface`, `line`, `width`, `bounded`, `units`.
+    pub of: &'static str,
+    /// What it says.
+    pub says: String,
+}
+
+/// The statement one thing after another: soils and where they are, what acts, what holds, what is bounded, units.
+pub(super) fn words(statement: &Statement, scale: &Scale) -> Vec<Said> {
+    let mut all = Vec::new();
+    let regions = statement.regions.iter().enumerate();
+    capped(&mut all, "soil", regions.map(|(i, region)| format!("number {i}, {}", soil(statement, region))));
+    let mut say = |of: &'static str, says: String| all.push(Said { of, says });
+    say("gravity", format!("{} along (x, y), times the unit weight", point(statement.gravity)));
+    say("surface", format!("pressure {}, level at y = {}", statement.surcharge, statement.datum));
+    let sides =
+        statement.boundaries.iter().map(|b| format!("{}: {}", side(statement, b.side()), held(b.condition)));
+    capped(&mut all, "line", sides);
+    let mut say = |of: &'static str, says: String| all.push(Said { of, says });
+    say(
+        "width",
+        match statement.width {
+            Some(width) => format!(
+                "the structure is {width} wide across the plane, and the soil goes on beyond its ends"
+            ),
+            None => "plane strain, the same for ever across the plane".to_owned(),
+        },
+    );
+    say("bounded", bounded(statement.objective));
+    let of_file = |value: Option<f64>, unit: &str| match value {
+        Some(value) => format!("{value} {unit} by the file"),
+        None => "of any size".to_owned(),
+    };
+    say(
+        "units",
+        format!(
+            "a length of 1 is {}, a unit weight of 1 is {}; no proof depends on that",
+            of_file(scale.length_m, "m"),
+            of_file(scale.unit_weight_n_per_m3, "N/m3")
+        ),
+    );
+    all
+}
+
+/// Adds things of one kind, and how many are left out.
+fn capped(all: &mut Vec<Said>, of: &'static str, says: impl ExactSizeIterator<Item = String>) {
+    let count = says.len();
+    all.extend(says.take(MOST).map(|says| Said { of, says }));
+    if count > MOST {
+        all.push(Said { of, says: format!("and {} more", count - MOST) });
+    }
+}
+
+/// Nobody needs to see that a zero is negative.
+fn point([x, y]: [f64; 2]) -> String {
+    format!("({}, {})", x + 0.0, y + 0.0)
+}
+
+/// Where a point is, or that there is none.
+fn place(statement: &Statement, index: usize) -> String {
+    statement.points.get(index).map_or_else(|| format!("point {index}, which is missing"), |p| point(*p))
+}
+
+fn soil(statement: &Statement, region: &Region) -> String {
+    let Material { phi_deg, cohesion, unit_weight, pore_pressure, tension } = region.material;
+    let mut text =
+        format!("friction {phi_deg} deg, cohesion {}, unit weight {unit_weight}", linear(cohesion));
+    if !pore_pressure.is_zero() {
+        text += &format!(", pore pressure {}", linear(pore_pressure));
+    }
+    if let Some(tension) = tension {
+        text += &format!(", no tension above {tension}");
+    }
+    let corners: Vec<usize> =
+        region.loops.iter().flatten().filter_map(|side| start(statement, *side)).collect();
+    if corners.len() <= CORNERS {
+        let places: Vec<String> = corners.iter().map(|&corner| place(statement, corner)).collect();
+        return format!("{text}; corners {}", places.join(" "));
+    }
+    let found = || corners.iter().filter_map(|&corner| statement.points.get(corner));
+    let span = |axis: usize| {
+        let values = || found().map(|p| p[axis]);
+        let [low, high] =
+            [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
+        format!("{low} to {high}")
+    };
+    format!("{text}; {} corners, x {}, y {}", corners.len(), span(0), span(1))
+}
+
+/// Where a side of a line starts.
+fn start(statement: &Statement, side: LineUse) -> Option<usize> {
+    statement.lines.get(side.line).map(|line| line.walked(side.forward)[0])
+}
+
+/// From where to where a side goes.
+fn side(statement: &Statement, side: LineUse) -> String {
+    match statement.lines.get(side.line) {
+        Some(line) => {
+            let [from, to] = line.walked(side.forward);
+            format!("left of {} to {}", place(statement, from), place(statement, to))
+        }
+        None => format!("line {}, which is missing", side.line),
+    }
+}
+
+fn linear(value: Linear) -> String {
+    let Linear { at_origin, gradient: [x, y] } = value;
+    if [x, y] == [0.0; 2] { at_origin.to_string() } else { format!("{at_origin} + {x} x + {y} y") }
+}
+
+fn held(condition: Condition) -> String {
+    match condition {
+        Condition::Free => "free, with the pressure on the surface".to_owned(),
+        Condition::Loaded { pressure: [a, b], shear: [s, t], live } => {
+            let kind = if live { "the load that is bounded" } else { "loaded" };
+            format!("{kind}: pressure {a} to {b}, shear {s} to {t}")
+        }
+        Condition::Fixed => "fixed".to_owned(),
+        Condition::Smooth => "fixed across, smooth along".to_owned(),
+        Condition::Far => "the soil goes on beyond".to_owned(),
+        Condition::Face { delta_deg, adhesion } => {
+            format!("face of the structure, friction {delta_deg} deg, adhesion {adhesion}")
+        }
+    }
+}
+
+fn bounded(objective: Objective) -> String {
+    match objective {
+        Objective::Structure { velocity } => {
+            format!(
+                "the force of the structure on the soil, times its velocity {}, per unit width",
+                point(velocity)
+            )
+        }
+        Objective::Loads => "the factor on the loads".to_owned(),
+        Objective::Body { gravity } => {
+            format!("the factor on a body force {} that is added, times the unit weight", point(gravity))
+        }
+        Objective::Everything => {
+            "the factor on all that acts, by which cohesion, adhesion and tension may be divided".to_owned()
+        }
+    }
+}
