@@ -207,7 +207,7 @@ fn saved(
 #[pyo3(signature = (
     *, tool_angle_deg, friction_angle_deg, interface_friction_deg, surface_slope_deg = 0.0, density_kg_m3 = None,
     depth_m = None, width_m = None, cohesion_pa = 0.0, adhesion_pa = 0.0, surcharge_pa = 0.0,
-    gravity_m_s2 = 9.80665, width_ratio = None, ends = None, tetrahedra = 600, max_gap = 0.01,
+    gravity_m_s2 = 9.80665, width_ratio = None, ends = None, tetrahedra = 400, max_gap = 0.01,
     max_elements = 20000, max_work = None, max_seconds = None, max_memory_mb = None, threads = 1,
     factorisation = "auto", progress = None,
 ))]

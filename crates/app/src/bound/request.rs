@@ -77,7 +77,7 @@ impl Default for Request {
             width_m: None,
             width_ratio: None,
             ends: None,
-            tetrahedra: 600,
+            tetrahedra: 400,
             loads: Loads::default(),
             budget: Budget::default(),
             save: None,
