@@ -95,7 +95,7 @@ const FAER_FROM: usize = 500_000;
 pub const SOLVER: &str = "Clarabel 0.11.1";
 
 /// How exactly a program is solved, relative to numbers of the order of one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Accuracy {
     /// Distance of the primal and the dual objective.
     pub gap: f64,

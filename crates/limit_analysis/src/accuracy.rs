@@ -6,8 +6,8 @@ use soilctl_conic::Accuracy;
 pub(crate) const FLOW: Accuracy =
     Accuracy { gap: 1e-5, feasibility: 1e-8, steps: 1e-10, regularisation: 1e-10 };
 
-/// For upper bounds that seem infeasible, or are not solved well enough for a proof: above 40 degrees of friction that may be the
-/// regularisation's doing. With less of it the last digits suffer, so this is no first choice.
+/// For upper bounds that seem infeasible: above 40 degrees of friction that may be the regularisation's doing. With less of
+/// it the last digits suffer, so this is no first choice.
 pub(crate) const FLOW_AGAIN: Accuracy = Accuracy { regularisation: 1e-12, ..FLOW };
 
 /// For lower bounds: what a stress field misses its cones by costs much of the bound. Their systems are also much worse

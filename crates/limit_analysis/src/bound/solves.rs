@@ -109,25 +109,22 @@ impl Run<'_> {
         let mut spent = Spent::default();
         for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
             let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            for accuracy in [accuracy::FLOW, accuracy::FLOW_AGAIN] {
-                let answer = self.solve(&upper.program, accuracy, "upper", needless)?;
+            let mut answer = self.solve(&upper.program, accuracy::FLOW, "upper", needless)?;
+            if answer.status == Status::Infeasible {
                 spent.add(&answer, mesh);
-                let start = Instant::now();
-                let field = upper.saved(mesh, &answer.x);
-                let (proven, uncovered) = proven(prove_upper(&self.problem.plane_statement(), &field));
-                let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
-                let settled = proven.is_some() || uncovered.is_some() || answer.status == Status::Stopped;
-                // Of a program that is solved, more accuracy makes nothing else.
-                let exact = answer.status == Status::Solved || accuracy == accuracy::FLOW_AGAIN;
-                // A tighter program is no more feasible.
-                let last = answer.status == Status::Infeasible || attempt + 1 == TIGHTENING.len();
-                if settled || exact && last {
-                    let velocity = VelocityField::new(&upper, &answer.x);
-                    return Ok((attempt, solve, field, velocity));
-                }
-                if exact {
-                    break;
-                }
+                answer = self.solve(&upper.program, accuracy::FLOW_AGAIN, "upper", needless)?;
+            }
+            spent.add(&answer, mesh);
+            let start = Instant::now();
+            let field = upper.saved(mesh, &answer.x);
+            let proof = prove_upper(&self.problem.plane_statement(), &field);
+            let (proven, uncovered) = proven(proof);
+            let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
+            // A tighter program is no more feasible.
+            let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
+            if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == TIGHTENING.len() {
+                let velocity = VelocityField::new(&upper, &answer.x);
+                return Ok((attempt, solve, field, velocity));
             }
         }
         Err(LimitError::nothing_proven(
