@@ -365,6 +365,7 @@ def bound(
     gravity_m_s2: float = 9.80665,
     width_ratio: float | None = None,
     ends: str | None = None,
+    tetrahedra: int = 400,
     max_gap: float = 0.01,
     max_elements: int = 20000,
     max_work: int | None = None,
@@ -392,6 +393,8 @@ def bound(
         adhesion_pa: Adhesion between soil and plate.
         surcharge_pa: Vertical pressure on the surface.
         gravity_m_s2: Gravity; by default the standard one.
+        tetrahedra: About how many tetrahedra the stress field about an end of an upright plate on level ground has, which bounds from
+            below what ends add to the force of soil with weight alone: more take longer and narrow the bracket; 0 for none.
         max_gap: Gap at which to stop.
         max_elements: Most elements of a mesh.
         max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every

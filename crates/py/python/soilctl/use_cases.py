@@ -23,6 +23,7 @@ __all__ = [
     "ArmUrdfAnswer",
     "BoundAnswer",
     "BoundContact",
+    "BoundEnd",
     "BoundInputs",
     "BoundLevel",
     "BoundResults",
@@ -31,6 +32,7 @@ __all__ = [
     "BoundWidth",
     "CertifyAnswer",
     "CertifyChecked",
+    "CertifySaid",
     "DemoAnswer",
     "DemoDelta",
     "DemoEachStroke",
@@ -401,6 +403,27 @@ class BoundContact(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class BoundEnd(Record):
+    """What became of the stress field in space about the ends of a plate.
+
+    Attributes:
+        lower: Lower bound on the net coefficient that it proves for the width asked for; null if there is none.
+        seconds: Time that it took in s; 0 if there is none.
+        tetrahedra: Tetrahedra of the field about one end; 0 if there is none.
+        why_none: Why there is none, in words; null if there is one.
+    """
+
+    lower: float | None
+    """Lower bound on the net coefficient that it proves for the width asked for; null if there is none."""
+    seconds: float
+    """Time that it took in s; 0 if there is none."""
+    tetrahedra: int
+    """Tetrahedra of the field about one end; 0 if there is none."""
+    why_none: str | None
+    """Why there is none, in words; null if there is one."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class BoundInputs(Record):
     """The inputs.
 
@@ -555,11 +578,11 @@ class BoundWidth(Record):
     """``(U - L) / ((U + L) / 2)``."""
     lower: float
     """Lower bound."""
-    lower_proof: Literal["plane", "splice", "mechanism"]
+    lower_proof: Literal["plane", "splice", "space", "mechanism"]
     """How the lower bound is proven."""
     upper: float
     """Upper bound."""
-    upper_proof: Literal["plane", "splice", "mechanism"]
+    upper_proof: Literal["plane", "splice", "space", "mechanism"]
     """How the upper bound is proven."""
     width_ratio: float | None
     """Width over vertical depth; null in plane strain."""
@@ -573,6 +596,7 @@ class BoundAnswer(Answer):
         schema: Id of this schema.
         version: Version of the program.
         certified: Whether both bounds are proven with interval arithmetic.
+        end: The stress field in space about the plate's ends; null in plane strain.
         ended: Why the run ended.
         ends: Whether the plate has ends.
         force_lower_n: Lower bound on the force in N; null without depth, width or density.
@@ -608,6 +632,8 @@ class BoundAnswer(Answer):
     """Version of the program."""
     certified: bool
     """Whether both bounds are proven with interval arithmetic."""
+    end: BoundEnd | None
+    """The stress field in space about the plate's ends; null in plane strain."""
     ended: Literal["gap", "time", "elements", "work", "memory", "stopped"]
     """Why the run ended."""
     ends: Literal["finite", "none"]
@@ -630,7 +656,7 @@ class BoundAnswer(Answer):
     """What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does
     not.
     """
-    lower_proof: Literal["plane", "splice", "mechanism"]
+    lower_proof: Literal["plane", "splice", "space", "mechanism"]
     """How the lower bound is proven."""
     over_width: list[BoundWidth]
     """The same plate at other widths, narrow to wide, and plane strain last; empty if it has no ends."""
@@ -650,7 +676,7 @@ class BoundAnswer(Answer):
     """Triangles of the mesh of the upper bound."""
     upper_factorisation: Literal["qdldl", "faer"]
     """The same of the upper bound."""
-    upper_proof: Literal["plane", "splice", "mechanism"]
+    upper_proof: Literal["plane", "splice", "space", "mechanism"]
     """How the upper bound is proven."""
     wedge_ahead: float
     """How far the moving soil reaches along the surface ahead of the plate's top; in the unit of ``results``."""
@@ -978,6 +1004,21 @@ class CertifyChecked(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class CertifySaid(Record):
+    """One thing that a statement says.
+
+    Attributes:
+        of: What of: ``soil``, ``gravity``, ``surface``, ``line``, ``width``, ``bounded``, ``units``.
+        says: What it says.
+    """
+
+    of: str
+    """What of: ``soil``, ``gravity``, ``surface``, ``line``, ``width``, ``bounded``, ``units``."""
+    says: str
+    """What it says."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class CertifyAnswer(Answer):
     """The answer of ``certify``.
 
@@ -985,9 +1026,10 @@ class CertifyAnswer(Answer):
         schema: Id of this schema.
         version: Version of the program.
         certified: Whether every claim in the file is proven.
-        description: What the problem is, in the words of the file.
+        description: What the file calls the problem, which nothing proves.
         files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
         lower: The lower bound; null if the file has none.
+        statement: What the bounds are of, read from the statement that was proven.
         upper: The upper bound; null if the file has none.
         width: Width of the structure in the units of the file, where its ends are part of the problem; null in
             plane strain.
@@ -1000,11 +1042,13 @@ class CertifyAnswer(Answer):
     certified: bool
     """Whether every claim in the file is proven."""
     description: str | None
-    """What the problem is, in the words of the file."""
+    """What the file calls the problem, which nothing proves."""
     files: list[str]
     """Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given."""
     lower: CertifyChecked | None
     """The lower bound; null if the file has none."""
+    statement: list[CertifySaid]
+    """What the bounds are of, read from the statement that was proven."""
     upper: CertifyChecked | None
     """The upper bound; null if the file has none."""
     width: float | None
@@ -3850,6 +3894,7 @@ def bound(
     width_m: float | None = None,
     width_ratio: float | None = None,
     ends: Literal["finite", "none"] | None = None,
+    tetrahedra: int = 400,
     cohesion_pa: float = 0.0,
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
@@ -3879,6 +3924,8 @@ def bound(
         width_ratio: Width over vertical depth, where neither is given in metres. Above 0.
         ends: Whether the plate has ends: ``finite`` for one with a width unless it is said otherwise, ``none`` for
             plane strain.
+        tetrahedra: About how many tetrahedra the stress field about an end of a plate has, which bounds from below
+            what ends add: more take longer and narrow the bracket; 0 for none. At least 0 and at most 10000.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
