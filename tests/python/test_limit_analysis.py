@@ -76,6 +76,45 @@ def test_the_soil_bears_the_stresses_and_they_are_in_principal_axes(vtu):
     assert (-least[deep] > 2).all()
 
 
+@pytest.fixture(scope="module")
+def ended(soilctl, tmp_path_factory):
+    """Meshes in space, and the answer, of a plate five times as wide as deep."""
+    folder = tmp_path_factory.mktemp("ended")
+    budget = ["--max-elements", 1000, "--max-gap", 0.2, "--tetrahedra", 200]
+    answer = soilctl.json("bound", *PLATE, *budget, "--width-ratio", 5, "--vtu", "plate.vtu", cwd=folder)
+    return [meshio.read(folder / f"plate.{word}.vtu") for word in ("blocks", "end")], answer
+
+
+def test_blocks_in_space_lift_the_weight_that_is_the_upper_bound(ended):
+    (mesh, _), answer = ended
+    triangles = mesh.cells_dict["triangle"]
+    # The volume inside closed facets, by Gauss; the other half of the plate lifts as much.
+    volumes = np.linalg.det(mesh.points[triangles]) / 6
+    lifted = 2 * abs((volumes * mesh.point_data["velocity"][triangles[:, 0], 2]).sum()) / 5
+    assert 2 * lifted / math.sin(math.radians(90 + 15)) == pytest.approx(answer["upper"], rel=1e-6)
+
+
+def test_the_stress_about_an_end_is_in_equilibrium_and_borne(ended):
+    (_, mesh), answer = ended
+    assert answer["lower_proof"] == "space"
+    tetrahedra = mesh.cells_dict["tetra"]
+    assert len(tetrahedra) == 4 * answer["end"]["tetrahedra"]
+    corners = mesh.points[tetrahedra]
+    ways = corners[:, 1:] - corners[:, :1]
+    size = mesh.points.max(axis=0) - mesh.points.min(axis=0)
+    assert np.abs(np.linalg.det(ways)).sum() / 6 == pytest.approx(size.prod(), rel=1e-9)
+    stress = mesh.point_data["stress"].reshape(-1, 3, 3)
+    assert stress == pytest.approx(stress.transpose(0, 2, 1), abs=1e-9)
+    # Tension is positive: the divergence is the weight, 1 along z, in each tetrahedron.
+    steps = stress[tetrahedra[:, 1:]] - stress[tetrahedra[:, :1]]
+    gradients = np.linalg.solve(ways, steps.reshape(-1, 3, 9)).reshape(-1, 3, 3, 3)
+    assert np.einsum("tjij->ti", gradients) == pytest.approx(np.tile([0, 0, 1.0], (len(ways), 1)), abs=1e-6)
+    pressures = np.linalg.eigvalsh(-stress)
+    assert (pressures[:, 2] <= 3 * pressures[:, 0] + 1e-9).all()
+    assert mesh.point_data["principal_minor"] == pytest.approx(pressures[:, 0], abs=1e-9)
+    assert mesh.point_data["principal_major"] == pytest.approx(pressures[:, 2], abs=1e-9)
+
+
 def test_soil_data_are_those_of_the_problem(vtu):
     assert set(vtu.cell_data["region"][0]) == {0}
     assert set(vtu.cell_data["phi_deg"][0]) == {30.0}

@@ -307,6 +307,7 @@ pub(crate) fn bound(
             let budget = EndBudget {
                 tetrahedra,
                 seconds: options.max_seconds.map(|all| all - bounds.seconds),
+                memory: options.max_memory_bytes,
                 stop: Arc::clone(&options.stop),
             };
             find_end(&embedded, ratio * degrees(tool_angle_deg).sin(), &budget, &mut |_| {})

@@ -111,6 +111,7 @@ impl Answer {
         let coefficient = plane_strain.upper / bounds.upper.value;
         let levels = bounds.levels.iter().map(|level| LevelAnswer::new(level, coefficient)).collect();
         let newtons = scaled.newtons();
+        let end_seconds = end.as_ref().map_or(0.0, |end| end.seconds);
         Self {
             lower,
             upper,
@@ -128,7 +129,7 @@ impl Answer {
             lower_factorisation: bounds.lower.factorisation,
             upper_factorisation: bounds.upper.factorisation,
             work: bounds.work,
-            seconds: bounds.seconds,
+            seconds: bounds.seconds + end_seconds,
             force_lower_n: newtons.map(|n| n * lower),
             force_upper_n: newtons.map(|n| n * upper),
             ended: bounds.ended,

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -18,6 +17,8 @@ pub struct EndBudget {
     pub tetrahedra: usize,
     /// Time that may be spent in s, if it is limited.
     pub seconds: Option<f64>,
+    /// Memory that may be used, in bytes.
+    pub memory: u64,
     /// Set to end the search.
     pub stop: Arc<AtomicBool>,
 }
@@ -29,9 +30,12 @@ pub struct EndField {
     pub claim: Claim<SpaceStress>,
     /// What it proves of plates of any width.
     pub force: EndForce,
-    /// Time that it took in s.
-    pub seconds: f64,
 }
+
+/// Memory in bytes that a search may need, and for each tetrahedron of it: more than the most measured (0.5 GB with 800, 1.5 GB with
+/// 3,000).
+const MEMORY: u64 = 150_000_000;
+const MEMORY_EACH: u64 = 600_000;
 
 /// What became of the stress field in space about the ends of a plate.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -40,22 +44,22 @@ pub struct EndAnswer {
     pub tetrahedra: usize,
     /// Lower bound on the net coefficient that it proves for the width asked for; null if there is none.
     pub lower: Option<f64>,
-    /// Time that it took in s; 0 if there is none.
+    /// Time spent on it in s, also if there is none.
     pub seconds: f64,
     /// Why there is none, in words; null if there is one.
     pub why_none: Option<String>,
 }
 
 impl EndAnswer {
-    pub(super) fn new(found: &Result<EndField, String>, scaled: &ScaledPlate) -> Self {
+    pub(super) fn new(found: &Result<EndField, String>, seconds: f64, scaled: &ScaledPlate) -> Self {
         match found {
             Ok(end) => Self {
                 tetrahedra: end.claim.field.tetrahedra.len(),
                 lower: Some(scaled.of_forces([end.claim.claimed; 2])[0]),
-                seconds: end.seconds,
+                seconds,
                 why_none: None,
             },
-            Err(why) => Self { tetrahedra: 0, lower: None, seconds: 0.0, why_none: Some(why.clone()) },
+            Err(why) => Self { tetrahedra: 0, lower: None, seconds, why_none: Some(why.clone()) },
         }
     }
 }
@@ -77,7 +81,14 @@ pub fn find_end(
     if budget.seconds.is_some_and(|left| left <= 0.0) {
         return Err("the time was up before".into());
     }
-    let start = Instant::now();
+    let needed = MEMORY + MEMORY_EACH * budget.tetrahedra as u64;
+    if needed > budget.memory {
+        return Err(format!(
+            "{} tetrahedra may need {} MB, more than allowed",
+            budget.tetrahedra,
+            needed / 1_000_000
+        ));
+    }
     let options = EndOptions {
         tetrahedra: budget.tetrahedra,
         max_seconds: budget.seconds,
@@ -90,7 +101,7 @@ pub fn find_end(
         .map_err(|why| format!("what was found is not proven: {why}"))?;
     let claimed =
         force.per_width(width).ok_or("the plate is not as wide as the field reaches from both ends")?;
-    Ok(EndField { claim: found.claim(claimed), force, seconds: start.elapsed().as_secs_f64() })
+    Ok(EndField { claim: found.claim(claimed), force })
 }
 
 /// Refuses plates that such fields are not for.

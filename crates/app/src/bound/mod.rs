@@ -12,10 +12,13 @@ pub use ends::{ProofKind, WidthAnswer, ratio_of_ends};
 pub(crate) use plate::ScaledPlate;
 pub use request::Request;
 
+use std::sync::Arc;
+use std::time::Instant;
+
 use ends::{Brackets, Mechanisms};
 
 use crate::limits::{self, Fields, ResultsAnswer};
-use crate::{AppError, Interrupted, Watch};
+use crate::{AppError, Watch};
 
 /// The answer, and the fields behind it.
 #[derive(Debug)]
@@ -42,20 +45,22 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     let options = request.budget.options(watch)?;
     let mechanisms = width_ratio.map(|ratio| Mechanisms::new(&scaled, &problem, ratio, watch)).transpose()?;
     let bounds = limits::bounds(&problem, &options, watch)?;
+    let start = Instant::now();
     let end = width_ratio.map(|ratio| {
         watch.begin(0, "stresses about the ends in space");
         let budget = EndBudget {
             tetrahedra: request.tetrahedra as usize,
             seconds: request.budget.max_seconds.map(|all| all - bounds.seconds),
-            stop: watch.stop(Interrupted::KeepsResults),
+            memory: options.max_memory_bytes,
+            stop: Arc::clone(&options.stop),
         };
         let found = scaled.end(ratio, &budget, &mut |level| {
             watch.say(&format!("{} tetrahedra", level.tetrahedra));
         });
         watch.end();
-        found
+        (found, start.elapsed().as_secs_f64())
     });
-    let field = end.as_ref().and_then(|found| found.as_ref().ok());
+    let field = end.as_ref().and_then(|(found, _)| found.as_ref().ok());
     let brackets = match &mechanisms {
         Some(mechanisms) => mechanisms.brackets(&scaled, &bounds, field),
         None => Brackets::plane(&scaled, &bounds),
@@ -83,7 +88,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
         Some(end) => fields.with_end(statement, &end.claim.field)?,
         None => fields,
     };
-    let end = end.map(|found| EndAnswer::new(&found, &scaled));
+    let end = end.map(|(found, seconds)| EndAnswer::new(&found, seconds, &scaled));
     let answer = Answer::new(request, &scaled, &bounds, (brackets, end), ResultsAnswer::new(&fields)?);
     Ok(Bounded { answer, fields })
 }

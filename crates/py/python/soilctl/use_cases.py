@@ -408,7 +408,7 @@ class BoundEnd(Record):
 
     Attributes:
         lower: Lower bound on the net coefficient that it proves for the width asked for; null if there is none.
-        seconds: Time that it took in s; 0 if there is none.
+        seconds: Time spent on it in s, also if there is none.
         tetrahedra: Tetrahedra of the field about one end; 0 if there is none.
         why_none: Why there is none, in words; null if there is one.
     """
@@ -416,7 +416,7 @@ class BoundEnd(Record):
     lower: float | None
     """Lower bound on the net coefficient that it proves for the width asked for; null if there is none."""
     seconds: float
-    """Time that it took in s; 0 if there is none."""
+    """Time spent on it in s, also if there is none."""
     tetrahedra: int
     """Tetrahedra of the field about one end; 0 if there is none."""
     why_none: str | None
