@@ -1,6 +1,5 @@
 //! Statements for which there is no proof here.
 
-use super::loads::{Loads, is_bare};
 use crate::CertificateError;
 use crate::problem::Problem;
 use crate::statement::Condition;
@@ -9,8 +8,8 @@ fn not_covered(line: usize, what: &'static str) -> CertificateError {
     CertificateError::NotCovered { place: format!("line {line}"), what }
 }
 
-/// Checks faces on soil without friction, and free sides of soil without cohesion.
-pub(super) fn check(problem: &Problem, loads: &Loads) -> Result<(), CertificateError> {
+/// Checks faces on soil without friction.
+pub(super) fn check(problem: &Problem) -> Result<(), CertificateError> {
     let statement = problem.statement;
     for boundary in &statement.boundaries {
         let side = boundary.side();
@@ -22,16 +21,6 @@ pub(super) fn check(problem: &Problem, loads: &Loads) -> Result<(), CertificateE
             }
             if delta_deg > 0.0 && frictionless {
                 return Err(not_covered(side.line, "interface friction on soil without friction"));
-            }
-        }
-        if is_bare(problem, boundary) {
-            if problem.walked(side).iter().any(|p| p[1] != statement.datum) {
-                return Err(not_covered(side.line, "a free side off the datum in soil without cohesion"));
-            }
-            // The reference may press there if the side is the lower one of heavier soil.
-            if !loads.is_at_rest_up_to(side) {
-                let what = "loads before or next to a free side of soil without cohesion";
-                return Err(not_covered(side.line, what));
             }
         }
     }

@@ -30,8 +30,10 @@ impl StressFunction<'_> {
             // `(f_y, -f_x) . velocity`.
             power + Interval::point(f64::from(count)) * slopes.cross(velocity) * Interval::point(-1.0)
         };
-        for (jet, count) in self.jets.iter().zip(at_copies).filter(|(_, count)| *count != 0) {
-            power = add(power, count, jet.slopes);
+        for (copy, count) in at_copies.into_iter().enumerate().filter(|(_, count)| *count != 0) {
+            let jet = self.jets[copy];
+            let at = self.tiling.position(self.field.copies[copy].vertex);
+            power = add(power, count, jet.slopes + self.surfaces.jet(jet.surface, at).1);
             of_gauges[jet.base] += count;
         }
         for (gauge, count) in of_gauges.into_iter().enumerate() {

@@ -5,10 +5,12 @@ use crate::fields::{Gradient, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::problem::{Problem, exists, finite};
 
-/// Value and slopes of the stress function at a vertex copy, beyond the affine function of the gauge `base`.
+/// Value and slopes of the stress function at a vertex copy, beyond the affine function of the gauge `base` and the polynomial of
+/// a surface.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LocalJet {
     pub(super) base: usize,
+    pub(super) surface: usize,
     pub(super) f: Interval,
     pub(super) slopes: Vector,
 }

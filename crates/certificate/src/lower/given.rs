@@ -14,12 +14,19 @@ use super::gauges::{Gauges, LocalJet};
 use super::joined::{Joined, joined};
 use super::loads::Station;
 use super::references::ReferenceStresses;
+use super::surfaces::AT_REST;
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::mesh::Side;
 use crate::problem::Problem;
 use crate::tiling::{Beyond, Tiling, fraction};
+
+fn not_the_one(copy: usize, line: usize) -> CertificateError {
+    let place = format!("vertex copy {copy} on line {line}");
+    let problem = "the slope across is not proven to be the one of this line of given shear";
+    CertificateError::BadField { place, problem }
+}
 
 /// Where the slope across joined lines is known.
 #[derive(Debug, Clone, Copy)]
@@ -141,9 +148,11 @@ impl<'a> GivenLines<'a> {
 
     /// `t . ref n` where the total shear stress is zero.
     fn rate(&self, given: GivenLine, line: usize, s: Interval) -> Interval {
-        if given.joined.far {
-            return Interval::ZERO;
-        }
+        if given.joined.far { Interval::ZERO } else { self.shear(given, line, s) }
+    }
+
+    /// `t . ref n`.
+    fn shear(&self, given: GivenLine, line: usize, s: Interval) -> Interval {
         let t = self.problem.direction(line);
         self.references.of(given.region).shear(self.problem.start(line) + t * s, t)
     }
@@ -178,6 +187,7 @@ impl<'a> GivenLines<'a> {
         stations: &[Option<Station>],
         apexes: &[bool],
         jets: &[LocalJet],
+        is_level: impl Fn(usize, Option<Station>) -> bool,
     ) -> Result<(), CertificateError> {
         for (copy, lines) in self.at.iter().enumerate() {
             for line in lines {
@@ -196,6 +206,15 @@ impl<'a> GivenLines<'a> {
                         };
                         is_origin || (zero(gauge) && jets[copy].slopes.dot(n).is_zero())
                     }
+                    // Beyond the polynomial, their slopes are vertical; and its slope along x is that of the gauge, where the line
+                    // meets the surface.
+                    Jet::Zero { base } | Jet::ManyApexes { base, .. } if jets[copy].surface != AT_REST => {
+                        let origin = self.origins[given.joined.first].known;
+                        let Known::Copy { station, gauge, .. } = origin else {
+                            return Err(not_the_one(copy, *line));
+                        };
+                        n.y.is_zero() && gauge == base && is_level(jets[copy].surface, station)
+                    }
                     Jet::Zero { base } => zero(base),
                     // Their slopes are vertical.
                     Jet::ManyApexes { base, .. } => n.y.is_zero() && zero(base),
@@ -206,12 +225,10 @@ impl<'a> GivenLines<'a> {
                     Jet::Free { .. } => false,
                 };
                 if !holds {
-                    let place = format!("vertex copy {copy} on line {line}");
-                    let problem = "the slope across is not proven to be the one of this line of given shear";
-                    return Err(CertificateError::BadField { place, problem });
+                    return Err(not_the_one(copy, *line));
                 }
-                // The stress of the function vanishes at an apex, so that of the reference must not shear.
-                if apexes[copy] && !self.rate(given, *line, s).is_zero() {
+                // The stress vanishes at an apex, and far lines bear the shear stress of the reference.
+                if apexes[copy] && given.joined.far && !self.shear(given, *line, s).is_zero() {
                     let (place, what) =
                         (format!("line {line}"), "shear stress of the reference at a surface");
                     return Err(CertificateError::NotCovered { place, what });

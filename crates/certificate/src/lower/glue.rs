@@ -2,6 +2,7 @@
 
 use super::ends;
 use super::loads::{Loads, Station, is_bare};
+use super::surfaces::along_free_side;
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::problem::Problem;
@@ -65,7 +66,12 @@ pub(super) fn check(
     }
     let at_rest = |copy: usize| is_at_rest(loads, stations[copy]);
     for (i, copies) in field.corners.iter().enumerate() {
-        check_apexes(field, *copies, &apexes, at_rest, || format!("triangle {i}"))?;
+        let along = |apex: usize, other: usize| match (stations[apex], stations[other]) {
+            (Some(apex), Some(other)) => along_free_side(problem, loads, apex, other),
+            _ => false,
+        };
+        let fits = |apex: usize, other: usize| along(apex, other) || (at_rest(apex) && at_rest(other));
+        check_apexes(field, *copies, &apexes, fits, || format!("triangle {i}"))?;
     }
     Ok((stations, apexes))
 }
@@ -97,12 +103,13 @@ fn are_branches(
     bases(here).is_some() && bases(there).is_some() && here.into_iter().zip(there).all(alike)
 }
 
-/// Checks that between branches no copy is next to an apex on a line of given shear: what its numbers mean may then differ
-/// between its twins.
+/// Checks that between branches no copy is next to an apex on a line of given shear, and that twins are relative to the polynomial
+/// of one surface: what numbers mean may else differ between twins.
 pub(super) fn check_branches(
     tiling: &Tiling,
     field: &LowerField,
     is_on_line: impl Fn(usize) -> bool,
+    surface: impl Fn(usize) -> usize,
 ) -> Result<(), CertificateError> {
     for side in tiling.sides() {
         let Beyond::Soil(other) = tiling.beyond(side) else { continue };
@@ -112,6 +119,9 @@ pub(super) fn check_branches(
         if here != [start, end] && here.into_iter().any(depends) {
             let what = "branches that part at a line of given shear next to a free surface";
             return Err(CertificateError::NotCovered { place: side.to_string(), what });
+        }
+        if here.map(&surface) != [start, end].map(&surface) {
+            return Err(bad(side.to_string(), "branches part at the surfaces of soil without cohesion"));
         }
     }
     Ok(())
@@ -126,12 +136,12 @@ fn is_at_rest(loads: &Loads, station: Option<Station>) -> bool {
 }
 
 /// Checks what a triangle with an apex needs: the coefficient next to each other corner on the edge to the apex must
-/// vanish, for all apexes.
+/// vanish beyond the surface's polynomial, for all apexes. It does on edges along sides without loads.
 fn check_apexes(
     field: &LowerField,
     copies: [usize; 3],
     apexes: &[bool],
-    at_rest: impl Fn(usize) -> bool,
+    fits: impl Fn(usize, usize) -> bool,
     place: impl Fn() -> String,
 ) -> Result<(), CertificateError> {
     for apex in copies.into_iter().filter(|c| apexes[*c]) {
@@ -139,8 +149,9 @@ fn check_apexes(
         for copy in copies {
             let suits = match field.copies[copy].jet {
                 Jet::Gauge { gauge: base } => {
-                    if !at_rest(copy) {
-                        let what = "a load on or next to a free side of soil without cohesion";
+                    if !fits(apex, copy) {
+                        let what =
+                            "a load that begins beside bare soil without cohesion, which bears none there";
                         return Err(CertificateError::NotCovered { place: place(), what });
                     }
                     base == gauge

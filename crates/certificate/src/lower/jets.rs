@@ -1,6 +1,7 @@
 use super::gauges::{Gauges, LocalJet};
 use super::given::GivenLines;
 use super::loads::{Loads, Station};
+use super::surfaces::{AT_REST, Surfaces};
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
@@ -78,7 +79,10 @@ pub(super) struct Maker<'a> {
     pub(super) stations: &'a [Option<Station>],
     pub(super) gauges: &'a Gauges<'a>,
     pub(super) given: &'a GivenLines<'a>,
+    pub(super) surfaces: &'a Surfaces<'a>,
 }
+
+const UPWARDS: Vector = Vector { x: Interval::ZERO, y: Interval::ONE };
 
 fn bad(copy: usize, problem: &'static str) -> CertificateError {
     CertificateError::BadField { place: format!("vertex copy {copy}"), problem }
@@ -91,22 +95,25 @@ impl Maker<'_> {
     }
 
     fn jet(&self, copy: usize) -> Result<LocalJet, CertificateError> {
+        let surface = self.surfaces.of_copy(copy);
         let (base, f, slopes) = match self.field.copies[copy].jet {
             Jet::Gauge { gauge: base } => {
                 let (f, slopes) =
                     self.stations[copy].map_or((Interval::ZERO, Vector::ZERO), |at| self.loads.jet(at));
-                return Ok(LocalJet { base, f, slopes });
+                return Ok(LocalJet { base, surface: AT_REST, f, slopes });
             }
             Jet::Zero { base } => (base, 0.0, Vector::ZERO),
             Jet::Free { base, f, fx, fy } => (base, f, Vector::point([fx, fy])),
             Jet::OneApex { base, apex, f, turn } => (base, f, self.one_apex(copy, base, apex, [f, turn])?),
             Jet::ManyApexes { base, f } => {
-                let depth = self.position(copy).y - Interval::point(self.problem.statement.datum);
-                if !depth.is_not_zero() {
-                    return Err(bad(copy, "it is next to apexes at the datum and itself not away from it"));
+                let p = self.position(copy);
+                let height = p.y - Interval::point(self.problem.statement.datum);
+                let from_side = self.surfaces.from_side(surface, p);
+                let (n, away) = from_side.map_or((UPWARDS, height), |(t, e)| (t.turned(), e * t.square()));
+                if !away.is_not_zero() {
+                    return Err(bad(copy, "it is next to a surface and itself not away from it"));
                 }
-                let y = Interval::point(3.0) * Interval::point(f) / depth;
-                (base, f, Vector { x: Interval::ZERO, y })
+                (base, f, n * (Interval::point(3.0) * Interval::point(f) / away))
             }
             Jet::OneLine { line, f, along } => {
                 let n = self.problem.direction(line).turned();
@@ -116,7 +123,7 @@ impl Maker<'_> {
             }
             Jet::TwoLines { f } => (0, f, self.two_lines(copy)?),
         };
-        Ok(LocalJet { base, f: f.into(), slopes })
+        Ok(LocalJet { base, surface, f: f.into(), slopes })
     }
 
     fn position(&self, copy: usize) -> Vector {
@@ -157,7 +164,9 @@ impl Maker<'_> {
                 return Err(bad(copy, "it is next to itself"));
             }
             let t = self.problem.direction(line);
+            let (_, less) = self.surfaces.jet(self.surfaces.of_copy(copy), self.position(copy));
             let across = self.across(copy, line, base)?;
+            let across = if less.is_zero() { across } else { across - less.dot(t.turned()) };
             return Ok(t * (along / (s * t.square())) + t.turned() * (across / t.square()));
         }
         let r = self.position(copy) - self.position(apex);

@@ -17,10 +17,10 @@ use crate::tiling::{Beyond, OnLine, Tiling};
 
 /// One side of a run.
 #[derive(Debug, Clone, Copy)]
-struct Stretch {
-    side: LineUse,
+pub(super) struct Stretch {
+    pub(super) side: LineUse,
     /// From its start to its end.
-    along: Vector,
+    pub(super) along: Vector,
     /// `T` at its start and end.
     tractions: [Vector; 2],
     /// Value and slopes of the particular function at its start.
@@ -29,17 +29,17 @@ struct Stretch {
 }
 
 impl Stretch {
-    fn traction(&self, s: Interval) -> Vector {
+    pub(super) fn traction(&self, s: Interval) -> Vector {
         let [first, last] = self.tractions;
         first * (Interval::ONE - s) + last * s
     }
 
     /// `T` is linear: its mean up to `s` is that of its ends.
-    fn slopes_at(&self, s: Interval) -> Vector {
+    pub(super) fn slopes_at(&self, s: Interval) -> Vector {
         self.slopes + (self.tractions[0] + self.traction(s)).turned() * s.half()
     }
 
-    fn value_at(&self, s: Interval) -> Interval {
+    pub(super) fn value_at(&self, s: Interval) -> Interval {
         let twice = self.tractions[0] + (self.tractions[0] + self.traction(s));
         let bend = twice.turned().dot(self.along) * s.square() / Interval::point(6.0);
         self.value + s * self.slopes.dot(self.along) + bend
@@ -106,11 +106,23 @@ impl Loads {
         self.numbers.get(&side).map(|(run, _)| *run)
     }
 
-    /// Whether no more than the reference's tractions act on the sides of a run up to this one, and on the next one.
+    /// What is known of a side.
+    pub(super) fn stretch(&self, side: LineUse) -> Option<Stretch> {
+        self.numbers.get(&side).map(|(run, number)| self.runs[*run][*number])
+    }
+
+    /// The sides that a place is on: two where one ends and the next one starts.
+    pub(super) fn sides_at(&self, at: Station) -> Vec<LineUse> {
+        let before = at.number.checked_sub(1).filter(|_| at.s.is_none());
+        let numbers = before.into_iter().chain([at.number]);
+        numbers.filter_map(|number| self.runs[at.run].get(number)).map(|stretch| stretch.side).collect()
+    }
+
+    /// Whether no more than the reference's tractions act on the sides of a run up to this one.
     pub(super) fn is_at_rest_up_to(&self, side: LineUse) -> bool {
         let zero = |v: &Vector| v.x.is_zero() && v.y.is_zero();
         self.numbers.get(&side).is_some_and(|(run, number)| {
-            self.runs[*run].iter().take(number + 2).all(|stretch| stretch.tractions.iter().all(zero))
+            self.runs[*run].iter().take(number + 1).all(|stretch| stretch.tractions.iter().all(zero))
         })
     }
 

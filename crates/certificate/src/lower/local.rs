@@ -5,7 +5,8 @@ use crate::mesh::Side;
 use crate::tiling::{Beyond, after};
 
 impl StressFunction<'_> {
-    /// The local values of a triangle's element, less some affine function, which carries no stress.
+    /// The local values of a triangle's element, less the polynomial of its surface and some affine function, which carries no
+    /// stress. At apexes nothing is left.
     ///
     /// Values that are stored relative to a gauge stay as they are if that gauge is what is taken away. In a triangle
     /// without an apex also the affine function that touches at corner 0 is taken away: what is left is small, and so
@@ -16,20 +17,25 @@ impl StressFunction<'_> {
         let apex = copies.map(|copy| self.apexes[copy]);
         // Next to an apex, all have the base of the apex.
         let frame = copies.map(|copy| self.jets[copy].base).into_iter().max().unwrap_or(0);
-        let mut f = [0, 1, 2].map(|k| {
+        let surface = self.surfaces.of_triangle(triangle);
+        let mut f = [Interval::ZERO; 3];
+        let mut slopes = [Vector::ZERO; 3];
+        for k in (0..3).filter(|k| !apex[*k]) {
             let jet = self.jets[copies[k]];
-            jet.f + self.gauges.value(jet.base, frame, corners[k])
-        });
-        let mut slopes = copies.map(|copy| {
-            let jet = self.jets[copy];
-            jet.slopes + self.gauges.gradient(jet.base, frame)
-        });
+            let (more, steeper) = self.surfaces.beyond(jet.surface, surface, corners[k]);
+            f[k] = jet.f + self.gauges.value(jet.base, frame, corners[k]) + more;
+            slopes[k] = jet.slopes + self.gauges.gradient(jet.base, frame) + steeper;
+        }
         let mut across = [0, 1, 2].map(|k| {
             if apex[after(k, 1)] || apex[after(k, 2)] {
                 return Interval::ZERO;
             }
-            let edge = corners[after(k, 2)] - corners[after(k, 1)];
-            self.slope(Side { triangle, corner: k }, frame, edge.turned())
+            let [a, b] = [corners[after(k, 1)], corners[after(k, 2)]];
+            let n = (b - a).turned();
+            let slope = self.slope(Side { triangle, corner: k }, frame, n);
+            let middle = Vector { x: (a.x + b.x).half(), y: (a.y + b.y).half() };
+            let (_, less) = self.surfaces.jet(surface, middle);
+            if less.is_zero() { slope } else { slope - less.dot(n) }
         });
         if apex == [false; 3] {
             let (value, slope) = (f[0], slopes[0]);

@@ -16,6 +16,7 @@ mod local;
 mod overburden;
 mod references;
 mod strength;
+mod surfaces;
 #[cfg(test)]
 mod tests;
 
@@ -31,10 +32,11 @@ use body_force::BodyForce;
 use gauges::{Gauges, LocalJet};
 use given::GivenLines;
 use jets::Maker;
-use loads::Loads;
+use loads::{Loads, Station};
 use overburden::Overburden;
 use references::ReferenceStresses;
 use strength::Divisor;
+use surfaces::Surfaces;
 
 /// Proves a lower bound: on the force that the soil can resist times the structure's velocity, or on the factor of the
 /// [objective](Objective).
@@ -107,7 +109,7 @@ impl Setting {
         let body_force = BodyForce::new(problem.statement, field);
         let references = ReferenceStresses::new(problem, &body_force)?;
         let loads = Loads::new(problem, &references, field)?;
-        covered::check(problem, &loads)?;
+        covered::check(problem)?;
         let overburden = Overburden::new(problem, &references, &body_force)?;
         let divisor = Divisor::new(problem.statement, field)?;
         let splice = Splice::new(problem)?;
@@ -127,6 +129,7 @@ struct StressFunction<'a> {
     field: &'a LowerField,
     gauges: Gauges<'a>,
     given: GivenLines<'a>,
+    surfaces: Surfaces<'a>,
     /// Values and slopes of the vertex copies.
     jets: Vec<LocalJet>,
     /// For each vertex copy, whether the stress vanishes there, to the first order of its distance.
@@ -146,11 +149,23 @@ impl<'a> StressFunction<'a> {
         let (stations, apexes) = glue::check(problem, tiling, field, loads)?;
         let given =
             GivenLines::new(problem, references, tiling, field, &stations, |station| loads.jet(station).1)?;
-        let maker =
-            Maker { problem, tiling, field, loads, stations: &stations, gauges: &gauges, given: &given };
+        let surfaces = Surfaces::new(problem, references, loads, tiling, field, &stations, &apexes)?;
+        let maker = Maker {
+            problem,
+            tiling,
+            field,
+            loads,
+            stations: &stations,
+            gauges: &gauges,
+            given: &given,
+            surfaces: &surfaces,
+        };
         let jets = maker.jets()?;
-        glue::check_branches(tiling, field, |copy| !given.at(copy).is_empty())?;
-        given.check(field, &gauges, &stations, &apexes, &jets)?;
+        let surface = |copy: usize| surfaces.of_copy(copy);
+        glue::check_branches(tiling, field, |copy| !given.at(copy).is_empty(), surface)?;
+        let level =
+            |surface: usize, station: Option<Station>| surfaces.is_level_from(surface, station, loads);
+        given.check(field, &gauges, &stations, &apexes, &jets, level)?;
         let (divisor, splice) = (*divisor, *splice);
         Ok(Self {
             problem,
@@ -163,6 +178,7 @@ impl<'a> StressFunction<'a> {
             field,
             gauges,
             given,
+            surfaces,
             jets,
             apexes,
         })

@@ -78,6 +78,20 @@ impl ReferenceStresses {
     pub(super) fn same(&self, a: usize, b: usize) -> bool {
         self.parts[a].layers == self.parts[b].layers
     }
+
+    /// Whether the reference of a region is the base all along a line with these ends, or at a point if they are one: it has no
+    /// column part, or one that starts there.
+    pub(super) fn is_base_at(&self, region: usize, ends: [[f64; 2]; 2]) -> bool {
+        match self.parts[region].layers.as_slice() {
+            [] => true,
+            [Layer { top: [from, to], .. }] if from == to => ends.iter().all(|p| p[1] == from[1]),
+            [Layer { top: [from, to], .. }] => {
+                let is_top = ends == [*from, *to] || ends == [*to, *from];
+                is_top || ends == [*from; 2] || ends == [*to; 2]
+            }
+            _ => false,
+        }
+    }
 }
 
 /// The column parts of all regions, from the top downwards.

@@ -1,5 +1,6 @@
 use super::StressFunction;
 use super::element::NodeStresses;
+use super::surfaces::AT_REST;
 use crate::CertificateError;
 use crate::ends::{Splice, SpliceLimit};
 use crate::fields::LowerField;
@@ -129,11 +130,17 @@ impl StressFunction<'_> {
 
     /// Total stresses at the nodes of a triangle.
     pub(super) fn stresses(&self, triangle: usize) -> NodeStresses {
-        let reference = self.references.of(self.tiling.region(triangle));
+        let (region, surface) = (self.tiling.region(triangle), self.surfaces.of_triangle(triangle));
+        let apex = self.field.corners[triangle].map(|copy| self.apexes[copy]);
         let mut stresses = self.local(triangle).stresses();
         for (k, part) in stresses.iter_mut().enumerate() {
-            for (stress, p) in part.iter_mut().zip(self.nodes(triangle, k)) {
-                let more = reference.at(p);
+            for (node, (stress, p)) in part.iter_mut().zip(self.nodes(triangle, k)).enumerate() {
+                // Exactly, which arithmetic would not show.
+                if surface != AT_REST && node < 2 && apex[after(k, 1 + node)] {
+                    *stress = Stress::ZERO;
+                    continue;
+                }
+                let more = self.surfaces.stress(surface, region, p);
                 stress.xx = stress.xx + more.xx;
                 stress.yy = stress.yy + more.yy;
                 stress.xy = stress.xy + more.xy;

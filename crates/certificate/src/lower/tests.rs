@@ -109,9 +109,9 @@ fn rules_of_construction_are_checked() {
     let length = refused(|_, f| f.lines.clear());
     assert!(matches!(length, CertificateError::Length { .. }), "{length}");
     let tilted = refused(|s, _| s.points[0][1] = 0.1);
-    assert!(matches!(tilted, CertificateError::NotCovered { .. }), "{tilted}");
+    assert!(matches!(tilted, CertificateError::BadField { .. }), "{tilted}");
     let face = refused(|s, _| s.boundaries[0].condition = Condition::Free);
-    assert!(matches!(face, CertificateError::NotCovered { .. }), "{face}");
+    assert!(matches!(face, CertificateError::BadField { .. }), "{face}");
     let heavy = refused(|s, _| s.regions[0].loops[0].push(LineUse { line: 0, forward: false }));
     assert!(matches!(heavy, CertificateError::BadStatement { .. }), "{heavy}");
 }

@@ -89,7 +89,15 @@ impl ReferenceStress {
         self.datum - p.y
     }
 
-    fn column_at(&self, p: Vector) -> Interval {
+    /// How it changes from a point to one that is `step` away.
+    pub(crate) fn change(&self, step: Vector) -> Stress {
+        let down = -step.y;
+        let Stress { xx, yy, xy } = self.gradient;
+        let column = self.column.map_or(Interval::ZERO, |column| column.gradient.dot(step));
+        Stress { xx: xx * down, yy: yy * down + column, xy: xy * down }
+    }
+
+    pub(crate) fn column_at(&self, p: Vector) -> Interval {
         self.column.map_or(Interval::ZERO, |column| column.at(p))
     }
 
