@@ -3,6 +3,7 @@
 use super::run::{FIRST, Run};
 use crate::adapt::wanted_sizes;
 use crate::error::LimitError;
+use crate::lower::apart;
 use crate::mesh::{Fan, Guide, Mesh, Request, SizeField, generate};
 use crate::topology::Topology;
 
@@ -17,11 +18,12 @@ impl Run<'_> {
         // Until shares are known, all of it gets finer.
         let finer = (FIRST / target).sqrt();
         let first = |p: [f64; 2]| finer * self.begin.size(p);
-        let of = |(m, shares): &(usize, Vec<f64>)| {
-            wanted_sizes(&self.meshes[*m].0, shares, target as usize, self.begin.largest)
+        let of = |(mesh, shares): &(Mesh, Vec<f64>)| {
+            wanted_sizes(mesh, shares, target as usize, self.begin.largest)
         };
         let later = self.shares.as_ref().map(of).transpose()?;
         let later = later.as_ref().map(|field: &SizeField| |p: [f64; 2]| field.size(p));
+        let slides = |p: [f64; 2]| self.begin.slides.iter().map(|s| s.size(p)).fold(f64::INFINITY, f64::min);
         let size: &dyn Fn([f64; 2]) -> f64 = match &later {
             Some(size) => size,
             None => &first,
@@ -30,17 +32,23 @@ impl Run<'_> {
             statement: self.problem.statement(),
             guides,
             fans,
-            size,
+            size: &|p| size(p).min(slides(p)),
             // The size field asks for about the target; the fans come on top.
             max_triangles: 4 * self.options.max_elements + 10_000,
         })?;
+        let mesh = apart(self.problem, mesh);
         let topology = Topology::new(&mesh);
         Ok((mesh, topology))
     }
 
     /// A mesh for the lower bound, as fine as that of a level, where it differs.
     pub(super) fn lower_mesh(&self, level: usize) -> Result<Option<(Mesh, Topology)>, LimitError> {
-        let Some(fans) = self.begin.lower_fans(level) else { return Ok(None) };
+        let fans = match self.begin.lower_fans(level) {
+            Some(fans) => fans,
+            // That of the upper bound is cut.
+            None if !self.begin.slides.is_empty() => self.begin.fans(level),
+            None => return Ok(None),
+        };
         let target = if level == 0 { FIRST } else { self.meshes[level].0.triangles.len() as f64 };
         Ok(Some(self.mesh(target, &fans, &self.guides)?))
     }

@@ -7,11 +7,12 @@ use super::given::{Across, Touching, slopes_across};
 use super::loads;
 use super::reference::ReferenceStress;
 use super::split_vertices::{Meeting, SplitVertices};
+use super::surfaces::Surfaces;
 use super::unknown_jet::UnknownJet;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
-use crate::vector::{Point, between, distance, turned};
+use crate::vector::{Point, between, distance, midpoint, turned};
 
 /// The unknown stress function.
 #[derive(Debug)]
@@ -23,6 +24,7 @@ pub(crate) struct StressFunction {
     jets: Vec<[Form; 3]>,
     /// SplitVertices at which all stress vanishes.
     pub(crate) apex: Vec<bool>,
+    pub(crate) surfaces: Surfaces,
     /// The slope across the middle of each triangle edge along the turned edge vector, apart from the affine function
     /// of the gauge named.
     slopes: Vec<[(usize, Form); 3]>,
@@ -154,13 +156,14 @@ impl StressFunction {
         let far = problem.statement().boundaries.iter().any(|b| b.condition == Condition::Far);
         let far_stress = far.then(|| program.unknown());
         let jets = shapes.iter().map(UnknownJet::jet).collect();
-        let SplitVertices { corners, vertex_of, apex, .. } = copies;
+        let SplitVertices { corners, vertex_of, apex, surfaces, .. } = copies;
         Self {
             corners,
             vertex_of,
             shapes,
             jets,
             apex,
+            surfaces,
             slopes,
             gauges,
             gradients,
@@ -177,14 +180,21 @@ impl StressFunction {
     }
 
     /// Slopes at a triangle corner, in full.
-    pub(crate) fn gradient(&self, triangle: usize, corner: usize) -> [Form; 2] {
+    pub(crate) fn gradient(&self, triangle: usize, corner: usize, at: Point) -> [Form; 2] {
         let copy = self.corners[triangle][corner];
         let [_, gx, gy] = &self.gauges[self.shapes[copy].base()];
         let [_, fx, fy] = &self.jets[copy];
-        [fx.clone().plus(1.0, gx), fy.clone().plus(1.0, gy)]
+        let slopes = [fx.clone().plus(1.0, gx), fy.clone().plus(1.0, gy)];
+        match self.surfaces.jet(self.surfaces.of_copy[copy], at) {
+            Some([_, qx, qy]) => {
+                let [x, y] = slopes;
+                [x.plus(1.0, &qx), y.plus(1.0, &qy)]
+            }
+            None => slopes,
+        }
     }
 
-    /// The twelve local values of a triangle's element, up to an affine function.
+    /// The twelve local values of a triangle's element, up to an affine function and beyond the polynomial of its surface.
     pub(crate) fn local(&self, triangle: usize, corners: &[Point; 3]) -> [Form; 12] {
         let copies = self.corners[triangle];
         let frame = copies.iter().map(|c| self.shapes[*c].base()).find(|b| *b != 0).unwrap_or(0);
@@ -197,10 +207,13 @@ impl StressFunction {
         };
         for k in 0..3 {
             let moved = shift(self.shapes[copies[k]].base(), corners[k]);
+            let beyond = self.surfaces.beyond(copies[k], triangle, corners[k]);
             for i in 0..3 {
-                local[3 * k + i] = self.jets[copies[k]][i].clone();
-                if let Some(moved) = &moved {
-                    local[3 * k + i].add(1.0, &moved[i]);
+                if !self.apex[copies[k]] {
+                    local[3 * k + i] = self.jets[copies[k]][i].clone();
+                    for more in [&moved, &beyond].into_iter().flatten() {
+                        local[3 * k + i].add(1.0, &more[i]);
+                    }
                 }
             }
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);
@@ -213,6 +226,11 @@ impl StressFunction {
                 let n = turned([corners[b][0] - corners[a][0], corners[b][1] - corners[a][1]]);
                 local[9 + k].add(n[0], &moved[1]);
                 local[9 + k].add(n[1], &moved[2]);
+            }
+            if let Some([_, qx, qy]) = self.surfaces.of_triangle(triangle, midpoint(corners[a], corners[b])) {
+                let n = turned(between(corners[a], corners[b]));
+                local[9 + k].add(-n[0], &qx);
+                local[9 + k].add(-n[1], &qy);
             }
         }
         local

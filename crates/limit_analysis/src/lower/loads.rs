@@ -57,6 +57,35 @@ impl Loads {
         Some(self.sides.get(&side)?.run)
     }
 
+    /// The sides at a place on a side: it and, where it starts or ends, the one before or after.
+    pub(crate) fn sides_at(&self, side: LineUse, is_start: bool, is_end: bool) -> Vec<LineUse> {
+        let Some(run) = self.run(side) else { return Vec::new() };
+        let sides = &self.runs[run].sides;
+        let place = sides.iter().position(|other| *other == side).unwrap_or(0);
+        let before = place.checked_sub(1).filter(|_| is_start);
+        let after = Some(place + 1).filter(|next| is_end && *next < sides.len());
+        before.into_iter().chain([place]).chain(after).map(|i| sides[i]).collect()
+    }
+
+    /// Whether no more than the reference's tractions act on the sides of a run up to this one.
+    pub(crate) fn is_at_rest_up_to(&self, side: LineUse) -> bool {
+        let Some(run) = self.run(side) else { return false };
+        let mut sides = self.runs[run].sides.iter();
+        let up_to = sides.position(|other| *other == side).unwrap_or(0);
+        let zero = |f: &Form| f.constant == 0.0 && f.terms.iter().all(|t| t.1 == 0.0);
+        self.runs[run].sides[..=up_to]
+            .iter()
+            .all(|side| self.sides.get(side).is_some_and(|s| s.traction.iter().flatten().all(zero)))
+    }
+
+    /// Value, slopes and traction, beyond the run's affine function, at a fraction of the way along a side or beyond its ends.
+    pub(crate) fn beyond(&self, side: LineUse, s: f64) -> (Form, [Form; 2], [Form; 2]) {
+        let zero = || [Form::default(), Form::default()];
+        let Some(this) = self.sides.get(&side) else { return (Form::default(), zero(), zero()) };
+        let (value, slopes) = this.at(s);
+        (value, slopes, this.mixed(1.0 - s, s))
+    }
+
     /// Value and slopes, beyond the run's affine function, at a fraction of the line itself.
     pub(crate) fn at(&self, side: LineUse, s: f64) -> [Form; 3] {
         let Some(this) = self.sides.get(&side) else {
@@ -107,16 +136,18 @@ impl Side {
         Self { run, along, start, traction }
     }
 
+    /// The tractions of start and end, so much of each.
+    fn mixed(&self, a: f64, b: f64) -> [Form; 2] {
+        let [t0, t1] = &self.traction;
+        std::array::from_fn(|i| Form::default().plus(a, &t0[i]).plus(b, &t1[i]))
+    }
+
     /// Value and slopes at a fraction of the side: tractions add up to the change of the slopes, turned.
     fn at(&self, s: f64) -> (Form, [Form; 2]) {
-        let [t0, t1] = &self.traction;
-        let mixed = |a: f64, b: f64| -> [Form; 2] {
-            std::array::from_fn(|i| Form::default().plus(a, &t0[i]).plus(b, &t1[i]))
-        };
         // With T(s) = (1 - s) T0 + s T1.
-        let [dx, dy] = left(&mixed(s - s * s / 2.0, s * s / 2.0));
+        let [dx, dy] = left(&self.mixed(s - s * s / 2.0, s * s / 2.0));
         let slopes = [self.start.1[0].clone().plus(1.0, &dx), self.start.1[1].clone().plus(1.0, &dy)];
-        let bent = left(&mixed(s * s / 2.0 - s * s * s / 6.0, s * s * s / 6.0));
+        let bent = left(&self.mixed(s * s / 2.0 - s * s * s / 6.0, s * s * s / 6.0));
         let value =
             self.start.0.clone().plus(s, &dot(self.along, &self.start.1)).plus(1.0, &dot(self.along, &bent));
         (value, slopes)

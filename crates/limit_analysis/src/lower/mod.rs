@@ -3,6 +3,7 @@
 //! Stresses are second derivatives of an Airy stress function with continuous slopes, so that equilibrium holds whatever the
 //! unknowns are, and only yield is left to the cones of the program.
 
+mod apart;
 mod branches;
 pub(crate) mod dofs;
 mod far;
@@ -12,6 +13,7 @@ pub(crate) mod macro_element;
 mod reference;
 mod splice;
 mod split_vertices;
+pub(crate) mod surfaces;
 #[cfg(test)]
 pub(crate) mod tests;
 mod unknown_jet;
@@ -19,6 +21,7 @@ mod unknown_jet;
 use soilctl_certificate::{Condition, LowerField, Objective};
 use soilctl_conic::{Cone, Form, Program};
 
+pub(crate) use apart::apart;
 use dofs::StressFunction;
 use macro_element::{Curvature, curvatures};
 use reference::ReferenceStress;
@@ -106,7 +109,8 @@ pub(crate) fn node_stresses(
                 return None;
             }
             let at = if node < 2 { v[corner] } else { centroid(&v) };
-            Some(stress(&curvature[k][node], &local, &reference.at(region, at)))
+            let rest = function.surfaces.stress(reference, triangle, region, at);
+            Some(stress(&curvature[k][node], &local, &rest))
         })
     })
 }
@@ -233,8 +237,8 @@ impl Lower {
         [a, b]: [usize; 2],
         v: &[Point; 3],
     ) {
-        let [ax, ay] = self.function.gradient(triangle, a);
-        let [bx, by] = self.function.gradient(triangle, b);
+        let [ax, ay] = self.function.gradient(triangle, a, v[a]);
+        let [bx, by] = self.function.gradient(triangle, b, v[b]);
         let [u, w] = problem.velocity();
         let region = mesh.triangles[triangle].region;
         for (factor, slope) in [(u, &by), (-u, &ay), (-w, &bx), (w, &ax)] {

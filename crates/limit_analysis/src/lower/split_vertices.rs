@@ -7,6 +7,7 @@ use super::branches::{BranchCuts, Branches, walked};
 use super::given::Across;
 use super::loads::Loads;
 use super::reference::ReferenceStress;
+use super::surfaces::{AT_REST, Surfaces, is_bare, numbers};
 use super::unknown_jet::{Turn, Unknown, UnknownJet};
 use crate::mesh::Mesh;
 use crate::problem::Problem;
@@ -50,6 +51,8 @@ pub(super) struct SplitVertices<'a> {
     pub(super) branch_of: Vec<Option<usize>>,
     /// For one of the two copies at each vertex of a cut, the other one, which has the same unknowns.
     pub(super) twin_of: Vec<Option<usize>>,
+    /// What the stress function is known to be at surfaces of soil without cohesion.
+    pub(super) surfaces: Surfaces,
 }
 
 impl<'a> SplitVertices<'a> {
@@ -72,11 +75,14 @@ impl<'a> SplitVertices<'a> {
                 region[*copy] = t.region;
             }
         }
+        let loads = Loads::new(problem, reference);
+        let surfaces = Surfaces::new(problem, reference, &loads, &[], &[], &[]);
         let mut copies = Self {
             problem,
             mesh,
             topology,
-            loads: Loads::new(problem, reference),
+            loads,
+            surfaces,
             corners,
             vertex_of,
             region,
@@ -94,6 +100,7 @@ impl<'a> SplitVertices<'a> {
         copies.find_gauges();
         copies.follow(&cuts);
         copies.find_neighbours();
+        copies.find_surfaces(reference);
         copies.find_given();
         copies
     }
@@ -180,12 +187,8 @@ impl<'a> SplitVertices<'a> {
 
     fn find_gauges(&mut self) {
         for s in self.sides() {
-            let Some((side, condition)) = self.boundary(s).filter(|b| b.1.traction_is_given()) else {
-                continue;
-            };
-            let strengthless = condition == Condition::Free
-                && self.problem.statement().surcharge == 0.0
-                && self.problem.soils[self.mesh.triangles[s.triangle].region].cohesion.is_zero();
+            let Some((side, _)) = self.boundary(s).filter(|b| b.1.traction_is_given()) else { continue };
+            let strengthless = is_bare(self.problem, side);
             let ends = <[usize; 2]>::from(self.ends(s));
             let middle = 0.5 * ends.map(|c| walked(side, self.fraction(c, side.line))).iter().sum::<f64>();
             let sides = self.loads.run(side).map(|run| &self.loads.runs[run].sides);
@@ -196,6 +199,31 @@ impl<'a> SplitVertices<'a> {
                     let gauge = self.branches.gauge(run, (place, middle));
                     self.gauge_of[copy] = Some((gauge, self.loads.at(side, self.fraction(copy, side.line))));
                 }
+            }
+        }
+    }
+
+    fn find_surfaces(&mut self, reference: &ReferenceStress) {
+        let numbers = numbers(self.problem, &self.loads);
+        let mut at: Vec<Vec<usize>> = vec![Vec::new(); self.apex.len()];
+        for s in self.sides() {
+            let Some((side, _)) = self.boundary(s).filter(|b| b.1.traction_is_given()) else { continue };
+            for copy in <[usize; 2]>::from(self.ends(s)).into_iter().filter(|copy| self.apex[*copy]) {
+                let along = walked(side, self.fraction(copy, side.line));
+                for there in self.loads.sides_at(side, along == 0.0, along == 1.0) {
+                    let number = numbers.iter().find(|(side, _)| *side == there).map(|n| n.1);
+                    if let Some(number) = number.filter(|number| !at[copy].contains(number)) {
+                        at[copy].push(number);
+                    }
+                }
+            }
+        }
+        let loads = &self.loads;
+        self.surfaces = Surfaces::new(self.problem, reference, loads, &self.corners, &at, &self.twin_of);
+        // What a run demands is demanded in full.
+        for (copy, gauge) in self.gauge_of.iter().enumerate() {
+            if gauge.is_some() {
+                self.surfaces.of_copy[copy] = AT_REST;
             }
         }
     }
@@ -300,9 +328,10 @@ impl<'a> SplitVertices<'a> {
             let base = self.gauge_of[apex].as_ref().map_or(0, |c| c.0);
             if self.apexes[copy].len() > 1 {
                 let upright = lines.iter().all(|(a, ..)| a.n[1] == 0.0);
-                let depth = self.problem.statement().datum - p[1];
-                return if upright {
-                    UnknownJet::ManyApexes { base, f: unknown(h * h), depth }
+                let up = ([0.0, 1.0], p[1] - self.problem.statement().datum);
+                let (n, away) = self.surfaces.away(copy, p).unwrap_or(up);
+                return if upright && (lines.is_empty() || n[0] == 0.0) {
+                    UnknownJet::ManyApexes { base, f: unknown(h * h), n, away }
                 } else {
                     UnknownJet::Zero { base }
                 };
@@ -315,7 +344,10 @@ impl<'a> SplitVertices<'a> {
                 Some((a, _, s)) => {
                     let t = turned(r);
                     let [_, gx, gy] = &gauges[base];
-                    let own = a.at(*s).plus(-a.n[0], gx).plus(-a.n[1], gy);
+                    let mut own = a.at(*s).plus(-a.n[0], gx).plus(-a.n[1], gy);
+                    if let Some([_, qx, qy]) = self.surfaces.jet(self.surfaces.of_copy[copy], p) {
+                        own = own.plus(-a.n[0], &qx).plus(-a.n[1], &qy);
+                    }
                     Turn::Given(Form::default().plus(1.0 / (t[0] * a.n[0] + t[1] * a.n[1]), &own))
                 }
             };

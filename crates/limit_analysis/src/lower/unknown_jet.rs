@@ -33,8 +33,8 @@ pub(crate) enum UnknownJet {
     Free { base: usize, f: Unknown, fx: Unknown, fy: Unknown },
     /// Next to one apex, at `r` from it. `turn` is unknown or follows from a line of given shear.
     OneApex { base: usize, apex: usize, r: [f64; 2], f: Unknown, turn: Turn },
-    /// Next to several apexes, at depth `depth` below all of them.
-    ManyApexes { base: usize, f: Unknown, depth: f64 },
+    /// Next to several apexes on a line with normal `n`, whose product with the way from that line is `away`.
+    ManyApexes { base: usize, f: Unknown, n: [f64; 2], away: f64 },
     /// On a line with normal `n` (not of unit length) and the slope across it.
     OneLine { line: usize, n: [f64; 2], across: Form, f: Unknown, along: Unknown },
     /// On two lines.
@@ -75,7 +75,7 @@ impl UnknownJet {
         shape
     }
 
-    /// Value and slopes relative to [`Self::base`].
+    /// Value and slopes relative to [`Self::base`] and to the polynomial of the surface that it is next to.
     pub(crate) fn jet(&self) -> [Form; 3] {
         let zero = Form::default;
         match self {
@@ -93,7 +93,11 @@ impl UnknownJet {
                 let slope = |i: usize| zero().plus(3.0 * r[i] / rr, &f).plus(t[i], &turn);
                 [f.clone(), slope(0), slope(1)]
             }
-            Self::ManyApexes { f, depth, .. } => [f.form(), zero(), zero().plus(-3.0 / depth, &f.form())],
+            Self::ManyApexes { f, n, away, .. } => {
+                let f = f.form();
+                let slope = |i: usize| zero().plus(3.0 * n[i] / away, &f);
+                [f.clone(), slope(0), slope(1)]
+            }
             Self::OneLine { n, across, f, along, .. } => {
                 let nn = n[0] * n[0] + n[1] * n[1];
                 let along = along.form();
