@@ -100,6 +100,7 @@ mod plate;
 mod problem;
 pub mod results;
 mod singular;
+mod slide;
 mod slip;
 mod space;
 mod start;

@@ -53,6 +53,13 @@ impl MobileZone {
         Self { bottoms, rims: Vec::new(), slope: slope(phi), datum, bottom: datum }
     }
 
+    /// The same, where what holds the soil begins at a tip: it holds it there too.
+    pub(crate) fn held_below(mut self, sides: &Self, tips: &[[f64; 2]]) -> Self {
+        self.rims = sides.rims.iter().copied().filter(|(top, _)| tips.contains(top)).collect();
+        self.bottom = sides.bottom;
+        self
+    }
+
     /// A zone between steep sides that hold the soil; with friction angle `phi` in radians.
     pub(crate) fn between_sides(problem: &Problem, phi: f64) -> Self {
         let mut rims: Vec<([f64; 2], f64)> = Vec::new();

@@ -6,6 +6,7 @@ use crate::mesh::{Fan, Guide};
 use crate::mobile::MobileZone;
 use crate::problem::Problem;
 use crate::singular::{singular_points, typical_length};
+use crate::slide::{Slide, slides};
 use crate::vector::distance;
 
 /// Radius of the first fans in units of length, and how much each level's are smaller.
@@ -82,6 +83,8 @@ pub(crate) struct Start {
     /// Where slip lines may be led to.
     pub(crate) tips: Vec<[f64; 2]>,
     pub(crate) guides: Vec<Guide>,
+    /// Planes on which slopes may slide.
+    pub(crate) slides: Vec<Slide>,
     corners: Vec<[f64; 2]>,
     /// The mobile zone where there are no slip lines around tips.
     sides: MobileZone,
@@ -140,6 +143,7 @@ impl Start {
         let low = heights().fold(f64::INFINITY, f64::min);
         let high = heights().fold(statement.datum, f64::max);
         Self {
+            slides: slides(problem),
             sides,
             has_tips,
             unit: typical_length(problem),
@@ -179,7 +183,7 @@ impl Start {
             return self.sides.clone();
         }
         let margin = self.depth * (MARGIN * MARGIN_SHRINK.powi(level as i32)).max(LEAST_MARGIN);
-        MobileZone::around(guides, margin, self.phi, self.datum)
+        MobileZone::around(guides, margin, self.phi, self.datum).held_below(&self.sides, &self.tips)
     }
 
     /// Wanted edge length on the first mesh.

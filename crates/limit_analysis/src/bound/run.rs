@@ -14,6 +14,7 @@ use crate::gap::shares;
 use crate::mesh::{Guide, Mesh};
 use crate::mobile::MobileZone;
 use crate::problem::Problem;
+use crate::slide::{self, Cut};
 use crate::start::Start;
 use crate::topology::Topology;
 
@@ -66,8 +67,8 @@ pub(super) struct Run<'a> {
     pub(super) tightening: usize,
     /// Elements asked for on the last mesh.
     target: f64,
-    /// Shares in the gap of the triangles of the last mesh for which they are known.
-    pub(super) shares: Option<(usize, Vec<f64>)>,
+    /// Shares in the gap of the triangles of the last mesh for which they are known, before it was cut.
+    pub(super) shares: Option<(Mesh, Vec<f64>)>,
     /// Slip lines for the next mesh.
     pub(super) guides: Vec<Guide>,
 }
@@ -164,6 +165,8 @@ impl<'a> Run<'a> {
         let mut guides = self.guides.clone();
         guides.extend(self.mobile.guide());
         let made = self.mesh(target, &self.begin.fans(number), &guides)?;
+        let Cut { mesh, topology, uncut } = slide::cut(self.problem, made, &self.begin.slides);
+        let made = (mesh, topology);
         if made.0.triangles.len() as f64 > self.capacity() {
             return Ok(Some(Ended::Memory));
         }
@@ -204,7 +207,14 @@ impl<'a> Run<'a> {
             level.identity = Some([proven - lower_objective, by_triangle.iter().sum()]);
             // Shares that do not add up to the gap say nothing about where it is.
             if level.identity_holds() {
-                self.shares = Some((number, by_triangle));
+                self.shares = Some(match uncut {
+                    Some((uncut, part_of)) => {
+                        let mut shares = vec![0.0; uncut.triangles.len()];
+                        part_of.iter().zip(by_triangle).for_each(|(whole, share)| shares[*whole] += share);
+                        (uncut, shares)
+                    }
+                    None => (mesh.clone(), by_triangle),
+                });
             }
             self.guides = crate::slip::guides(self.problem, mesh, topology, &velocity, &self.begin.tips);
         }
