@@ -1,5 +1,6 @@
 //! Strength reduction: proven bounds on the factor of safety of a description.
 
+mod guess;
 mod search;
 
 use std::sync::atomic::Ordering;
@@ -9,6 +10,7 @@ use soilctl_certificate::{LowerField, UpperField};
 use crate::bound::{Bound, Clock, Ended, Level, Options, Sides, sides};
 use crate::describe::{Described, Description};
 use crate::error::LimitError;
+use guess::guess;
 use search::Search;
 pub use search::Trial;
 
@@ -52,12 +54,14 @@ impl SafetyBounds {
 /// More trials than any search needs.
 const MAX_TRIALS: usize = 60;
 
-/// Part of the work and time left that one trial may take.
-const SHARE: f64 = 0.4;
+/// So many trials that prove nothing are given up.
+const MAX_BLIND: usize = 6;
 
-/// After so many levels with only one of the bounds, it is enough if it is so far on its side of one.
-const PLAIN_LEVELS: usize = 2;
-const PLAIN: f64 = 1.5;
+/// Part of the work and time left that one trial may take.
+const SHARE: f64 = 0.25;
+
+/// With less than this part of all time or work left, a trial that is not sharp enough is the last one.
+const LEAST_LEFT: f64 = 0.15;
 
 /// Rounding of reduced angles and cohesions, made good in the factors.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -81,7 +85,7 @@ pub fn factor_of_safety(
         clock: Clock::start(options.max_seconds),
         spent: 0,
         is_cut: false,
-        search: Search::new(options.max_gap),
+        search: Search::new(options.max_gap, guess(&description.reduced(1.0).described()?.problem()?)),
         found: Found::default(),
         limit: Ended::Elements,
     };
@@ -111,14 +115,9 @@ pub fn factor_of_safety(
     Ok(SafetyBounds { lower, upper, trials: run.search.trials, ended, work, seconds })
 }
 
-/// Whether the first meshes leave no doubt: the other bound would take long and tell little.
-fn is_plain(levels: &[Level], proven: [Option<f64>; 2]) -> bool {
-    levels.len() >= PLAIN_LEVELS
-        && match proven {
-            [Some(lower), None] => lower > PLAIN,
-            [None, Some(upper)] => upper < 1.0 / PLAIN,
-            _ => false,
-        }
+/// Whether it is proven that the soil stands, or that it does not: how well matters only where it is in doubt.
+fn is_decided(_: &[Level], [lower, upper]: [Option<f64>; 2]) -> bool {
+    lower.is_some_and(|lower| lower >= 1.0) || upper.is_some_and(|upper| upper < 1.0)
 }
 
 #[derive(Default)]
@@ -167,23 +166,22 @@ impl Run<'_> {
             max_seconds: self.clock.left().map(|left| SHARE * left),
             ..self.options.clone()
         };
-        let solved = sides(&described.problem()?, &options, &is_plain, &mut |level, _| {
+        let solved = sides(&described.problem()?, &options, &is_decided, &mut |level, _| {
             progress(factor, level, proven);
         });
         let Sides { lower, upper, ended, work, .. } = solved?;
         self.spent += work;
         self.is_cut |= ended == Ended::Time;
         let both = self.found.lower.is_some() && self.found.upper.is_some();
-        if lower.is_none() && upper.is_none() {
-            // What is proven already counts.
-            return if both { Ok(Some(ended)) } else { Err(self.nothing()) };
+        if lower.is_none() && upper.is_none() && !both && self.search.trials.len() >= MAX_BLIND {
+            return Err(self.nothing());
         }
         let trial = Trial {
             factor,
             lower: lower.as_ref().map_or(0.0, |b| b.value),
             upper: upper.as_ref().map_or(f64::INFINITY, |b| b.value),
         };
-        let unsharp = trial.gap() > self.search.trial_gap;
+        let unsharp = trial.gap() > self.search.trial_gap && trial.is_open();
         if let Some(bound) = lower.filter(|l| l.value >= 1.0) {
             self.keep_lower(factor, &described, bound);
         }
@@ -201,7 +199,13 @@ impl Run<'_> {
             self.limit = ended;
             return Ok(None);
         }
-        let is_over = unsharp && both && ended != Ended::Stopped && !self.search.is_done();
+        let little_time = self
+            .clock
+            .left()
+            .zip(self.options.max_seconds)
+            .is_some_and(|(left, all)| left < LEAST_LEFT * all);
+        let little_work = (self.remaining() as f64) < LEAST_LEFT * self.options.max_work as f64;
+        let is_over = unsharp && both && (little_time || little_work) && !self.search.is_done();
         Ok(is_over.then_some(ended))
     }
 

@@ -21,9 +21,17 @@ const STEP: f64 = 4.0;
 /// Steps are a little longer than they need be, in units of the gap asked for, so that they end on the right side.
 const SPARE: f64 = 0.05;
 
-/// Gap of the multiplier at the first factors, and how much sharper each stage is.
-const FIRST_GAP: f64 = 0.2;
+/// Gap of the multiplier, in units of the gap asked for, at which a factor is left open; and how much sharper each stage is.
+const SHARP: f64 = 0.7;
 const SHARPER: f64 = 0.4;
+
+/// How far beside a guess it is tried, and how much is worth a further trial, in units of the gap asked for.
+const BESIDE: f64 = 0.45;
+const LEAST_PART: f64 = 0.4;
+const REACH: f64 = 1.15;
+
+/// Bounds farther apart than this, in units of the gap asked for, are brought together from both sides at once.
+const FAR: f64 = 4.0;
 
 /// Bounds this close to one (in logarithms) tell well where they are one.
 const NEAR: f64 = 0.1;
@@ -37,9 +45,31 @@ impl Trial {
         2.0 * (self.upper - self.lower) / (self.upper + self.lower)
     }
 
+    /// Whether it is not proven on which side of one the multiplier is.
+    pub(super) fn is_open(&self) -> bool {
+        self.lower < 1.0 && self.upper >= 1.0
+    }
+
     /// Logarithmic distance of the bounds.
     fn width(&self) -> f64 {
         (self.upper / self.lower).ln()
+    }
+}
+
+/// What the factor of safety may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Guess {
+    /// Within a few parts in ten.
+    Rough(f64),
+    /// Exactly, unless the soil fails in another way.
+    Good(f64),
+}
+
+impl Guess {
+    pub(super) fn factor(self) -> f64 {
+        match self {
+            Self::Rough(factor) | Self::Good(factor) => factor,
+        }
     }
 }
 
@@ -56,12 +86,54 @@ pub(super) struct Search {
     pub(super) trial_gap: f64,
     /// Whether trials cannot get sharper.
     pub(super) is_finest: bool,
+    /// A guess of the factor of safety.
+    guess: Option<Guess>,
 }
 
 impl Search {
-    pub(super) fn new(max_gap: f64) -> Self {
-        let trial_gap = FIRST_GAP.max(0.5 * max_gap);
-        Self { trials: Vec::new(), stands: None, fails: None, max_gap, trial_gap, is_finest: false }
+    pub(super) fn new(max_gap: f64, guess: Option<Guess>) -> Self {
+        let trial_gap = SHARP * max_gap;
+        Self { trials: Vec::new(), stands: None, fails: None, max_gap, trial_gap, is_finest: false, guess }
+    }
+
+    /// Next to the guess, on the side that is not proven.
+    fn guessed(&self) -> Option<f64> {
+        let guess = self.guess?;
+        match (guess, self.trials.len(), self.stands) {
+            (Guess::Rough(factor), 0, _) => Some(factor),
+            (Guess::Good(factor), 0, _) => Some(factor * (1.0 - BESIDE * self.max_gap)),
+            (Guess::Good(factor), 1, Some(_)) => Some(factor * (1.0 + BESIDE * self.max_gap)),
+            _ => self.reached(guess.factor()),
+        }
+    }
+
+    /// From the last trial away, until one is proven on the other side: the farther the more there were.
+    fn reached(&self, guess: f64) -> Option<f64> {
+        let steps = REACH.powi(1 << (self.trials.len() - 1).min(4));
+        match (self.stands, self.fails) {
+            (None, Some(fails)) => Some(fails.min(guess) / steps),
+            (Some(stands), None) => Some(stands.max(guess) * steps),
+            _ => None,
+        }
+    }
+
+    /// Factors that are not known to be on one side.
+    fn open(&self) -> impl Iterator<Item = f64> {
+        self.trials.iter().filter(|t| t.is_open()).map(|t| t.factor)
+    }
+
+    /// The middle of the larger part that is left between what is proven and the factors left open; nothing if that is too small to
+    /// matter.
+    fn halved(&self, low: f64, high: f64) -> Option<f64> {
+        let between = |f: &f64| *f > low && *f < high;
+        let first = self.open().filter(between).fold(f64::INFINITY, f64::min);
+        let last = self.open().filter(between).fold(0.0, f64::max);
+        if first > last {
+            return Some((low * high).sqrt());
+        }
+        let (below, above) = (first / low, high / last);
+        let middle = if below > above { (low * first).sqrt() } else { (last * high).sqrt() };
+        (below.max(above) > 1.0 + LEAST_PART * self.max_gap).then_some(middle)
     }
 
     /// Takes note of a trial.
@@ -88,6 +160,9 @@ impl Search {
     /// The factor to try next. Sharpens the trials when they have shown all they can at their gap; none is left if that
     /// cannot be.
     pub(super) fn next(&mut self) -> Option<f64> {
+        if let Some(guess) = self.guessed() {
+            return Some(guess);
+        }
         let Some(last) = self.trials.last().copied() else { return Some(1.0) };
         let slope = self.slope();
         let spare = SPARE * self.max_gap;
@@ -113,8 +188,12 @@ impl Search {
         let high = self.fails.unwrap_or(f64::INFINITY);
         // One bound alone tells the side of the root, not how far it is.
         let is_one_sided = !(last.upper.is_finite() && last.lower > 0.0);
-        if is_one_sided && low > 0.0 && high.is_finite() && high / low > 1.0 + 0.5 * self.max_gap {
-            return Some((low * high).sqrt());
+        let stands_at = self.stands.unwrap_or(0.0);
+        if is_one_sided && stands_at > 0.0 && high.is_finite() && high / stands_at > 1.0 + self.max_gap {
+            return self.halved(stands_at, high);
+        }
+        if low > 0.0 && high.is_finite() && high / low > 1.0 + FAR * self.max_gap {
+            return self.halved(low, high);
         }
         // What each of the two would gain.
         let gains = [
@@ -130,6 +209,10 @@ impl Search {
             return Some((low * high).sqrt());
         }
         let next = if gains[0] >= gains[1] { stands } else { fails };
+        let is_new = self.open().all(|f| (next / f - 1.0).abs() > SPARE * self.max_gap);
+        if !is_new && low > 0.0 && high.is_finite() {
+            return self.halved(low, high);
+        }
         let inside = next > low && next < high;
         Some(match (inside, low > 0.0, high.is_finite()) {
             (true, _, _) => next,
@@ -159,7 +242,7 @@ mod tests {
 
     /// Runs a search on a multiplier that is known, with bounds as wide as asked for.
     fn run(max_gap: f64, multiplier: impl Fn(f64) -> f64) -> (Search, usize) {
-        let mut search = Search::new(max_gap);
+        let mut search = Search::new(max_gap, None);
         for trials in 0..60 {
             if search.is_done() {
                 return (search, trials);
