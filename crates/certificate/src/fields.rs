@@ -209,6 +209,8 @@ pub enum Jet {
         /// Slope along y.
         fy: f64,
     },
+    /// Value and slopes next to apexes are those beyond the surface's polynomial.
+    ///
     /// Next to one apex `T`: with `r` from `T` to here, slopes are `3 f r/|r|^2 + turn (-r_y, r_x)`. On a line of
     /// given shear, `turn` is not used; the slope across the line replaces it.
     OneApex {
@@ -221,7 +223,8 @@ pub enum Jet {
         /// Slope across `r`, over the length of `r`.
         turn: f64,
     },
-    /// Next to any number of apexes: slopes are `(0, 3 f/(y - datum))`.
+    /// Next to any number of apexes on one side: slopes are `3 f n/(n . r)`, with `n` the side's normal and `r` from the side to here; at
+    /// the datum `(0, 3 f/(y - datum))`.
     ManyApexes {
         /// Index of the gauge of the apexes.
         base: usize,

@@ -166,11 +166,22 @@
 //!   edge equals `g` if it does at both ends and in the middle. Lines that follow each other along the soil share the
 //!   constant if they are all level or all vertical: there `g` over the signed length of `n` is `f_y` or `-f_x`, and its
 //!   derivative is the shear stress of the base, whatever the region.
-//! - *Apexes.* On free sides without surcharge of soil without cohesion the stress must vanish; they lie at the datum, as
-//!   does the reference's zero, and no load acts before or next to them. At all their vertex copies all Bernstein
-//!   coefficients up to two steps away are zero (beyond the gauge). The one next to a neighbour `C` of an apex `T` is `f +
-//!   grad f . (T - C)/3` = 0, which restricts the [`Jet`] of `C`. The conditions for continuous slopes across and within
-//!   triangles then hold as for the general element; those along lines of given shear do since `g'` is zero at an apex.
+//! - *Apexes.* On free sides without surcharge of soil without cohesion the stress must vanish. Then all second derivatives of `f`
+//!   are known there, and a cubic polynomial `q` of the side has them: with `p = start + s t + e n`, `t` along the side and `n` that
+//!   turned left,
+//!
+//!   ```text
+//!   q = v(s) + e w(s) - e^2/2 (t . ref t)(s),      v, w: value and slope along n, as the run demands
+//!   ```
+//!
+//!   Its stress and the reference's add up to one that is zero on the side, grows with the distance from it and balances the weight.
+//!   At all vertex copies on such sides, the apexes, all Bernstein coefficients of `f - q` up to two steps away are zero
+//!   (beyond the gauge). The one next to a neighbour `C` of an apex `T` is `f - q + grad (f - q) . (T - C)/3` = 0, which restricts the
+//!   [`Jet`] of `C`: its numbers are those of `f - q`. The conditions for continuous slopes across and within triangles then hold as for
+//!   the general element; those along lines of given shear do since there is no shear stress at an apex. Where two such sides meet,
+//!   their polynomials differ by a cubic that vanishes to second order there. So a triangle may take that of any side that
+//!   all its apexes are on, a vertex that of any side that all apexes next to it are on; where there is no such side, the field is
+//!   refused. On sides at the datum, up to which the run has no tractions, `q` is zero.
 //! - *Strength.* Stress, cohesion and pore pressure are linear on each part, and what is borne is a convex set of all
 //!   three together, so the part's three nodes decide; so do both ends of a face edge.
 //! - *Force.* Tractions of `f` on a piece of boundary, soil on the left, add up to the change of `(f_y, -f_x)`.
@@ -237,7 +248,8 @@
 //! Lower bounds with
 //!
 //! - free or loaded boundary all around the soil or a hole;
-//! - free sides off the datum, or loads before or next to free sides, of soil without cohesion and surcharge;
+//! - loads that begin beside a free side of soil without cohesion, which bears none there, and such sides where a region of another unit
+//!   weight whose top lies elsewhere meets them;
 //! - a region under several tops where unit weights differ, and gravity that is not vertical there;
 //! - adhesion without friction on soil with friction, and interface friction on soil without;
 //! - more than two lines of given shear, or parallel ones that are not joined, that meet; sloping ones between soils of

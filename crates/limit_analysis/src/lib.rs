@@ -109,7 +109,9 @@ mod topology;
 mod upper;
 mod vector;
 
-pub use bound::{Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, bound, bound_section};
+pub use bound::{
+    Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, bound, bound_section, falls,
+};
 pub use describe::{Described, Description, DescriptionError};
 pub use error::LimitError;
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};

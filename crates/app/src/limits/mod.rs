@@ -19,7 +19,7 @@ pub(crate) fn bounds(problem: &Problem, options: &Options, watch: &dyn Watch) ->
     let mut statuses = why::Statuses::default();
     watch.begin(0, "first mesh");
     let bounds = bound_section(problem, options, &mut |level, gap| {
-        statuses.see(level, options);
+        statuses.see(level, problem, options);
         watch.say(&words(level, gap));
     });
     watch.end();

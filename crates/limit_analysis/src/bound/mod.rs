@@ -6,6 +6,7 @@ mod ended;
 mod memory;
 mod meshes;
 mod options;
+mod rest;
 mod run;
 mod solves;
 
@@ -17,6 +18,7 @@ use crate::problem::Problem;
 pub(crate) use clock::Clock;
 pub use ended::{Ended, StoppedBy};
 pub use options::Options;
+pub use rest::falls;
 use run::Run;
 
 /// A proven bound.

@@ -99,21 +99,22 @@ impl Search {
     /// Next to the guess, on the side that is not proven.
     fn guessed(&self) -> Option<f64> {
         let guess = self.guess?;
-        match (guess, self.trials.len(), self.stands) {
-            (Guess::Rough(factor), 0, _) => Some(factor),
-            (Guess::Good(factor), 0, _) => Some(factor * (1.0 - BESIDE * self.max_gap)),
-            (Guess::Good(factor), 1, Some(_)) => Some(factor * (1.0 + BESIDE * self.max_gap)),
-            _ => self.reached(guess.factor()),
+        match (guess, self.trials.len()) {
+            (Guess::Rough(factor), 0) => Some(factor),
+            (Guess::Rough(factor), tried) => self.reached(factor, tried - 1),
+            (Guess::Good(factor), 0) => Some(factor * (1.0 - BESIDE * self.max_gap)),
+            (Guess::Good(factor), 1) => Some(factor * (1.0 + BESIDE * self.max_gap)),
+            (Guess::Good(factor), tried) => self.reached(factor, tried - 2),
         }
     }
 
-    /// From the last trial away, until one is proven on the other side: the farther the more there were.
-    fn reached(&self, guess: f64) -> Option<f64> {
-        let steps = REACH.powi(1 << (self.trials.len() - 1).min(4));
+    /// Away from the guess, until there is a factor on either side: the farther the more were tried.
+    fn reached(&self, guess: f64, tried: usize) -> Option<f64> {
+        let steps = REACH.powi(1 << tried.min(4));
         match (self.stands, self.fails) {
-            (None, Some(fails)) => Some(fails.min(guess) / steps),
+            (None, fails) => Some(fails.map_or(guess, |f| f.min(guess)) / steps),
             (Some(stands), None) => Some(stands.max(guess) * steps),
-            _ => None,
+            (Some(_), Some(_)) => None,
         }
     }
 
@@ -278,14 +279,14 @@ mod tests {
 
     #[test]
     fn a_multiplier_without_end_leads_to_weaker_soil_though_it_proves_nothing() {
-        let mut search = Search::new(0.1);
+        let mut search = Search::new(0.1, None);
         search.add(Trial { factor: 1.0, lower: 0.0, upper: f64::INFINITY });
         assert!(search.next().unwrap() > 1.0);
     }
 
     #[test]
     fn bounds_that_get_no_sharper_are_used_up() {
-        let mut search = Search::new(0.01);
+        let mut search = Search::new(0.01, None);
         let mut trials = 0;
         while let Some(factor) = search.next() {
             // As close as 3 % and no closer, from the first trial that asks for more on.

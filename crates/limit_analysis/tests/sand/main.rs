@@ -1,0 +1,190 @@
+//! Ground without cohesion, against what holds for it exactly: a slope of dry sand bears `tan(phi)/tan(beta)`, whatever its height,
+//! since it slides along itself (Taylor 1948), and no proof may say more.
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+mod balance;
+
+use proptest::prelude::*;
+use soilctl_certificate::{Jet, prove_lower, prove_upper};
+use soilctl_limit_analysis::{Description, Options, SafetyBounds, factor_of_safety};
+
+/// What lies under a slope.
+#[derive(Debug, Clone, Copy)]
+enum Base {
+    Rock,
+    Same,
+    /// Heavier or lighter, and strong.
+    Clay(f64),
+}
+
+fn description(phi: f64, beta: f64, height: f64, cohesion: f64, base: Base, far: bool) -> Description {
+    let run = height / beta.to_radians().tan();
+    let (left, right) = (-2.0 * height, run + 2.0 * height);
+    let slope = [[left, height], [0.0, height], [run, 0.0]];
+    let mut soils = vec![serde_json::json!({
+        "name": "sand", "phi_deg": phi, "cohesion_kpa": cohesion, "unit_weight_kn_m3": 18.0
+    })];
+    let mut regions = Vec::new();
+    let side = if far { "far" } else { "smooth" };
+    let mut boundaries = vec![serde_json::json!({"kind": side, "sides": ["left", "right"]})];
+    match base {
+        Base::Rock => {
+            regions.push(
+                serde_json::json!({"soil": "sand", "polygon": [[left, 0.0], slope[2], slope[1], slope[0]]}),
+            );
+            boundaries[0] = serde_json::json!({"kind": "smooth", "sides": ["left"]});
+            boundaries.push(serde_json::json!({"kind": "fixed", "sides": ["bottom"]}));
+        }
+        Base::Same => {
+            let polygon = [[left, -height], [right, -height], [right, 0.0], slope[2], slope[1], slope[0]];
+            regions.push(serde_json::json!({"soil": "sand", "polygon": polygon}));
+            boundaries
+                .push(serde_json::json!({"kind": side.replace("smooth", "fixed"), "sides": ["bottom"]}));
+        }
+        Base::Clay(unit_weight) => {
+            soils.push(serde_json::json!({
+                "name": "clay", "phi_deg": 0.0, "cohesion_kpa": 18.0 * height, "unit_weight_kn_m3": unit_weight
+            }));
+            regions.push(
+                serde_json::json!({"soil": "sand", "polygon": [[left, 0.0], slope[2], slope[1], slope[0]]}),
+            );
+            let polygon = [[left, -height], [right, -height], [right, 0.0], [left, 0.0]];
+            regions.push(serde_json::json!({"soil": "clay", "polygon": polygon}));
+            boundaries[0] = serde_json::json!({"kind": "smooth", "sides": ["left", "right"]});
+            boundaries.push(serde_json::json!({"kind": "fixed", "sides": ["bottom"]}));
+        }
+    }
+    let problem = serde_json::json!({
+        "title": "a slope of sand", "default_boundary": "free", "objective": {"kind": "strength-reduction"},
+        "soil": soils, "region": regions, "boundary": boundaries
+    });
+    serde_json::from_value(problem).unwrap()
+}
+
+/// Work, not time: the same on every machine.
+fn bounds(description: &Description, max_gap: f64) -> SafetyBounds {
+    let options = Options { max_gap, max_work: 3_000_000, ..Options::default() };
+    factor_of_safety(description, &options, &mut |_, _, _| {}).unwrap()
+}
+
+/// Proves both sides anew, and checks the stresses from outside.
+fn is_proven(bounds: &SafetyBounds) {
+    let lower = &bounds.lower;
+    let proven = prove_lower(&lower.described.statement, &lower.bound.field).unwrap();
+    assert!(proven >= 1.0, "{proven}");
+    let upper = &bounds.upper;
+    let proven = prove_upper(&upper.described.statement, &upper.bound.field).unwrap();
+    assert!(proven < 1.0, "{proven}");
+    let regions: Vec<usize> = lower.bound.field.mesh.triangles.iter().map(|t| t.region).collect();
+    let worst = balance::worst(&lower.described.statement, &lower.bound.field, &regions);
+    assert!(worst.inside < 1e-8 && worst.edges < 1e-9 && worst.strength < 1e-9, "{worst:?}");
+}
+
+#[test]
+fn a_slope_of_sand_bears_the_ratio_of_tangents() {
+    for (phi, beta, base, far) in [
+        (34.0, 26.565, Base::Rock, false),
+        (40.0, 25.0, Base::Same, true),
+        (38.0, 33.69, Base::Clay(17.0), false),
+        (34.0, 26.565, Base::Clay(20.0), false),
+    ] {
+        let bounds = bounds(&description(phi, beta, 4.0, 0.0, base, far), 0.03);
+        let exact = phi.to_radians().tan() / beta.to_radians().tan();
+        let name = format!("{phi} {beta} {base:?}: {} to {}", bounds.lower.factor, bounds.upper.factor);
+        assert!(bounds.lower.factor <= exact && exact <= bounds.upper.factor, "{name} {exact}");
+        assert!(bounds.gap() <= 0.03, "{name}");
+        is_proven(&bounds);
+    }
+}
+
+#[test]
+fn a_slope_steeper_than_its_friction_falls() {
+    let bounds = bounds(&description(30.0, 35.0, 3.0, 0.0, Base::Same, true), 0.03);
+    assert!(bounds.upper.factor < 1.0, "{}", bounds.upper.factor);
+    is_proven(&bounds);
+}
+
+#[test]
+fn a_little_cohesion_is_a_little_better_than_none() {
+    // At least what there is without, and at most what a plane through the foot bears (Culmann 1866).
+    let (phi, beta, height) = (34.0_f64, 26.565_f64, 4.0);
+    let mut last = phi.to_radians().tan() / beta.to_radians().tan();
+    for cohesion in [0.5, 2.0] {
+        let bounds = bounds(&description(phi, beta, height, cohesion, Base::Rock, false), 0.05);
+        let culmann = |factor: f64| {
+            let (beta, phi) = (beta.to_radians(), (phi.to_radians().tan() / factor).atan());
+            4.0 * cohesion / factor * beta.sin() * phi.cos() / (1.0 - (beta - phi).cos()) / (18.0 * height)
+        };
+        assert!(culmann(bounds.lower.factor) >= 1.0, "{cohesion} {}", bounds.lower.factor);
+        assert!(bounds.upper.factor > last, "{cohesion} {} {last}", bounds.upper.factor);
+        assert!(bounds.gap() < 0.06, "{cohesion} {}", bounds.gap());
+        last = bounds.lower.factor;
+        is_proven(&bounds);
+    }
+}
+
+#[test]
+fn altered_fields_are_refused_or_still_balance() {
+    let found = bounds(&description(38.0, 30.0, 4.0, 0.0, Base::Clay(20.0), false), 0.1);
+    let statement = &found.lower.described.statement;
+    let field = &found.lower.bound.field;
+    let regions: Vec<usize> = field.mesh.triangles.iter().map(|t| t.region).collect();
+    let mut refused = 0;
+    let mut tried = 0;
+    for copy in 0..field.copies.len() {
+        for by in [1e-7, -0.3, 5.0] {
+            let mut altered = field.clone();
+            match &mut altered.copies[copy].jet {
+                Jet::Free { f, .. }
+                | Jet::ManyApexes { f, .. }
+                | Jet::OneApex { f, .. }
+                | Jet::OneLine { f, .. } => {
+                    *f += by * f.abs().max(1e-3);
+                }
+                other @ (Jet::Gauge { .. } | Jet::Zero { .. } | Jet::TwoLines { .. }) => {
+                    *other = Jet::Free { base: 0, f: by, fx: 0.0, fy: by };
+                }
+            }
+            tried += 1;
+            match prove_lower(statement, &altered) {
+                Ok(_) => {
+                    let worst = balance::worst(statement, &altered, &regions);
+                    assert!(
+                        worst.inside < 1e-8 && worst.edges < 1e-9 && worst.strength < 1e-9,
+                        "{copy} {by} {worst:?}"
+                    );
+                }
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    assert!(refused > tried / 2, "{refused} of {tried}");
+    // A slope a hair steeper is another problem.
+    let mut steeper = statement.clone();
+    let foot = steeper
+        .points
+        .iter()
+        .map(|p| p[0])
+        .enumerate()
+        .filter(|(i, _)| steeper.points[*i][1] < steeper.datum);
+    let foot = foot.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap().0;
+    steeper.points[foot][0] -= 0.01;
+    assert!(prove_lower(&steeper, field).is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2, ..ProptestConfig::default() })]
+
+    /// With friction that differs, whatever lies below: no proof says more than sliding along the slope allows.
+    #[test]
+    fn no_proof_says_more_than_the_ratio_of_tangents(
+        phi in 25.0..45.0_f64, beta in 12.0..40.0_f64, height in 0.5..20.0_f64, kind in 0..4_usize, weight in 14.0..24.0_f64,
+    ) {
+        let base = [Base::Rock, Base::Same, Base::Clay(weight), Base::Clay(18.0)][kind];
+        let bounds = bounds(&description(phi, beta, height, 0.0, base, matches!(base, Base::Same)), 0.05);
+        let exact = phi.to_radians().tan() / beta.to_radians().tan();
+        prop_assert!(bounds.lower.factor <= exact, "{} {exact}", bounds.lower.factor);
+        prop_assert!(bounds.upper.factor >= bounds.lower.factor);
+        is_proven(&bounds);
+    }
+}
