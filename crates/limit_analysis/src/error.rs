@@ -5,6 +5,15 @@ use thiserror::Error;
 use crate::describe::DescriptionError;
 use crate::mesh::MeshError;
 
+/// A bound without its counterpart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OneSide {
+    /// What is bounded is at least this.
+    Lower(f64),
+    /// It is at most this.
+    Upper(f64),
+}
+
 /// What can go wrong on the way to a bound.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -59,6 +68,8 @@ pub enum LimitError {
     /// The budget ended before the first pair of bounds was proven.
     #[error("no pair of bounds was proven within the budget ({spent}); {advice}")]
     NothingProven {
+        /// The one bound that was, if there is one: in units of the statement, or a factor of safety.
+        proven: Option<OneSide>,
         /// What was done so far.
         spent: String,
         /// What the user can do.
@@ -107,6 +118,14 @@ pub(crate) fn in_range(
 }
 
 impl LimitError {
+    /// The same error, where one side is proven.
+    pub(crate) fn with_proven(mut self, side: Option<OneSide>) -> Self {
+        if let Self::NothingProven { proven, .. } = &mut self {
+            *proven = side;
+        }
+        self
+    }
+
     /// Nothing proven, with what may help: some soil may bear no tension at all.
     pub(crate) fn nothing_proven(without_tension: bool, spent: String) -> Self {
         let advice = if without_tension {
@@ -115,7 +134,7 @@ impl LimitError {
         } else {
             "allow more work, elements, memory or time"
         };
-        Self::NothingProven { spent, advice }
+        Self::NothingProven { proven: None, spent, advice }
     }
 }
 

@@ -113,7 +113,7 @@ pub use bound::{
     Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, bound, bound_section, falls,
 };
 pub use describe::{Described, Description, DescriptionError};
-pub use error::LimitError;
+pub use error::{LimitError, OneSide};
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};
 pub use problem::Problem;
 pub use soilctl_conic::{Factorisation, Status};

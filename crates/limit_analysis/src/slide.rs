@@ -6,8 +6,9 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Condition, Place, Triangle, Vertex};
+use soilctl_certificate::{Place, Triangle, Vertex};
 
+use crate::lower::surfaces::is_weak;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
@@ -46,10 +47,10 @@ const AWAY: f64 = 0.4;
 /// Cuts that come closer to a vertex than this part of an edge are not made.
 const CLEAR: f64 = 1e-7;
 
-/// One below each free side that is steeper than its soil's friction bears.
+/// One below each free side of soil with next to no cohesion that is steeper than its friction bears.
 pub(crate) fn slides(problem: &Problem) -> Vec<Slide> {
     let statement = problem.statement();
-    let free = statement.boundaries.iter().filter(|b| b.condition == Condition::Free);
+    let free = statement.boundaries.iter().filter(|b| is_weak(problem, b.side()));
     free.filter_map(|b| {
         let soil = &problem.soils[problem.owner(b.side())?];
         let line = statement.lines[b.line];

@@ -55,7 +55,7 @@ impl Statuses {
 
     /// A failed run in physical words, as far as they are known.
     pub(super) fn explain(&self, problem: LimitError) -> AppError {
-        if !matches!(problem, LimitError::NothingProven { .. }) {
+        if !matches!(problem, LimitError::NothingProven { proven: None, .. }) {
             return problem.into();
         }
         let meshes = self.upper.len();

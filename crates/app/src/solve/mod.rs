@@ -4,6 +4,7 @@ mod answer;
 mod asked;
 mod boundary;
 pub mod check;
+mod one_side;
 mod safety;
 mod save;
 
@@ -58,7 +59,8 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Solved, AppError> {
     if description.objective == (Aim::StrengthReduction {}) {
         return safety::run(request, &description, watch);
     }
-    let bounds = limits::bounds(&described.problem()?, &request.budget.options(watch)?, watch)?;
+    let bounds = limits::bounds(&described.problem()?, &request.budget.options(watch)?, watch)
+        .map_err(|problem| one_side::of_problem(problem, &described))?;
     if let Some(path) = &request.save {
         save::both(path, &described, &bounds)?;
     }

@@ -3,7 +3,7 @@
 use soilctl_limit_analysis::results::problem_units;
 use soilctl_limit_analysis::{Description, factor_of_safety};
 
-use super::{Answer, Request, Solved, save};
+use super::{Answer, Request, Solved, one_side, save};
 use crate::limits::{Fields, ResultsAnswer, words};
 use crate::text::number;
 use crate::{AppError, Watch};
@@ -21,7 +21,7 @@ pub(super) fn run(
         watch.say(&format!("strength over {}: {}{known}", number(factor), words(level, None)));
     });
     watch.end();
-    let safety = safety?;
+    let safety = safety.map_err(one_side::of_safety)?;
     if let Some(path) = &request.save {
         for file in save::safety(path, &safety)? {
             watch.note(&format!("saved {}", file.display()));

@@ -13,7 +13,7 @@ mod solves;
 use soilctl_certificate::{Claim, Computed, LowerField, UpperField};
 use soilctl_conic::{Factorisation, SOLVER, Status};
 
-use crate::error::LimitError;
+use crate::error::{LimitError, OneSide};
 use crate::problem::Problem;
 pub(crate) use clock::Clock;
 pub use ended::{Ended, StoppedBy};
@@ -183,9 +183,11 @@ pub fn bound_section(
         sides(problem, options, &|_, _| false, progress)?;
     match (lower, upper) {
         (Some(lower), Some(upper)) => Ok(Bounds { lower, upper, levels, ended, work, seconds }),
-        _ => {
+        (lower, upper) => {
             let spent = format!("{} levels, {work} element steps", levels.len());
-            Err(LimitError::nothing_proven(problem.has_no_tension(), spent))
+            let lower = lower.map(|bound| OneSide::Lower(bound.value));
+            let side = lower.or(upper.map(|bound| OneSide::Upper(bound.value)));
+            Err(LimitError::nothing_proven(problem.has_no_tension(), spent).with_proven(side))
         }
     }
 }

@@ -3,20 +3,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use soilctl_certificate::{Condition, LineUse, Place, Triangle, Vertex};
+use soilctl_certificate::{LineUse, Place, Triangle, Vertex};
 
 use super::loads::Loads;
 use super::reference::ReferenceStress;
-use super::surfaces::{AT_REST, numbers};
+use super::surfaces::{AT_REST, is_weak, numbers};
 use crate::mesh::Mesh;
 use crate::problem::Problem;
-use crate::vector::{Point, along, distance, midpoint};
+use crate::vector::{Point, along, midpoint};
 
 /// Rounds of halving; a few are needed.
 const ROUNDS: usize = 12;
-
-/// Cohesion over the weight of as much soil as the side is long, below which a surface counts as one without.
-const WEAK: f64 = 0.05;
 
 /// An edge, its lower vertex first.
 type Edge = [usize; 2];
@@ -46,24 +43,15 @@ pub(crate) fn apart(problem: &Problem, mesh: Mesh) -> Mesh {
 
 /// Adds sides of soil with so little cohesion that stresses nearly vanish there too. Those at one height are one.
 fn add_weak(problem: &Problem, numbers: &mut Vec<(LineUse, usize)>) {
-    let statement = problem.statement();
-    let gravity = statement.gravity[0].hypot(statement.gravity[1]);
     let mut heights: Vec<(f64, usize)> = Vec::new();
-    for b in
-        statement.boundaries.iter().filter(|b| b.condition == Condition::Free && statement.surcharge == 0.0)
-    {
-        let Some(soil) = problem.owner(b.side()).map(|region| &problem.soils[region]) else { continue };
-        let [p, q] = problem.ends(b.line);
-        let cohesion = soil.cohesion.at(p).max(soil.cohesion.at(q));
-        let is_weak = soil.tan > 0.0 && cohesion <= WEAK * soil.unit_weight * gravity * distance(p, q);
-        if !is_weak || numbers.iter().any(|(side, _)| *side == b.side()) {
+    for b in problem.statement().boundaries.iter().filter(|b| is_weak(problem, b.side())) {
+        if numbers.iter().any(|(side, _)| *side == b.side()) {
             continue;
         }
+        let [p, q] = problem.ends(b.line);
         let next = 1 + numbers.iter().map(|(_, number)| *number).max().unwrap_or(AT_REST);
-        let number = match heights.iter().find(|(y, _)| p[1] == q[1] && *y == p[1]) {
-            Some((_, number)) => *number,
-            None => next,
-        };
+        let level = heights.iter().find(|(y, _)| p[1] == q[1] && *y == p[1]);
+        let number = level.map_or(next, |(_, number)| *number);
         if p[1] == q[1] {
             heights.push((p[1], number));
         }

@@ -8,10 +8,13 @@ use soilctl_conic::Form;
 use super::loads::Loads;
 use super::reference::ReferenceStress;
 use crate::problem::Problem;
-use crate::vector::{Point, between, dot, turned};
+use crate::vector::{Point, between, distance, dot, turned};
 
 /// Number of the polynomial that is zero.
 pub(super) const AT_REST: usize = 0;
+
+/// Cohesion over the weight of as much soil as the side is long, up to which it is next to none.
+const WEAK: f64 = 0.05;
 
 fn bare(problem: &Problem, side: LineUse, condition: Condition) -> bool {
     let region = problem.owner(side);
@@ -23,6 +26,17 @@ fn bare(problem: &Problem, side: LineUse, condition: Condition) -> bool {
 /// Whether the stress must vanish on a side.
 pub(crate) fn is_bare(problem: &Problem, side: LineUse) -> bool {
     problem.condition(side).is_some_and(|condition| bare(problem, side, condition))
+}
+
+/// Whether a free side is of soil with friction that has next to no cohesion, if any.
+pub(crate) fn is_weak(problem: &Problem, side: LineUse) -> bool {
+    let statement = problem.statement();
+    let Some(soil) = problem.owner(side).map(|region| &problem.soils[region]) else { return false };
+    let [p, q] = problem.ends(side.line);
+    let weight = soil.unit_weight * statement.gravity[0].hypot(statement.gravity[1]) * distance(p, q);
+    let cohesion = soil.cohesion.at(p).max(soil.cohesion.at(q));
+    let is_free = problem.condition(side) == Some(Condition::Free) && statement.surcharge == 0.0;
+    is_free && soil.tan > 0.0 && cohesion <= WEAK * weight
 }
 
 /// The numbers of the surfaces that bare sides belong to, as the certificate counts them: those on the datum before which

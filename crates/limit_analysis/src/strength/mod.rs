@@ -9,7 +9,7 @@ use soilctl_certificate::{LowerField, UpperField};
 
 use crate::bound::{Bound, Clock, Ended, Level, Options, Sides, sides};
 use crate::describe::{Described, Description};
-use crate::error::LimitError;
+use crate::error::{LimitError, OneSide};
 use guess::guess;
 use search::Search;
 pub use search::Trial;
@@ -108,8 +108,9 @@ pub fn factor_of_safety(
         }
     };
     let ended = if run.is_cut && ended != Ended::Stopped { Ended::Time } else { ended };
-    let (Some(lower), Some(upper)) = (run.found.lower.take(), run.found.upper.take()) else {
-        return Err(run.nothing());
+    let (lower, upper) = match (&run.found.lower, &run.found.upper) {
+        (Some(lower), Some(upper)) => (lower.clone(), upper.clone()),
+        _ => return Err(run.nothing()),
     };
     let (work, seconds) = (run.spent, run.clock.elapsed());
     Ok(SafetyBounds { lower, upper, trials: run.search.trials, ended, work, seconds })
@@ -149,7 +150,9 @@ impl Run<'_> {
     fn nothing(&self) -> LimitError {
         let without_tension = self.description.soils.iter().any(|soil| soil.tension_kpa == Some(0.0));
         let spent = format!("{} factors, {} element steps", self.search.trials.len(), self.spent);
-        LimitError::nothing_proven(without_tension, spent)
+        let lower = self.found.lower.as_ref().map(|proof| OneSide::Lower(proof.factor));
+        let side = lower.or(self.found.upper.as_ref().map(|proof| OneSide::Upper(proof.factor)));
+        LimitError::nothing_proven(without_tension, spent).with_proven(side)
     }
 
     /// One factor. Returns why to stop, if so.

@@ -92,7 +92,7 @@ fn a_slope_of_sand_bears_the_ratio_of_tangents() {
         let exact = phi.to_radians().tan() / beta.to_radians().tan();
         let name = format!("{phi} {beta} {base:?}: {} to {}", bounds.lower.factor, bounds.upper.factor);
         assert!(bounds.lower.factor <= exact && exact <= bounds.upper.factor, "{name} {exact}");
-        assert!(bounds.gap() <= 0.03, "{name}");
+        assert!(bounds.gap() <= 0.04, "{name}");
         is_proven(&bounds);
     }
 }

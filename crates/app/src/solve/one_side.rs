@@ -1,0 +1,44 @@
+//! Runs that prove one side only say so.
+
+use soilctl_limit_analysis::describe::{Described, Quantity};
+use soilctl_limit_analysis::{LimitError, OneSide};
+
+use crate::AppError;
+use crate::text::number;
+
+fn words(what: &str, side: OneSide, problem: &LimitError) -> AppError {
+    let (at, value) = match side {
+        OneSide::Lower(value) => ("at least", value),
+        OneSide::Upper(value) => ("at most", value),
+    };
+    AppError::Request(format!("only one side is proven: {what} is {at} {}; {problem}", number(value)))
+}
+
+/// What a failed run has proven of a described problem, in the units of its file.
+pub(super) fn of_problem(problem: AppError, described: &Described) -> AppError {
+    let AppError::Limit(LimitError::NothingProven { proven: Some(side), .. }) = &problem else {
+        return problem;
+    };
+    let what = match described.quantity {
+        Quantity::ForceKnPerM => "the force in kN/m",
+        Quantity::LoadFactor => "the factor on the live loads",
+        Quantity::WeightFactor => "the factor on the unit weights",
+        Quantity::Acceleration => "the horizontal acceleration over gravity",
+    };
+    let side = match *side {
+        OneSide::Lower(value) => OneSide::Lower(described.in_units([value; 2])[0]),
+        OneSide::Upper(value) => OneSide::Upper(described.in_units([value; 2])[1]),
+    };
+    match &problem {
+        AppError::Limit(problem) => words(what, side, problem),
+        _ => problem,
+    }
+}
+
+/// The same of a factor of safety.
+pub(super) fn of_safety(problem: LimitError) -> AppError {
+    match problem {
+        LimitError::NothingProven { proven: Some(side), .. } => words("the factor of safety", side, &problem),
+        problem => problem.into(),
+    }
+}
