@@ -6,6 +6,8 @@ use soilctl_soil::units::pa_to_psi;
 #[must_use]
 pub fn number(value: f64) -> String {
     let rounded = format!("{value:.5e}").parse().unwrap_or(value);
+    // Never "-0".
+    let rounded = rounded + 0.0;
     let size = f64::abs(rounded);
     if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { rounded.to_string() }
 }

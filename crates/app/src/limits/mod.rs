@@ -23,7 +23,7 @@ pub(crate) fn bounds(problem: &Problem, options: &Options, watch: &dyn Watch) ->
         watch.say(&words(level, gap));
     });
     watch.end();
-    let bounds = bounds.map_err(|problem| statuses.explain(problem))?;
+    let bounds = bounds.map_err(|error| statuses.explain(error, problem, options))?;
     levels::note_doubts(&bounds.levels, watch);
     Ok(bounds)
 }

@@ -29,13 +29,18 @@ impl Statuses {
         if self.upper.len() <= 1 {
             return;
         }
+        self.ask(problem, options);
+        if self.locked() || self.falls_at.is_some() {
+            options.stop.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Looks for a proof that the ground falls, once, if it seems to.
+    fn ask(&mut self, problem: &Problem, options: &Options) {
         if self.seems_to_fall() && !self.asked {
             self.asked = true;
             // A problem that cannot be asked this has its own error to tell.
             self.falls_at = falls(problem, options, SECONDS).ok().flatten().map(|(_, bound)| bound.value);
-        }
-        if self.locked() || self.falls_at.is_some() {
-            options.stop.store(true, Ordering::Relaxed);
         }
     }
 
@@ -54,10 +59,11 @@ impl Statuses {
     }
 
     /// A failed run in physical words, as far as they are known.
-    pub(super) fn explain(&self, problem: LimitError) -> AppError {
-        if !matches!(problem, LimitError::NothingProven { proven: None, .. }) {
-            return problem.into();
+    pub(super) fn explain(&mut self, error: LimitError, problem: &Problem, options: &Options) -> AppError {
+        if !matches!(error, LimitError::NothingProven { proven: None, .. }) {
+            return error.into();
         }
+        self.ask(problem, options);
         let meshes = self.upper.len();
         if let Some(factor) = self.falls_at {
             return AppError::Request(format!(
@@ -78,6 +84,6 @@ impl Statuses {
                  that the ground falls under them is not proven either; allow more elements, work or time, or give it more strength"
             ));
         }
-        problem.into()
+        error.into()
     }
 }

@@ -208,7 +208,7 @@ pub(crate) fn sides(
     let ended = loop {
         let ended = run.level(progress)?;
         if let Some(what) = uncovered(&run.levels) {
-            let advice = "change that; where soil has no cohesion, a little of it often helps";
+            let advice = "see in docs/problem-file.md what is covered, and change that";
             return Err(LimitError::NotCovered { what, advice });
         }
         if let Some(ended) = ended {

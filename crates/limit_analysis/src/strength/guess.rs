@@ -4,6 +4,7 @@ use soilctl_certificate::Condition;
 
 use super::search::Guess;
 use crate::problem::Problem;
+use crate::vector::{between, cross, dot};
 
 /// The least factor of all free slopes, as if nothing acted but weight; none without slopes and weight.
 pub(super) fn guess(problem: &Problem) -> Option<Guess> {
@@ -12,7 +13,9 @@ pub(super) fn guess(problem: &Problem) -> Option<Guess> {
     let free = statement.boundaries.iter().filter(|b| b.condition == Condition::Free);
     let factors = free.filter_map(|b| {
         let [p, q] = problem.ends(b.line);
-        let beta = (q[1] - p[1]).abs().atan2((q[0] - p[0]).abs());
+        // Against what is level across gravity, which an earthquake tilts.
+        let [along, down] = [between(p, q), statement.gravity];
+        let beta = dot(along, down).abs().atan2(cross(along, down).abs());
         let soil = &problem.soils[problem.owner(b.side())?];
         if soil.cohesion.is_zero() {
             return (beta > 0.0 && soil.tan > 0.0).then(|| Guess::Good(soil.tan / beta.tan()));
