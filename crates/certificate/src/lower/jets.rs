@@ -108,8 +108,9 @@ impl Maker<'_> {
             Jet::ManyApexes { base, f } => {
                 let p = self.position(copy);
                 let height = p.y - Interval::point(self.problem.statement.datum);
-                let from_side = self.surfaces.from_side(surface, p);
-                let (n, away) = from_side.map_or((UPWARDS, height), |(t, e)| (t.turned(), e * t.square()));
+                let away_from_side = self.surfaces.away_from_side(surface, p);
+                let (n, away) =
+                    away_from_side.map_or((UPWARDS, height), |(t, e)| (t.turned(), e * t.square()));
                 if !away.is_not_zero() {
                     return Err(bad(copy, "it is next to a surface and itself not away from it"));
                 }

@@ -195,7 +195,7 @@ impl<'a> Surfaces<'a> {
     }
 
     /// The vector of the side, and from its line to a point along that turned left, in units of its length.
-    pub(super) fn from_side(&self, surface: usize, p: Vector) -> Option<(Vector, Interval)> {
+    pub(super) fn away_from_side(&self, surface: usize, p: Vector) -> Option<(Vector, Interval)> {
         let surface = self.surfaces.get(surface.checked_sub(1)?)?;
         Some((surface.stretch.along, surface.place(p)[1]))
     }

@@ -47,8 +47,8 @@ pub(crate) fn worst(statement: &Statement, field: &LowerField, regions: &[usize]
     let weight = statement.regions.iter().map(|r| r.material.unit_weight).fold(0.0, f64::max);
     let unit = weight * height * size(statement.gravity);
     let mut worst = Worst { inside: 0.0, edges: 0.0, strength: 0.0 };
-    for triangle in 0..shown.corners.len() {
-        let material = &statement.regions[regions[triangle]].material;
+    for (triangle, region) in regions.iter().enumerate() {
+        let material = &statement.regions[*region].material;
         let (sin, cos) = material.phi_deg.to_radians().sin_cos();
         for k in 0..3 {
             let (stresses, at) = part(&shown, triangle, k);

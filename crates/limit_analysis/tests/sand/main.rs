@@ -174,6 +174,7 @@ fn altered_fields_are_refused_or_still_balance() {
 }
 
 /// With friction that differs, whatever lies below: no proof says more than sliding along the slope allows.
+#[allow(clippy::print_stdout, reason = "what `--nocapture` is for")]
 fn no_proof_says_more(cases: u32) {
     let slopes = (25.0..45.0_f64, 12.0..40.0_f64, 0.5..20.0_f64, 0..4_usize, 14.0..24.0_f64);
     let mut runner = TestRunner::new(ProptestConfig { cases, ..ProptestConfig::default() });
