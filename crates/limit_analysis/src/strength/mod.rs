@@ -162,7 +162,6 @@ impl Run<'_> {
         progress: &mut dyn FnMut(f64, &Level, Option<f64>),
     ) -> Result<Option<Ended>, LimitError> {
         let described = self.description.reduced(factor).described()?;
-        let proven = self.search.gap();
         let options = Options {
             max_gap: self.search.trial_gap,
             max_work: (SHARE * self.remaining() as f64) as u64,
@@ -170,7 +169,8 @@ impl Run<'_> {
             ..self.options.clone()
         };
         let solved = sides(&described.problem()?, &options, &is_decided, &mut |level, _| {
-            progress(factor, level, proven);
+            let lower = level.lower.and_then(|solve| solve.proven);
+            progress(factor, level, self.search.gap_with(factor, lower, level.upper.proven));
         });
         let Sides { lower, upper, ended, work, .. } = solved?;
         self.spent += work;

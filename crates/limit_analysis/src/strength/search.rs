@@ -150,7 +150,15 @@ impl Search {
 
     /// Relative distance of what is proven.
     pub(super) fn gap(&self) -> Option<f64> {
-        let (low, high) = (self.stands?, self.fails?);
+        self.gap_with(f64::NAN, None, None)
+    }
+
+    /// The same with the bounds of a trial that is not over.
+    pub(super) fn gap_with(&self, factor: f64, lower: Option<f64>, upper: Option<f64>) -> Option<f64> {
+        let stands = lower.filter(|lower| *lower >= 1.0).map(|_| factor);
+        let fails = upper.filter(|upper| *upper < 1.0).map(|_| factor);
+        let low = self.stands.into_iter().chain(stands).reduce(f64::max)?;
+        let high = self.fails.into_iter().chain(fails).reduce(f64::min)?;
         Some(2.0 * (high - low) / (high + low))
     }
 
