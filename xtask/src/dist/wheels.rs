@@ -105,10 +105,20 @@ fn audit(environment: &Environment, folder: &Path) -> Result<(), XtaskError> {
     for wheel in wheels {
         let name = wheel.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let Some(promised) = c_library(&name) else { continue };
-        let told = Step::new(step, environment.python()).args(["-m", "auditwheel", "show", "--json"]);
+        // Only what the wheel names: among this system's own libraries may be a `libc.so` that is a script for linkers.
+        let told = Step::new(step, environment.python()).args([
+            "-m",
+            "auditwheel",
+            "show",
+            "--json",
+            "--ldpaths",
+            "",
+        ]);
         let told = told.args([&wheel]).output()?;
-        let tag = serde_json::from_str::<serde_json::Value>(&told).ok();
-        let tag = tag.and_then(|told| Some(told["overall_tag"].as_str()?.to_owned())).unwrap_or_default();
+        let tag = serde_json::from_str::<serde_json::Value>(&told)
+            .ok()
+            .and_then(|told| tag(&told))
+            .unwrap_or_default();
         if c_library(&tag).is_none_or(|needed| needed.0 != promised.0 || needed > promised) {
             return Err(XtaskError::Missing {
                 step: step.into(),
@@ -123,6 +133,15 @@ fn audit(environment: &Environment, folder: &Path) -> Result<(), XtaskError> {
     Ok(())
 }
 
+/// The tag that auditwheel gives a wheel. It knows musl's C library by the name that Alpine gives it; what is linked with zig has musl's own
+/// name for it, `libc.so`, which its loader takes for itself. So where nothing else is asked for, that of the symbols counts.
+fn tag(told: &serde_json::Value) -> Option<String> {
+    let is_musl = told["sym_tag"].as_str().is_some_and(|tag| tag.contains("musllinux"));
+    let asks_for = told["external_libs"].as_object()?;
+    let only_musl = is_musl && asks_for.keys().all(|library| library == "libc.so");
+    told[if only_musl { "sym_tag" } else { "overall_tag" }].as_str().map(str::to_owned)
+}
+
 /// The C library and its version of a tag such as `manylinux_2_17_x86_64`, or of the first in a wheel's name.
 fn c_library(tag: &str) -> Option<(&str, u32, u32)> {
     ["manylinux", "musllinux"].into_iter().find_map(|library| {
@@ -134,6 +153,19 @@ fn c_library(tag: &str) -> Option<(&str, u32, u32)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_library_of_its_own_is_no_dependency_of_musl() {
+        let told = |libraries: serde_json::Value| {
+            serde_json::json!({
+                "overall_tag": "linux_x86_64", "sym_tag": "musllinux_1_2_x86_64", "external_libs": libraries
+            })
+        };
+        let musl = serde_json::json!({ "libc.so": null });
+        assert_eq!(tag(&told(musl)).as_deref(), Some("musllinux_1_2_x86_64"));
+        let more = serde_json::json!({ "libc.so": null, "libgcc_s.so.1": null });
+        assert_eq!(tag(&told(more)).as_deref(), Some("linux_x86_64"));
+    }
 
     #[test]
     fn a_wheel_tells_its_c_library() {
