@@ -177,7 +177,8 @@ fn altered_fields_are_refused_or_still_balance() {
 #[allow(clippy::print_stdout, reason = "what `--nocapture` is for")]
 fn no_proof_says_more(cases: u32) {
     let slopes = (25.0..45.0_f64, 12.0..40.0_f64, 0.5..20.0_f64, 0..4_usize, 14.0..24.0_f64);
-    let mut runner = TestRunner::new(ProptestConfig { cases, ..ProptestConfig::default() });
+    let mut runner =
+        TestRunner::new(ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() });
     let gaps = std::cell::RefCell::new(Vec::new());
     let tried = runner.run(&slopes, |(phi, beta, height, kind, weight)| {
         let base = [Base::Rock, Base::Same, Base::Clay(weight), Base::Clay(18.0)][kind];
@@ -207,6 +208,6 @@ fn no_proof_says_more_than_the_ratio_of_tangents() {
 
 #[test]
 #[ignore = "minutes: cargo xtask verify"]
-fn exact_ratio_of_tangents_of_a_hundred_slopes() {
-    no_proof_says_more(100);
+fn exact_ratio_of_tangents_of_thirty_slopes() {
+    no_proof_says_more(30);
 }
