@@ -139,6 +139,7 @@ mod tests {
 
     #[test]
     fn numbers_keep_six_digits_at_any_size() {
+        assert_eq!([number(-0.0), number(0.0)], ["0", "0"]);
         for (value, text) in [
             (0.0, "0"),
             (7.835_949, "7.83595"),

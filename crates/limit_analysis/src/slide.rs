@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use soilctl_certificate::{Place, Triangle, Vertex};
 
 use crate::lower::surfaces::is_weak;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, vertex_on_edge};
 use crate::problem::Problem;
 use crate::topology::Topology;
 use crate::vector::{Point, along, between, cross, distance};
@@ -128,7 +128,9 @@ fn cut_one(problem: &Problem, mesh: &Mesh, topology: &Topology, slide: &Slide) -
             return None;
         }
         let new = vertices.len();
-        vertices.push(on_edge(problem, mesh, topology, (triangle, edge), [a, b], s));
+        let line = topology.line[triangle][edge].map(|side| side.line);
+        let ends = [a, b].map(|v| mesh.vertices[v]);
+        vertices.push(vertex_on_edge(problem.statement(), line, ends, s));
         steps.push(Step { triangle, from, to: (edge, new) });
         let Some(next) = topology.across[triangle][edge] else {
             return Some(built(problem, mesh, vertices, &steps, start));
@@ -152,30 +154,6 @@ fn ahead(slide: &Slide, foot: Point, mesh: &Mesh, a: usize, b: usize) -> bool {
     let [p, q] = [a, b].map(|v| between(foot, mesh.vertices[v].position));
     let along = |p: Point| p[0] * slide.way[0] + p[1] * slide.way[1];
     along(p).max(along(q)) > 0.0
-}
-
-/// The vertex at a fraction of a triangle's edge.
-fn on_edge(
-    problem: &Problem,
-    mesh: &Mesh,
-    topology: &Topology,
-    (triangle, edge): (usize, usize),
-    [a, b]: [usize; 2],
-    s: f64,
-) -> Vertex {
-    let [p, q] = [a, b].map(|v| mesh.vertices[v]);
-    let Some(side) = topology.line[triangle][edge] else {
-        return Vertex { position: along(p.position, q.position, s), place: Place::Inside };
-    };
-    let from = problem.statement().lines[side.line].from;
-    let fraction = |v: Vertex| match v.place {
-        Place::OnLine { s, .. } => s,
-        Place::Corner { point } if point == from => 0.0,
-        Place::Corner { .. } | Place::Inside => 1.0,
-    };
-    let s = fraction(p) + s * (fraction(q) - fraction(p));
-    let [first, last] = problem.ends(side.line);
-    Vertex { position: along(first, last, s), place: Place::OnLine { line: side.line, s } }
 }
 
 fn built(

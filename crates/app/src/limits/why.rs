@@ -7,8 +7,8 @@ use soilctl_limit_analysis::{Level, LimitError, Options, Problem, Status, falls}
 use crate::AppError;
 use crate::text::number;
 
-/// Time in seconds for a proof that the ground falls, where it seems to.
-const SECONDS: f64 = 5.0;
+/// Element steps for a proof that the ground falls, where it seems to; some seconds.
+const WORK: u64 = 300_000;
 
 /// How the solves of a run ended.
 #[derive(Debug, Default)]
@@ -40,7 +40,7 @@ impl Statuses {
         if self.seems_to_fall() && !self.asked {
             self.asked = true;
             // A problem that cannot be asked this has its own error to tell.
-            self.falls_at = falls(problem, options, SECONDS).ok().flatten().map(|(_, bound)| bound.value);
+            self.falls_at = falls(problem, options, WORK).ok().flatten();
         }
     }
 

@@ -16,8 +16,9 @@ fn words(what: &str, side: OneSide, problem: &LimitError) -> AppError {
 
 /// What a failed run has proven of a described problem, in the units of its file.
 pub(super) fn of_problem(problem: AppError, described: &Described) -> AppError {
-    let AppError::Limit(LimitError::NothingProven { proven: Some(side), .. }) = &problem else {
-        return problem;
+    let (side, error) = match problem {
+        AppError::Limit(error @ LimitError::NothingProven { proven: Some(side), .. }) => (side, error),
+        other => return other,
     };
     let what = match described.quantity {
         Quantity::ForceKnPerM => "the force in kN/m",
@@ -25,14 +26,11 @@ pub(super) fn of_problem(problem: AppError, described: &Described) -> AppError {
         Quantity::WeightFactor => "the factor on the unit weights",
         Quantity::Acceleration => "the horizontal acceleration over gravity",
     };
-    let side = match *side {
+    let side = match side {
         OneSide::Lower(value) => OneSide::Lower(described.in_units([value; 2])[0]),
         OneSide::Upper(value) => OneSide::Upper(described.in_units([value; 2])[1]),
     };
-    match &problem {
-        AppError::Limit(problem) => words(what, side, problem),
-        _ => problem,
-    }
+    words(what, side, &error)
 }
 
 /// The same of a factor of safety.

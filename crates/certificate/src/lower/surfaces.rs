@@ -19,7 +19,7 @@ use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::mesh::Place;
 use crate::problem::{Problem, Stress};
-use crate::statement::{Boundary, Condition};
+use crate::statement::{Condition, LineUse};
 use crate::tiling::Tiling;
 
 /// Number of the polynomial that is zero: of sides at the datum before which nothing acts, and of all that is next to none.
@@ -253,10 +253,6 @@ fn check_references(
 /// Whether an edge from an apex to another copy runs along a side without loads.
 pub(super) fn along_free_side(problem: &Problem, loads: &Loads, apex: Station, other: Station) -> bool {
     let others = loads.sides_at(other);
-    loads.sides_at(apex).into_iter().any(|side| {
-        let condition = problem.condition(side);
-        let boundary =
-            condition.map(|condition| Boundary { line: side.line, forward: side.forward, condition });
-        others.contains(&side) && boundary.is_some_and(|b| b.condition == Condition::Free)
-    })
+    let is_free = |side: &LineUse| problem.condition(*side) == Some(Condition::Free);
+    loads.sides_at(apex).iter().any(|side| is_free(side) && others.contains(side))
 }

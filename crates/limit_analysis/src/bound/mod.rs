@@ -195,6 +195,11 @@ pub fn bound_section(
 /// Whether the levels so far, and the lower and upper bound proven, are enough.
 pub(crate) type Enough = dyn Fn(&[Level], [Option<f64>; 2]) -> bool;
 
+/// Whether it is proven that what acts is borne, or that it is not: how well matters only where that is in doubt.
+pub(crate) fn is_decided(_: &[Level], [lower, upper]: [Option<f64>; 2]) -> bool {
+    lower.is_some_and(|lower| lower >= 1.0) || upper.is_some_and(|upper| upper < 1.0)
+}
+
 /// As [`bound`], for those to whom one side may be enough: `is_enough` is asked after each level, with the bounds proven so
 /// far.
 pub(crate) fn sides(

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use soilctl_certificate::{Condition, Objective, Statement, UpperField};
+use soilctl_certificate::{Condition, Objective, Statement};
 
-use super::{Bound, Options, Sides, sides};
+use super::{Options, Sides, is_decided, sides};
 use crate::error::LimitError;
 use crate::problem::Problem;
 
@@ -21,27 +21,21 @@ fn at_rest(statement: &Statement) -> Statement {
 }
 
 /// A proof that there is no collapse load, since the ground does not even bear its weight, water and dead loads with all structures
-/// held: an upper bound below one on the factor on these. Nothing if none is found in so many seconds, which proves nothing.
+/// held: an upper bound below one on the factor on these. Nothing if none is found with so much [work](Options::max_work), which
+/// proves nothing.
 ///
 /// # Errors
 ///
 /// [`LimitError`] as from [`bound`](crate::bound()).
-pub fn falls(
-    problem: &Problem,
-    options: &Options,
-    seconds: f64,
-) -> Result<Option<(Statement, Bound<UpperField>)>, LimitError> {
+pub fn falls(problem: &Problem, options: &Options, work: u64) -> Result<Option<f64>, LimitError> {
     let rest = Problem::new(at_rest(problem.statement()))?;
     // What stopped the run that asks shall not stop this one.
     let options = Options {
         max_gap: f64::EPSILON,
-        max_seconds: Some(options.max_seconds.map_or(seconds, |s| s.min(seconds))),
+        max_work: work.min(options.max_work),
         stop: Arc::new(AtomicBool::new(false)),
         ..options.clone()
     };
-    let decided = |_: &[_], [lower, upper]: [Option<f64>; 2]| {
-        lower.is_some_and(|l| l >= 1.0) || upper.is_some_and(|u| u < 1.0)
-    };
-    let Sides { upper, .. } = sides(&rest, &options, &decided, &mut |_, _| {})?;
-    Ok(upper.filter(|upper| upper.value < 1.0).map(|upper| (rest.statement().clone(), upper)))
+    let Sides { upper, .. } = sides(&rest, &options, &is_decided, &mut |_, _| {})?;
+    Ok(upper.map(|upper| upper.value).filter(|factor| *factor < 1.0))
 }

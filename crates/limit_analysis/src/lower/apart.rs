@@ -3,14 +3,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use soilctl_certificate::{LineUse, Place, Triangle, Vertex};
+use soilctl_certificate::{LineUse, Triangle};
 
 use super::loads::Loads;
 use super::reference::ReferenceStress;
 use super::surfaces::{AT_REST, is_weak, numbers};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, vertex_on_edge};
 use crate::problem::Problem;
-use crate::vector::{Point, along, midpoint};
 
 /// Rounds of halving; a few are needed.
 const ROUNDS: usize = 12;
@@ -171,13 +170,8 @@ fn halve(problem: &Problem, mesh: Mesh, edges: &BTreeSet<Edge>) -> Mesh {
     }
     for &[a, b] in edges {
         let middle = vertices.len();
-        vertices.push(match line_of.get(&[a, b]) {
-            Some(line) => on_line(problem, *line, [vertices[a], vertices[b]]),
-            None => Vertex {
-                position: midpoint(vertices[a].position, vertices[b].position),
-                place: Place::Inside,
-            },
-        });
+        let line = line_of.get(&[a, b]).copied();
+        vertices.push(vertex_on_edge(problem.statement(), line, [vertices[a], vertices[b]], 0.5));
         for i in 0..triangles.len() {
             let Triangle { corners, region } = triangles[i];
             let Some(k) = (0..3).find(|k| edge(corners[(k + 1) % 3], corners[(k + 2) % 3]) == [a, b]) else {
@@ -196,17 +190,4 @@ fn halve(problem: &Problem, mesh: Mesh, edges: &BTreeSet<Edge>) -> Mesh {
     }
     guide_edges.sort_unstable();
     Mesh::new(problem.statement(), vertices, triangles, guide_edges)
-}
-
-/// The vertex half way between two on a line.
-fn on_line(problem: &Problem, line: usize, ends: [Vertex; 2]) -> Vertex {
-    let from = problem.statement().lines[line].from;
-    let fraction = |v: Vertex| match v.place {
-        Place::OnLine { s, .. } => s,
-        Place::Corner { point } if point == from => 0.0,
-        Place::Corner { .. } | Place::Inside => 1.0,
-    };
-    let s = 0.5 * (fraction(ends[0]) + fraction(ends[1]));
-    let [p, q]: [Point; 2] = problem.ends(line);
-    Vertex { position: along(p, q, s), place: Place::OnLine { line, s } }
 }

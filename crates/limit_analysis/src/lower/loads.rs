@@ -31,7 +31,7 @@ struct Side {
 }
 
 /// All free and loaded sides.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Loads {
     pub(crate) runs: Vec<Run>,
     sides: BTreeMap<LineUse, Side>,

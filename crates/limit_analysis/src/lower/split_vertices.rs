@@ -76,13 +76,12 @@ impl<'a> SplitVertices<'a> {
             }
         }
         let loads = Loads::new(problem, reference);
-        let surfaces = Surfaces::new(problem, reference, &loads, &[], &[], &[]);
         let mut copies = Self {
             problem,
             mesh,
             topology,
             loads,
-            surfaces,
+            surfaces: Surfaces::default(),
             corners,
             vertex_of,
             region,
@@ -219,7 +218,8 @@ impl<'a> SplitVertices<'a> {
             }
         }
         let loads = &self.loads;
-        self.surfaces = Surfaces::new(self.problem, reference, loads, &self.corners, &at, &self.twin_of);
+        self.surfaces =
+            Surfaces::new(self.problem, reference, loads, &numbers, &self.corners, &at, &self.twin_of);
         // What a run demands is demanded in full.
         for (copy, gauge) in self.gauge_of.iter().enumerate() {
             if gauge.is_some() {

@@ -135,7 +135,7 @@ impl Surface {
 }
 
 /// All surfaces, and which of them vertex copies and triangles go by.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Surfaces {
     loads: Loads,
     surfaces: Vec<Surface>,
@@ -157,11 +157,11 @@ impl Surfaces {
         problem: &Problem,
         reference: &ReferenceStress,
         loads: &Loads,
+        numbers: &[(LineUse, usize)],
         corners: &[[usize; 3]],
         at: &[Vec<usize>],
         twins: &[Option<usize>],
     ) -> Self {
-        let numbers = numbers(problem, loads);
         let moving = numbers.iter().filter(|(_, number)| *number != AT_REST);
         let surfaces = moving.map(|(side, _)| Surface::new(problem, reference, *side)).collect();
         let mut next_to: Vec<Option<Vec<usize>>> = vec![None; at.len()];

@@ -4,7 +4,7 @@ use spade::Triangulation;
 use super::MeshError;
 use super::triangulation::FRAME;
 use super::work::{Kind, Work};
-use crate::vector::{Point, angle, between};
+use crate::vector::{Point, along, angle, between};
 
 /// A triangulation of all regions of a statement, with where its lines and guides run. It is conforming; slits and
 /// interfaces are edges like others, with the same vertices on both sides.
@@ -60,6 +60,27 @@ impl Mesh {
     pub(crate) fn saved(&self) -> soilctl_certificate::Mesh {
         soilctl_certificate::Mesh { vertices: self.vertices.clone(), triangles: self.triangles.clone() }
     }
+}
+
+/// A new vertex at a fraction of the edge between two, on the line that holds the edge if one does.
+pub(crate) fn vertex_on_edge(
+    statement: &Statement,
+    line: Option<usize>,
+    [p, q]: [Vertex; 2],
+    s: f64,
+) -> Vertex {
+    let Some(line) = line else {
+        return Vertex { position: along(p.position, q.position, s), place: Place::Inside };
+    };
+    let ends = statement.lines[line];
+    let fraction = |v: Vertex| match v.place {
+        Place::OnLine { s, .. } => s,
+        Place::Corner { point } if point == ends.from => 0.0,
+        Place::Corner { .. } | Place::Inside => 1.0,
+    };
+    let s = fraction(p) + s * (fraction(q) - fraction(p));
+    let position = along(statement.points[ends.from], statement.points[ends.to], s);
+    Vertex { position, place: Place::OnLine { line, s } }
 }
 
 impl Work<'_> {

@@ -30,6 +30,7 @@ mod work;
 pub use domain::check;
 pub use error::MeshError;
 pub use extract::Mesh;
+pub(crate) use extract::vertex_on_edge;
 pub use fan::Fan;
 pub use generate::{Request, generate};
 pub use guide::Guide;

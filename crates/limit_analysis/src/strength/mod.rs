@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 
 use soilctl_certificate::{LowerField, UpperField};
 
-use crate::bound::{Bound, Clock, Ended, Level, Options, Sides, sides};
+use crate::bound::{Bound, Clock, Ended, Level, Options, Sides, is_decided, sides};
 use crate::describe::{Described, Description};
 use crate::error::{LimitError, OneSide};
 use guess::guess;
@@ -108,17 +108,12 @@ pub fn factor_of_safety(
         }
     };
     let ended = if run.is_cut && ended != Ended::Stopped { Ended::Time } else { ended };
-    let (lower, upper) = match (&run.found.lower, &run.found.upper) {
-        (Some(lower), Some(upper)) => (lower.clone(), upper.clone()),
-        _ => return Err(run.nothing()),
+    let nothing = run.nothing();
+    let (Some(lower), Some(upper)) = (run.found.lower.take(), run.found.upper.take()) else {
+        return Err(nothing);
     };
     let (work, seconds) = (run.spent, run.clock.elapsed());
     Ok(SafetyBounds { lower, upper, trials: run.search.trials, ended, work, seconds })
-}
-
-/// Whether it is proven that the soil stands, or that it does not: how well matters only where it is in doubt.
-fn is_decided(_: &[Level], [lower, upper]: [Option<f64>; 2]) -> bool {
-    lower.is_some_and(|lower| lower >= 1.0) || upper.is_some_and(|upper| upper < 1.0)
 }
 
 #[derive(Default)]
@@ -137,7 +132,7 @@ struct Run<'a> {
     is_cut: bool,
     search: Search,
     found: Found,
-    /// What keeps trials from getting sharper, once something does.
+    /// What kept the last trial that was left open from getting sharper.
     limit: Ended,
 }
 
@@ -195,11 +190,13 @@ impl Run<'_> {
             self.found.upper = Some(SafetyProof { factor, described, bound });
         }
         self.search.add(trial);
+        if unsharp {
+            self.limit = ended;
+        }
         if unsharp && matches!(ended, Ended::Elements | Ended::Memory) {
             // What is as fine as is allowed and still not sharp will not be so the next time either. But there may be
             // something to gain from its two bounds.
             self.search.is_finest = true;
-            self.limit = ended;
             return Ok(None);
         }
         let little_time = self

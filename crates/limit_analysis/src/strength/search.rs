@@ -99,13 +99,15 @@ impl Search {
     /// Next to the guess, on the side that is not proven.
     fn guessed(&self) -> Option<f64> {
         let guess = self.guess?;
-        match (guess, self.trials.len()) {
+        let next = match (guess, self.trials.len()) {
             (Guess::Rough(factor), 0) => Some(factor),
             (Guess::Rough(factor), tried) => self.reached(factor, tried - 1),
             (Guess::Good(factor), 0) => Some(factor * (1.0 - BESIDE * self.max_gap)),
             (Guess::Good(factor), 1) => Some(factor * (1.0 + BESIDE * self.max_gap)),
             (Guess::Good(factor), tried) => self.reached(factor, tried - 2),
-        }
+        };
+        // The same again would be left as open as it was.
+        next.filter(|factor| self.trials.iter().all(|trial| trial.factor != *factor))
     }
 
     /// Away from the guess, until there is a factor on either side: the farther the more were tried.

@@ -7,7 +7,7 @@ mod balance;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use soilctl_certificate::{Jet, prove_lower, prove_upper};
-use soilctl_limit_analysis::{Description, Options, SafetyBounds, factor_of_safety};
+use soilctl_limit_analysis::{Description, Options, SafetyBounds, bound, factor_of_safety};
 
 /// What lies under a slope.
 #[derive(Debug, Clone, Copy)]
@@ -96,6 +96,26 @@ fn a_slope_of_sand_bears_the_ratio_of_tangents() {
         assert!(bounds.gap() <= 0.04, "{name}");
         is_proven(&bounds);
     }
+}
+
+/// The soil goes on below the wall's foot, and is held there.
+#[test]
+fn a_smooth_wall_that_gives_way_bears_rankine_s_pressure() {
+    let problem = serde_json::json!({
+        "default_boundary": "free", "objective": {"kind": "structure", "name": "wall", "direction": [-1, 0]},
+        "soil": [{"name": "sand", "phi_deg": 35, "cohesion_kpa": 0, "unit_weight_kn_m3": 2}],
+        "region": [{"soil": "sand", "polygon": [[0, -6], [12, -6], [12, 0], [0, 0], [0, -1]]}],
+        "boundary": [
+            {"kind": "fixed", "sides": ["bottom", "right"]}, {"kind": "fixed", "line": [[0, -6], [0, -1]]}
+        ],
+        "structure": [{"name": "wall", "edge": [[0, -1], [0, 0]], "delta_deg": 0}]
+    });
+    let described = serde_json::from_value::<Description>(problem).unwrap().described().unwrap();
+    let options = Options { max_gap: 0.01, max_work: 3_000_000, ..Options::default() };
+    let bounds = bound(&described.problem().unwrap(), &options, &mut |_, _| {}).unwrap();
+    let [lower, upper] = described.in_units([bounds.lower.value, bounds.upper.value]);
+    let exact = -(45.0_f64 - 17.5).to_radians().tan().powi(2);
+    assert!(lower <= exact && exact <= upper && bounds.gap() <= 0.01, "{lower} {exact} {upper}");
 }
 
 #[test]
