@@ -10,6 +10,10 @@ pub(crate) const FLOW: Accuracy =
 /// it the last digits suffer, so this is no first choice.
 pub(crate) const FLOW_AGAIN: Accuracy = Accuracy { regularisation: 1e-12, ..FLOW };
 
+/// For upper bounds whose solver fails: with much friction or far sides its systems are so badly conditioned that steps come
+/// to nothing. Most of these programs are solved with more regularisation.
+pub(crate) const FLOW_STEADY: Accuracy = Accuracy { regularisation: 1e-8, ..FLOW };
+
 /// For lower bounds: what a stress field misses its cones by costs much of the bound. Their systems are also much worse
 /// conditioned (fourth order against second): with the regularisation that is best for flows, programs of 5,000
 /// elements at 45 degrees of friction stall.

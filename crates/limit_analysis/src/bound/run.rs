@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 use soilctl_certificate::{LowerField, UpperField};
 use soilctl_conic::Status;
 
+use super::solves::Need;
 use super::memory::capacity;
 use super::{Bound, Clock, Ended, Level, Options, Solve, relative_gap};
 use crate::error::LimitError;
@@ -63,8 +64,8 @@ pub(super) struct Run<'a> {
     /// The stress field behind the best lower bound, and its objective.
     stress: Option<(StressField, f64)>,
     pub(super) mobile: MobileZone,
-    /// Which tightening the last upper bound needed; finer meshes need no less.
-    pub(super) tightening: usize,
+    /// What the last upper bound needed.
+    pub(super) need: Need,
     /// Elements asked for on the last mesh.
     target: f64,
     /// Shares in the gap of the triangles of the last mesh for which they are known, before it was cut.
@@ -90,7 +91,7 @@ impl<'a> Run<'a> {
             lower: None,
             upper: None,
             stress: None,
-            tightening: 0,
+            need: Need::default(),
             target: FIRST,
             shares: None,
             guides,
@@ -181,7 +182,7 @@ impl<'a> Run<'a> {
         self.spent += upper.as_ref().map_or(0, |u| u.1.work) + lower.as_ref().map_or(0, |l| l.0.work);
         let solves = [upper.as_ref().map(|u| u.1.status), lower.as_ref().map(|l| l.0.status)];
         is_cut |= solves.contains(&Some(Status::Stopped));
-        let Some((tightening, upper_solve, upper_field, velocity)) = upper else {
+        let Some((need, upper_solve, upper_field, velocity)) = upper else {
             // The lower bound was enough for the mesh before.
             self.meshes.pop();
             if let Some((solve, field, stress, objective)) = lower {
@@ -190,7 +191,10 @@ impl<'a> Run<'a> {
             }
             return Ok(Some(if is_cut { self.cut() } else { Ended::Gap }));
         };
-        self.tightening = tightening;
+        // What did not help is not held against the next mesh.
+        if upper_solve.proven.is_some() {
+            self.need = need;
+        }
         let mut level = Level { upper: upper_solve, lower: None, identity: None };
         if let Some((solve, field, stress, objective)) = lower {
             level.lower = Some(solve);

@@ -25,8 +25,32 @@ const TIGHTENING: [f64; 3] = [1e-6, 1e-5, 1e-4];
 const LOWER_TIGHTENING: [f64; 3] = [3e-9, 3e-7, 1e-5];
 const LEFT: f64 = 0.5;
 
-/// An upper bound: which tightening it took, its figures, its flow as proven and as solved.
-pub(super) type SolvedUpper = (usize, Solve, UpperField, VelocityField);
+/// What the programs of upper bounds are found to need; those of finer meshes need no less.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Need {
+    /// Which of [`TIGHTENING`].
+    tightening: usize,
+    /// [`accuracy::FLOW_STEADY`].
+    steady: bool,
+}
+
+impl Need {
+    fn accuracy(self) -> Accuracy {
+        if self.steady { accuracy::FLOW_STEADY } else { accuracy::FLOW }
+    }
+
+    /// What to try after a program that ended so and whose flow was not proven; nothing if there is nothing left.
+    fn next(self, status: Status) -> Option<Self> {
+        if status == Status::Failed && !self.steady {
+            return Some(Self { steady: true, ..self });
+        }
+        let tightening = self.tightening + 1;
+        (tightening < TIGHTENING.len()).then_some(Self { tightening, ..self })
+    }
+}
+
+/// An upper bound: what it needed, its figures, its flow as proven and as solved.
+pub(super) type SolvedUpper = (Need, Solve, UpperField, VelocityField);
 
 /// A lower bound: its figures, its stresses as proven and as solved, and its objective.
 pub(super) type SolvedLower = (Solve, LowerField, StressField, f64);
@@ -107,9 +131,10 @@ impl Run<'_> {
         let (mesh, topology) = &self.meshes[number];
         let still = self.mobile.still(mesh);
         let mut spent = Spent::default();
-        for (attempt, tightening) in TIGHTENING.iter().enumerate().skip(self.tightening) {
-            let upper = Upper::new(self.problem, mesh, topology, &still, *tightening);
-            let mut answer = self.solve(&upper.program, accuracy::FLOW, "upper", needless)?;
+        let mut need = self.need;
+        loop {
+            let upper = Upper::new(self.problem, mesh, topology, &still, TIGHTENING[need.tightening]);
+            let mut answer = self.solve(&upper.program, need.accuracy(), "upper", needless)?;
             if answer.status == Status::Infeasible {
                 spent.add(&answer, mesh);
                 answer = self.solve(&upper.program, accuracy::FLOW_AGAIN, "upper", needless)?;
@@ -117,20 +142,18 @@ impl Run<'_> {
             spent.add(&answer, mesh);
             let start = Instant::now();
             let field = upper.saved(mesh, &answer.x);
-            let proof = prove_upper(&self.problem.plane_statement(), &field);
-            let (proven, uncovered) = proven(proof);
-            let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
+            let (proven, uncovered) = proven(prove_upper(&self.problem.plane_statement(), &field));
             // A tighter program is no more feasible.
             let hopeless = matches!(answer.status, Status::Stopped | Status::Infeasible);
-            if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == TIGHTENING.len() {
-                let velocity = VelocityField::new(&upper, &answer.x);
-                return Ok((attempt, solve, field, velocity));
+            let is_over = proven.is_some() || hopeless || uncovered.is_some();
+            match need.next(answer.status).filter(|_| !is_over) {
+                Some(next) => need = next,
+                None => {
+                    let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
+                    return Ok((need, solve, field, VelocityField::new(&upper, &answer.x)));
+                }
             }
         }
-        Err(LimitError::nothing_proven(
-            self.problem.has_no_tension(),
-            format!("{} element steps", spent.work),
-        ))
     }
 
     pub(super) fn solve_lower(
