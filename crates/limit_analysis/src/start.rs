@@ -1,5 +1,7 @@
 //! The first mesh: fans where stresses are singular, and a guess of where the soil slips.
 
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
 use soilctl_certificate::{Boundary, Condition};
 
 use crate::mesh::{Fan, Guide};
@@ -118,12 +120,16 @@ impl Start {
         for tip in points.iter().map(at) {
             let depth = statement.datum - tip[1];
             let phi = statement.regions[0].material.phi_deg.to_radians();
-            let flat = std::f64::consts::FRAC_PI_4 - phi / 2.0;
-            let steepest =
-                face_above(problem, tip, ahead).map_or(flat, |(u, delta)| u - delta - phi - CLEARANCE);
+            let flat = FRAC_PI_4 - phi / 2.0;
+            let face = face_above(problem, tip, ahead);
+            let steepest = face.map_or(flat, |(u, delta)| u - delta - phi - CLEARANCE);
             let slip = slip_line(tip, depth, [flat.min(steepest), flat], phi, ahead, statement.datum);
             guides.push(Guide { points: slip });
-            guides.push(Guide { points: vec![tip, [tip[0] - ahead * depth * flat.tan(), statement.datum]] });
+            // The soil that follows from behind. Ahead of a face that leans forward its line would cut a wedge off that is
+            // too narrow to move.
+            if face.is_none_or(|(u, _)| u < FRAC_PI_2 + flat) {
+                guides.push(Guide { points: vec![tip, [tip[0] - ahead * depth * flat.tan(), statement.datum]] });
+            }
         }
         let phi = problem.soils.iter().map(|s| s.tan.atan()).fold(0.0, f64::max);
         let sides = MobileZone::between_sides(problem, phi);
