@@ -128,7 +128,9 @@ impl Start {
             // The soil that follows from behind. Ahead of a face that leans forward its line would cut a wedge off that is
             // too narrow to move.
             if face.is_none_or(|(u, _)| u < FRAC_PI_2 + flat) {
-                guides.push(Guide { points: vec![tip, [tip[0] - ahead * depth * flat.tan(), statement.datum]] });
+                guides.push(Guide {
+                    points: vec![tip, [tip[0] - ahead * depth * flat.tan(), statement.datum]],
+                });
             }
         }
         let phi = problem.soils.iter().map(|s| s.tan.atan()).fold(0.0, f64::max);

@@ -6,8 +6,8 @@ use std::sync::atomic::Ordering;
 use soilctl_certificate::{LowerField, UpperField};
 use soilctl_conic::Status;
 
-use super::solves::Need;
 use super::memory::capacity;
+use super::solves::Need;
 use super::{Bound, Clock, Ended, Level, Options, Solve, relative_gap};
 use crate::error::LimitError;
 use crate::fields::StressField;

@@ -29,8 +29,8 @@ impl Description {
         title("region", index, region.name.as_ref().unwrap_or(&region.soil))
     }
 
-    pub(super) fn boundary_title(index: usize) -> String {
-        title("boundary", index, "")
+    pub(super) fn boundary_title(&self, index: usize) -> String {
+        title("boundary", index, self.boundaries[index].name.as_deref().unwrap_or(""))
     }
 
     pub(super) fn plate_title(&self, index: usize) -> String {
@@ -150,7 +150,7 @@ impl Description {
             return Err(DescriptionError::entry("the problem", problem));
         }
         for (i, b) in self.boundaries.iter().enumerate() {
-            let entry = Self::boundary_title(i);
+            let entry = self.boundary_title(i);
             let wrong = |problem: &str| Err(DescriptionError::entry(entry.clone(), problem));
             if b.sides.is_empty() == b.line.is_empty() {
                 return wrong("give either sides, such as [\"left\", \"right\"], or a line of points");
@@ -180,6 +180,9 @@ impl Description {
             if b.live && b.kind != Kind::Load {
                 return wrong("only kind = \"load\" can be live");
             }
+            if b.action.is_some() && b.kind != Kind::Load {
+                return wrong("only kind = \"load\" has an action");
+            }
         }
         Ok(())
     }
@@ -187,6 +190,7 @@ impl Description {
     fn check_water(&self) -> Result<(), DescriptionError> {
         let Some(water) = &self.water else { return Ok(()) };
         check_line("water", "table", &water.table, 1)?;
+        number("water", "rise_m", water.rise_m, COORDINATE)?;
         let weight = Range { low: f64::MIN_POSITIVE, high: 100.0, words: "above 0, at most 100 kN/m3" };
         number("water", "unit_weight_kn_m3", water.unit_weight_kn_m3, weight)?;
         if water.table.windows(2).any(|w| w[1][0] <= w[0][0]) {
@@ -286,10 +290,10 @@ fn check_line(entry: &str, key: &str, points: &[[f64; 2]], least: usize) -> Resu
 }
 
 #[derive(Clone, Copy)]
-struct Range {
-    low: f64,
-    high: f64,
-    words: &'static str,
+pub(super) struct Range {
+    pub(super) low: f64,
+    pub(super) high: f64,
+    pub(super) words: &'static str,
 }
 
 /// The greatest number below one.
@@ -300,7 +304,12 @@ const STRESS: Range =
 const COORDINATE: Range =
     Range { low: -LARGEST, high: LARGEST, words: "a finite number of metres up to 1e9" };
 
-fn number(entry: &str, key: &'static str, value: f64, range: Range) -> Result<(), DescriptionError> {
+pub(super) fn number(
+    entry: &str,
+    key: &'static str,
+    value: f64,
+    range: Range,
+) -> Result<(), DescriptionError> {
     if (range.low..=range.high).contains(&value) {
         return Ok(());
     }

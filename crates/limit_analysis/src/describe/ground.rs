@@ -153,7 +153,7 @@ pub(super) fn owner_title(description: &Description, owner: Owner) -> String {
         Owner::Region(i) => description.region_title(i),
         Owner::Structure(i) | Owner::Edge(i) => description.structure_title(i),
         Owner::Plate(i) => description.plate_title(i),
-        Owner::Boundary(i) => Description::boundary_title(i),
+        Owner::Boundary(i) => description.boundary_title(i),
         Owner::Water => "the water table".into(),
         Owner::Cut(Cut::Water) => "the vertical below a point of the water table".into(),
         Owner::Cut(Cut::Ratio) => "the vertical through a corner, needed for pore_pressure_ratio".into(),

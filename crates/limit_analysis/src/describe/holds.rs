@@ -106,7 +106,7 @@ impl Holder<'_> {
         };
         if let Some((title, holds)) = holds {
             if let (Some((other, _, _)), false) = (boundaries.first(), beyond.is_soil()) {
-                let second = Description::boundary_title(*other);
+                let second = self.description.boundary_title(*other);
                 return Err(DescriptionError::Conflict { first: title, second, line: [a, b] });
             }
             self.check_face(&title, holds, soil)?;
@@ -116,7 +116,7 @@ impl Holder<'_> {
             return Ok(None);
         }
         if let [(first, _, _), (second, _, _), ..] = boundaries[..] {
-            let [first, second] = [first, second].map(Description::boundary_title);
+            let [first, second] = [first, second].map(|i| self.description.boundary_title(i));
             return Err(DescriptionError::Conflict { first, second, line: [a, b] });
         }
         let by_side =
@@ -124,7 +124,7 @@ impl Holder<'_> {
         let mut sides = (0..self.description.boundaries.len()).filter(by_side);
         let of_side = sides.next();
         if let (Some(first), Some(second)) = (of_side, sides.next()) {
-            let [first, second] = [first, second].map(Description::boundary_title);
+            let [first, second] = [first, second].map(|i| self.description.boundary_title(i));
             return Err(DescriptionError::Conflict { first, second, line: [a, b] });
         }
         if let Some(entry) = of_side {
@@ -223,7 +223,7 @@ impl Holder<'_> {
     fn check_found(&self, covered: &Coverage) -> Result<(), DescriptionError> {
         let whole = |points: &[Point]| points.windows(2).map(|w| length(between(w[0], w[1]))).sum::<f64>();
         for (i, entry) in self.description.boundaries.iter().enumerate() {
-            let title = Description::boundary_title(i);
+            let title = self.description.boundary_title(i);
             if !entry.line.is_empty()
                 && covered.lines[i] < whole(&self.drawing.lines[i]) - 2.0 * self.drawing.near
             {

@@ -3,7 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::parts::{BoundaryEntry, Kind, PlateEntry, StructureEntry, is_zero};
+use super::cases::{CaseEntry, SweepEntry};
+use super::parts::{Action, BoundaryEntry, Kind, PlateEntry, StructureEntry, is_zero};
 
 /// A plane-strain collapse problem in metres, kPa, kN/m3 and degrees: what a problem file says.
 ///
@@ -20,6 +21,9 @@ pub struct Description {
     /// Pressure on all free boundaries and on the ground beyond far ones.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub surcharge_kpa: f64,
+    /// What kind of action the surcharge is, for the partial factors of cases.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surcharge_action: Option<Action>,
     /// What holds on outline that no boundary entry names.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub default_boundary: Option<Kind>,
@@ -46,6 +50,12 @@ pub struct Description {
     /// Rigid bodies.
     #[serde(default, rename = "structure", skip_serializing_if = "Vec::is_empty")]
     pub structures: Vec<StructureEntry>,
+    /// Load cases.
+    #[serde(default, rename = "case", skip_serializing_if = "Vec::is_empty")]
+    pub cases: Vec<CaseEntry>,
+    /// Parameters that take several values.
+    #[serde(default, rename = "sweep", skip_serializing_if = "Vec::is_empty")]
+    pub sweeps: Vec<SweepEntry>,
 }
 
 /// A Mohr-Coulomb soil.
@@ -94,9 +104,20 @@ pub struct RegionEntry {
 pub struct Water {
     /// Points of the water table from left to right; level beyond its ends.
     pub table: Vec<[f64; 2]>,
+    /// How much higher than these points the table is, for cases and sweeps.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub rise_m: f64,
     /// Unit weight of water.
     #[serde(default = "fresh_water")]
     pub unit_weight_kn_m3: f64,
+}
+
+impl Water {
+    /// Points of the water table where it is.
+    #[must_use]
+    pub fn levels(&self) -> Vec<[f64; 2]> {
+        self.table.iter().map(|[x, y]| [*x, y + self.rise_m]).collect()
+    }
 }
 
 fn fresh_water() -> f64 {

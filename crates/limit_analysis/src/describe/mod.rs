@@ -9,8 +9,11 @@
 //!    left. So T-junctions, plates and bodies cut out of the soil need no case of their own.
 //! 3. `columns.rs` adds the vertical cuts that proofs need; `holds.rs` finds the condition on each boundary side.
 //! 4. `size.rs` chooses units, `fill.rs` and `convert.rs` write the statement.
+//!
+//! A description with load cases or sweeps stands for several: `cases/` makes them.
 
 mod arrangement;
+mod cases;
 mod check;
 mod columns;
 mod convert;
@@ -29,10 +32,11 @@ mod reduce;
 mod segments;
 mod size;
 
+pub use cases::{Approach, Case, CaseEntry, Effect, Factors, MOST_CASES, Setting, SweepEntry};
 pub use described::{Described, Quantity};
 pub use error::DescriptionError;
 pub use file::PROBLEM_SCHEMA;
 pub use input::{Aim, Description, RegionEntry, Seismic, SoilEntry, Water};
 pub use parts::{
-    BoundaryEntry, Hold, Interface, Kind, PlateEntry, Profile, Side, SoilInterface, StructureEntry,
+    Action, BoundaryEntry, Hold, Interface, Kind, PlateEntry, Profile, Side, SoilInterface, StructureEntry,
 };

@@ -39,6 +39,9 @@ pub enum Side {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoundaryEntry {
+    /// Its name, for messages, cases and sweeps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// What holds.
     pub kind: Kind,
     /// Where: whole sides. A line of another entry takes precedence.
@@ -56,6 +59,9 @@ pub struct BoundaryEntry {
     /// Whether the objective `load` multiplies it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub live: bool,
+    /// What kind of action a load is, for the partial factors of cases.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub action: Option<Action>,
 }
 
 impl BoundaryEntry {
@@ -69,14 +75,28 @@ impl BoundaryEntry {
     #[must_use]
     pub fn on_line(kind: Kind, line: &[[f64; 2]]) -> Self {
         Self {
+            name: None,
             kind,
             sides: Vec::new(),
             line: line.to_vec(),
             pressure_kpa: None,
             shear_kpa: None,
             live: false,
+            action: None,
         }
     }
+}
+
+/// What kind of action a load is, by which cases choose its partial factor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Action {
+    /// Permanent, and unfavourable.
+    Permanent,
+    /// Variable, and unfavourable.
+    Variable,
+    /// Favourable: it is not multiplied. A variable load that helps is to be left out.
+    Favourable,
 }
 
 /// A stress along a line.

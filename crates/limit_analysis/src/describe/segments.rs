@@ -1,7 +1,7 @@
 //! All lines of a description as segments, with coordinates that were meant to be equal made equal.
 
 use super::error::DescriptionError;
-use super::input::Description;
+use super::input::{Description, Water};
 use crate::vector::Point;
 
 /// Coordinates this close, as a fraction of the extent, are one.
@@ -75,7 +75,7 @@ impl Drawing {
             edges: description.structures.iter().map(|s| s.edge.clone()).collect(),
             plates: description.plates.iter().map(|p| p.line.clone()).collect(),
             lines: description.boundaries.iter().map(|b| b.line.clone()).collect(),
-            water: description.water.iter().flat_map(|w| w.table.clone()).collect(),
+            water: description.water.iter().flat_map(Water::levels).collect(),
             low,
             high,
             snap: SNAP * size,
@@ -122,7 +122,7 @@ impl Drawing {
             add(&mut all, line, false, Owner::Plate(i), || description.plate_title(i))?;
         }
         for (i, line) in self.lines.iter().enumerate() {
-            add(&mut all, line, false, Owner::Boundary(i), || Description::boundary_title(i))?;
+            add(&mut all, line, false, Owner::Boundary(i), || description.boundary_title(i))?;
         }
         if let (Some(first), Some(last)) = (self.water.first(), self.water.last()) {
             let mut table = self.water.clone();

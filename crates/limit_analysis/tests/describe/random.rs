@@ -102,7 +102,11 @@ impl Ground {
         Description {
             default_boundary: Some(Kind::Free),
             objective: Aim::UnitWeight {},
-            water: (!self.water.is_empty()).then(|| Water { table: self.table(), unit_weight_kn_m3: 10.0 }),
+            water: (!self.water.is_empty()).then(|| Water {
+                table: self.table(),
+                rise_m: 0.0,
+                unit_weight_kn_m3: 10.0,
+            }),
             soils: self.weights.iter().enumerate().map(soil).collect(),
             regions: (0..self.weights.len()).map(region).collect(),
             boundaries: vec![

@@ -151,7 +151,8 @@ fn objectives_without_object() {
 
 #[test]
 fn water_that_makes_no_sense() {
-    let table = |points: &[[f64; 2]]| Some(Water { table: points.to_vec(), unit_weight_kn_m3: 10.0 });
+    let table =
+        |points: &[[f64; 2]]| Some(Water { table: points.to_vec(), rise_m: 0.0, unit_weight_kn_m3: 10.0 });
     refused("water: table has 0 points", |d| d.water = table(&[]));
     refused("from left to right", |d| d.water = table(&[[1.0, 0.0], [0.0, 0.0]]));
     refused("exclude each other", |d| {

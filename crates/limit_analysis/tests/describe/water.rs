@@ -5,7 +5,7 @@ use soilctl_limit_analysis::describe::{RegionEntry, Water};
 use crate::common::{corners, described, region, soil};
 
 fn water(table: &[[f64; 2]]) -> Option<Water> {
-    Some(Water { table: table.to_vec(), unit_weight_kn_m3: 10.0 })
+    Some(Water { table: table.to_vec(), rise_m: 0.0, unit_weight_kn_m3: 10.0 })
 }
 
 #[test]
