@@ -299,3 +299,90 @@ fn what_has_no_collapse_load_is_said_in_physical_words() {
         assert!(stderr.contains(words), "{name}: {stderr}");
     }
 }
+
+/// A strip on weightless clay bears `(2 + pi) c_u`, so each case has an exact value: with the factors of combination 2
+/// `(2 + pi) c_u / 1.4` over 1.3 times the load.
+#[test]
+fn cases_and_sweeps_are_bounded_each_and_the_least_is_told() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = r#"
+        default_boundary = "free"
+        objective = { kind = "load" }
+        soil = [{ name = "clay", phi_deg = 0, cohesion_kpa = 50, unit_weight_kn_m3 = 0 }]
+        region = [{ soil = "clay", polygon = [[-5, 0], [5, 0], [5, -4], [-5, -4]] }]
+        boundary = [
+            { kind = "fixed", sides = ["left", "right", "bottom"] },
+            { name = "strip", kind = "load", line = [[-1, 0], [1, 0]], pressure_kpa = 100, live = true, action = "variable" },
+        ]
+        case = [{ name = "plain" }, { name = "DA1-2", approach = "da1-2" }, { name = "halved", factors = { resistance = 2 } }]
+        sweep = [{ parameter = "soil.clay.cohesion_kpa", values = [42, 84] }]
+    "#;
+    let file = write(dir.path(), "strip.toml", text);
+    let (file, save) = (file.to_str().unwrap(), dir.path().join("proof.json"));
+    let run = |threads: &str| {
+        let save = save.to_str().unwrap();
+        soilctl(&["solve", file, "--max-gap", "0.1", "--threads", threads, "--save", save])
+    };
+    let (code, answer, stderr) = run("2");
+    assert_eq!(code, 0, "{stderr}");
+    let cases = answer["cases"].as_array().unwrap();
+    let per_kpa = (2.0 + std::f64::consts::PI) / 100.0;
+    let expected = [
+        ("plain", 42.0, 1.0),
+        ("plain", 84.0, 1.0),
+        ("DA1-2", 42.0, 1.4 * 1.3),
+        ("DA1-2", 84.0, 1.4 * 1.3),
+        ("halved", 42.0, 2.0),
+        ("halved", 84.0, 2.0),
+    ];
+    assert_eq!(cases.len(), expected.len());
+    for (case, (name, cohesion, over)) in cases.iter().zip(expected) {
+        let exact = per_kpa * cohesion / over;
+        assert_eq!(case["name"], format!("{name}, soil.clay.cohesion_kpa = {cohesion}"));
+        assert_eq!(case["values"]["soil.clay.cohesion_kpa"], cohesion);
+        let [lower, upper] = ["lower", "upper"].map(|side| case[side].as_f64().unwrap());
+        assert!(lower <= exact && exact <= upper, "{case} {exact}");
+        assert!(case["gap"].as_f64().unwrap() < 0.1 && case["certified"] == true);
+        let enough = if lower >= 1.0 {
+            Value::from(true)
+        } else if upper < 1.0 {
+            Value::from(false)
+        } else {
+            Value::Null
+        };
+        assert_eq!(case["enough"], enough);
+    }
+    assert_eq!(answer["governing"], "halved, soil.clay.cohesion_kpa = 42");
+    assert_eq!((&answer["lower"], &answer["upper"]), (&cases[4]["lower"], &cases[4]["upper"]));
+    // That of combination 2 at 42 kPa: the statement is of 30 kPa under 130.
+    let (code, proof, _) = soilctl(&["certify", dir.path().join("proof.3.json").to_str().unwrap()]);
+    assert_eq!((code, &proof["certified"]), (0, &Value::from(true)));
+    assert!((proof["lower"]["proven"].as_f64().unwrap() - cases[2]["lower"].as_f64().unwrap()).abs() < 1e-12);
+    let (_, again, _) = run("1");
+    assert_eq!(again["cases"], answer["cases"]);
+    let (code, checked, _) = soilctl(&["solve", file, "--check"]);
+    assert_eq!((code, checked["cases"].as_array().unwrap().len()), (0, 6));
+    assert_eq!(
+        checked["cases"][2]["factors"],
+        serde_json::json!({"friction": 1.25, "cohesion": 1.25, "undrained": 1.4, "variable": 1.3})
+    );
+}
+
+#[test]
+fn a_case_without_bounds_is_named_and_the_others_are_told() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = r#"
+        default_boundary = "free"
+        objective = { kind = "unit-weight" }
+        soil = [{ name = "clay", phi_deg = 0, cohesion_kpa = 20, unit_weight_kn_m3 = 18 }]
+        region = [{ soil = "clay", polygon = [[0, -3], [9, -3], [9, 0], [5, 0], [3, 2], [0, 2]] }]
+        boundary = [{ kind = "fixed", sides = ["left", "right", "bottom"] }]
+        case = [{ name = "stands" }, { name = "no strength", set = { "soil.clay.cohesion_kpa" = 0 } }]
+    "#;
+    let file = write(dir.path(), "slope.toml", text);
+    let (code, answer, stderr) = soilctl(&["solve", file.to_str().unwrap(), "--max-gap", "0.2"]);
+    assert_eq!(code, 3, "{stderr}");
+    assert_eq!((&answer["certified"], &answer["governing"]), (&Value::from(false), &Value::from("stands")));
+    assert!(answer["cases"][1]["lower"].is_null() && answer["cases"][1]["problem"].is_string());
+    assert!(stderr.contains("no strength"), "{stderr}");
+}

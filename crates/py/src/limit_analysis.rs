@@ -341,7 +341,7 @@ pub(crate) fn bound(
 /// Proven bounds for a plane-strain collapse problem that is described in a file or a dict.
 ///
 /// What is bounded is what the description's objective asks for: a force, a factor on loads or weights, an acceleration,
-/// or a factor of safety (see ``Bracket.quantity``).
+/// or a factor of safety (see ``Bracket.quantity``). Descriptions with cases or sweeps are for ``soilctl.use_cases.solve``.
 ///
 /// Args:
 ///     problem: Path of a problem file (.toml or .json), or the description as a dict or another mapping, whose numbers may be
@@ -379,6 +379,11 @@ pub(crate) fn solve(
         Err(_) => Description::read(&problem.extract::<PathBuf>()?),
     };
     let description = description.map_err(LimitError::from)?;
+    if !(description.cases.is_empty() && description.sweeps.is_empty()) {
+        return Err(input(
+            "the problem has cases or sweeps, which soilctl.use_cases.solve bounds, from a file; this function bounds one problem",
+        ));
+    }
     let options = options(&Budget {
         max_gap,
         max_elements,

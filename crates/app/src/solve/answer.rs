@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_limit_analysis::describe::Quantity;
 use soilctl_limit_analysis::{Bounds, Described, Ended, Factorisation, SafetyBounds, StoppedBy};
 
-use super::Asked;
+use super::{Asked, CaseAnswer};
 use crate::Outcome;
 use crate::limits::{LevelAnswer, ResultsAnswer};
 
@@ -16,13 +16,17 @@ pub struct Answer {
     pub title: Option<String>,
     /// What is bounded.
     pub quantity: Asked,
-    /// Lower bound. A force is negative where the soil pushes the structure on.
+    /// The case of the file with the least lower bound, whose fields and levels these are; null if the file has no cases.
+    pub governing: Option<String>,
+    /// All cases of the file; empty if it has none.
+    pub cases: Vec<CaseAnswer>,
+    /// Lower bound, of cases the least. A force is negative where the soil pushes the structure on.
     pub lower: f64,
-    /// Upper bound.
+    /// Upper bound, likewise.
     pub upper: f64,
     /// `|(U - L) / ((U + L) / 2)|`; null if the bounds are on both sides of zero.
     pub gap: Option<f64>,
-    /// Whether both bounds are proven with interval arithmetic.
+    /// Whether both bounds are proven with interval arithmetic, of cases those of all.
     pub certified: bool,
     /// Triangles of the mesh of the lower bound; each has three parts.
     pub lower_elements: usize,
@@ -64,7 +68,7 @@ pub struct TrialAnswer {
 }
 
 /// The gap as a positive number, which it must be to be compared: where bounds are negative so is the plain one.
-fn gap(lower: f64, upper: f64) -> Option<f64> {
+pub(super) fn gap(lower: f64, upper: f64) -> Option<f64> {
     (lower * upper > 0.0).then(|| (2.0 * (upper - lower) / (upper + lower)).abs())
 }
 
@@ -78,6 +82,8 @@ impl Answer {
         Self {
             title: described.title.clone(),
             quantity: described.quantity.into(),
+            governing: None,
+            cases: Vec::new(),
             lower,
             upper,
             gap: gap(lower, upper),
@@ -112,6 +118,8 @@ impl Answer {
         Self {
             title: title.cloned(),
             quantity: Asked::FactorOfSafety,
+            governing: None,
+            cases: Vec::new(),
             lower: safety.lower.factor,
             upper: safety.upper.factor,
             gap: Some(safety.gap()),
@@ -136,6 +144,11 @@ impl crate::Answer for Answer {
     const SCHEMA: &'static str = "soilctl.solve/1";
 
     fn outcome(&self) -> Outcome {
-        if self.gap.is_some_and(|gap| gap <= self.max_gap) { Outcome::Done } else { Outcome::Partial }
+        let is_close = |gap: Option<f64>| gap.is_some_and(|gap| gap <= self.max_gap);
+        let is_done = match &self.cases[..] {
+            [] => is_close(self.gap),
+            cases => cases.iter().all(|case| is_close(case.gap)),
+        };
+        if is_done { Outcome::Done } else { Outcome::Partial }
     }
 }

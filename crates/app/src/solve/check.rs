@@ -1,10 +1,12 @@
 //! Reads a problem file and says what it was understood to mean; solves nothing.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_certificate::Linear;
+use soilctl_limit_analysis::describe::Case;
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
 use super::{Asked, BoundaryKind};
@@ -36,7 +38,13 @@ pub struct Checked {
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Checked, AppError> {
     let description = Description::read(&request.file).map_err(LimitError::from)?;
     let described = description.described()?;
-    Ok(Checked { answer: Answer::new(&description, &described), description, described })
+    let mut answer = Answer::new(&description, &described);
+    for case in description.cases().map_err(LimitError::from)? {
+        // Values may be out of their range in one case only.
+        case.description.described()?;
+        answer.cases.push(CheckedCase::new(&case));
+    }
+    Ok(Checked { answer, description, described })
 }
 
 /// A problem file as it was understood.
@@ -54,6 +62,29 @@ pub struct Answer {
     pub regions: Vec<CheckedRegion>,
     /// Total length of boundary with each condition.
     pub boundaries: Vec<CheckedBoundary>,
+    /// Cases, with the values of sweeps; empty if there are none.
+    pub cases: Vec<CheckedCase>,
+}
+
+/// A case of the file.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct CheckedCase {
+    /// Its name, with the values of the sweeps.
+    pub name: String,
+    /// The values that it sets, by parameter.
+    pub values: BTreeMap<String, f64>,
+    /// Its partial factors other than one.
+    pub factors: BTreeMap<String, f64>,
+}
+
+impl CheckedCase {
+    fn new(case: &Case) -> Self {
+        let factors = case.factors.named().into_iter().filter_map(|(key, value)| {
+            let name = key.rsplit('.').next().unwrap_or(key);
+            value.filter(|v| *v != 1.0).map(|value| (name.to_owned(), value))
+        });
+        Self { name: case.name.clone(), values: case.values.clone(), factors: factors.collect() }
+    }
 }
 
 /// A region after cutting.
@@ -119,6 +150,7 @@ impl Answer {
             stress_kpa: stress,
             regions: regions.collect(),
             boundaries: boundaries.into_iter().filter(|b| b.length_m > 0.0).collect(),
+            cases: Vec::new(),
         }
     }
 }

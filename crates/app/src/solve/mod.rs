@@ -3,16 +3,18 @@
 mod answer;
 mod asked;
 mod boundary;
+mod cases;
 pub mod check;
 mod one_side;
 mod safety;
 mod save;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub use answer::{Answer, TrialAnswer};
 pub use asked::Asked;
 pub use boundary::BoundaryKind;
+pub use cases::CaseAnswer;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_limit_analysis::describe::Aim;
@@ -55,22 +57,36 @@ pub struct Solved {
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Solved, AppError> {
     crate::request::check(request)?;
     let description = Description::read(&request.file).map_err(LimitError::from)?;
+    let cases = description.cases().map_err(LimitError::from)?;
+    if !cases.is_empty() {
+        return cases::run(request, &cases, watch);
+    }
+    solve_one(&request.budget, request.save.as_deref(), &description, watch)
+}
+
+/// Bounds what a description without cases asks for.
+fn solve_one(
+    budget: &Budget,
+    save: Option<&Path>,
+    description: &Description,
+    watch: &dyn Watch,
+) -> Result<Solved, AppError> {
     let described = description.described()?;
     if description.objective == (Aim::StrengthReduction {}) {
-        return safety::run(request, &description, watch);
+        return safety::run(budget, save, description, watch);
     }
-    let bounds = limits::bounds(&described.problem()?, &request.budget.options(watch)?, watch)
+    let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, watch)
         .map_err(|problem| one_side::of_problem(problem, &described))?;
-    if let Some(path) = &request.save {
+    if let Some(path) = save {
         save::both(path, &described, &bounds)?;
     }
     let statement = &described.statement;
     let fields = Fields::new(
         Some((statement, &bounds.upper.field)),
         Some((statement, &bounds.lower.field)),
-        problem_units(&description, &described),
+        problem_units(description, &described),
         described.title.clone().unwrap_or_default(),
     )?;
-    let answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, request.budget.max_gap);
+    let answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, budget.max_gap);
     Ok(Solved { answer, fields })
 }

@@ -1,19 +1,22 @@
 //! Bounds on a factor of safety.
 
+use std::path::Path;
+
 use soilctl_limit_analysis::results::problem_units;
 use soilctl_limit_analysis::{Description, factor_of_safety};
 
-use super::{Answer, Request, Solved, one_side, save};
-use crate::limits::{Fields, ResultsAnswer, words};
+use super::{Answer, Solved, one_side, save};
+use crate::limits::{Budget, Fields, ResultsAnswer, words};
 use crate::text::number;
 use crate::{AppError, Watch};
 
 pub(super) fn run(
-    request: &Request,
+    budget: &Budget,
+    save: Option<&Path>,
     description: &Description,
     watch: &dyn Watch,
 ) -> Result<Solved, AppError> {
-    let options = request.budget.options(watch)?;
+    let options = budget.options(watch)?;
     watch.begin(0, "first mesh");
     let safety = factor_of_safety(description, &options, &mut |factor, level, proven| {
         let known =
@@ -22,7 +25,7 @@ pub(super) fn run(
     });
     watch.end();
     let safety = safety.map_err(one_side::of_safety)?;
-    if let Some(path) = &request.save {
+    if let Some(path) = save {
         for file in save::safety(path, &safety)? {
             watch.note(&format!("saved {}", file.display()));
         }
@@ -35,6 +38,6 @@ pub(super) fn run(
         description.title.clone().unwrap_or_default(),
     )?;
     let results = ResultsAnswer::new(&fields)?;
-    let answer = Answer::of_safety(description.title.as_ref(), &safety, results, request.budget.max_gap);
+    let answer = Answer::of_safety(description.title.as_ref(), &safety, results, budget.max_gap);
     Ok(Solved { answer, fields })
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use soilctl_app::solve::{self, Answer, Asked, Request, check};
-use soilctl_app::text::{columns, number};
+use soilctl_app::text::{columns, number, number_or_dash};
 use soilctl_app::{Answer as _, Outcome};
 use soilctl_figure::Size;
 use soilctl_pages::save_figure;
@@ -75,6 +75,9 @@ impl Words for Answer {
             let [least, most] = [number(-self.upper), number(-self.lower)];
             text += &format!("the soil pushes the structure on, with {least} to {most} kN/m\n");
         }
+        if let Some(governing) = &self.governing {
+            return text + &cases_text(self, governing) + &results_text(&self.results);
+        }
         text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
         if self.trials.is_empty() {
             return text + &level_table(&self.levels) + "\n" + &results_text(&self.results);
@@ -86,6 +89,33 @@ impl Words for Answer {
         }
         text + &columns(&rows) + "\n" + &results_text(&self.results)
     }
+}
+
+/// All cases as a table, and which governs.
+fn cases_text(answer: &Answer, governing: &str) -> String {
+    let header = ["lower", "upper", "gap %", "one or more", "case"].map(str::to_owned);
+    let mut rows = vec![header.to_vec()];
+    for case in &answer.cases {
+        let enough = match case.enough {
+            Some(true) => "yes",
+            Some(false) => "no",
+            None => "-",
+        };
+        rows.push(vec![
+            number_or_dash(case.lower),
+            number_or_dash(case.upper),
+            number_or_dash(case.gap.map(|gap| 100.0 * gap)),
+            enough.to_owned(),
+            case.name.clone(),
+        ]);
+    }
+    let proven = if answer.certified {
+        "all bounds are proven"
+    } else {
+        "bounds that are told are proven; some cases have none"
+    };
+    let table = columns(&rows);
+    format!("least of all cases; {proven}; {:.1} s\n\n{table}\n{governing}:\n", answer.seconds)
 }
 
 impl Words for check::Answer {
@@ -103,7 +133,13 @@ impl Words for check::Answer {
             rows.push(vec![number(r.area_m2), number(r.phi_deg), c, number(r.unit_weight_kn_m3), u]);
         }
         text += &columns(&rows);
-        text += "\n";
+        for case in &self.cases {
+            text += &format!("\ncase {}", case.name);
+            for (name, factor) in &case.factors {
+                text += &format!("; factor on {name} {}", number(*factor));
+            }
+        }
+        text += if self.cases.is_empty() { "\n" } else { "\n\n" };
         let mut rows = vec![["boundary", "length m"].map(str::to_owned).to_vec()];
         rows.extend(self.boundaries.iter().map(|b| vec![b.kind.name().to_owned(), number(b.length_m)]));
         text + &columns(&rows)

@@ -23,7 +23,11 @@ pub fn page(found: &Solved, file: &Path) -> Result<HtmlReport, PageError> {
 fn content(answer: &Answer, file: &Path) -> Result<PageContent, PageError> {
     let what = sentence_case(answer.quantity.words());
     let mut bounds = bounds_table();
-    bounds.row([what.clone(), number(answer.lower), number(answer.upper)])?;
+    let least = if answer.cases.is_empty() { what.clone() } else { format!("{what}, least of all cases") };
+    bounds.row([least, number(answer.lower), number(answer.upper)])?;
+    for case in &answer.cases {
+        bounds.row([case.name.clone(), number_or_dash(case.lower), number_or_dash(case.upper)])?;
+    }
     let (kind, text) = proven(answer.gap, answer.max_gap, answer.ended);
     let short = what.split(" (").next().unwrap_or(&what).split(',').next().unwrap_or(&what).to_owned();
     let unit = if answer.quantity == Asked::ForceKnPerM { " kN/m" } else { "" };
@@ -32,7 +36,10 @@ fn content(answer: &Answer, file: &Path) -> Result<PageContent, PageError> {
     let name = file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     Ok(PageContent {
         kind: "Bounds on a collapse load",
-        subtitle: format!("{name}: {}", answer.quantity.words()),
+        subtitle: match &answer.governing {
+            Some(case) => format!("{name}: {}; figures of {case}", answer.quantity.words()),
+            None => format!("{name}: {}", answer.quantity.words()),
+        },
         verdict: (kind, title, text),
         bounds,
         given: Vec::new(),
