@@ -8,7 +8,7 @@ use soilctl_certificate::Linear;
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
 use super::{Asked, BoundaryKind};
-use crate::{AppError, Watch};
+use crate::{AppError, Watch, plausible};
 
 /// Reads a problem file and says what it was understood to mean.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -29,14 +29,16 @@ pub struct Checked {
     pub described: Described,
 }
 
-/// Reads the file.
+/// Reads the file. What hardly anybody means is told as notes too.
 ///
 /// # Errors
 /// [`AppError`] if it cannot be read or makes no sense.
-pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Checked, AppError> {
+pub fn run(request: &Request, watch: &dyn Watch) -> Result<Checked, AppError> {
     let description = Description::read(&request.file).map_err(LimitError::from)?;
     let described = description.described()?;
-    Ok(Checked { answer: Answer::new(&description, &described), description, described })
+    let notes = plausible::of_file(&description);
+    notes.iter().for_each(|note| watch.note(note));
+    Ok(Checked { answer: Answer::new(&description, &described, notes), description, described })
 }
 
 /// A problem file as it was understood.
@@ -54,6 +56,8 @@ pub struct Answer {
     pub regions: Vec<CheckedRegion>,
     /// Total length of boundary with each condition.
     pub boundaries: Vec<CheckedBoundary>,
+    /// Values that are possible but unusual, with what is usual and a likely cause.
+    pub notes: Vec<String>,
 }
 
 /// A region after cutting.
@@ -81,7 +85,7 @@ pub struct CheckedBoundary {
 }
 
 impl Answer {
-    fn new(description: &Description, described: &Described) -> Self {
+    fn new(description: &Description, described: &Described, notes: Vec<String>) -> Self {
         let s = &described.statement;
         let (long, stress) = (described.length_m, described.stress_kpa);
         let regions = s.regions.iter().map(|r| {
@@ -119,6 +123,7 @@ impl Answer {
             stress_kpa: stress,
             regions: regions.collect(),
             boundaries: boundaries.into_iter().filter(|b| b.length_m > 0.0).collect(),
+            notes,
         }
     }
 }

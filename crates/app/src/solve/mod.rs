@@ -17,10 +17,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_limit_analysis::describe::Aim;
 use soilctl_limit_analysis::results::problem_units;
-use soilctl_limit_analysis::{Description, LimitError};
+use soilctl_limit_analysis::{Described, Description, LimitError};
 
+use crate::files::can_be_written;
 use crate::limits::{self, Budget, Fields, ResultsAnswer};
-use crate::{AppError, Watch};
+use crate::{AppError, Watch, plausible};
 
 /// Proven bounds for any plane-strain collapse problem described in a file.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -46,24 +47,43 @@ pub struct Solved {
     pub answer: Answer,
     /// The fields that prove it.
     pub fields: Fields,
+    /// The file.
+    pub description: Description,
+    /// The same cut into regions, in the units of the solver.
+    pub described: Described,
+    /// Why the solution was not saved, if it was to be: bounds that took their time are not lost with a file.
+    pub unsaved: Option<AppError>,
+}
+
+impl Solved {
+    /// The answer of a run that did all it was asked for.
+    ///
+    /// # Errors
+    /// [`AppError`] if the solution could not be saved.
+    pub fn complete(self) -> Result<Answer, AppError> {
+        self.unsaved.map_or(Ok(self.answer), Err)
+    }
 }
 
 /// Bounds what the file asks for.
 ///
 /// # Errors
-/// [`AppError`] if the file makes no sense, there are no bounds, or the solution cannot be saved.
+/// [`AppError`] if the file makes no sense, there is no folder for the solution, or there are no bounds.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Solved, AppError> {
     crate::request::check(request)?;
+    request.save.as_deref().map_or(Ok(()), can_be_written)?;
     let description = Description::read(&request.file).map_err(LimitError::from)?;
     let described = description.described()?;
+    let notes = plausible::of_file(&description);
+    notes.iter().for_each(|note| watch.note(note));
     if description.objective == (Aim::StrengthReduction {}) {
-        return safety::run(request, &description, watch);
+        let mut solved = safety::run(request, description, described, watch)?;
+        solved.answer.notes = notes;
+        return Ok(solved);
     }
     let bounds = limits::bounds(&described.problem()?, &request.budget.options(watch)?, watch)
         .map_err(|problem| one_side::of_problem(problem, &described))?;
-    if let Some(path) = &request.save {
-        save::both(path, &described, &bounds)?;
-    }
+    let unsaved = request.save.as_ref().and_then(|path| save::both(path, &described, &bounds).err());
     let statement = &described.statement;
     let fields = Fields::new(
         Some((statement, &bounds.upper.field)),
@@ -71,6 +91,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Solved, AppError> {
         problem_units(&description, &described),
         described.title.clone().unwrap_or_default(),
     )?;
-    let answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, request.budget.max_gap);
-    Ok(Solved { answer, fields })
+    let mut answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, request.budget.max_gap);
+    answer.notes = notes;
+    Ok(Solved { answer, fields, description, described, unsaved })
 }

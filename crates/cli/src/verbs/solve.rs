@@ -42,10 +42,10 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     }
     args.show.check()?;
     let mut found = solve::run(&args.request, output)?;
-    found.answer.results.files =
-        args.show.write(&found.fields, || soilctl_pages::solve::page(&found, file), output)?;
+    let mut written = args.show.write(&found.fields, || soilctl_pages::solve::page(&found, file), output);
+    found.answer.results.files = std::mem::take(&mut written.files);
     output.answer(&found.answer)?;
-    Ok(found.answer.outcome())
+    written.with_solution(found.unsaved).end(found.answer.outcome(), output)
 }
 
 /// Where --check draws to; files that need a solution are refused.
