@@ -79,6 +79,9 @@ impl Solution {
     }
 
     /// Proves both bounds anew, with interval arithmetic and without the solver.
+    ///
+    /// Raises:
+    ///     ProofError: If the checker proves bounds that exclude each other, which is a fault of its own.
     fn certify(&self, py: Python<'_>) -> Answer<Certificate> {
         Ok(py.detach(|| Certificate::of(&self.saved))?)
     }

@@ -5,7 +5,6 @@ use std::path::Path;
 use soilctl_app::solve::{self, Answer, Asked, Request, check};
 use soilctl_app::text::{columns, number};
 use soilctl_app::{Answer as _, Outcome};
-use soilctl_figure::Size;
 use soilctl_pages::save_figure;
 
 use super::limits::{Show, level_table, results_text};
@@ -35,7 +34,8 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     if args.check {
         let found = check::run(&check::Request { file: file.clone() }, output)?;
         if let Some(path) = check_plot(args)? {
-            save_figure(&soilctl_pages::solve::drawing(&found)?, path, Size::default())?;
+            let (figure, size) = soilctl_pages::solve::drawing(&found)?;
+            save_figure(&figure, path, size)?;
         }
         output.answer(&found.answer)?;
         return Ok(Outcome::Done);
