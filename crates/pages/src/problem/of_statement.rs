@@ -73,14 +73,18 @@ pub(super) fn soils(
 }
 
 fn material_words(material: &Material, units: &Units) -> String {
-    let weight = if units.stress_name == "kPa" { "kN/m³" } else { "γ" };
     let cohesion = if material.cohesion.gradient == [0.0; 2] {
         format!("c {} {}", number(round(units.stress * material.cohesion.at_origin)), units.stress_name)
     } else {
         "c by place".to_owned()
     };
-    let unit_weight = number(round(units.stress / units.length * material.unit_weight));
-    format!("soil: φ {}°, {cohesion}, {unit_weight} {weight}", number(round(material.phi_deg)))
+    let value = round(units.stress / units.length * material.unit_weight);
+    let weight = match (units.stress_name.as_str(), number(value)) {
+        ("kPa", value) => format!("{value} kN/m³"),
+        (_, one) if one == "1" => "unit weight γ".to_owned(),
+        (_, value) => format!("unit weight {value} γ"),
+    };
+    format!("soil: φ {}°, {cohesion}, {weight}", number(round(material.phi_deg)))
 }
 
 /// Loads of neighbours in line are one.
