@@ -189,9 +189,11 @@ def test_a_run_stays_in_the_memory_it_was_given(soilctl, tmp_path):
     assert ended["ended"] == "memory" and ended["certified"]
 
 
+@pytest.mark.parametrize("verb", ["bound", "solve"])
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_a_run_with_the_best_bounds_so_far(soilctl, which):
-    words = ["bound", *PLATE, "--max-gap", 1e-9, "--max-elements", 1_000_000, "--max-work", 10**12, "--format", "json"]
+def test_a_signal_ends_a_run_with_the_best_bounds_so_far(soilctl, data, which, verb):
+    problem = PLATE if verb == "bound" else [data / "problems" / "wall_passive.toml"]
+    words = [verb, *problem, "--max-gap", 1e-9, "--max-elements", 1_000_000, "--max-work", 10**12, "--format", "json"]
     run = subprocess.Popen(
         [soilctl.binary, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )

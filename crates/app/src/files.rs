@@ -1,5 +1,6 @@
 //! Files in and out.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use crate::AppError;
@@ -23,4 +24,14 @@ pub fn read_text(path: &Path) -> Result<String, AppError> {
 /// [`AppError::File`] if it cannot be written.
 pub fn save(path: &Path, bytes: &[u8]) -> Result<(), AppError> {
     soilctl_jobs::write_atomically(path, bytes).map_err(failed(path))
+}
+
+/// Refuses a name under which no file can be written, for those who work long before they write.
+///
+/// # Errors
+/// [`AppError::File`] if its folder is not there, or it is a folder itself.
+pub fn can_be_written(path: &Path) -> Result<(), AppError> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    folder.map_or(Ok(()), |folder| folder.metadata().map(|_| ())).map_err(failed(path))?;
+    if path.is_dir() { Err(failed(path)(ErrorKind::IsADirectory.into())) } else { Ok(()) }
 }

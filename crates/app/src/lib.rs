@@ -21,6 +21,7 @@ pub mod files;
 mod finite;
 pub mod limits;
 pub mod log;
+mod plausible;
 pub mod predict;
 pub mod process;
 pub mod replay;
@@ -48,8 +49,8 @@ pub use watch::{Interrupted, Unwatched, Watch};
 /// All use cases, from which schemas, documentation and Python's functions follow.
 pub const USE_CASES: &[UseCase] = &[
     use_case!("predict", predict, predict::run),
-    use_case!("bound", bound, |request, watch| Ok(bound::run(request, watch)?.answer)),
-    use_case!("solve", solve, |request, watch| Ok(solve::run(request, watch)?.answer)),
+    use_case!("bound", bound, |request, watch| bound::run(request, watch)?.complete()),
+    use_case!("solve", solve, |request, watch| solve::run(request, watch)?.complete()),
     use_case!("solve check", solve::check, |request, watch| {
         Ok(solve::check::run(request, watch)?.answer)
     }),

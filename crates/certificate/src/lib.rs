@@ -299,7 +299,7 @@ pub use fields::{
 };
 pub use lower::prove_lower;
 pub use mesh::{Mesh, Place, Side, Triangle, Vertex};
-pub use proof::{Bound, Checked, Proof, check_lower, check_upper, prove};
+pub use proof::{Bound, Checked, Proof, check, check_lower, check_upper, prove};
 pub use runs::Run;
 pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownStress, show_flow, show_stress};
 pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};

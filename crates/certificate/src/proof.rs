@@ -89,12 +89,43 @@ pub fn prove(solution: &Solution) -> Result<Proof, CertificateError> {
     if solution.schema != SCHEMA {
         return Err(CertificateError::Schema { found: solution.schema.clone(), expected: SCHEMA });
     }
-    let lower = check_lower(solution).map(Checked::bound).transpose()?;
-    let upper = check_upper(solution).map(Checked::bound).transpose()?;
-    if let (Some(l), Some(u)) = (lower, upper)
-        && l.proven > u.proven
-    {
-        return Err(CertificateError::Contradiction { lower: l.proven, upper: u.proven });
+    let (lower, upper) = check(solution)?;
+    let bound = |checked: Option<Checked>| checked.map(Checked::bound).transpose();
+    Ok(Proof { lower: bound(lower)?, upper: bound(upper)? })
+}
+
+/// Checks both bounds of a solution, each as far as it has one.
+///
+/// # Errors
+///
+/// [`CertificateError::Contradiction`] if both are proven and exclude each other.
+pub fn check(solution: &Solution) -> Result<(Option<Checked>, Option<Checked>), CertificateError> {
+    together(check_lower(solution), check_upper(solution))
+}
+
+fn together(
+    lower: Option<Checked>,
+    upper: Option<Checked>,
+) -> Result<(Option<Checked>, Option<Checked>), CertificateError> {
+    let proven = |checked: &Option<Checked>| checked.as_ref().and_then(|c| c.proven.as_ref().ok().copied());
+    match (proven(&lower), proven(&upper)) {
+        (Some(lower), Some(upper)) if lower > upper => Err(CertificateError::Contradiction { lower, upper }),
+        _ => Ok((lower, upper)),
     }
-    Ok(Proof { lower, upper })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No file makes the checker prove such a pair, so it is made here.
+    #[test]
+    fn bounds_that_exclude_each_other_are_no_result() {
+        let bound = |proven: f64| Some(Checked { claimed: proven, proven: Ok(proven) });
+        let crossed = together(bound(2.0), bound(1.0));
+        assert_eq!(crossed, Err(CertificateError::Contradiction { lower: 2.0, upper: 1.0 }));
+        for (lower, upper) in [(bound(1.0), bound(1.0)), (bound(2.0), None), (None, bound(1.0))] {
+            assert_eq!(together(lower.clone(), upper.clone()), Ok((lower, upper)));
+        }
+    }
 }

@@ -96,7 +96,15 @@ fn a_check_draws_the_problem_and_refuses_what_needs_a_solution() {
     let (slope, csv) = (example("slope.toml"), dir.path().join("slope.csv"));
     assert_eq!(soilctl(&["solve", &slope, "--check", "--plot", csv.to_str().unwrap()]).0, 0);
     let drawn = std::fs::read_to_string(&csv).unwrap();
-    for named in [",silt,", ",free,", ",fixed,", ",smooth,", "-15.0,-6.0", "40.0,6.0"] {
+    for named in [
+        ",\"silt: φ 25°, c 12 kPa, 19 kN/m³\",",
+        ",free surface,",
+        ",fixed base: no motion,",
+        ",smooth side: slides along,",
+        ",water table,",
+        "-15.0,-6.0",
+        "40.0,6.0",
+    ] {
         assert!(drawn.contains(named), "{named} is not in {drawn}");
     }
     for option in ["--report", "--vtu", "--mesh", "--figures", "--save"] {

@@ -6,13 +6,18 @@ use soilctl_figure::HtmlReport;
 
 use crate::PageError;
 use crate::limits::{self, PageContent, bounds_table, level_table, proven, round};
+use crate::problem::Scene;
 
 /// The page of bounds on a plate's force.
 ///
 /// # Errors
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Bounded) -> Result<HtmlReport, PageError> {
-    limits::page(&found.fields, content(&found.answer)?, &found.answer.results)
+    let fields = &found.fields;
+    // The statement lies along the surface.
+    let slope = found.answer.inputs.beta_deg;
+    let scene = Scene::of_statement(fields.statement()?, &fields.units, &fields.title, slope);
+    limits::page(fields, &scene, content(&found.answer)?, &found.answer.results)
 }
 
 fn content(answer: &Answer) -> Result<PageContent, PageError> {

@@ -7,13 +7,15 @@ use soilctl_figure::{CalloutKind, HtmlReport};
 
 use crate::PageError;
 use crate::limits::{self, PageContent, bounds_table};
+use crate::problem::Scene;
 
 /// The page of a saved solution, with its fields.
 ///
 /// # Errors
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Certified, fields: &Fields) -> Result<HtmlReport, PageError> {
-    limits::page(fields, content(&found.answer)?, &ResultsAnswer::new(fields)?)
+    let scene = Scene::of_statement(fields.statement()?, &fields.units, &fields.title, 0.0);
+    limits::page(fields, &scene, content(&found.answer)?, &ResultsAnswer::new(fields)?)
 }
 
 fn content(answer: &Answer) -> Result<PageContent, PageError> {

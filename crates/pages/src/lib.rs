@@ -12,6 +12,7 @@ mod error;
 pub mod estimate;
 pub mod limits;
 pub mod predict;
+mod problem;
 pub mod process;
 pub mod report;
 pub mod shear;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use soilctl_certificate::{CertificateError, Checked, Solution as Saved, check_lower, check_upper};
+use soilctl_certificate::{CertificateError, Checked, Solution as Saved, check};
 use soilctl_limit_analysis::results::{FlowResults, MOVING, StressResults, Units, write_vtu};
 
 use crate::array::{Array, shaped};
@@ -79,8 +79,11 @@ impl Solution {
     }
 
     /// Proves both bounds anew, with interval arithmetic and without the solver.
-    fn certify(&self, py: Python<'_>) -> Certificate {
-        py.detach(|| Certificate::of(&self.saved))
+    ///
+    /// Raises:
+    ///     ProofError: If the checker proves bounds that exclude each other, which is a fault of its own.
+    fn certify(&self, py: Python<'_>) -> Answer<Certificate> {
+        Ok(py.detach(|| Certificate::of(&self.saved))?)
     }
 
     /// What the problem is, in words; None if the file does not say.
@@ -331,18 +334,19 @@ pub(crate) struct Certificate {
 }
 
 impl Certificate {
-    fn of(saved: &Saved) -> Self {
+    fn of(saved: &Saved) -> Result<Self, CertificateError> {
+        let (lower, upper) = check(saved)?;
         let split = |checked: Option<Checked>| match checked {
             Some(Checked { claimed, proven: Ok(proven) }) => (Some(claimed), Some(proven), None),
             Some(Checked { claimed, proven: Err(why) }) => (Some(claimed), None, Some(why.to_string())),
             None => (None, None, None),
         };
-        let (lower_claimed, lower_proven, lower_refusal) = split(check_lower(saved));
-        let (upper_claimed, upper_proven, upper_refusal) = split(check_upper(saved));
+        let (lower_claimed, lower_proven, lower_refusal) = split(lower);
+        let (upper_claimed, upper_proven, upper_refusal) = split(upper);
         let lower = lower_claimed.is_none_or(|claimed| lower_proven.is_some_and(|proven| claimed <= proven));
         let upper = upper_claimed.is_none_or(|claimed| upper_proven.is_some_and(|proven| claimed >= proven));
         let any = lower_claimed.is_some() || upper_claimed.is_some();
-        Self {
+        Ok(Self {
             certified: any && lower && upper,
             lower_claimed,
             lower_proven,
@@ -350,7 +354,7 @@ impl Certificate {
             upper_claimed,
             upper_proven,
             upper_refusal,
-        }
+        })
     }
 }
 

@@ -7,9 +7,9 @@ use soilctl_limit_analysis::{Bounds, Ended, Factorisation, StoppedBy};
 use super::end::EndAnswer;
 use super::ends::Brackets;
 use super::{ProofKind, Request, ScaledPlate, WidthAnswer};
-use crate::Outcome;
 use crate::limits::{LevelAnswer, ResultsAnswer};
 use crate::request::Ends;
+use crate::{Outcome, plausible};
 
 /// Proven bounds on the net force coefficient of an embedded plate.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -66,6 +66,8 @@ pub struct Answer {
     pub results: ResultsAnswer,
     /// What was asked.
     pub inputs: Inputs,
+    /// Values of it that are possible but unusual, with what is usual and a likely cause.
+    pub notes: Vec<String>,
     /// The gap asked for, which is about plane strain: more work narrows nothing else.
     #[serde(skip)]
     pub max_gap: f64,
@@ -151,6 +153,7 @@ impl Answer {
                 depth_m: request.depth_m,
                 width_m: request.width_m,
             },
+            notes: plausible::of_plate(request),
             max_gap: request.budget.max_gap,
         }
     }

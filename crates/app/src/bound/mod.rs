@@ -17,8 +17,9 @@ use std::time::Instant;
 
 use ends::{Brackets, Mechanisms};
 
+use crate::files::can_be_written;
 use crate::limits::{self, Fields, ResultsAnswer};
-use crate::{AppError, Watch};
+use crate::{AppError, Watch, plausible};
 
 /// The answer, and the fields behind it.
 #[derive(Debug)]
@@ -27,15 +28,29 @@ pub struct Bounded {
     pub answer: Answer,
     /// The fields that prove it.
     pub fields: Fields,
+    /// Why the solution was not saved, if it was to be: bounds that took their time are not lost with a file.
+    pub unsaved: Option<AppError>,
+}
+
+impl Bounded {
+    /// The answer of a run that did all it was asked for.
+    ///
+    /// # Errors
+    /// [`AppError`] if the solution could not be saved.
+    pub fn complete(self) -> Result<Answer, AppError> {
+        self.unsaved.map_or(Ok(self.answer), Err)
+    }
 }
 
 /// Bounds the force of a plate.
 ///
 /// # Errors
-/// [`AppError`] if the request makes no sense, there are no bounds, or the solution cannot be saved.
+/// [`AppError`] if the request makes no sense, there is no folder for the solution, or there are no bounds.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     crate::request::check(request)?;
+    request.save.as_deref().map_or(Ok(()), can_be_written)?;
     let scaled = ScaledPlate::new(request)?;
+    plausible::of_plate(request).iter().for_each(|note| watch.note(note));
     let Request { ends, width_ratio, width_m, depth_m, .. } = *request;
     let width_ratio = ratio_of_ends(ends, width_ratio, width_m, depth_m)?;
     let problem = match width_ratio {
@@ -65,14 +80,14 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
         Some(mechanisms) => mechanisms.brackets(&scaled, &bounds, field),
         None => Brackets::plane(&scaled, &bounds),
     };
-    if let Some(path) = &request.save {
+    let unsaved = request.save.as_ref().and_then(|path| {
         let plane = scaled.solution(&problem, &bounds);
-        match &mechanisms {
+        let solution = match &mechanisms {
             Some(mechanisms) => mechanisms.solution(plane, field),
             None => plane,
-        }
-        .write(path)?;
-    }
+        };
+        solution.write(path).err().map(AppError::from)
+    });
     let statement = problem.statement();
     let fields = Fields::new(
         Some((statement, &bounds.upper.field)),
@@ -90,5 +105,5 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     };
     let end = end.map(|(found, seconds)| EndAnswer::new(&found, seconds, &scaled));
     let answer = Answer::new(request, &scaled, &bounds, (brackets, end), ResultsAnswer::new(&fields)?);
-    Ok(Bounded { answer, fields })
+    Ok(Bounded { answer, fields, unsaved })
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_certificate::{Solution, check_lower, check_upper};
+use soilctl_certificate::Solution;
 use soilctl_limit_analysis::results::Units;
 
 pub use words::Said;
@@ -99,11 +99,13 @@ pub struct Certified {
 /// Proves what the solution claims.
 ///
 /// # Errors
-/// [`AppError`] if the file cannot be read or claims nothing. A claim that is not proven is an answer.
+/// [`AppError`] if the file cannot be read or claims nothing, or if the checker proves bounds that exclude each other, which is a
+/// fault of its own. A claim that is not proven is an answer.
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Certified, AppError> {
     let solution = Solution::read(&request.file)?;
-    let lower = check_lower(&solution).map(|c| Checked::new(c, |claimed, proven| claimed <= proven));
-    let upper = check_upper(&solution).map(|c| Checked::new(c, |claimed, proven| claimed >= proven));
+    let (lower, upper) = soilctl_certificate::check(&solution)?;
+    let lower = lower.map(|c| Checked::new(c, |claimed, proven| claimed <= proven));
+    let upper = upper.map(|c| Checked::new(c, |claimed, proven| claimed >= proven));
     if lower.is_none() && upper.is_none() {
         return Err(AppError::Request(format!(
             "{} has neither a lower nor an upper bound; save one with `soilctl bound --save FILE`",

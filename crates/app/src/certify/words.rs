@@ -26,8 +26,10 @@ pub(super) fn words(statement: &Statement, scale: &Scale) -> Vec<Said> {
     let mut say = |of: &'static str, says: String| all.push(Said { of, says });
     say("gravity", format!("{} along (x, y), times the unit weight", point(statement.gravity)));
     say("surface", format!("pressure {}, level at y = {}", statement.surcharge, statement.datum));
-    let sides =
-        statement.boundaries.iter().map(|b| format!("{}: {}", side(statement, b.side()), held(b.condition)));
+    let sides = statement.boundaries.iter().map(|b| {
+        let held = held(b.condition, statement.objective);
+        format!("{}: {held}", side(statement, b.side()))
+    });
     capped(&mut all, "line", sides);
     let mut say = |of: &'static str, says: String| all.push(Said { of, says });
     say(
@@ -65,8 +67,13 @@ fn capped(all: &mut Vec<Said>, of: &'static str, says: impl ExactSizeIterator<It
 }
 
 /// Nobody needs to see that a zero is negative.
-fn point([x, y]: [f64; 2]) -> String {
-    format!("({}, {})", x + 0.0, y + 0.0)
+fn plain(x: f64) -> f64 {
+    x + 0.0
+}
+
+fn point(p: [f64; 2]) -> String {
+    let [x, y] = p.map(plain);
+    format!("({x}, {y})")
 }
 
 /// Where a point is, or that there is none.
@@ -117,15 +124,19 @@ fn side(statement: &Statement, side: LineUse) -> String {
 }
 
 fn linear(value: Linear) -> String {
-    let Linear { at_origin, gradient: [x, y] } = value;
+    let Linear { at_origin, gradient } = value;
+    let [at_origin, x, y] = [at_origin, gradient[0], gradient[1]].map(plain);
     if [x, y] == [0.0; 2] { at_origin.to_string() } else { format!("{at_origin} + {x} x + {y} y") }
 }
 
-fn held(condition: Condition) -> String {
+fn held(condition: Condition, objective: Objective) -> String {
     match condition {
         Condition::Free => "free, with the pressure on the surface".to_owned(),
         Condition::Loaded { pressure: [a, b], shear: [s, t], live } => {
-            let kind = if live { "the load that is bounded" } else { "loaded" };
+            // Whatever the mark says, only one objective multiplies loads that have it.
+            let bounded = live && objective == Objective::Loads;
+            let kind = if bounded { "the load that is bounded" } else { "loaded" };
+            let [a, b, s, t] = [a, b, s, t].map(plain);
             format!("{kind}: pressure {a} to {b}, shear {s} to {t}")
         }
         Condition::Fixed => "fixed".to_owned(),

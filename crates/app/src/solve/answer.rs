@@ -51,6 +51,8 @@ pub struct Answer {
     /// What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety are of soil whose
     /// strength is divided by its bounds.
     pub results: ResultsAnswer,
+    /// Values of the file that are possible but unusual, with what is usual and a likely cause.
+    pub notes: Vec<String>,
     /// The gap asked for.
     #[serde(skip)]
     pub max_gap: f64,
@@ -99,6 +101,7 @@ impl Answer {
             levels: bounds.levels.iter().map(|level| LevelAnswer::new(level, unit)).collect(),
             trials: Vec::new(),
             results,
+            notes: Vec::new(),
             max_gap,
         }
     }
@@ -135,6 +138,7 @@ impl Answer {
             levels: Vec::new(),
             trials: trials.collect(),
             results,
+            notes: Vec::new(),
             max_gap,
         }
     }

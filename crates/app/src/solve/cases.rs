@@ -120,6 +120,8 @@ struct Found {
     cases: Vec<CaseAnswer>,
     governing: Option<(usize, Solved)>,
     work: u64,
+    /// Why the first that was not saved was not.
+    unsaved: Option<AppError>,
 }
 
 impl Found {
@@ -128,6 +130,7 @@ impl Found {
             Ok(mut solved) => {
                 self.cases[index] = CaseAnswer::of(case).solved(&mut solved, case.resistance);
                 self.work += solved.answer.work;
+                self.unsaved = self.unsaved.take().or(solved.unsaved.take());
                 let lower = solved.answer.lower;
                 let is_less = self.governing.as_ref().is_none_or(|(other, least)| {
                     lower < least.answer.lower || (lower == least.answer.lower && index < *other)
@@ -146,7 +149,8 @@ pub(super) fn run(request: &Request, cases: &[Case], watch: &dyn Watch) -> Resul
     let begun = Instant::now();
     let stop = watch.stop(Interrupted::KeepsResults);
     let left = AtomicUsize::new(cases.len());
-    let mut found = Found { cases: cases.iter().map(CaseAnswer::of).collect(), governing: None, work: 0 };
+    let mut found =
+        Found { cases: cases.iter().map(CaseAnswer::of).collect(), governing: None, work: 0, unsaved: None };
     let todo: Vec<(usize, &Case)> = cases.iter().enumerate().collect();
     let work = |(index, case): &(usize, &Case)| -> Result<_, AppError> {
         let left = left.fetch_sub(1, Ordering::Relaxed);
@@ -154,7 +158,7 @@ pub(super) fn run(request: &Request, cases: &[Case], watch: &dyn Watch) -> Resul
         let budget = Budget { threads: 1, max_seconds: seconds, ..request.budget.clone() };
         let save = request.save.as_ref().map(|path| save_as(path, *index));
         let watch = OneOfMany { watch, stop: &stop, name: &case.name };
-        Ok(Some(solve_one(&budget, save.as_deref(), &case.description, &watch)))
+        Ok(Some(solve_one(&budget, save.as_deref(), case.description.clone(), &watch)))
     };
     watch.begin(cases.len() as u64, "cases");
     let done = each(&todo, request.budget.threads as usize, &stop, work, |(index, case), result| {
@@ -164,7 +168,7 @@ pub(super) fn run(request: &Request, cases: &[Case], watch: &dyn Watch) -> Resul
     });
     watch.end();
     done?;
-    let Found { cases, governing, work } = found;
+    let Found { cases, governing, work, unsaved } = found;
     let unsolved: Vec<&CaseAnswer> = cases.iter().filter(|case| case.problem.is_some()).collect();
     let why = |case: &CaseAnswer| format!("{}: {}", case.name, case.problem.as_deref().unwrap_or_default());
     let Some((index, mut solved)) = governing else {
@@ -174,6 +178,7 @@ pub(super) fn run(request: &Request, cases: &[Case], watch: &dyn Watch) -> Resul
     for case in &unsolved {
         watch.note(&format!("no bounds for {}; the least bounds are those of the others", why(case)));
     }
+    solved.unsaved = unsaved;
     let answer = &mut solved.answer;
     answer.upper = cases.iter().filter_map(|case| case.upper).fold(answer.upper, f64::min);
     answer.gap = gap(answer.lower, answer.upper);

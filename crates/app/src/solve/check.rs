@@ -10,7 +10,7 @@ use soilctl_limit_analysis::describe::Case;
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
 use super::{Asked, BoundaryKind};
-use crate::{AppError, Watch};
+use crate::{AppError, Watch, plausible};
 
 /// Reads a problem file and says what it was understood to mean.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -31,19 +31,22 @@ pub struct Checked {
     pub described: Described,
 }
 
-/// Reads the file.
+/// Reads the file. What hardly anybody means is told as notes too.
 ///
 /// # Errors
 /// [`AppError`] if it cannot be read or makes no sense.
-pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Checked, AppError> {
+pub fn run(request: &Request, watch: &dyn Watch) -> Result<Checked, AppError> {
     let description = Description::read(&request.file).map_err(LimitError::from)?;
     let described = description.described()?;
-    let mut answer = Answer::new(&description, &described);
-    for case in description.cases().map_err(LimitError::from)? {
+    let cases = description.cases().map_err(LimitError::from)?;
+    for case in &cases {
         // Values may be out of their range in one case only.
         case.description.described()?;
-        answer.cases.push(CheckedCase::new(&case));
     }
+    let notes = plausible::of_file(&description, &cases);
+    notes.iter().for_each(|note| watch.note(note));
+    let mut answer = Answer::new(&description, &described, notes);
+    answer.cases = cases.iter().map(CheckedCase::new).collect();
     Ok(Checked { answer, description, described })
 }
 
@@ -62,6 +65,8 @@ pub struct Answer {
     pub regions: Vec<CheckedRegion>,
     /// Total length of boundary with each condition.
     pub boundaries: Vec<CheckedBoundary>,
+    /// Values that are possible but unusual, with what is usual and a likely cause.
+    pub notes: Vec<String>,
     /// Cases, with the values of sweeps; empty if there are none.
     pub cases: Vec<CheckedCase>,
 }
@@ -112,7 +117,7 @@ pub struct CheckedBoundary {
 }
 
 impl Answer {
-    fn new(description: &Description, described: &Described) -> Self {
+    fn new(description: &Description, described: &Described, notes: Vec<String>) -> Self {
         let s = &described.statement;
         let (long, stress) = (described.length_m, described.stress_kpa);
         let regions = s.regions.iter().map(|r| {
@@ -151,6 +156,7 @@ impl Answer {
             regions: regions.collect(),
             boundaries: boundaries.into_iter().filter(|b| b.length_m > 0.0).collect(),
             cases: Vec::new(),
+            notes,
         }
     }
 }

@@ -19,10 +19,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_limit_analysis::describe::Aim;
 use soilctl_limit_analysis::results::problem_units;
-use soilctl_limit_analysis::{Description, LimitError};
+use soilctl_limit_analysis::{Described, Description, LimitError};
 
+use crate::files::can_be_written;
 use crate::limits::{self, Budget, Fields, ResultsAnswer};
-use crate::{AppError, Watch};
+use crate::{AppError, Watch, plausible};
 
 /// Proven bounds for any plane-strain collapse problem described in a file.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -48,45 +49,65 @@ pub struct Solved {
     pub answer: Answer,
     /// The fields that prove it.
     pub fields: Fields,
+    /// The file.
+    pub description: Description,
+    /// The same cut into regions, in the units of the solver.
+    pub described: Described,
+    /// Why the solution was not saved, if it was to be: bounds that took their time are not lost with a file.
+    pub unsaved: Option<AppError>,
+}
+
+impl Solved {
+    /// The answer of a run that did all it was asked for.
+    ///
+    /// # Errors
+    /// [`AppError`] if the solution could not be saved.
+    pub fn complete(self) -> Result<Answer, AppError> {
+        self.unsaved.map_or(Ok(self.answer), Err)
+    }
 }
 
 /// Bounds what the file asks for.
 ///
 /// # Errors
-/// [`AppError`] if the file makes no sense, there are no bounds, or the solution cannot be saved.
+/// [`AppError`] if the file makes no sense, there is no folder for the solution, or there are no bounds.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Solved, AppError> {
     crate::request::check(request)?;
+    request.save.as_deref().map_or(Ok(()), can_be_written)?;
     let description = Description::read(&request.file).map_err(LimitError::from)?;
     let cases = description.cases().map_err(LimitError::from)?;
-    if !cases.is_empty() {
-        return cases::run(request, &cases, watch);
-    }
-    solve_one(&request.budget, request.save.as_deref(), &description, watch)
+    let notes = plausible::of_file(&description, &cases);
+    notes.iter().for_each(|note| watch.note(note));
+    let mut solved = if cases.is_empty() {
+        solve_one(&request.budget, request.save.as_deref(), description, watch)?
+    } else {
+        cases::run(request, &cases, watch)?
+    };
+    solved.answer.notes = notes;
+    Ok(solved)
 }
 
 /// Bounds what a description without cases asks for.
 fn solve_one(
     budget: &Budget,
     save: Option<&Path>,
-    description: &Description,
+    description: Description,
     watch: &dyn Watch,
 ) -> Result<Solved, AppError> {
     let described = description.described()?;
     if description.objective == (Aim::StrengthReduction {}) {
-        return safety::run(budget, save, description, watch);
+        return safety::run(budget, save, description, described, watch);
     }
     let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, watch)
         .map_err(|problem| one_side::of_problem(problem, &described))?;
-    if let Some(path) = save {
-        save::both(path, &described, &bounds)?;
-    }
+    let unsaved = save.and_then(|path| save::both(path, &described, &bounds).err());
     let statement = &described.statement;
     let fields = Fields::new(
         Some((statement, &bounds.upper.field)),
         Some((statement, &bounds.lower.field)),
-        problem_units(description, &described),
+        problem_units(&description, &described),
         described.title.clone().unwrap_or_default(),
     )?;
     let answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, budget.max_gap);
-    Ok(Solved { answer, fields })
+    Ok(Solved { answer, fields, description, described, unsaved })
 }

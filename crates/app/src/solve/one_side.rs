@@ -40,3 +40,25 @@ pub(super) fn of_safety(problem: LimitError) -> AppError {
         problem => problem.into(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn failed(side: OneSide) -> LimitError {
+        LimitError::NothingProven { proven: Some(side), spent: "1 level".into(), advice: "allow more" }
+    }
+
+    #[test]
+    fn a_factor_of_safety_is_told_from_the_side_that_is_proven() {
+        for (side, words) in [
+            (OneSide::Lower(1.25), "only one side is proven: the factor of safety is at least 1.25; no pair"),
+            (OneSide::Upper(2.5), "only one side is proven: the factor of safety is at most 2.5; no pair"),
+        ] {
+            let told = of_safety(failed(side)).to_string();
+            assert!(told.starts_with(words) && told.ends_with("(1 level); allow more"), "{told}");
+        }
+        let nothing = LimitError::NothingProven { proven: None, spent: String::new(), advice: "" };
+        assert!(!of_safety(nothing).to_string().contains("only one side"));
+    }
+}

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use soilctl_limit_analysis::results::problem_units;
-use soilctl_limit_analysis::{Description, factor_of_safety};
+use soilctl_limit_analysis::{Described, Description, factor_of_safety};
 
 use super::{Answer, Solved, one_side, save};
 use crate::limits::{Budget, Fields, ResultsAnswer, words};
@@ -13,31 +13,33 @@ use crate::{AppError, Watch};
 pub(super) fn run(
     budget: &Budget,
     save: Option<&Path>,
-    description: &Description,
+    description: Description,
+    described: Described,
     watch: &dyn Watch,
 ) -> Result<Solved, AppError> {
     let options = budget.options(watch)?;
     watch.begin(0, "first mesh");
-    let safety = factor_of_safety(description, &options, &mut |factor, level, proven| {
+    let safety = factor_of_safety(&description, &options, &mut |factor, level, proven| {
         let known =
             proven.map_or_else(String::new, |gap| format!(", factor of safety to {:.2} %", 100.0 * gap));
         watch.say(&format!("strength over {}: {}{known}", number(factor), words(level, None)));
     });
     watch.end();
     let safety = safety.map_err(one_side::of_safety)?;
-    if let Some(path) = save {
-        for file in save::safety(path, &safety)? {
-            watch.note(&format!("saved {}", file.display()));
-        }
-    }
+    let unsaved = save.and_then(|path| {
+        let saved = save::safety(path, &safety);
+        saved
+            .map(|files| files.iter().for_each(|file| watch.note(&format!("saved {}", file.display()))))
+            .err()
+    });
     let (upper, lower) = (&safety.upper, &safety.lower);
     let fields = Fields::new(
         Some((&upper.described.statement, &upper.bound.field)),
         Some((&lower.described.statement, &lower.bound.field)),
-        problem_units(description, &upper.described),
+        problem_units(&description, &upper.described),
         description.title.clone().unwrap_or_default(),
     )?;
     let results = ResultsAnswer::new(&fields)?;
     let answer = Answer::of_safety(description.title.as_ref(), &safety, results, budget.max_gap);
-    Ok(Solved { answer, fields })
+    Ok(Solved { answer, fields, description, described, unsaved })
 }

@@ -16,9 +16,10 @@ pub(super) fn both(path: &Path, described: &Described, bounds: &Bounds) -> Resul
 pub(super) fn safety(path: &Path, safety: &SafetyBounds) -> Result<Vec<PathBuf>, AppError> {
     let named = |part: &str| path.with_extension(format!("{part}.json"));
     let files = vec![named("lower"), named("upper")];
-    write(&files[0], &safety.lower.described, Some(&safety.lower.bound), None)?;
-    write(&files[1], &safety.upper.described, None, Some(&safety.upper.bound))?;
-    Ok(files)
+    let lower = write(&files[0], &safety.lower.described, Some(&safety.lower.bound), None);
+    // Each is a proof of its own, which need not be lost with the other.
+    let upper = write(&files[1], &safety.upper.described, None, Some(&safety.upper.bound));
+    lower.and(upper).map(|()| files)
 }
 
 fn write(

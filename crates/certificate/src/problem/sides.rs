@@ -14,6 +14,11 @@ pub(super) fn owners(statement: &Statement) -> Result<Vec<[Option<usize>; 2]>, C
     let mut owners = vec![[None; 2]; statement.lines.len()];
     let ends = |side: LineUse| statement.lines[side.line].walked(side.forward);
     for (region, r) in statement.regions.iter().enumerate() {
+        // Besides, a line has two sides: so there are not many regions, and who compares them in pairs is done soon.
+        if r.loops.is_empty() {
+            let problem = "has no loop, so it is nowhere";
+            return Err(CertificateError::BadStatement { place: format!("region {region}"), problem });
+        }
         for (index, uses) in r.loops.iter().enumerate() {
             let next = uses.iter().cycle().skip(1);
             if uses.is_empty() || uses.iter().zip(next).any(|(a, b)| ends(*a)[1] != ends(*b)[0]) {

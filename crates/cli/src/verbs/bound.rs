@@ -26,10 +26,10 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     args.show.check()?;
     let mut found = bound::run(&args.request, output)?;
-    found.answer.results.files =
-        args.show.write(&found.fields, || soilctl_pages::bound::page(&found), output)?;
+    let mut written = args.show.write(&found.fields, || soilctl_pages::bound::page(&found), output);
+    found.answer.results.files = std::mem::take(&mut written.files);
     output.answer(&found.answer)?;
-    Ok(found.answer.outcome())
+    written.with_solution(found.unsaved).end(found.answer.outcome(), output)
 }
 
 /// The bracket over the width.

@@ -3,7 +3,7 @@
 use soilctl_app::certify::{self, Answer, Request};
 use soilctl_app::{Answer as _, Outcome};
 
-use super::limits::Show;
+use super::limits::{Show, Written};
 use crate::error::CliError;
 use crate::output::{Output, Words};
 
@@ -23,13 +23,17 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     args.show.check()?;
     let mut found = certify::run(&args.request, output)?;
+    let mut written = Written::default();
     if args.show.any() {
-        let fields = found.fields()?;
-        found.answer.files =
-            args.show.write(&fields, || soilctl_pages::certify::page(&found, &fields), output)?;
+        written = match found.fields() {
+            Ok(fields) => args.show.write(&fields, || soilctl_pages::certify::page(&found, &fields), output),
+            // What is refused may be nothing that can be drawn; the refusals are the answer all the same.
+            Err(problem) => written.with_solution(Some(problem)),
+        };
+        found.answer.files = std::mem::take(&mut written.files);
     }
     output.answer(&found.answer)?;
-    Ok(found.answer.outcome())
+    written.end(found.answer.outcome(), output)
 }
 
 impl Words for Answer {

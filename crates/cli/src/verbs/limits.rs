@@ -1,10 +1,11 @@
 //! What the verbs that bound collapse loads share: files to write of a solution, and words for levels and results.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use soilctl_app::files::save;
+use soilctl_app::files::{can_be_written, save};
 use soilctl_app::limits::{Fields, LevelAnswer, ResultsAnswer, SolveAnswer};
 use soilctl_app::text::{columns, number, number_or_dash};
+use soilctl_app::{AppError, Outcome};
 use soilctl_figure::HtmlReport;
 use soilctl_pages::PageError;
 use soilctl_pages::limits::{self, Kind};
@@ -56,6 +57,9 @@ impl Show {
                 return Err(CliError::Usage(format!("--{option} is {path}; the name must end in .{ending}")));
             }
         }
+        for path in [&self.plot, &self.vtu, &self.mesh, &self.report].into_iter().flatten() {
+            can_be_written(path)?;
+        }
         Ok(())
     }
 
@@ -75,34 +79,81 @@ impl Show {
         self.plot.is_some() || self.of_a_solution().is_some()
     }
 
-    /// Writes the files that were asked for; their names as they were given, those of the page and its figures last.
+    /// Writes the files that were asked for, all that can be written whatever becomes of others.
     pub(crate) fn write(
         &self,
         fields: &Fields,
         page: impl FnOnce() -> Result<HtmlReport, PageError>,
         output: &Output,
-    ) -> Result<Vec<String>, CliError> {
+    ) -> Written {
+        let mut written = Written::default();
         if let Some(path) = &self.plot {
-            limits::save(path, self.plot_kind, fields, output.command())?;
+            let saved = limits::save(path, self.plot_kind, fields, output.command());
+            written.add(saved.map(|()| vec![named(path)]));
         }
-        let mut in_space = Vec::new();
         if let Some(path) = &self.vtu {
-            save(path, fields.vtu()?.as_bytes())?;
-            for (word, text) in fields.vtu_in_space()? {
-                let path = path.with_extension(format!("{word}.vtu"));
-                save(&path, text.as_bytes())?;
-                in_space.push(path);
+            written
+                .add(fields.vtu().and_then(|text| save(path, text.as_bytes())).map(|()| vec![named(path)]));
+            match fields.vtu_in_space() {
+                Ok(documents) => {
+                    for (word, text) in documents {
+                        let path = path.with_extension(format!("{word}.vtu"));
+                        written.add(save(&path, text.as_bytes()).map(|()| vec![named(&path)]));
+                    }
+                }
+                Err(problem) => written.problems.push(problem.into()),
             }
         }
         if let Some(path) = &self.mesh {
-            save(path, fields.msh()?.as_bytes())?;
+            written
+                .add(fields.msh().and_then(|text| save(path, text.as_bytes())).map(|()| vec![named(path)]));
         }
-        let written = [&self.plot, &self.vtu].into_iter().flatten().chain(&in_space).chain(&self.mesh);
-        let mut files: Vec<String> = written.map(|path| path.display().to_string()).collect();
         if self.report.is_some() || self.figures.figures.is_some() {
-            files.extend(pages::write(&mut page()?, self.report.as_deref(), &self.figures, output)?);
+            let page = page().map_err(CliError::from);
+            written.add(
+                page.and_then(|mut page| {
+                    pages::write(&mut page, self.report.as_deref(), &self.figures, output)
+                }),
+            );
         }
-        Ok(files)
+        written
+    }
+}
+
+fn named(path: &Path) -> String {
+    path.display().to_string()
+}
+
+/// What became of files beside an answer, which is given in any case.
+#[derive(Debug, Default)]
+pub(crate) struct Written {
+    /// Names of those that were written, as they were given, a page and its figures last.
+    pub(crate) files: Vec<String>,
+    problems: Vec<CliError>,
+}
+
+impl Written {
+    fn add<E: Into<CliError>>(&mut self, files: Result<Vec<String>, E>) {
+        match files {
+            Ok(files) => self.files.extend(files),
+            Err(problem) => self.problems.push(problem.into()),
+        }
+    }
+
+    /// Also what is wrong with the solution, or with the file for it.
+    pub(crate) fn with_solution(mut self, problem: Option<AppError>) -> Self {
+        self.problems.splice(0..0, problem.map(CliError::from));
+        self
+    }
+
+    /// How the verb ends once its answer is out.
+    ///
+    /// # Errors
+    /// The last file that could not be written; the others are told of before.
+    pub(crate) fn end(mut self, outcome: Outcome, output: &Output) -> Result<Outcome, CliError> {
+        let last = self.problems.pop();
+        self.problems.iter().for_each(|problem| output.problem(&problem.to_string()));
+        last.map_or(Ok(outcome), Err)
     }
 }
 

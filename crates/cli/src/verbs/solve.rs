@@ -5,7 +5,6 @@ use std::path::Path;
 use soilctl_app::solve::{self, Answer, Asked, Request, check};
 use soilctl_app::text::{columns, number, number_or_dash};
 use soilctl_app::{Answer as _, Outcome};
-use soilctl_figure::Size;
 use soilctl_pages::save_figure;
 
 use super::limits::{Show, level_table, results_text};
@@ -35,17 +34,18 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     if args.check {
         let found = check::run(&check::Request { file: file.clone() }, output)?;
         if let Some(path) = check_plot(args)? {
-            save_figure(&soilctl_pages::solve::drawing(&found)?, path, Size::default())?;
+            let (figure, size) = soilctl_pages::solve::drawing(&found)?;
+            save_figure(&figure, path, size)?;
         }
         output.answer(&found.answer)?;
         return Ok(Outcome::Done);
     }
     args.show.check()?;
     let mut found = solve::run(&args.request, output)?;
-    found.answer.results.files =
-        args.show.write(&found.fields, || soilctl_pages::solve::page(&found, file), output)?;
+    let mut written = args.show.write(&found.fields, || soilctl_pages::solve::page(&found, file), output);
+    found.answer.results.files = std::mem::take(&mut written.files);
     output.answer(&found.answer)?;
-    Ok(found.answer.outcome())
+    written.with_solution(found.unsaved).end(found.answer.outcome(), output)
 }
 
 /// Where --check draws to; files that need a solution are refused.

@@ -103,7 +103,15 @@ fn draw_sample(layer: &Layer, (left, middle): (f64, f64), svg: &mut Svg) {
     match layer {
         Layer::Line(l) => svg.stroke(&line, thin(line_pen(l))),
         Layer::RefLine(l) => svg.stroke(&line, ref_pen(l)),
-        Layer::Paths(p) => svg.stroke(&line, thin(Pen::solid(p.width, p.color.map_or(NEUTRAL, series)))),
+        Layer::Paths(p) => {
+            let color = p.color.map_or(NEUTRAL, series);
+            svg.stroke(&line, thin(Pen::solid(p.width, color)));
+            if p.arrows {
+                let (tip, half) = (left + SAMPLE, 2.0 + p.width.min(3.0));
+                let back = tip - 3.0 * half;
+                svg.fill(&[vec![(back, middle - half), (tip, middle), (back, middle + half)]], color, 1.0);
+            }
+        }
         Layer::Points(p) => {
             let index = p.color.unwrap_or_default();
             let (center, color) = (left + SAMPLE / 2.0, series(index));

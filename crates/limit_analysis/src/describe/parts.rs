@@ -110,7 +110,9 @@ pub enum Profile {
 }
 
 impl Profile {
-    pub(super) fn ends(self) -> [f64; 2] {
+    /// Its values at the start and the end.
+    #[must_use]
+    pub const fn ends(self) -> [f64; 2] {
         match self {
             Self::Uniform(value) => [value; 2],
             Self::Linear(ends) => ends,

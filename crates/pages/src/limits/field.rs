@@ -49,7 +49,7 @@ pub(super) fn velocity(fields: &Fields, window: &Window) -> Result<Option<Figure
     if !surface.is_empty() {
         figure.push(Paths::new("boundary of moving soil", drawn(fields, surface)).width(2.0).color(1))?;
     }
-    add_outline(&mut figure, fields)?;
+    add_outline(&mut figure, fields, window)?;
     let faces = flow.jumps().into_iter().filter(|j| j.at_structure).map(|j| j.ends[0]);
     // In the middle of the structure, and longer than others to be seen.
     let (sum, count) = faces.fold(([0.0; 2], 0.0), |(sum, n), p| ([sum[0] + p[0], sum[1] + p[1]], n + 1.0));
@@ -101,7 +101,7 @@ pub(super) fn dissipation(fields: &Fields, window: &Window) -> Result<Option<Fig
     if !slips.is_empty() {
         figure.push(Paths::new("slip", drawn(fields, slips)).width(1.2).color(0))?;
     }
-    add_outline(&mut figure, fields)?;
+    add_outline(&mut figure, fields, window)?;
     Ok(Some(figure))
 }
 
@@ -172,7 +172,7 @@ pub(super) fn stress(fields: &Fields, window: &Window) -> Result<Option<Figure>,
             figure.push(Paths::new(name, drawn(fields, surface)).width(0.8).color(INK))?;
         }
     }
-    add_outline(&mut figure, fields)?;
+    add_outline(&mut figure, fields, window)?;
     Ok(Some(figure))
 }
 

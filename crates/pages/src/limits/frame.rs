@@ -5,10 +5,13 @@ use soilctl_certificate::{Condition, Statement};
 use soilctl_figure::{Axis, Figure, Paths, Size};
 use soilctl_limit_analysis::results::{MOVING, Point};
 
+use super::interfaces::{between_soils, water_table};
 use crate::PageError;
 
 /// Black.
 pub(super) const INK: usize = 6;
+/// Light blue.
+const WATER: usize = 5;
 
 /// Soil round what moves, over the size of what moves.
 const MARGIN: f64 = 0.12;
@@ -26,7 +29,7 @@ pub(super) struct Window {
 impl Window {
     pub(super) fn new(fields: &Fields) -> Result<Self, PageError> {
         let statement = fields.statement()?;
-        let mut points = on_lines(statement, |c| matches!(c, Some(Condition::Face { .. })));
+        let mut points = on_lines(statement, |c| matches!(c, Condition::Face { .. }));
         if let Some(flow) = &fields.flow {
             points.extend(flow.failure_surface(MOVING));
             points.extend(flow.moving_ground(MOVING).iter().map(|s| vec![s.from, s.to]));
@@ -57,6 +60,15 @@ impl Window {
         (0..2).all(|i| high[i] >= self.low[i] && low[i] <= self.high[i])
     }
 
+    /// What of these lines may be seen.
+    fn shown(&self, lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
+        let is_seen = |line: &Vec<Point>| {
+            let [low, high] = bounds(line.iter());
+            (0..2).all(|i| high[i] >= self.low[i] && low[i] <= self.high[i])
+        };
+        lines.into_iter().filter(is_seen).collect()
+    }
+
     /// About so many points on a square grid, and the distance between them.
     pub(super) fn grid(&self, wanted: usize) -> (Vec<Point>, f64) {
         let [width, height] = [0, 1].map(|i| self.high[i] - self.low[i]);
@@ -85,20 +97,16 @@ fn bounds<'a>(points: impl Iterator<Item = &'a Point>) -> [Point; 2] {
     })
 }
 
-/// Lines of a statement one of whose sides has a condition that is wanted; none for interfaces.
-fn on_lines(statement: &Statement, wanted: impl Fn(Option<Condition>) -> bool) -> Vec<Vec<Point>> {
-    let conditions = |line: usize| statement.boundaries.iter().filter(move |b| b.line == line);
-    let is_wanted = |line: usize| {
-        let mut any = conditions(line).map(|b| Some(b.condition)).peekable();
-        if any.peek().is_none() { wanted(None) } else { any.any(&wanted) }
-    };
+/// Lines of a statement one of whose sides has a condition that is wanted.
+fn on_lines(statement: &Statement, wanted: impl Fn(Condition) -> bool) -> Vec<Vec<Point>> {
+    let is_wanted = |line: usize| statement.boundaries.iter().any(|b| b.line == line && wanted(b.condition));
     let lines = statement.lines.iter().enumerate().filter(|(i, _)| is_wanted(*i));
     lines.map(|(_, l)| vec![statement.points[l.from], statement.points[l.to]]).collect()
 }
 
 /// Faces of structures.
 pub(super) fn face_lines(statement: &Statement) -> Vec<[Point; 2]> {
-    let lines = on_lines(statement, |c| matches!(c, Some(Condition::Face { .. })));
+    let lines = on_lines(statement, |c| matches!(c, Condition::Face { .. }));
     lines.into_iter().filter_map(|line| line.try_into().ok()).collect()
 }
 
@@ -108,17 +116,19 @@ pub(super) fn drawn(fields: &Fields, lines: Vec<Vec<Point>>) -> Vec<Vec<(f64, f6
     lines.into_iter().map(|line| line.into_iter().map(place).collect()).collect()
 }
 
-/// Adds ground, interfaces and structures.
-pub(super) fn add_outline(figure: &mut Figure, fields: &Fields) -> Result<(), PageError> {
+/// Adds ground, where soils meet, the water table, and structures.
+pub(super) fn add_outline(figure: &mut Figure, fields: &Fields, window: &Window) -> Result<(), PageError> {
     let statement = fields.statement()?;
-    let ground = |c| !matches!(c, None | Some(Condition::Far | Condition::Face { .. }));
-    let mut add = |lines: Vec<Vec<Point>>, name: &str, width: f64| -> Result<(), PageError> {
+    let ground = |c| !matches!(c, Condition::Far | Condition::Face { .. });
+    let mut add = |lines: Vec<Vec<Point>>, name: &str, width: f64, color: usize| -> Result<(), PageError> {
         if !lines.is_empty() {
-            figure.push(Paths::new(name, drawn(fields, lines)).width(width).color(INK))?;
+            figure.push(Paths::new(name, drawn(fields, lines)).width(width).color(color))?;
         }
         Ok(())
     };
-    add(on_lines(statement, |c| c.is_none()), "", 0.6)?;
-    add(on_lines(statement, ground), "", 1.4)?;
-    add(on_lines(statement, |c| matches!(c, Some(Condition::Face { .. }))), "structure", 3.5)
+    let water = water_table(statement).into_iter().map(Vec::from).collect();
+    add(window.shown(between_soils(statement)), "where soils meet", 1.0, INK)?;
+    add(window.shown(water), "water table", 1.8, WATER)?;
+    add(on_lines(statement, ground), "", 1.4, INK)?;
+    add(on_lines(statement, |c| matches!(c, Condition::Face { .. })), "structure", 3.5, INK)
 }

@@ -7,6 +7,11 @@ use soilctl_limit_analysis::Ended;
 
 use super::plot::{self, Kind};
 use crate::PageError;
+use crate::problem::Scene;
+
+/// What the drawing of the problem is.
+const PROBLEM: &str = "What was given: soils, what holds the ground and what acts on it. Lengths of arrows are to scale among loads \
+                       only.";
 
 /// What the page tells of a solution.
 pub(crate) struct PageContent {
@@ -72,9 +77,10 @@ pub(crate) fn round(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
 }
 
-/// The page.
+/// The page, headed by the problem.
 pub(crate) fn page(
     fields: &Fields,
+    scene: &Scene,
     content: PageContent,
     results: &ResultsAnswer,
 ) -> Result<HtmlReport, PageError> {
@@ -82,6 +88,8 @@ pub(crate) fn page(
     let mut page = HtmlReport::new(title);
     let (kind, headline, text) = content.verdict;
     page.kind(content.kind).subtitle(content.subtitle).verdict(kind, headline, text).table(content.bounds);
+    let (drawing, size) = scene.figure()?;
+    page.heading("The problem").figure(&drawing, size, PROBLEM)?;
     page.heading("How the soil fails");
     plot::add(&mut page, fields, Kind::Blocks)?;
     if fields.blocks.is_some() && fields.flow.is_some() {

@@ -56,8 +56,8 @@ impl Kind {
     const fn caption(self) -> &'static str {
         match self {
             Self::Mechanism => {
-                "The mesh of the upper bound, moved by its velocities; every other layer of soil has a tone, so that shearing and \
-                 slipping show. Velocities are those at the moment of failure, drawn out as far as can be seen. Where soil dilates, \
+                "The mesh of the upper bound, moved by its velocities; every other square of a grid has a tone, so that shearing \
+                 and slipping show. Velocities are those at the moment of failure, drawn out as far as can be seen. Where soil dilates, \
                  gaps open along lines of slip."
             }
             Self::Blocks => {

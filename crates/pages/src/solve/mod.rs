@@ -1,23 +1,31 @@
 //! The page of a problem, and the drawing of its file.
 
-mod drawing;
-
 use std::path::Path;
 
-pub use drawing::drawing;
+use soilctl_app::solve::check::Checked;
 use soilctl_app::solve::{Answer, Asked, Solved, TrialAnswer};
 use soilctl_app::text::{number, number_or_dash, rounded_down, rounded_up, sentence_case};
-use soilctl_figure::{Align, HtmlReport, Table};
+use soilctl_figure::{Align, Figure, HtmlReport, Size, Table};
 
 use crate::PageError;
 use crate::limits::{self, PageContent, bounds_table, level_table, proven};
+use crate::problem::Scene;
+
+/// A problem file as it was understood: soils, water, supports, structures, and what acts; and the size at which it is legible.
+///
+/// # Errors
+/// [`PageError`] if it cannot be drawn.
+pub fn drawing(Checked { description, described, .. }: &Checked) -> Result<(Figure, Size), PageError> {
+    Scene::of_file(description, described).figure()
+}
 
 /// The page of bounds on what a problem file asks for.
 ///
 /// # Errors
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Solved, file: &Path) -> Result<HtmlReport, PageError> {
-    limits::page(&found.fields, content(&found.answer, file)?, &found.answer.results)
+    let scene = Scene::of_file(&found.description, &found.described);
+    limits::page(&found.fields, &scene, content(&found.answer, file)?, &found.answer.results)
 }
 
 fn content(answer: &Answer, file: &Path) -> Result<PageContent, PageError> {

@@ -463,7 +463,11 @@ class Solution:
             FileError: If it cannot be written.
         """
     def certify(self) -> Certificate:
-        """Proves both bounds anew, with interval arithmetic and without the solver."""
+        """Proves both bounds anew, with interval arithmetic and without the solver.
+
+        Raises:
+            ProofError: If the checker proves bounds that exclude each other, which is a fault of its own.
+        """
     @property
     def description(self) -> str | None:
         """What the problem is, in words; None if the file does not say."""

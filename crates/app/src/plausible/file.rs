@@ -1,0 +1,192 @@
+//! Problem files.
+
+use soilctl_limit_analysis::Description;
+use soilctl_limit_analysis::describe::Case;
+
+use super::{friction, stress, weight};
+use crate::text::number;
+
+/// Greatest length of a plate in m, and of the whole ground: longer ones are probably in mm.
+const PLATE_M: f64 = 100.0;
+const GROUND_M: f64 = 5000.0;
+/// Least size of the ground in m.
+const LEAST_GROUND_M: f64 = 0.02;
+/// How much larger than a structure the ground usually is at most.
+const RATIO: f64 = 2000.0;
+/// Unit weights of water with what is dissolved in it, kN/m3.
+const WATER: [f64; 2] = [9.0, 13.0];
+
+/// What hardly anybody means, each once, in a file and in those of its cases that have no partial factors: these make unusual
+/// values of usual ones.
+pub(crate) fn notes(d: &Description, cases: &[Case]) -> Vec<String> {
+    let mut all = of_one(d);
+    let is_plain =
+        |case: &&Case| case.factors.named().iter().all(|(_, factor)| factor.is_none_or(|f| f == 1.0));
+    for note in cases.iter().filter(is_plain).flat_map(|case| of_one(&case.description)) {
+        if !all.contains(&note) {
+            all.push(note);
+        }
+    }
+    all
+}
+
+fn of_one(d: &Description) -> Vec<String> {
+    let mut all: Vec<Option<String>> = Vec::new();
+    for (i, soil) in d.soils.iter().enumerate() {
+        let entry = format!("soil {} ({:?})", i + 1, soil.name);
+        all.push(weight(&entry, "unit_weight_kn_m3", soil.unit_weight_kn_m3));
+        all.push(friction(&entry, "phi_deg", soil.phi_deg));
+        all.push(stress(&entry, "cohesion_kpa", soil.cohesion_kpa, soil.cohesion_kpa));
+    }
+    let structures = d.structures.iter().map(|s| {
+        let points = if s.polygon.is_empty() { &s.edge } else { &s.polygon };
+        ("structure", &s.name, points, s.delta_deg, s.adhesion_kpa)
+    });
+    let plates = d.plates.iter().map(|p| ("plate", &p.name, &p.line, p.delta_deg, p.adhesion_kpa));
+    let ground = size(d.regions.iter().flat_map(|r| &r.polygon));
+    for (kind, name, points, delta, adhesion) in structures.chain(plates) {
+        let entry = format!("{kind} {name:?}");
+        all.push(friction(&entry, "delta_deg", delta));
+        all.push(stress(&entry, "adhesion_kpa", adhesion, adhesion));
+        all.push(length(&entry, size(points), ground));
+    }
+    all.push(extent(ground));
+    all.push(stress("the problem", "surcharge_kpa", d.surcharge_kpa, d.surcharge_kpa));
+    for (i, boundary) in d.boundaries.iter().enumerate() {
+        let entry = format!("boundary {}", i + 1);
+        for (key, profile) in [("pressure_kpa", boundary.pressure_kpa), ("shear_kpa", boundary.shear_kpa)] {
+            let ends = profile.into_iter().flat_map(|profile| profile.ends());
+            let greatest = ends.map(f64::abs).fold(0.0, f64::max);
+            all.push(stress(&entry, key, greatest, greatest));
+        }
+    }
+    all.extend(water(d));
+    if let Some(seismic) = d.seismic {
+        for (key, value) in [("kh", seismic.kh), ("kv", seismic.kv)] {
+            all.push((value.abs() > 1.0).then(|| {
+                let value = number(value);
+                format!(
+                    "seismic: {key} is {value}; earthquakes have up to 1, in units of gravity: is it in m/s2?"
+                )
+            }));
+        }
+    }
+    all.into_iter().flatten().collect()
+}
+
+/// The greater side of the box around points.
+fn size<'a>(points: impl IntoIterator<Item = &'a [f64; 2]>) -> f64 {
+    let [low, high] =
+        points.into_iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
+            [[0, 1].map(|i| low[i].min(p[i])), [0, 1].map(|i| high[i].max(p[i]))]
+        });
+    (high[0] - low[0]).max(high[1] - low[1])
+}
+
+fn length(entry: &str, m: f64, ground: f64) -> Option<String> {
+    if m > PLATE_M {
+        let (m, most) = (number(m), number(PLATE_M));
+        return Some(format!("{entry}: it is {m} m long; few are longer than {most} m: is it in mm or cm?"));
+    }
+    (m > 0.0 && ground > RATIO * m).then(|| {
+        let [m, ground, ratio] = [m, ground, RATIO].map(number);
+        format!(
+            "{entry}: it is {m} m long in ground of {ground} m; ground is rarely more than {ratio} times as large: are both in m?"
+        )
+    })
+}
+
+fn extent(m: f64) -> Option<String> {
+    let cause = if m > GROUND_M {
+        "is it in mm or cm?"
+    } else if m < LEAST_GROUND_M {
+        "is it in km?"
+    } else {
+        return None;
+    };
+    let [m, low, high] = [m, LEAST_GROUND_M, GROUND_M].map(number);
+    Some(format!("the regions: the ground is {m} m large; it usually has {low} to {high} m: {cause}"))
+}
+
+fn water(d: &Description) -> Vec<Option<String>> {
+    let Some(water) = &d.water else { return Vec::new() };
+    let [low, high] = WATER;
+    let weight = water.unit_weight_kn_m3;
+    let cause = match weight {
+        x if (1e3 * low..=1e3 * high).contains(&x) => "is it in N/m3?",
+        x if (900.0..=1300.0).contains(&x) => "is it a density in kg/m3?",
+        x if (0.9..=1.3).contains(&x) => "is it a density in t/m3?",
+        _ => "is it in kN/m3?",
+    };
+    let unusual = !(low..=high).contains(&weight);
+    let of_weight = unusual.then(|| {
+        let [value, low, high] = [weight, low, high].map(number);
+        format!("water: unit_weight_kn_m3 is {value}; water has {low} to {high} kN/m3: {cause}")
+    });
+    let heights = || d.regions.iter().flat_map(|r| &r.polygon).map(|p| p[1]);
+    let [least, most] =
+        [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)];
+    let table = || water.table.iter().map(|p| p[1]);
+    let [lowest, highest] =
+        [table().fold(f64::INFINITY, f64::min), table().fold(f64::NEG_INFINITY, f64::max)];
+    let place = if lowest > most {
+        let [lowest, most] = [lowest, most].map(number);
+        Some(format!(
+            "water: its table is at y = {lowest} m or higher, above all ground, whose top is at y = {most} m; it is usually within the \
+             ground: is all of it under open water?"
+        ))
+    } else if highest <= least {
+        let [highest, least] = [highest, least].map(number);
+        Some(format!(
+            "water: its table is at y = {highest} m or lower, below all ground, which ends at y = {least} m; it is usually within the \
+             ground: is its height counted from elsewhere?"
+        ))
+    } else {
+        None
+    };
+    vec![of_weight, place]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    fn notes_of(change: impl Fn(&str) -> String) -> Vec<String> {
+        let text = include_str!("../../../../data/problems/plate_layers.toml");
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.toml");
+        std::fs::write(&path, change(text)).unwrap();
+        notes(&Description::read(&path).unwrap(), &[])
+    }
+
+    #[test]
+    fn each_is_told_once_and_what_is_usual_is_not() {
+        assert_eq!(notes_of(str::to_owned), Vec::<String>::new());
+        for (old, new, words) in [
+            (
+                "unit_weight_kn_m3 = 16",
+                "unit_weight_kn_m3 = 16000",
+                "soil 1 (\"dry sand\"): unit_weight_kn_m3 is 16000",
+            ),
+            ("phi_deg = 32", "phi_deg = 0.55", "phi_deg is 0.55"),
+            ("phi_deg = 32", "phi_deg = 32\ncohesion_kpa = 12000", "cohesion_kpa is 12000"),
+            ("[0.16, -0.45]]", "[160, -450]]", "plate \"blade\": it is 450.1 m long"),
+            ("[[-3, -0.3], [3, -0.3]]\n\n", "[[-3, 2], [3, 2]]\n\n", "above all ground"),
+            ("[[-3, -0.3], [3, -0.3]]\n\n", "[[-3, -20], [3, -20]]\n\n", "below all ground"),
+            (
+                "[[-3, -0.3], [3, -0.3]]\n\n",
+                "[[-3, -0.3], [3, -0.3]]\nunit_weight_kn_m3 = 9810\n\n",
+                "is it in N/m3?",
+            ),
+            ("[water]", "[seismic]\nkh = 9.81\n\n[water]", "is it in m/s2?"),
+        ] {
+            let found = notes_of(|text| {
+                assert!(text.contains(old), "{old}");
+                text.replacen(old, new, 1)
+            });
+            assert!(found.len() == 1 && found[0].contains(words), "{new}: {found:?}");
+        }
+    }
+}
