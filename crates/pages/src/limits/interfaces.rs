@@ -79,6 +79,7 @@ mod tests {
             objective: Aim::UnitWeight {},
             default_boundary: Some(soilctl_limit_analysis::describe::Kind::Free),
             water: Some(Water {
+                rise_m: 0.0,
                 table: vec![[0.0, -3.0], [4.0, -3.0], [10.0, -2.0]],
                 unit_weight_kn_m3: 10.0,
             }),
