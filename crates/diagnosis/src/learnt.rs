@@ -30,7 +30,7 @@ pub struct Shown<'a> {
 #[derive(Debug, Clone)]
 struct Node {
     amplitude: f64,
-    /// Of ln force, by stroke of the campaign.
+    /// Of ln of force over squared depth, by stroke of the campaign.
     ln_force: Vec<f64>,
     channels: BTreeMap<Channel, Vec<f64>>,
 }
@@ -168,7 +168,9 @@ fn node(data: &Data, plain: &Data, shown: &Shown<'_>) -> Node {
         found.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |(_, difference)| difference)
     };
     let of = |has: &dyn Fn(usize, usize) -> Option<f64>| data.rows.iter().map(|row| like(row, has)).collect();
-    let ln_force = of(&|i, j| Some(shown.with.ln_force[j] - plain.ln_force[i]));
+    // Depths are recorded: what a plate that rises or sinks loses of its force by the square of its depth, the force model knows.
+    let at_depth = |data: &Data, k: usize| data.ln_force[k] - 2.0 * data.rows[k].depth_m.ln();
+    let ln_force = of(&|i, j| Some(at_depth(shown.with, j) - at_depth(plain, i)));
     let channels = plain.channels.iter().filter_map(|(channel, before)| {
         let after = shown.with.channels.get(channel)?;
         Some((*channel, of(&|i, j| Some(after[j]? - before[i]?))))

@@ -16,13 +16,17 @@ use crate::{AppError, Watch, process, simulate};
 /// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.
 const SEED: u64 = 0x1ea2;
 /// Steps in deg and kg/m3 to which the soil of single strokes is rounded: responses are differences, which change little with the soil, and
-/// campaigns in much the same soil share them.
+/// campaigns in much the same soil share them. It is the soil as it was known before the strokes were looked at, for an effect that is there
+/// moves the fitted one.
 const SOIL_STEPS: [f64; 2] = [2.0, 50.0];
+
+/// Mean depth in m that model files of single strokes have.
+const REFERENCE_DEPTH_M: f64 = 0.025;
 
 /// Strokes of one kind each on the simulated arm.
 pub(super) struct Learning<'a> {
     plan: Plan,
-    /// The soil, rounded, without effects that are looked for.
+    /// The soil as it was known before, rounded, without effects that are looked for.
     plain: ModelFile,
     campaign: &'a Campaign,
     /// Where tables are kept: each in a folder that is named by what it is of.
@@ -35,11 +39,12 @@ impl<'a> Learning<'a> {
     pub(super) fn new(
         plan: &Plan,
         plain: &ModelFile,
+        data: &Data,
         campaign: &'a Campaign,
         store: &'a Path,
         watch: &'a dyn Watch,
     ) -> Result<Self, AppError> {
-        Ok(Self { plan: plan.apart()?, plain: rounded(plain), campaign, store, watch })
+        Ok(Self { plan: plan.apart()?, plain: known_before(plain, data), campaign, store, watch })
     }
 
     /// Learns all effects that are not known and whose formulas do not know the controller.
@@ -78,9 +83,11 @@ impl<'a> Learning<'a> {
                     Err(problem) => return Err(problem),
                 }
             }
-            // A sign that no stroke survives is judged by its formula, and so is the other one.
-            if tables.len() < amplitudes(effect).len() {
-                self.watch.note(&format!("{id} stops the simulated arm: it is judged by its formula"));
+            // An amplitude under which no soil fails is left out; of a sign that is never survived nothing is known.
+            let shows = |sign: &f64| tables.iter().any(|(amplitude, _)| amplitude * sign > 0.0);
+            if !effect.range.signs().iter().all(shows) {
+                self.watch
+                    .note(&format!("{id} lets no single stroke fail the soil: it is judged by its formula"));
                 continue;
             }
             let shown: Vec<Shown<'_>> =
@@ -119,31 +126,28 @@ impl<'a> Learning<'a> {
     }
 }
 
-/// The soil of a model file in round numbers, and nothing of the campaign that it was fitted to but its effects.
-fn rounded(plain: &ModelFile) -> ModelFile {
+/// A model file of the soil as it was known before, in round numbers, and nothing of the campaign that it was fitted to but the effects.
+fn known_before(plain: &ModelFile, data: &Data) -> ModelFile {
     let mut file = plain.clone();
     let soil = &mut file.soil;
     let [deg, kg_m3] = SOIL_STEPS;
-    for (value, step) in [
-        (&mut soil.phi_deg, deg),
-        (&mut soil.delta_deg, deg),
-        (&mut soil.delta_offset_deg, deg),
-        (&mut soil.density_kg_m3, kg_m3),
+    let set_deg = data.reference.delta_set_deg.unwrap_or(soil.delta_deg.value);
+    for (entry, value) in [
+        (&mut soil.phi_deg, (data.phi.mean / deg).round() * deg),
+        (&mut soil.delta_deg, (set_deg / deg).round() * deg),
+        (&mut soil.delta_offset_deg, 0.0),
+        (&mut soil.density_kg_m3, (data.density.mean / kg_m3).round() * kg_m3),
     ] {
-        value.value = (value.value / step).round() * step;
-        value.sd = 0.0;
+        (entry.value, entry.sd) = (value, 0.0);
     }
     "hand".clone_into(&mut file.status);
     (file.equivalence_set, file.held_out, file.data_hash) = (Vec::new(), None, String::new());
     let reference = &mut file.reference;
-    // Single strokes have neither clock nor neighbours.
-    (reference.time_s, reference.base_deg, reference.speed_mps) = (None, None, None);
+    // Single strokes have neither clock nor neighbours, and no effect that is learnt refers to a mean depth or angle.
+    (reference.time_s, reference.base_deg, reference.speed_mps, reference.delta_set_deg) =
+        (None, None, None, None);
+    (reference.depth_m, reference.alpha_deg) = (REFERENCE_DEPTH_M, 90.0);
     reference.batches.clear();
-    for value in
-        [&mut reference.depth_m, &mut reference.alpha_deg].into_iter().chain(&mut reference.delta_set_deg)
-    {
-        *value = (*value * 1e3).round() * 1e-3;
-    }
     file
 }
 

@@ -104,7 +104,7 @@ impl<'a> Again<'a> {
             .filter(|id| plain.effects.iter().all(|known| known.id != *id))
             .collect();
         let campaign = data.campaign.clone();
-        Learning::new(&plan, plain, &campaign, &store, self.watch)?.all(data, &candidates)
+        Learning::new(&plan, plain, data, &campaign, &store, self.watch)?.all(data, &candidates)
     }
 
     /// Simulates with the effects that were found, if there are any.
