@@ -154,7 +154,9 @@ impl Baseline {
         }
         if let Some(expected) = simulated {
             // What is left of a baseline is how far the simulated arm is from the real one.
-            known.clone_from(expected);
+            // The interface friction that the soil is fitted with counts from the set-point.
+            let offset_deg = if reads_delta { data.expected_delta_offset_deg } else { 0.0 };
+            known = expected.iter().map(|value| value - offset_deg).collect();
             for (_, prior) in terms.iter_mut().filter(|_| !channel.is_compared_only()) {
                 *prior = Prior { mean: 0.0, sd: SIMULATED * prior.sd };
             }

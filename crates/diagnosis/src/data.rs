@@ -78,6 +78,8 @@ pub struct Data {
     pub(crate) expected_phases: BTreeMap<PhaseKey, Vec<f64>>,
     /// Whether that arm had the known effects.
     pub(crate) expected_shows_known: bool,
+    /// Interface friction of that arm's soil minus the set-point, deg.
+    pub(crate) expected_delta_offset_deg: f64,
     /// ln of the force of that arm over the force model's, by stroke: what the scene makes of it, such as the heaps of earlier strokes.
     pub(crate) scene: Option<Vec<f64>>,
     /// How strokes respond to effects, where a simulated arm showed it.
@@ -154,6 +156,7 @@ impl Data {
             expected: BTreeMap::new(),
             expected_phases: BTreeMap::new(),
             expected_shows_known: false,
+            expected_delta_offset_deg: 0.0,
             scene: None,
             learnt: BTreeMap::new(),
             tare_is_off: false,
@@ -231,9 +234,10 @@ impl Data {
 
     /// Takes what a simulated arm read in the same strokes, found by their names, as what is to be expected: an arm without
     /// effects, or, if it `shows_known`, with those of [`Data::know`]. Where a stroke is missing there, the mean at its tool angle
-    /// stands for it.
-    pub fn expect(&mut self, simulated: &Self, shows_known: bool) {
+    /// stands for it. `delta_offset_deg` is the interface friction there minus the set-point, in deg.
+    pub fn expect(&mut self, simulated: &Self, shows_known: bool, delta_offset_deg: f64) {
         self.expected_shows_known = shows_known;
+        self.expected_delta_offset_deg = delta_offset_deg;
         let place = |row: &StrokeRow| {
             simulated
                 .rows

@@ -73,6 +73,11 @@ impl Learnt {
         &self.channels
     }
 
+    /// Whether strokes of the simulated arm survived amplitudes of a sign: one that none survives is not that of strokes that were made.
+    pub(crate) fn has_sign(&self, sign: f64) -> bool {
+        self.nodes.iter().any(|node| node.amplitude * sign > 0.0)
+    }
+
     /// Change of ln force of a stroke by an amplitude.
     pub(crate) fn ln_force(&self, stroke: usize, amplitude: f64) -> f64 {
         self.at(stroke, amplitude, |node| node.ln_force.get(stroke).copied())

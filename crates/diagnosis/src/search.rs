@@ -156,13 +156,14 @@ impl<'a> Search<'a> {
     fn variants(&self, id: EffectId) -> Vec<(Choice, f64)> {
         let (data, effect) = (self.setup.data, id.effect());
         let present = |channel: &Channel| data.channels.contains_key(channel);
-        if data.learnt.contains_key(&id) {
-            let signs = effect.range.signs();
-            // The arm was simulated with the shape of a model file by hand, and that is what a controller leaves visible.
+        if let Some(learnt) = data.learnt.get(&id) {
+            let signs: Vec<f64> =
+                effect.range.signs().iter().copied().filter(|sign| learnt.has_sign(*sign)).collect();
+            // What a controller leaves visible.
             let shape = effect.simulated_shape();
             let choice = |sign| Choice { effect, sign, shape, linked: true, responds: false, learnt: true };
             let even = -(signs.len() as f64).ln();
-            return signs.iter().map(|&sign| (choice(sign), even)).collect();
+            return signs.into_iter().map(|sign| (choice(sign), even)).collect();
         }
         let told = |shape: &f64| effect.needs(*shape).is_none_or(|channel| present(&channel));
         let shapes: Vec<f64> = effect.shapes().iter().copied().filter(told).collect();

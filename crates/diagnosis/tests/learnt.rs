@@ -57,7 +57,7 @@ fn single(campaign: &HiddenCampaign, bias_n: f64) -> Data {
 fn diagnosed(campaign: &HiddenCampaign, bias_n: f64, drift_n: f64) -> Diagnosis {
     let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
     let mut data = read(campaign, bias_n, drift_n, 1);
-    data.expect(&read(campaign, 0.0, 0.0, 2), false);
+    data.expect(&read(campaign, 0.0, 0.0, 2), false, 0.0);
     let plain = single(campaign, 0.0);
     let with: Vec<(f64, Data)> = [0.2, 0.5, -0.2, -0.5]
         .into_iter()

@@ -83,9 +83,8 @@ impl<'a> Learning<'a> {
                     Err(problem) => return Err(problem),
                 }
             }
-            // An amplitude under which no soil fails is left out; of a sign that is never survived nothing is known.
-            let shows = |sign: &f64| tables.iter().any(|(amplitude, _)| amplitude * sign > 0.0);
-            if !effect.range.signs().iter().all(shows) {
+            // Amplitudes under which no soil fails are left out; a sign that has none left cannot be that of a campaign that has failures.
+            if tables.is_empty() {
                 self.watch
                     .note(&format!("{id} lets no single stroke fail the soil: it is judged by its formula"));
                 continue;

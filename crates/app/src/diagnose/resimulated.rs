@@ -65,7 +65,9 @@ impl<'a> Again<'a> {
         simulated: &mut Simulated,
     ) -> Result<ModelFile, AppError> {
         let file = model_file(against, data, diagnosis);
-        let mut plain = diagnosis.comparison.without_effects(&file, against.known().len());
+        // The soil as it was fitted beside what was found: without, it takes a part of an effect, and the simulated arm would show it, too.
+        let mut plain = file;
+        plain.effects.truncate(against.known().len());
         let with =
             if plain.effects.is_empty() { "without effects" } else { "with the effects that are known" };
         self.watch.note(&format!("the same commands on the simulated arm, {with}"));
@@ -90,7 +92,7 @@ impl<'a> Again<'a> {
         plain: &ModelFile,
         data: &mut Data,
     ) -> Result<(), AppError> {
-        data.expect(&before.data, !plain.effects.is_empty());
+        data.expect(&before.data, !plain.effects.is_empty(), plain.soil.delta_offset_deg.value);
         let model = Loaded::new(plain.clone(), "the simulated soil")?;
         let model_n: Result<Vec<f64>, _> = before.data.rows.iter().map(|row| model.force_n(row)).collect();
         // Where the force model has no answer there is nothing to compare with.
