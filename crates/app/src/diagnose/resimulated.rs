@@ -68,6 +68,9 @@ impl<'a> Again<'a> {
         // The soil as it was fitted beside what was found: without, it takes a part of an effect, and the simulated arm would show it, too.
         let mut plain = file;
         plain.effects.truncate(against.known().len());
+        // An interface friction off its set-point is what is looked for: the fit of forces would take it for the soil's, and then every
+        // signal of the simulated arm had it.
+        plain.soil.delta_offset_deg.value = 0.0;
         let with =
             if plain.effects.is_empty() { "without effects" } else { "with the effects that are known" };
         self.watch.note(&format!("the same commands on the simulated arm, {with}"));
