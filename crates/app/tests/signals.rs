@@ -111,10 +111,15 @@ fn what_a_controller_hides_is_found_in_other_signals() {
     for (number, (effect, expected)) in cases.into_iter().enumerate() {
         let answer = found(&folder.path().join(number.to_string()), &store, effect, 21 + number as u64);
         let names: Vec<&str> = answer.effects.iter().map(|effect| effect.id.name()).collect();
+        let both = ["interface_friction_offset", "ft_crosstalk"];
         if effect.is_none() {
             assert_eq!(answer.status, expected, "{names:?}");
+        } else if both.contains(&expected) {
+            // Neither is told from the other firmly.
+            assert_ne!(answer.status, "named", "{names:?}");
+            assert!(answer.equivalence_set.iter().any(|id| id == expected), "{:?}", answer.equivalence_set);
         } else {
-            assert_eq!(names.first(), Some(&expected), "{} {:?}", answer.status, answer.equivalence_set);
+            assert_eq!((answer.status.as_str(), &names[..]), ("named", &[expected][..]));
         }
     }
 }

@@ -103,7 +103,7 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let as_likely = |scored: &&Scored| {
         let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { EQUIVALENT_SHARE };
         scored.log_bayes > (1.0 - form) * best.log_bayes - EQUIVALENT
-            || (held(best, scored) && scored.log_bayes > CONFOUNDED_SHARE * best.log_bayes)
+            || held(best, scored)
             || (confounded(search, best, scored)
                 && search.at_any_level(scored) > CONFOUNDED_SHARE * search.at_any_level(best))
     };
@@ -147,14 +147,15 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
 }
 
 /// Whether two sets differ by interface friction and cross-talk only, as a controller that holds the angle shows them: both turn the force
-/// after failure by much the same, and what is left in the forces goes with the soil. What a simulated arm showed of both is told apart.
+/// after failure by much the same, and what is left in forces and columns goes with the soil, the posture and the zero of the sensor. However
+/// much likelier one of them is, neither is firm: learnt responses of one have been seen to take the other's place.
 fn held(one: &Scored, other: &Scored) -> bool {
     let pair = [EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk];
     let alike = |scored: &Scored| -> BTreeSet<Option<EffectId>> {
         scored.spec.ids().into_iter().map(|id| (!pair.contains(&id)).then_some(id)).collect()
     };
     let choices = &one.spec.choices;
-    let is_held = choices.iter().any(|of| pair.contains(&of.effect.id) && !of.learnt && of.shape > HELD);
+    let is_held = choices.iter().any(|of| pair.contains(&of.effect.id) && of.shape > HELD);
     is_held && alike(one) == alike(other)
 }
 

@@ -93,7 +93,6 @@ impl Site {
     pub const fn passes_the_controller(self) -> bool {
         match self {
             Self::Interface
-            | Self::Surface(SurfaceSite::Height)
             | Self::Soil(SoilSite::Mobilisation)
             | Self::Sensor(
                 SensorSite::ForceZero
@@ -104,7 +103,7 @@ impl Site {
             )
             | Self::Drive(DriveSite::Stretch | DriveSite::FreePlay | DriveSite::Friction) => true,
             Self::Soil(SoilSite::Strength | SoilSite::Loosening)
-            | Self::Surface(SurfaceSite::Slope | SurfaceSite::Load)
+            | Self::Surface(SurfaceSite::Height | SurfaceSite::Slope | SurfaceSite::Load)
             | Self::Sensor(SensorSite::EncoderStep)
             | Self::Model => false,
         }

@@ -2,15 +2,18 @@
 
 use soilctl_controller::StrokePlan;
 
-use super::file::{Batch, PlanFile};
+use super::file::{Batch, PlanFile, Stroke};
 use crate::{CampaignError, Plan};
 
 /// Strokes whose tool angles differ by less, in deg, are of one kind.
 const SAME_ANGLE_DEG: f64 = 1.0;
+/// The same of their radii in m.
+const SAME_RADIUS_M: f64 = 0.02;
 
 impl Plan {
-    /// The plan with one stroke of each tool angle, the first that it has, each in a preparation of its own: a few strokes that have no
-    /// history, to see what an effect makes of strokes like those of the plan. Radii take turns, as far as the plan has several at an angle.
+    /// The plan with one stroke of each tool angle and radius, the first that it has, each in a preparation of its own: a few strokes that
+    /// have no history, to see what an effect makes of strokes like those of the plan. The posture of the arm, and with it the radius, counts as
+    /// much as the tool angle for what its controller makes of an effect.
     ///
     /// # Errors
     /// [`CampaignError::Plan`] if the plan cannot be written down again.
@@ -18,21 +21,20 @@ impl Plan {
         let refused =
             |problem: String| CampaignError::Plan { file: "plan of single strokes".to_owned(), problem };
         let mut kept: Vec<Batch> = Vec::new();
-        let strokes = self.file.batches.iter().flat_map(|batch| {
-            batch.strokes.iter().map(move |stroke| {
-                let mut stroke = *stroke;
-                stroke.radius_m = stroke.radius_m.or(batch.radius_m);
-                stroke
-            })
-        });
-        let mut strokes: Vec<_> = strokes.collect();
-        while let Some(first) = strokes.first().copied() {
-            let same =
-                |other: &super::file::Stroke| (other.alpha_deg - first.alpha_deg).abs() < SAME_ANGLE_DEG;
-            let last = kept.last().and_then(|batch| batch.strokes.first()?.radius_m);
-            let other = strokes.iter().copied().find(|stroke| same(stroke) && stroke.radius_m != last);
-            kept.push(Batch { radius_m: None, strokes: vec![other.unwrap_or(first)] });
-            strokes.retain(|other| !same(other));
+        for batch in &self.file.batches {
+            for stroke in &batch.strokes {
+                let stroke = Stroke { radius_m: stroke.radius_m.or(batch.radius_m), ..*stroke };
+                let same = |other: &Stroke| {
+                    let radius = other
+                        .radius_m
+                        .zip(stroke.radius_m)
+                        .is_none_or(|(a, b)| (a - b).abs() < SAME_RADIUS_M);
+                    radius && (other.alpha_deg - stroke.alpha_deg).abs() < SAME_ANGLE_DEG
+                };
+                if !kept.iter().flat_map(|batch| &batch.strokes).any(same) {
+                    kept.push(Batch { radius_m: None, strokes: vec![stroke] });
+                }
+            }
         }
         let mut table: toml::Table =
             self.text.parse().map_err(|error: toml::de::Error| refused(error.to_string()))?;
@@ -57,17 +59,20 @@ mod tests {
 
     use crate::Plan;
 
-    /// Table 6.2 has four tool angles at two radii.
+    /// Table 6.2 has four tool angles at two radii each.
     #[test]
-    fn one_stroke_of_each_tool_angle_and_both_radii() {
+    fn one_stroke_of_each_tool_angle_and_radius() {
         let text = include_str!("../../../../data/plans/table_6_2.toml");
         let plan = Plan::from_toml(text, "plan", Path::new("")).unwrap().apart().unwrap();
         let strokes = plan.strokes().strokes();
-        let mut angles: Vec<i64> = strokes.iter().map(|s| s.alpha_rad.to_degrees().round() as i64).collect();
-        angles.sort_unstable();
-        assert_eq!((angles, plan.batches()), (vec![70, 80, 90, 100], 4));
-        let radii: Vec<f64> = strokes.iter().map(|stroke| stroke.radius_m).collect();
-        assert!(radii.windows(2).all(|pair| pair[0] != pair[1]), "{radii:?}");
+        let mut kinds: Vec<(i32, i32)> = strokes
+            .iter()
+            .map(|s| (s.alpha_rad.to_degrees().round() as i32, (1e3 * s.radius_m).round() as i32))
+            .collect();
+        kinds.sort_unstable();
+        let all = [70, 80, 90, 100].into_iter().flat_map(|alpha| [(alpha, 305), (alpha, 432)]);
+        assert_eq!(kinds, all.collect::<Vec<_>>());
+        assert_eq!(plan.batches(), 8);
         // It is a plan as any other.
         assert_eq!(Plan::from_toml(plan.text(), "again", Path::new("")).unwrap().strokes(), plan.strokes());
     }
