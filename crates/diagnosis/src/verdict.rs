@@ -1,8 +1,6 @@
 //! What may be said of a campaign.
 
-use std::collections::BTreeSet;
-
-use soilctl_effects::{Covariate, EffectId};
+use soilctl_effects::{Channel, Covariate, EffectId};
 
 use crate::explanation::{Dependence, Explanation};
 use crate::generic::varies;
@@ -50,8 +48,6 @@ const CONFOUNDED: [(EffectId, EffectId, Covariate); 1] =
 /// Part of the best set's ln Bayes factor that one with the confounded effect in its place must have to be as likely, if both may shift all forces
 /// alike: where a formula is 1 is a convention. Empirical.
 const CONFOUNDED_SHARE: f64 = 0.6;
-/// Shape of interface friction and cross-talk from which on a controller holds the angle.
-const HELD: f64 = 1.5;
 /// ln Bayes factor by which a shape without a name must beat the best effects to be believed instead: 20 to 1. Empirical.
 const UNKNOWN_MARGIN: f64 = 3.0;
 /// ln Bayes factor of such a shape on top of the named effects from which these are not all that is missing: 20 to 1. Empirical.
@@ -103,7 +99,6 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let as_likely = |scored: &&Scored| {
         let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { EQUIVALENT_SHARE };
         scored.log_bayes > (1.0 - form) * best.log_bayes - EQUIVALENT
-            || held(best, scored)
             || (confounded(search, best, scored)
                 && search.at_any_level(scored) > CONFOUNDED_SHARE * search.at_any_level(best))
     };
@@ -113,6 +108,11 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
                 equivalents.push(id);
             }
         }
+    }
+    if let Some(other) = turns_alike(search, best).map(Explanation::Effect)
+        && !equivalents.contains(&other)
+    {
+        equivalents.push(other);
     }
     let factors = factors(best, &sizes);
     let on_force = best.spec.on_force();
@@ -146,17 +146,20 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
 }
 
-/// Whether two sets differ by interface friction and cross-talk only, as a controller that holds the angle shows them: both turn the force
-/// after failure by much the same, and what is left in forces and columns goes with the soil, the posture and the zero of the sensor. However
-/// much likelier one of them is, neither is firm: learnt responses of one have been seen to take the other's place.
-fn held(one: &Scored, other: &Scored) -> bool {
-    let pair = [EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk];
-    let alike = |scored: &Scored| -> BTreeSet<Option<EffectId>> {
-        scored.spec.ids().into_iter().map(|id| (!pair.contains(&id)).then_some(id)).collect()
-    };
-    let choices = &one.spec.choices;
-    let is_held = choices.iter().any(|of| pair.contains(&of.effect.id) && of.shape > HELD);
-    is_held && alike(one) == alike(other)
+/// What turns the force after failure as an effect of the set does: interface friction and cross-talk of the sensor, where a trace shows the
+/// slip. What is left of their difference in forces and columns goes with the soil, the posture and the zero of the sensor: however much
+/// likelier one of them is, neither is firm, for each has been seen to take the other's place.
+fn turns_alike(search: &Search<'_>, best: &Scored) -> Option<EffectId> {
+    if !search.setup.data.channels.contains_key(&Channel::SlipAngle) {
+        return None;
+    }
+    let ids = best.spec.ids();
+    let (interface, crosstalk) = (EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk);
+    match (ids.contains(&interface), ids.contains(&crosstalk)) {
+        (true, false) => Some(crosstalk),
+        (false, true) => Some(interface),
+        (true, true) | (false, false) => None,
+    }
 }
 
 /// Whether two sets differ by confounded effects only, and the condition that would tell these apart is always the same.
