@@ -49,7 +49,11 @@ pub(crate) const PARTS: [(Part, &str, &str); 11] = [
     (Part::Arm, "arm", "millions of steps, and many killed processes"),
     (Part::Mutants, "mutants", "every byte of a recording or a robot may be wrong: 2500 copies of each"),
     (Part::Bags, "bags", "strokes in 60 bags of other arms"),
-    (Part::Diagnosis, "diagnosis", "how often a hidden effect is named, and how often another"),
+    (
+        Part::Diagnosis,
+        "diagnosis",
+        "how often a hidden effect is named, and how often another; effects that a controller hides, in logs",
+    ),
     (Part::Chain, "chain", "from simulated strokes to the soil, against the truth; logs of gigabytes"),
     (Part::Fuzz, "fuzz", "the targets of fuzz/ compile"),
     (Part::Windows, "windows", "the task of this name"),
@@ -86,7 +90,7 @@ impl Part {
                     .run()
             }
             Self::Bags => bags(workspace),
-            Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates"], ""),
+            Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates", "signals"], ""),
             Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),
             Self::Fuzz => fuzz::check(workspace),
             Self::Windows => systems::windows(workspace),

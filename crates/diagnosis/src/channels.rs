@@ -12,6 +12,15 @@ use crate::data::{Data, Prior};
 /// How far baselines may be from those of a simulated arm, over what they may be without one. Empirical.
 const SIMULATED: f64 = 0.5;
 
+/// How far readings that are only ever compared with a simulated arm may be from that arm, all strokes alike: the surface as touched (m),
+/// the force of an insertion (relative), the inclination of the motors' force (deg; the same again for 10 deg of tool angle), and the play that
+/// a load takes up (deg). The force of an insertion goes by Reissner's N_q, which a degree of friction changes by 15 %, and an effect moves the fitted friction by two, and the motors' force has
+/// their friction in it, by 4 deg from stroke to stroke. Empirical.
+const TOUCH_SD_M: f64 = 3e-4;
+const INSERTION_SD_REL: f64 = 0.3;
+const MOTOR_ANGLE_SD_DEG: f64 = 2.0;
+const LOOP_SD_DEG: f64 = 0.02;
+
 /// Baseline and scatter of a channel.
 #[derive(Clone)]
 pub(crate) struct Baseline {
@@ -39,8 +48,7 @@ impl Baseline {
         let force: Vec<f64> = data.rows.iter().map(|row| row.force_n).collect();
         let tens_of_deg: Vec<f64> =
             data.rows.iter().map(|row| (row.alpha_deg - data.reference.alpha_deg) / 10.0).collect();
-        let cells: Vec<f64> =
-            data.channels.get(&channel).into_iter().flatten().filter_map(|cell| *cell).collect();
+        let cells = data.beyond_expected(channel);
         // No reading is more exact than its last written digit, nor than a ten-thousandth of itself.
         let largest = cells.iter().fold(0.0_f64, |most, cell| most.max(cell.abs()));
         let spread = spread(&cells).max(1e-4 * largest).max(1e-9);
@@ -102,6 +110,19 @@ impl Baseline {
                 let terms = [(one(), Prior { mean, sd: 0.4 }), (tens_of_deg, zero(0.03))];
                 (terms.into_iter().chain(after_failure(data, instrument.post_slope_sd)).collect(), own)
             }
+            Channel::AirAcross | Channel::AirAlong => {
+                (vec![(one(), zero((0.5 * instrument.tare_sd).max(0.02)))], own)
+            }
+            // What is soft or rough at the top of a real soil, a simulated one does not have.
+            Channel::TouchHeight => (vec![(one(), zero(TOUCH_SD_M))], own),
+            Channel::InsertionForce => {
+                let expected = data.expected.get(&channel).cloned().unwrap_or_else(one);
+                (vec![(expected, zero(INSERTION_SD_REL))], own)
+            }
+            Channel::MotorAngle => {
+                (vec![(one(), zero(MOTOR_ANGLE_SD_DEG)), (tens_of_deg, zero(MOTOR_ANGLE_SD_DEG))], own)
+            }
+            Channel::ShoulderLoop | Channel::ElbowLoop => (vec![(one(), zero(LOOP_SD_DEG))], own),
             Channel::ResidualRatio => {
                 let mean = if data.campaign.dense_preparation { 0.75 } else { 0.95 };
                 let terms = [(one(), Prior { mean, sd: 0.12 }), (tens_of_deg, zero(0.01))];
@@ -133,8 +154,10 @@ impl Baseline {
         }
         if let Some(expected) = simulated {
             // What is left of a baseline is how far the simulated arm is from the real one.
-            known.clone_from(expected);
-            for (_, prior) in &mut terms {
+            // The interface friction that the soil is fitted with counts from the set-point.
+            let offset_deg = if reads_delta { data.expected_delta_offset_deg } else { 0.0 };
+            known = expected.iter().map(|value| value - offset_deg).collect();
+            for (_, prior) in terms.iter_mut().filter(|_| !channel.is_compared_only()) {
                 *prior = Prior { mean: 0.0, sd: SIMULATED * prior.sd };
             }
         }

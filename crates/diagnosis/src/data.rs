@@ -7,6 +7,7 @@ use soilctl_soil::STANDARD_GRAVITY_M_S2;
 use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
+use crate::learnt::Learnt;
 use crate::traces::{PhaseKey, traced};
 
 /// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation. Empirical: the four soils of
@@ -35,6 +36,9 @@ pub(crate) struct Known {
     /// Whether columns respond with a strength of their own.
     pub(crate) responds: bool,
 }
+
+/// Radii that differ by less are one, in m: those of a plan are inches apart.
+const SAME_RADIUS_M: f64 = 0.02;
 
 /// Rows up to which a table is a summary: there are four unknowns (soil, interface, density, scatter), and an effect has one or two.
 const MOST_SUMMARIES: usize = 6;
@@ -74,6 +78,14 @@ pub struct Data {
     pub(crate) expected_phases: BTreeMap<PhaseKey, Vec<f64>>,
     /// Whether that arm had the known effects.
     pub(crate) expected_shows_known: bool,
+    /// Interface friction of that arm's soil minus the set-point, deg.
+    pub(crate) expected_delta_offset_deg: f64,
+    /// ln of the force of that arm over the force model's, by stroke: what the scene makes of it, such as the heaps of earlier strokes.
+    pub(crate) scene: Option<Vec<f64>>,
+    /// How strokes respond to effects, where a simulated arm showed it.
+    pub(crate) learnt: BTreeMap<EffectId, Learnt>,
+    /// Whether the free-air readings of the table are taken off the forces.
+    tare_is_off: bool,
     /// Effects that are not to be found, but known.
     pub(crate) known: Vec<Known>,
     /// Friction angle, deg.
@@ -137,13 +149,17 @@ impl Data {
             batches,
             level,
             levels_deg,
-            channels: columns(&rows),
+            channels: columns(&rows, false),
             rows,
             derived: BTreeSet::new(),
             phases: BTreeMap::new(),
             expected: BTreeMap::new(),
             expected_phases: BTreeMap::new(),
             expected_shows_known: false,
+            expected_delta_offset_deg: 0.0,
+            scene: None,
+            learnt: BTreeMap::new(),
+            tare_is_off: false,
             known: Vec::new(),
             phi,
             delta,
@@ -175,15 +191,53 @@ impl Data {
 
     /// Says that the free-air readings of the table have been taken off the forces, so that a bias in them is in no force.
     pub fn tare_taken_off(&mut self) {
+        self.tare_is_off = true;
         self.channels.remove(&Channel::TareBefore);
         self.channels.remove(&Channel::TareAfter);
     }
 
+    /// Takes what the scene makes of the force of each stroke from a simulated arm in soil of a known force: ln of the force that was read
+    /// over that which the force model gives (`model_n`, by stroke of `simulated`). A mean over strokes of one tool angle and radius, since
+    /// simulated strokes scatter, too. Nothing happens if a kind of stroke is missing there.
+    pub fn expect_scene(&mut self, simulated: &Self, model_n: &[f64]) {
+        let alike = |a: &StrokeRow, b: &StrokeRow| {
+            let near = a.radius_m.zip(b.radius_m).is_none_or(|(a, b)| (a - b).abs() < SAME_RADIUS_M);
+            near && (a.alpha_deg - b.alpha_deg).abs() < 1.0
+        };
+        let of = |row: &StrokeRow| -> Option<f64> {
+            let found = simulated.rows.iter().zip(model_n).filter(|(other, _)| alike(row, other));
+            let ratios: Vec<f64> = found.map(|(other, model)| (other.force_n / model).ln()).collect();
+            let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
+            mean.is_finite().then_some(mean)
+        };
+        self.scene = self.rows.iter().map(of).collect();
+    }
+
+    /// Takes how strokes respond to an effect from a simulated arm, in place of the effect's formulas. To be called after [`Data::expect`].
+    pub fn learn(&mut self, id: EffectId, learnt: Learnt) {
+        self.learnt.insert(id, learnt);
+    }
+
+    /// Takes also those columns that only a simulated arm says what to expect of: for strokes that are compared with others of that arm.
+    pub fn compare_everything(&mut self) {
+        self.channels =
+            columns(&self.rows, true).into_iter().chain(std::mem::take(&mut self.channels)).collect();
+    }
+
+    /// What a column reads beyond what is expected of it.
+    pub(crate) fn beyond_expected(&self, channel: Channel) -> Vec<f64> {
+        let expected = self.expected.get(&channel);
+        let cells = self.channels.get(&channel).into_iter().flatten().enumerate();
+        let beyond = |(i, cell): (usize, &Option<f64>)| Some((*cell)? - expected.map_or(0.0, |all| all[i]));
+        cells.filter_map(beyond).collect()
+    }
+
     /// Takes what a simulated arm read in the same strokes, found by their names, as what is to be expected: an arm without
     /// effects, or, if it `shows_known`, with those of [`Data::know`]. Where a stroke is missing there, the mean at its tool angle
-    /// stands for it.
-    pub fn expect(&mut self, simulated: &Self, shows_known: bool) {
+    /// stands for it. `delta_offset_deg` is the interface friction there minus the set-point, in deg.
+    pub fn expect(&mut self, simulated: &Self, shows_known: bool, delta_offset_deg: f64) {
         self.expected_shows_known = shows_known;
+        self.expected_delta_offset_deg = delta_offset_deg;
         let place = |row: &StrokeRow| {
             simulated
                 .rows
@@ -204,8 +258,16 @@ impl Data {
             };
             (0..self.rows.len()).map(of).collect()
         };
-        let channels = simulated.channels.iter().filter(|(channel, _)| self.channels.contains_key(channel));
-        self.expected = channels.filter_map(|(channel, cells)| Some((*channel, all(cells)?))).collect();
+        let told = columns(&self.rows, true).into_iter().filter(|(channel, _)| channel.is_compared_only());
+        self.channels.extend(told);
+        let simulated_columns = columns(&simulated.rows, true)
+            .into_iter()
+            .chain(simulated.channels.clone())
+            .collect::<BTreeMap<_, _>>();
+        let expected = simulated_columns.iter().filter(|(channel, _)| self.channels.contains_key(channel));
+        self.expected = expected.filter_map(|(channel, cells)| Some((*channel, all(cells)?))).collect();
+        let expected = &self.expected;
+        self.channels.retain(|channel, _| !channel.is_compared_only() || expected.contains_key(channel));
         let phases = simulated.phases.iter().filter(|(key, _)| self.phases.contains_key(key));
         self.expected_phases = phases.filter_map(|(key, cells)| Some((*key, all(cells)?))).collect();
     }
@@ -288,10 +350,11 @@ impl Data {
     }
 }
 
-/// Trace-derived columns that have at least one cell.
-fn columns(rows: &[StrokeRow]) -> BTreeMap<Channel, Vec<Option<f64>>> {
+/// Trace-derived columns that have at least one cell; with those that are only ever compared, if wanted.
+fn columns(rows: &[StrokeRow], compared: bool) -> BTreeMap<Channel, Vec<Option<f64>>> {
     let cells = |channel: Channel| rows.iter().map(|row| channel.of(row)).collect::<Vec<_>>();
-    let found = Channel::ALL.into_iter().map(|channel| (channel, cells(channel)));
+    let found = Channel::ALL.into_iter().filter(|channel| compared || !channel.is_compared_only());
+    let found = found.map(|channel| (channel, cells(channel)));
     found.filter(|(_, cells)| cells.iter().any(Option::is_some)).collect()
 }
 

@@ -141,7 +141,8 @@ impl<'a> Search<'a> {
         let Some(last) = spec.choices.last().filter(|choice| choice.effect.acts_on_force()) else {
             return false;
         };
-        if !(last.linked || last.responds) {
+        // What a simulated arm showed of the forces is part of what it showed of the columns.
+        if last.learnt || !(last.linked || last.responds) {
             return false;
         }
         let forces = |spec: &Spec| -> Option<f64> {
@@ -155,6 +156,15 @@ impl<'a> Search<'a> {
     fn variants(&self, id: EffectId) -> Vec<(Choice, f64)> {
         let (data, effect) = (self.setup.data, id.effect());
         let present = |channel: &Channel| data.channels.contains_key(channel);
+        if let Some(learnt) = data.learnt.get(&id) {
+            let signs: Vec<f64> =
+                effect.range.signs().iter().copied().filter(|sign| learnt.has_sign(*sign)).collect();
+            // What a controller leaves visible.
+            let shape = effect.simulated_shape();
+            let choice = |sign| Choice { effect, sign, shape, linked: true, responds: false, learnt: true };
+            let even = -(signs.len() as f64).ln();
+            return signs.into_iter().map(|sign| (choice(sign), even)).collect();
+        }
         let told = |shape: &f64| effect.needs(*shape).is_none_or(|channel| present(&channel));
         let shapes: Vec<f64> = effect.shapes().iter().copied().filter(told).collect();
         let signs = effect.range.signs();
@@ -178,7 +188,8 @@ impl<'a> Search<'a> {
                     // What the amplitude fixes and a reading denies is not saved by readings of any strength.
                     let denied = !linked && effect.linked.iter().any(present);
                     for &(responds, b) in responds.iter().filter(|(responds, _)| !(denied && *responds)) {
-                        variants.push((Choice { effect, sign, shape, linked, responds }, even + a + b));
+                        let choice = Choice { effect, sign, shape, linked, responds, learnt: false };
+                        variants.push((choice, even + a + b));
                     }
                 }
             }

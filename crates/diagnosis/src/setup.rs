@@ -32,6 +32,8 @@ pub(crate) struct FitSetup<'a> {
     pub(crate) batch_terms: usize,
     /// Standard deviation of ln force between batches.
     pub(crate) batch_sd: f64,
+    /// Whether forces are those of a simulated arm, as far as one was asked, and not those of a model file.
+    compares_signals: bool,
     /// Amplitudes of `side_effects_3d`: at most what the force model proves that ends add, if it does.
     ends: Range,
 }
@@ -68,7 +70,7 @@ impl<'a> FitSetup<'a> {
             }
         }
         let ends = ends_at_most(data, surface, phi_deg);
-        Self { data, surface, baselines, nuisance, batch_terms, batch_sd, ends }
+        Self { data, surface, baselines, nuisance, batch_terms, batch_sd, compares_signals: true, ends }
     }
 
     /// Plausible amplitudes of an effect in this campaign.
@@ -86,7 +88,16 @@ impl<'a> FitSetup<'a> {
             density_kg_m3: data.density.mean * soil[2].exp(),
             gravity_m_s2: data.gravity_m_s2,
         };
-        force_n(self.surface, &data.strokes[stroke], &data.reference, &base, effects).ok().map(f64::ln)
+        let learnt = |active: &Active| data.learnt.get(&active.effect.id).filter(|_| self.compares_signals);
+        let by_formula: Vec<Active> =
+            effects.iter().filter(|active| learnt(active).is_none()).copied().collect();
+        let shown = effects
+            .iter()
+            .filter_map(|active| Some(learnt(active)?.ln_force(stroke, active.amplitude)))
+            .sum::<f64>();
+        let scene = data.scene.as_ref().filter(|_| self.compares_signals).map_or(0.0, |scene| scene[stroke]);
+        let plain = force_n(self.surface, &data.strokes[stroke], &data.reference, &base, &by_formula).ok()?;
+        Some(plain.ln() + shown + scene)
     }
 
     /// What is known and `more`.
@@ -105,7 +116,8 @@ impl<'a> FitSetup<'a> {
 
     /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.
     pub(crate) fn without_model_error(&self) -> Self {
-        Self { nuisance: self.nuisance[..self.batch_terms].to_vec(), ..self.clone() }
+        let nuisance = self.nuisance[..self.batch_terms].to_vec();
+        Self { nuisance, compares_signals: false, ..self.clone() }
     }
 }
 

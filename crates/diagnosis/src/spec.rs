@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use soilctl_effects::{Channel, Effect, EffectId};
 
 use crate::data::Data;
+use crate::learnt::Learnt;
 
 /// One effect with everything but the size of its amplitude.
 #[derive(Debug, Clone, Copy)]
@@ -16,6 +17,8 @@ pub(crate) struct Choice {
     pub(crate) linked: bool,
     /// Whether channels respond with a strength of their own.
     pub(crate) responds: bool,
+    /// Whether forces and channels respond as a simulated arm showed it.
+    pub(crate) learnt: bool,
 }
 
 /// Effects and shapes without a name.
@@ -44,7 +47,9 @@ impl Spec {
     pub(crate) fn touched(&self, data: &Data) -> BTreeSet<Channel> {
         let mut touched = BTreeSet::new();
         for choice in &self.choices {
-            if choice.linked {
+            if choice.learnt {
+                touched.extend(data.learnt.get(&choice.effect.id).into_iter().flat_map(Learnt::channels));
+            } else if choice.linked {
                 touched.extend(choice.effect.linked);
             }
             if choice.responds {
@@ -59,6 +64,6 @@ impl Spec {
     pub(crate) fn on_force(&self) -> bool {
         self.choices.is_empty()
             || !self.generic.is_empty()
-            || self.choices.iter().any(|c| c.effect.acts_on_force())
+            || self.choices.iter().any(|c| c.learnt || c.effect.acts_on_force())
     }
 }

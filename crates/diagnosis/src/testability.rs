@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use soilctl_effects::{Active, EffectId};
 
+use crate::learnt::Learnt;
 use crate::setup::FitSetup;
 
 /// Expected squared signal-to-noise ratio below which nothing can be named honestly: half of it, 4, is the largest ln Bayes factor that
@@ -136,15 +137,19 @@ fn signal(setup: &FitSetup<'_>, phi_deg: f64, id: EffectId, amplitude: f64, sd: 
     let told =
         |shape: &&f64| effect.needs(**shape).is_none_or(|channel| data.channels.contains_key(&channel));
     let (mut most, mut raw) = (0.0_f64, 0.0_f64);
-    for &shape in effect.shapes().iter().filter(told) {
+    let learnt = data.learnt.get(&id);
+    let simulated = [effect.simulated_shape()];
+    let shapes = if learnt.is_some() { &simulated } else { effect.shapes() };
+    for &shape in shapes.iter().filter(told) {
         let Some(change) = change(setup, phi_deg, Active { effect, amplitude, shape }) else { continue };
         let mut found = lambda(setup, phi_deg, &change, sd).unwrap_or(0.0);
-        for channel in effect.linked {
+        for channel in learnt.map_or(effect.linked, Learnt::channels) {
             let Some(cells) = data.channels.get(channel) else { continue };
             let scatter = setup.baselines[channel].ln_scatter.mean.exp();
-            let shifts = (0..data.len())
-                .filter(|&i| cells[i].is_some())
-                .map(|i| effect.shift(*channel, amplitude, shape, &data.reading(i)) / scatter);
+            let shifts = (0..data.len()).filter(|&i| cells[i].is_some()).map(|i| {
+                let formula = || effect.shift(*channel, amplitude, shape, &data.reading(i));
+                learnt.map_or_else(formula, |learnt| learnt.shift(*channel, i, amplitude)) / scatter
+            });
             found += shifts.map(|x| x * x).sum::<f64>();
         }
         most = most.max(found);

@@ -1,6 +1,6 @@
 //! What may be said of a campaign.
 
-use soilctl_effects::{Covariate, EffectId};
+use soilctl_effects::{Channel, Covariate, EffectId};
 
 use crate::explanation::{Dependence, Explanation};
 use crate::generic::varies;
@@ -109,6 +109,11 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
             }
         }
     }
+    if let Some(other) = turns_alike(search, best).map(Explanation::Effect)
+        && !equivalents.contains(&other)
+    {
+        equivalents.push(other);
+    }
     let factors = factors(best, &sizes);
     let on_force = best.spec.on_force();
     let more = if on_force { search.shapes_on(Some(best)).into_iter().next() } else { None };
@@ -139,6 +144,22 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
         equivalents.insert(at, Explanation::Unknown(over));
     }
     Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
+}
+
+/// What turns the force after failure as an effect of the set does: interface friction and cross-talk of the sensor, where a trace shows the
+/// slip. What is left of their difference in forces and columns goes with the soil, the posture and the zero of the sensor: however much
+/// likelier one of them is, neither is firm, for each has been seen to take the other's place.
+fn turns_alike(search: &Search<'_>, best: &Scored) -> Option<EffectId> {
+    if !search.setup.data.channels.contains_key(&Channel::SlipAngle) {
+        return None;
+    }
+    let ids = best.spec.ids();
+    let (interface, crosstalk) = (EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk);
+    match (ids.contains(&interface), ids.contains(&crosstalk)) {
+        (true, false) => Some(crosstalk),
+        (false, true) => Some(interface),
+        (true, true) | (false, false) => None,
+    }
 }
 
 /// Whether two sets differ by confounded effects only, and the condition that would tell these apart is always the same.

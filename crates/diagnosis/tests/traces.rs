@@ -149,7 +149,7 @@ fn traces_without_an_effect_are_not_firmly_named() {
 fn what_differs_from_a_simulated_arm_is_located_by_phase() {
     let campaign = campaign();
     let mut lifted = data(&campaign, &Hidden { lift_deg: 4.0, ..Hidden::default() });
-    lifted.expect(&drawn(&campaign, &Hidden::default(), 10), false);
+    lifted.expect(&drawn(&campaign, &Hidden::default(), 10), false, 0.0);
     let found = diagnosed(&lifted);
     let of = |channel: &str, phase: Option<Phase>| {
         let mut places =

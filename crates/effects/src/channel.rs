@@ -30,11 +30,25 @@ pub enum Channel {
     GapSlope,
     /// Friction angle after failure, while failed soil slips along the plate, deg; no column has it.
     SlipAngle,
+    /// Free-air reading before the stroke across the plate, N.
+    AirAcross,
+    /// The same along the plate, N.
+    AirAlong,
+    /// Height of the surface where it was touched above that which the log states, m.
+    TouchHeight,
+    /// Mean force along the plate while it was inserted, N.
+    InsertionForce,
+    /// Inclination of the force by the motors minus that by the sensor, deg.
+    MotorAngle,
+    /// Motor minus external angle of the shoulder before failure, above that in free air, deg.
+    ShoulderLoop,
+    /// The same of the elbow, deg.
+    ElbowLoop,
 }
 
 impl Channel {
     /// All channels.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 20] = [
         Self::TareBefore,
         Self::TareAfter,
         Self::CmdMinusForce,
@@ -48,7 +62,41 @@ impl Channel {
         Self::XStep,
         Self::GapSlope,
         Self::SlipAngle,
+        Self::AirAcross,
+        Self::AirAlong,
+        Self::TouchHeight,
+        Self::InsertionForce,
+        Self::MotorAngle,
+        Self::ShoulderLoop,
+        Self::ElbowLoop,
     ];
+
+    /// Whether nobody can say what it reads without an effect but who simulates the same stroke: zero, weight and play of an arm are its own.
+    #[must_use]
+    pub const fn is_compared_only(self) -> bool {
+        match self {
+            Self::AirAcross
+            | Self::AirAlong
+            | Self::TouchHeight
+            | Self::InsertionForce
+            | Self::MotorAngle
+            | Self::ShoulderLoop
+            | Self::ElbowLoop => true,
+            Self::TareBefore
+            | Self::TareAfter
+            | Self::CmdMinusForce
+            | Self::FrictionAngle
+            | Self::ZDrift
+            | Self::Displacement
+            | Self::PostSlope
+            | Self::ResidualRatio
+            | Self::HeapHeight
+            | Self::MotorExtGap
+            | Self::XStep
+            | Self::GapSlope
+            | Self::SlipAngle => false,
+        }
+    }
 
     /// Name of the column in the stroke table, or of what only traces have.
     #[must_use]
@@ -67,6 +115,13 @@ impl Channel {
             Self::XStep => "x_step_m",
             Self::GapSlope => "motor_ext_gap_slope_m_per_n",
             Self::SlipAngle => "slip_angle_deg",
+            Self::AirAcross => "air_across_n",
+            Self::AirAlong => "air_along_n",
+            Self::TouchHeight => "touch_z_m",
+            Self::InsertionForce => "insertion_force_n",
+            Self::MotorAngle => "motor_angle_deg",
+            Self::ShoulderLoop => "shoulder_loop_deg",
+            Self::ElbowLoop => "elbow_loop_deg",
         }
     }
 
@@ -85,6 +140,13 @@ impl Channel {
             Self::HeapHeight => row.heap_height_m,
             Self::MotorExtGap => row.motor_ext_gap_m,
             Self::XStep => row.x_step_m,
+            Self::AirAcross => row.air_across_n,
+            Self::AirAlong => row.air_along_n,
+            Self::TouchHeight => row.touch_z_m,
+            Self::InsertionForce => row.insertion_force_n,
+            Self::MotorAngle => row.motor_angle_deg,
+            Self::ShoulderLoop => row.shoulder_loop_deg,
+            Self::ElbowLoop => row.elbow_loop_deg,
             Self::GapSlope | Self::SlipAngle => None,
         }
     }
@@ -110,6 +172,13 @@ impl Channel {
             Self::HeapHeight => &mut row.heap_height_m,
             Self::MotorExtGap => &mut row.motor_ext_gap_m,
             Self::XStep => &mut row.x_step_m,
+            Self::AirAcross => &mut row.air_across_n,
+            Self::AirAlong => &mut row.air_along_n,
+            Self::TouchHeight => &mut row.touch_z_m,
+            Self::InsertionForce => &mut row.insertion_force_n,
+            Self::MotorAngle => &mut row.motor_angle_deg,
+            Self::ShoulderLoop => &mut row.shoulder_loop_deg,
+            Self::ElbowLoop => &mut row.elbow_loop_deg,
             Self::GapSlope | Self::SlipAngle => return,
         };
         *cell = value;

@@ -118,6 +118,13 @@ impl Effect {
         self.shape.map_or(&[0.0], |shape| shape.values)
     }
 
+    /// The shape with which a simulated arm shows it: that of an arm whose controller holds what it reads, where there is the choice.
+    #[must_use]
+    pub fn simulated_shape(&self) -> f64 {
+        let mut shapes = self.shapes().iter().copied();
+        if self.needs.is_some() { shapes.last() } else { shapes.next() }.unwrap_or(0.0)
+    }
+
     /// A channel without which a shape means the same as another one; `None` if there is no such channel.
     #[must_use]
     pub fn needs(&self, shape: f64) -> Option<Channel> {

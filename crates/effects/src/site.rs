@@ -87,6 +87,28 @@ impl Site {
         }
     }
 
+    /// Whether what a stroke shows of it depends on what controller and drives make of it, so that a formula for the force alone says
+    /// little of an arm's logs.
+    #[must_use]
+    pub const fn passes_the_controller(self) -> bool {
+        match self {
+            Self::Interface
+            | Self::Soil(SoilSite::Mobilisation)
+            | Self::Sensor(
+                SensorSite::ForceZero
+                | SensorSite::ForceZeroDrift
+                | SensorSite::ForceGain
+                | SensorSite::Crosstalk
+                | SensorSite::ToolAngle,
+            )
+            | Self::Drive(DriveSite::Stretch | DriveSite::FreePlay | DriveSite::Friction) => true,
+            Self::Soil(SoilSite::Strength | SoilSite::Loosening)
+            | Self::Surface(SurfaceSite::Height | SurfaceSite::Slope | SurfaceSite::Load)
+            | Self::Sensor(SensorSite::EncoderStep)
+            | Self::Model => false,
+        }
+    }
+
     /// Name in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -32,11 +32,28 @@ pub struct SoilChange {
     pub mobilisation_way: f64,
     /// Factor on the resistance of the plate's edge.
     pub bearing: f64,
+    /// Added in m to the depth of a plate that is well in the soil; see [`SoilChange::true_depth_m`].
+    pub depth_m: f64,
+}
+
+impl SoilChange {
+    /// Ways of the size of an offset of the depth within which it comes about.
+    const COMES_ABOUT: f64 = 4.0;
+
+    /// Depth in m of a plate that its place puts at `depth_m`: a touch that was taken wrongly leaves the place where the plate meets soil as
+    /// it is, and shows below it.
+    #[must_use]
+    pub fn true_depth_m(&self, depth_m: f64) -> f64 {
+        if self.depth_m == 0.0 || depth_m <= 0.0 {
+            return depth_m;
+        }
+        depth_m + self.depth_m * (depth_m / (Self::COMES_ABOUT * self.depth_m.abs())).min(1.0)
+    }
 }
 
 impl Default for SoilChange {
     fn default() -> Self {
-        Self { limit_force: 1.0, interface_rad: 0.0, mobilisation_way: 1.0, bearing: 1.0 }
+        Self { limit_force: 1.0, interface_rad: 0.0, mobilisation_way: 1.0, bearing: 1.0, depth_m: 0.0 }
     }
 }
 
@@ -59,3 +76,20 @@ pub trait Effects: Send {
 pub(crate) struct None;
 
 impl Effects for None {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_depth_that_is_off_is_so_below_the_touch() {
+        for offset in [0.002, -0.002] {
+            let change = SoilChange { depth_m: offset, ..SoilChange::default() };
+            assert_eq!(change.true_depth_m(-0.01), -0.01);
+            assert!((change.true_depth_m(0.025) - (0.025 + offset)).abs() < 1e-15);
+            let near = change.true_depth_m(1e-4);
+            assert!(near > 0.0 && (near - 1e-4).abs() < 0.3e-4, "{near}");
+        }
+        assert_eq!(SoilChange::default().true_depth_m(0.02), 0.02);
+    }
+}

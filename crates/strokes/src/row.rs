@@ -74,6 +74,20 @@ columns! {
             "Motor-side minus external position before failure", [diagnose], Logs;
         x_step_m: Option<f64>, "m", Range::AtLeastZero,
             "Usual step of the external encoders at the plate", [diagnose], Logs;
+        air_across_n: Option<f64>, "N", Range::Signed,
+            "Free-air reading before the stroke across the plate, weight and zero of the sensor in it", [diagnose], Logs;
+        air_along_n: Option<f64>, "N", Range::Signed,
+            "The same along the plate", [diagnose], Logs;
+        touch_z_m: Option<f64>, "m", Range::Signed,
+            "Height of the surface where the plate met it, above that which the log states", [diagnose], Logs;
+        insertion_force_n: Option<f64>, "N", Range::Signed,
+            "Mean force along the plate over the way of its insertion, work over way", [diagnose], Logs;
+        motor_angle_deg: Option<f64>, "deg", Range::Signed,
+            "Inclination of the force by the motor torques minus that by the sensor, before failure", [diagnose], Logs;
+        shoulder_loop_deg: Option<f64>, "deg", Range::Signed,
+            "Motor minus external angle of the shoulder before failure, above that in free air before the stroke", [diagnose], Logs;
+        elbow_loop_deg: Option<f64>, "deg", Range::Signed,
+            "The same of the elbow", [diagnose], Logs;
     }
 }
 

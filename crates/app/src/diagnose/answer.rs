@@ -4,10 +4,12 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_diagnosis::{Data, Diagnosis};
+use soilctl_diagnosis::{Data, Diagnosis, signal_gaps};
 use soilctl_effects::EffectId;
 
 use super::Against;
+use super::Simulated;
+use super::disagreements::disagreements;
 use super::files::Written;
 use crate::text::measured;
 
@@ -25,9 +27,13 @@ pub struct Answer {
     /// The gap of forces and of each column, on batches that were left out, forces first; empty with fewer than two batches.
     /// `gap.csv` has it along each condition.
     pub gap_by_channel: Vec<ChannelGapAnswer>,
+    /// The gap of each signal to the same strokes on the simulated arm; empty if they were not simulated.
+    pub signals: Vec<SignalAnswer>,
     /// Disagreements of the recalibrated baseline that are more than chance.
     #[serde(rename = "where")]
     pub located: Vec<WhereAnswer>,
+    /// Where readings of interface friction, zero or surface say what the verdict does not have, each with the reason.
+    pub disagreements: Vec<String>,
     /// The follow-up that would tell most; null if nothing on the menu would.
     pub next_experiment: Option<NextAnswer>,
     /// Model file for `--model-file`.
@@ -123,6 +129,25 @@ pub struct ChannelGapAnswer {
     pub delta_elpd_se: f64,
 }
 
+/// The gap of a signal to the simulated arm, in standard deviations of its scatter from stroke to stroke.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct SignalAnswer {
+    /// Column of the stroke table, or of the traces; the force goes as its logarithm.
+    pub signal: String,
+    /// Phase of the stroke, for readings of traces: loading or after; null for the column itself.
+    pub phase: Option<String>,
+    /// Strokes that have it.
+    pub strokes: usize,
+    /// Root mean square of measured minus simulated without effects.
+    pub gap_before: f64,
+    /// The same with the effects that were found; null if they were not simulated.
+    pub gap_after: Option<f64>,
+    /// Batches that were left out, predicted without effects, in standard deviations of the prediction; null without such a prediction.
+    pub heldout_before: Option<f64>,
+    /// The same with effects.
+    pub heldout_after: Option<f64>,
+}
+
 /// One disagreement.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct WhereAnswer {
@@ -165,6 +190,7 @@ impl Answer {
         against: &Against,
         data: &Data,
         d: &Diagnosis,
+        simulated: &Simulated,
         traces: usize,
         written: &Written,
     ) -> Self {
@@ -209,6 +235,7 @@ impl Answer {
                     delta_elpd_se: part.delta_elpd_se,
                 })
                 .collect(),
+            signals: signals(data, d, simulated),
             located: d
                 .located
                 .iter()
@@ -219,6 +246,11 @@ impl Answer {
                     p_adjusted: w.p_adjusted,
                 })
                 .collect(),
+            disagreements: disagreements(
+                data,
+                d,
+                &against.known().iter().map(|known| known.id).collect::<Vec<_>>(),
+            ),
             next_experiment: d.next.as_ref().zip(written.next.as_ref()).map(|(next, path)| NextAnswer {
                 text: next.text.clone(),
                 design_csv: path.display().to_string(),
@@ -271,6 +303,29 @@ impl Answer {
             _ => "these strokes cannot tell any effect from the soil itself; see the next experiment".into(),
         }
     }
+}
+
+fn signals(data: &Data, d: &Diagnosis, simulated: &Simulated) -> Vec<SignalAnswer> {
+    let Some(before) = &simulated.before else { return Vec::new() };
+    let after = simulated.after.as_ref().map(|after| &after.data);
+    let whole = |signal: &str| {
+        d.comparison.parts.iter().find(|part| part.covariate.is_none() && part.channel == signal)
+    };
+    signal_gaps(data, &before.data, after)
+        .into_iter()
+        .map(|gap| {
+            let part = whole(&gap.signal).filter(|_| gap.phase.is_none());
+            SignalAnswer {
+                heldout_before: part.map(|part| part.before),
+                heldout_after: part.map(|part| part.after),
+                phase: gap.phase.map(|phase| phase.name().into()),
+                signal: gap.signal,
+                strokes: gap.strokes,
+                gap_before: gap.before,
+                gap_after: gap.after,
+            }
+        })
+        .collect()
 }
 
 impl crate::Answer for Answer {

@@ -2,7 +2,9 @@
 
 mod against;
 mod answer;
+mod disagreements;
 mod files;
+mod learn;
 mod request;
 mod resimulated;
 pub mod self_test;
@@ -11,8 +13,8 @@ use std::path::Path;
 
 pub use against::Against;
 pub use answer::{
-    Answer, ChannelGapAnswer, EffectAnswer, GapAnswer, NextAnswer, ParameterAnswer, TestabilityAnswer,
-    WhereAnswer,
+    Answer, ChannelGapAnswer, EffectAnswer, GapAnswer, NextAnswer, ParameterAnswer, SignalAnswer,
+    TestabilityAnswer, WhereAnswer,
 };
 pub use request::Request;
 pub use resimulated::{Resimulated, Simulated};
@@ -71,9 +73,9 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Diagnosed, AppError> 
     if let Some(logs) = &request.resimulate {
         let logs = if logs.as_os_str().is_empty() { dir } else { logs };
         let again = resimulated::Again::of(logs, &out, watch)?;
-        let with_known = again.before(&against, &data, &diagnosis, &mut simulated)?;
+        let plain = again.before(&against, &data, &diagnosis, &mut simulated)?;
         if let Some(before) = &simulated.before {
-            data.expect(&before.data, with_known);
+            again.expect(before, &plain, &mut data)?;
             diagnosis = weigh(&data)?;
             again.after(&against, &data, &diagnosis, &mut simulated)?;
         }
@@ -81,7 +83,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Diagnosed, AppError> 
     let title = dir.file_name().map_or_else(|| "campaign".into(), |name| name.to_string_lossy().into_owned());
     let written = files::write(&against, &data, &diagnosis, &strokes, &out)?;
     let used = traces.as_ref().map_or(0, |traces| traces.used);
-    let answer = Answer::new(&against, &data, &diagnosis, used, &written);
+    let answer = Answer::new(&against, &data, &diagnosis, &simulated, used, &written);
     Ok(Diagnosed { title, against, data, diagnosis, traces, simulated, answer })
 }
 

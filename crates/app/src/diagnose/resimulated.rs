@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use soilctl_campaign::{CampaignError, Options, Plan};
 use soilctl_diagnosis::{Course, Data, Diagnosis, RecordedTraces};
-use soilctl_effects::ModelFile;
+use soilctl_effects::{EffectId, Loaded, ModelFile};
 use soilctl_jobs::fnv1a;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use super::Against;
+use super::learn::Learning;
 use crate::files::failed;
 use crate::simulate::cores;
 use crate::{AppError, Watch, process, simulate};
@@ -55,16 +56,21 @@ impl<'a> Again<'a> {
         Ok(Self { log: first_log(logs)?, out, watch })
     }
 
-    /// Simulates without the effects that were found; whether the simulated arm has effects that are known.
+    /// Simulates without the effects that were found; the model file of that, with the effects that are known and can be simulated.
     pub(super) fn before(
         &self,
         against: &Against,
         data: &Data,
         diagnosis: &Diagnosis,
         simulated: &mut Simulated,
-    ) -> Result<bool, AppError> {
+    ) -> Result<ModelFile, AppError> {
         let file = model_file(against, data, diagnosis);
-        let mut plain = diagnosis.comparison.without_effects(&file, against.known().len());
+        // The soil as it was fitted beside what was found: without, it takes a part of an effect, and the simulated arm would show it, too.
+        let mut plain = file;
+        plain.effects.truncate(against.known().len());
+        // An interface friction off its set-point is what is looked for: the fit of forces would take it for the soil's, and then every
+        // signal of the simulated arm had it.
+        plain.soil.delta_offset_deg.value = 0.0;
         let with =
             if plain.effects.is_empty() { "without effects" } else { "with the effects that are known" };
         self.watch.note(&format!("the same commands on the simulated arm, {with}"));
@@ -78,7 +84,32 @@ impl<'a> Again<'a> {
                 found => break found?,
             }
         };
-        Ok(!plain.effects.is_empty())
+        Ok(plain)
+    }
+
+    /// Puts what the simulated arm read into the data: what is to be expected of each signal, what the scene makes of the forces, and how
+    /// signals respond to effects.
+    pub(super) fn expect(
+        &self,
+        before: &Resimulated,
+        plain: &ModelFile,
+        data: &mut Data,
+    ) -> Result<(), AppError> {
+        data.expect(&before.data, !plain.effects.is_empty(), plain.soil.delta_offset_deg.value);
+        let model = Loaded::new(plain.clone(), "the simulated soil")?;
+        let model_n: Result<Vec<f64>, _> = before.data.rows.iter().map(|row| model.force_n(row)).collect();
+        // Where the force model has no answer there is nothing to compare with.
+        if let Ok(model_n) = model_n {
+            data.expect_scene(&before.data, &model_n);
+        }
+        let (plan, _) = Plan::from_log(&self.log)?;
+        let store = self.out.join("learnt");
+        let candidates: Vec<EffectId> = EffectId::ALL
+            .into_iter()
+            .filter(|id| plain.effects.iter().all(|known| known.id != *id))
+            .collect();
+        let campaign = data.campaign.clone();
+        Learning::new(&plan, plain, data, &campaign, &store, self.watch)?.all(data, &candidates)
     }
 
     /// Simulates with the effects that were found, if there are any.

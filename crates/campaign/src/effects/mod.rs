@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
 use soilctl_controller::Sensed;
-use soilctl_effects::{Active, Covariate, ModelFile, Reference, Site, SoilSite};
+use soilctl_effects::{Active, Covariate, ModelFile, Reference, Site, SoilSite, SurfaceSite};
 use soilctl_plant::config::PlantConfig;
 use soilctl_plant::{Contact, Effects, SoilChange};
 
@@ -48,6 +48,7 @@ pub(crate) struct PlantEffects {
     soil: SoilEffects,
     sensors: Sensors,
     interface_rad: f64,
+    depth_m: f64,
 }
 
 impl PlantEffects {
@@ -61,12 +62,13 @@ impl PlantEffects {
     ) -> Result<Self, CampaignError> {
         let mut soil = SoilEffects::new(reference, plan, batch, Arc::clone(&stroke))?;
         let mut sensors = Sensors::new(plan, stroke);
-        let mut interface_deg = 0.0;
+        let (mut interface_deg, mut depth_m) = (0.0, 0.0);
         for &active in effects {
             match active.effect.site {
-                Site::Soil(SoilSite::Strength | SoilSite::Loosening) | Site::Surface(_) | Site::Model => {
-                    soil.add(active, false);
-                }
+                Site::Surface(SurfaceSite::Height) => depth_m += active.amplitude,
+                Site::Soil(SoilSite::Strength | SoilSite::Loosening)
+                | Site::Surface(SurfaceSite::Slope | SurfaceSite::Load)
+                | Site::Model => soil.add(active, false),
                 Site::Soil(SoilSite::Mobilisation) => soil.add(active, true),
                 Site::Interface => interface_deg += active.amplitude,
                 Site::Sensor(site) => sensors.add(site, active.amplitude, plan),
@@ -74,13 +76,14 @@ impl PlantEffects {
                 Site::Drive(_) => {}
             }
         }
-        Ok(Self { soil, sensors, interface_rad: f64::to_radians(interface_deg) })
+        Ok(Self { soil, sensors, interface_rad: f64::to_radians(interface_deg), depth_m })
     }
 }
 
 impl Effects for PlantEffects {
     fn soil(&mut self, contact: &Contact, change: &mut SoilChange) {
         change.interface_rad += self.interface_rad;
+        change.depth_m += self.depth_m;
         self.soil.change(contact, change);
     }
 

@@ -1,7 +1,7 @@
 //! A campaign plan as it stands in a TOML file.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Id of the format in the reference documentation; the file itself says `version = 1`.
 pub const PLAN_SCHEMA: &str = "soilctl.plan/1";
@@ -89,20 +89,22 @@ pub struct Preparation {
 }
 
 /// Strokes in one preparation of the soil.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Batch {
     /// Radius of its strokes from the base axis in m, where they have none of their own.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_m: Option<f64>,
     /// The strokes in order; at least one.
     pub strokes: Vec<Stroke>,
 }
 
 /// A stroke.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stroke {
     /// Radius of the insertion from the base axis in m; above 0. Left out: that of the batch.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_m: Option<f64>,
     /// Base angle in degrees; -180 to 180.
     pub base_deg: f64,

@@ -1,5 +1,6 @@
 //! What is to be done: a plan file, read and checked.
 
+mod apart;
 mod demonstration;
 pub mod file;
 mod live;

@@ -215,7 +215,7 @@ impl Ground {
         velocity_m_s: [f64; 3],
         dt_s: f64,
     ) -> PointForce {
-        let place = [self.level_z_m - tip_m[2], self.heap_m];
+        let place = [self.change.true_depth_m(self.level_z_m - tip_m[2]), self.heap_m];
         let size = [self.width_m, self.thickness_m];
         self.plate.press(&self.config, &self.strength, &self.change, size, hand, place, velocity_m_s, dt_s);
         let force_n = self.plate.force_n(hand);

@@ -50,6 +50,9 @@ impl Words for Answer {
         if self.located.len() > MOST_PLACES {
             text += &format!("where: and {} more\n", self.located.len() - MOST_PLACES);
         }
+        for disagreement in &self.disagreements {
+            text += &format!("note: {disagreement}\n");
+        }
         if let Some(next) = &self.next_experiment {
             text += &format!("next: {} (power {:.2}; {})\n", next.text, next.power, next.design_csv);
         }

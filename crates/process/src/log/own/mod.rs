@@ -4,6 +4,7 @@ mod depth;
 mod geometry;
 mod joints;
 mod sample;
+mod signals;
 mod stroke;
 mod surface;
 

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_kinematics::{Arm, Frame, JointAngles, JointTorques};
+use soilctl_kinematics::{Arm, Frame};
 use soilctl_stats::median;
 
 use super::depth::depth_sd_m;
 use super::joints::{flexed, half_steps, joined, mean_gap};
 use super::sample::{Phase, Sample, mean_wrench, tip_and_sensor};
+use super::signals::{BEFORE_S, by_motors_n, insertion_force_n, loops_deg, motor_angle_deg};
 use super::surface::touched;
 use crate::log::{Course, LogStroke};
 use crate::{Outcome, ProcessError, Recorded, RobotSample, Setting, evaluate};
@@ -18,8 +19,6 @@ const COMPARED_S: f64 = 3.0;
 const MOST_GAP_S: f64 = 0.05;
 /// The plate is in free air from this height above the surface on, in m.
 const AIR_M: f64 = 0.01;
-/// Over this time in s before failure readings are averaged.
-const BEFORE_S: f64 = 0.5;
 
 /// All that was logged of a stroke.
 #[derive(Debug, Default)]
@@ -146,6 +145,12 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
     row.radius_m = logged.number("radius_m").or(row.radius_m);
     row.base_deg = logged.number("base_deg").map(degrees).or(row.base_deg);
     row.x_step_m = encoder_step(&course.external_m);
+    // Of a tare that is a mean over the approach nobody knows in which posture it was.
+    if air(&logged.approach).is_some() {
+        (row.air_across_n, row.air_along_n) = (Some(tare[2]), Some(tare[0]));
+    }
+    row.touch_z_m = touch.zip(logged.stated_surface_m).map(|(touched, stated)| touched - stated);
+    row.insertion_force_n = insertion_force_n(arm, &logged.approach, &tare)?;
     row.depth_sd_m = Some(depth_sd_m(arm, &joints[0], &half_steps, touch.is_some())?);
     if let Outcome::Found(point) = &evaluated.analysis.outcome {
         // At the beginning the external encoders stand at some count; the insertion tells the height more exactly.
@@ -160,9 +165,19 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
         };
         row.motor_ext_gap_m = mean(&|i| Some(course.motor_m[i] - course.external_m[i]));
         row.cmd_minus_force_n = mean(&|i| {
-            let commanded = commanded_n(arm, &logged.stroke[i], direction)?;
-            Some(commanded - evaluated.trace.force_n()[i])
+            let [along, up] = by_motors_n(arm, &logged.stroke[i], direction)?;
+            Some(along.hypot(up) - evaluated.trace.force_n()[i])
         });
+        let samples: Vec<Sample> = near.iter().map(|i| logged.stroke[*i]).collect();
+        let read = |i: &usize| {
+            let [x, y, z] = recorded.samples[*i].force_n();
+            [-(x * direction[0] + y * direction[1]), -z]
+        };
+        let read_n: Vec<[f64; 2]> = near.iter().map(read).collect();
+        row.motor_angle_deg = motor_angle_deg(arm, &samples, &read_n, direction);
+        if let Some([shoulder, elbow]) = loops_deg(logged, &samples) {
+            (row.shoulder_loop_deg, row.elbow_loop_deg) = (Some(shoulder), Some(elbow));
+        }
     }
     if logged.record.is_empty() {
         flags.push("no_stroke_record");
@@ -196,15 +211,6 @@ fn tare_after(arm: &Arm, logged: &Logged, surface_z_m: f64) -> Result<Option<[f6
         }
     }
     Ok(mean_wrench(air.iter()))
-}
-
-/// In-plane force of the plate by the motors' torques, in N; `None` where the arm is singular.
-fn commanded_n(arm: &Arm, sample: &Sample, direction: [f64; 2]) -> Option<f64> {
-    let joints = JointAngles(sample.external);
-    let weight = arm.gravity_torques(&joints).ok()?;
-    let torques = JointTorques(std::array::from_fn(|i| sample.torques[i] - weight.0[i]));
-    let [x, y, z] = arm.tip_force(&joints, &torques).ok()?;
-    Some((x * direction[0] + y * direction[1]).hypot(z))
 }
 
 /// Usual step of a displacement that comes in steps, in m: the median of the plateaus' distances, without the small ones that

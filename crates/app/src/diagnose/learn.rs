@@ -1,0 +1,184 @@
+//! How the simulated arm shows effects: single strokes like those of the campaign, without and with each effect, by the same noise.
+
+use std::path::Path;
+use std::time::Instant;
+
+use soilctl_campaign::{CampaignError, Options, Plan};
+use soilctl_diagnosis::{Data, Learnt, RecordedTraces, Shown, simulated_as};
+use soilctl_effects::{Effect, EffectEntry, EffectId, ModelFile, ParameterValue};
+use soilctl_jobs::fnv1a;
+use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
+
+use crate::files::failed;
+use crate::simulate::cores;
+use crate::{AppError, Watch, process, simulate};
+
+/// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.
+const SEED: u64 = 0x1ea2;
+/// Steps in deg and kg/m3 to which the soil of single strokes is rounded: responses are differences, which change little with the soil, and
+/// campaigns in much the same soil share them. It is the soil as it was known before the strokes were looked at, for an effect that is there
+/// moves the fitted one.
+const SOIL_STEPS: [f64; 2] = [2.0, 50.0];
+
+/// Mean depth in m that model files of single strokes have.
+const REFERENCE_DEPTH_M: f64 = 0.025;
+
+/// Strokes of one kind each on the simulated arm.
+pub(super) struct Learning<'a> {
+    plan: Plan,
+    /// The soil as it was known before, rounded, without effects that are looked for.
+    plain: ModelFile,
+    campaign: &'a Campaign,
+    /// Where tables are kept: each in a folder that is named by what it is of.
+    store: &'a Path,
+    watch: &'a dyn Watch,
+}
+
+impl<'a> Learning<'a> {
+    /// Strokes like those of a plan.
+    pub(super) fn new(
+        plan: &Plan,
+        plain: &ModelFile,
+        data: &Data,
+        campaign: &'a Campaign,
+        store: &'a Path,
+        watch: &'a dyn Watch,
+    ) -> Result<Self, AppError> {
+        Ok(Self { plan: plan.apart()?, plain: known_before(plain, data), campaign, store, watch })
+    }
+
+    /// Learns all effects that are not known and whose formulas do not know the controller.
+    pub(super) fn all(&self, data: &mut Data, candidates: &[EffectId]) -> Result<(), AppError> {
+        let wanted: Vec<(EffectId, EffectId)> = candidates
+            .iter()
+            .filter(|id| id.effect().site.passes_the_controller())
+            .filter_map(|id| Some((*id, simulated_as(*id)?)))
+            .collect();
+        let mut simulated: Vec<EffectId> = wanted.iter().map(|(_, of)| *of).collect();
+        simulated.sort_unstable();
+        simulated.dedup();
+        let runs: usize = simulated.iter().map(|id| amplitudes(id.effect()).len()).sum();
+        let each = self.plan.strokes().strokes().len();
+        let clock = Instant::now();
+        let Some(plain) = self.table(&self.plain)? else {
+            self.watch.note("no single stroke of the simulated arm has a failure force: effects are judged by their formulas");
+            return Ok(());
+        };
+        self.watch.note(&format!(
+            "how the simulated arm shows {} effects: {runs} times {each} single strokes, at most {:.0} min by the first {each}; what is \
+             there of an earlier run is used",
+            simulated.len(),
+            clock.elapsed().as_secs_f64() * runs as f64 / 60.0
+        ));
+        for id in simulated {
+            let effect = id.effect();
+            let mut tables = Vec::new();
+            for amplitude in amplitudes(effect) {
+                match self.table(&with(&self.plain, effect, amplitude)) {
+                    Ok(Some(table)) => tables.push((amplitude, table)),
+                    Ok(None) => {}
+                    Err(AppError::Campaign(problem @ CampaignError::Effect { .. })) => {
+                        self.watch.note(&problem.to_string());
+                    }
+                    Err(problem) => return Err(problem),
+                }
+            }
+            // Amplitudes under which no soil fails are left out; a sign that has none left cannot be that of a campaign that has failures.
+            if tables.is_empty() {
+                self.watch
+                    .note(&format!("{id} lets no single stroke fail the soil: it is judged by its formula"));
+                continue;
+            }
+            let shown: Vec<Shown<'_>> =
+                tables.iter().map(|(amplitude, with)| Shown { amplitude: *amplitude, with }).collect();
+            for (wanted, _) in wanted.iter().filter(|(_, of)| *of == id) {
+                data.learn(*wanted, Learnt::new(wanted.effect(), data, &plain, &shown));
+            }
+        }
+        Ok(())
+    }
+
+    /// Strokes with the soil and the effects of a model file; `None` if no stroke has a failure force, or it was stopped.
+    fn table(&self, file: &ModelFile) -> Result<Option<Data>, AppError> {
+        let text = serde_json::to_string(file)?;
+        let of = format!("{}\n{}\n{}\n{text}", env!("CARGO_PKG_VERSION"), SEED, self.plan.text());
+        let folder = self.store.join(fnv1a(of.as_bytes()));
+        let strokes = folder.join("strokes.csv");
+        if !strokes.is_file() {
+            let name = folder.display().to_string();
+            let options = Options { out: &folder, seed: SEED, threads: cores() };
+            let made = simulate::campaign(&self.plan, Some((file, name.as_str())), &options, self.watch)?;
+            if !made.complete {
+                return Ok(None);
+            }
+            let processed = process::run(&process::Request::of_folder(&folder, &strokes), self.watch)?;
+            if processed.stopped || processed.strokes.is_empty() {
+                return Ok(None);
+            }
+            remove_logs(&folder)?;
+        }
+        let table = StrokeTable::read(&strokes, ReadOptions { allow_zero_sd: false })?;
+        let mut data = Data::new(table.name(), table.rows().collect(), self.campaign.clone())?;
+        let _ = RecordedTraces::read(&folder.join("traces.csv"), &table)?.add_to(&mut data);
+        data.compare_everything();
+        Ok(Some(data))
+    }
+}
+
+/// A model file of the soil as it was known before, in round numbers, and nothing of the campaign that it was fitted to but the effects.
+fn known_before(plain: &ModelFile, data: &Data) -> ModelFile {
+    let mut file = plain.clone();
+    let soil = &mut file.soil;
+    let [deg, kg_m3] = SOIL_STEPS;
+    let set_deg = data.reference.delta_set_deg.unwrap_or(soil.delta_deg.value);
+    for (entry, value) in [
+        (&mut soil.phi_deg, (data.phi.mean / deg).round() * deg),
+        (&mut soil.delta_deg, (set_deg / deg).round() * deg),
+        (&mut soil.delta_offset_deg, 0.0),
+        (&mut soil.density_kg_m3, (data.density.mean / kg_m3).round() * kg_m3),
+    ] {
+        (entry.value, entry.sd) = (value, 0.0);
+    }
+    "hand".clone_into(&mut file.status);
+    (file.equivalence_set, file.held_out, file.data_hash) = (Vec::new(), None, String::new());
+    let reference = &mut file.reference;
+    // Single strokes have neither clock nor neighbours, and no effect that is learnt refers to a mean depth or angle.
+    (reference.time_s, reference.base_deg, reference.speed_mps, reference.delta_set_deg) =
+        (None, None, None, None);
+    (reference.depth_m, reference.alpha_deg) = (REFERENCE_DEPTH_M, 90.0);
+    reference.batches.clear();
+    file
+}
+
+/// Amplitudes that are simulated: the middle and the end of what is plausible, of each sign.
+fn amplitudes(effect: &Effect) -> Vec<f64> {
+    let range = effect.range;
+    range.signs().iter().flat_map(|sign| [sign * range.typical(), sign * range.high]).collect()
+}
+
+/// The model file with one more effect.
+fn with(plain: &ModelFile, effect: &Effect, amplitude: f64) -> ModelFile {
+    let value = |value: f64, unit: &str| ParameterValue { value, sd: 0.0, unit: unit.to_owned() };
+    let shape = effect.simulated_shape();
+    let mut parameters = std::collections::BTreeMap::from([(
+        effect.parameter.name.to_owned(),
+        value(amplitude, effect.parameter.unit),
+    )]);
+    if let Some(parameter) = effect.shape.and_then(|shape| shape.parameter) {
+        parameters.insert(parameter.name.to_owned(), value(shape, parameter.unit));
+    }
+    let mut file = plain.clone();
+    file.effects.push(EffectEntry { id: effect.id, parameters, shape, log_bayes_factor: 0.0 });
+    file
+}
+
+/// Logs of single strokes are some 15 MB each, and all that is wanted of them is in the table.
+fn remove_logs(folder: &Path) -> Result<(), AppError> {
+    for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
+        let path = entry.map_err(failed(folder))?.path();
+        if path.extension().is_some_and(|ending| ending == "mcap") {
+            std::fs::remove_file(&path).map_err(failed(&path))?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,218 @@
+//! What a simulated arm shows of an effect, stroke by stroke and signal by signal, in place of the catalogue's formulas: these do not
+//! know what the controller makes of it.
+
+use std::collections::BTreeMap;
+
+use soilctl_effects::{Channel, Effect, EffectId, Stroke};
+use soilctl_strokes::StrokeRow;
+
+use crate::data::Data;
+
+/// A response counts if it is this part of what the readings of a column scatter by, root mean square over the strokes at the largest
+/// amplitude that was simulated: less is noise of the simulation. Empirical.
+const LEAST_SHARE: f64 = 0.25;
+/// Part of the square of a response by which the larger amplitude of a sign may differ from the smaller one in proportion. More is no response,
+/// but a stroke that went another way for reasons of its own. Empirical.
+const MOST_BENT: f64 = 0.5;
+/// A tool angle (deg), radius and depth (both relative) by which a stroke is as much another one as by each of the others.
+const APART: [f64; 3] = [5.0, 0.3, 0.3];
+
+/// Strokes of a simulated arm with an effect of one amplitude.
+#[derive(Debug, Clone, Copy)]
+pub struct Shown<'a> {
+    /// Amplitude in the unit of the effect's parameter, not 0.
+    pub amplitude: f64,
+    /// What the arm's logs gave.
+    pub with: &'a Data,
+}
+
+/// Differences to the same strokes without the effect, at one amplitude.
+#[derive(Debug, Clone)]
+struct Node {
+    amplitude: f64,
+    /// Of ln of force over squared depth, by stroke of the campaign.
+    ln_force: Vec<f64>,
+    channels: BTreeMap<Channel, Vec<f64>>,
+}
+
+/// Responses of all strokes of a campaign to an effect.
+#[derive(Debug, Clone)]
+pub struct Learnt {
+    /// By size of the amplitude, for both signs.
+    nodes: Vec<Node>,
+    /// Share of the amplitude that acts on each stroke.
+    local: Vec<f64>,
+    /// Columns that show it.
+    channels: Vec<Channel>,
+}
+
+impl Learnt {
+    /// Responses of the strokes of `data`, from those few that were simulated without the effect (`plain`) and with it, by the same
+    /// noise. Each stroke of the campaign takes those of the simulated stroke that is most like it.
+    ///
+    /// An effect that grows with time acts on a stroke with the share of its amplitude that is reached then: `shown` has it as it is at
+    /// the end.
+    #[must_use]
+    pub fn new(effect: &'static Effect, data: &Data, plain: &Data, shown: &[Shown<'_>]) -> Self {
+        let local = data.strokes.iter().map(|stroke| share(effect, stroke)).collect();
+        let mut nodes: Vec<Node> = shown.iter().map(|shown| node(data, plain, shown)).collect();
+        nodes.sort_by(|a, b| a.amplitude.abs().total_cmp(&b.amplitude.abs()));
+        let mut learnt = Self { nodes, local, channels: Vec::new() };
+        let seen = |channel: &Channel| {
+            let scatter = crate::channels::spread(&data.beyond_expected(*channel)).max(f64::MIN_POSITIVE);
+            data.channels.contains_key(channel)
+                && learnt.size(*channel) >= LEAST_SHARE * scatter
+                && learnt.is_consistent(*channel)
+        };
+        learnt.channels = Channel::ALL.into_iter().filter(seen).collect();
+        learnt
+    }
+
+    /// Columns that show the effect.
+    pub(crate) fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    /// Whether strokes of the simulated arm survived amplitudes of a sign: one that none survives is not that of strokes that were made.
+    pub(crate) fn has_sign(&self, sign: f64) -> bool {
+        self.nodes.iter().any(|node| node.amplitude * sign > 0.0)
+    }
+
+    /// Change of ln force of a stroke by an amplitude.
+    pub(crate) fn ln_force(&self, stroke: usize, amplitude: f64) -> f64 {
+        self.at(stroke, amplitude, |node| node.ln_force.get(stroke).copied())
+    }
+
+    /// Change of a column of a stroke by an amplitude; 0 of a column that does not show it.
+    pub(crate) fn shift(&self, channel: Channel, stroke: usize, amplitude: f64) -> f64 {
+        if !self.channels.contains(&channel) {
+            return 0.0;
+        }
+        self.at(stroke, amplitude, |node| node.channels.get(&channel)?.get(stroke).copied())
+    }
+
+    /// A parabola through nothing at no amplitude and the two nodes of its sign, a line beyond them and if there is one only.
+    fn at(&self, stroke: usize, amplitude: f64, value: impl Fn(&Node) -> Option<f64>) -> f64 {
+        let amplitude = amplitude * self.local.get(stroke).copied().unwrap_or_default();
+        let of_sign = self.nodes.iter().filter(|node| node.amplitude * amplitude > 0.0);
+        let points: Vec<(f64, f64)> =
+            of_sign.filter_map(|node| Some((node.amplitude.abs(), value(node)?))).collect();
+        curve(&points, amplitude.abs())
+    }
+
+    /// Whether a column responds to the two amplitudes of a sign much as their sizes are to each other.
+    fn is_consistent(&self, channel: Channel) -> bool {
+        let (mut bent, mut all) = (0.0, 0.0);
+        for (i, small) in self.nodes.iter().enumerate() {
+            let larger = self.nodes[i + 1..].iter().find(|node| node.amplitude * small.amplitude > 0.0);
+            let Some(large) = larger else { continue };
+            let ratio = large.amplitude / small.amplitude;
+            let pairs = small.channels.get(&channel).into_iter().flatten();
+            for (a, b) in pairs.zip(large.channels.get(&channel).into_iter().flatten()) {
+                bent += (b - ratio * a).powi(2);
+                all += b * b;
+            }
+        }
+        bent <= MOST_BENT * all
+    }
+
+    /// Root mean square of what a column shows of the largest amplitude of either sign.
+    fn size(&self, channel: Channel) -> f64 {
+        let of = |node: &Node| {
+            let values = node.channels.get(&channel)?;
+            let squares = values.iter().zip(&self.local).map(|(value, local)| (value * local).powi(2));
+            Some((squares.sum::<f64>() / values.len().max(1) as f64).sqrt())
+        };
+        self.nodes.iter().filter_map(of).fold(0.0, f64::max)
+    }
+}
+
+/// Value at `x` of the response that is 0 at 0 and goes through `points`, of which the first two count, by rising x above 0.
+fn curve(points: &[(f64, f64)], x: f64) -> f64 {
+    match *points {
+        [] => 0.0,
+        [(x1, y1)] => y1 / x1 * x,
+        [(x1, y1), (x2, y2), ..] => {
+            let (s1, s2) = (y1 / x1, y2 / x2);
+            let bend = (s2 - s1) / (x2 - x1);
+            let within = x.min(x2);
+            let slope_at_end = s1 + bend * (2.0 * x2 - x1);
+            within * (s1 + bend * (within - x1)) + slope_at_end * (x - within)
+        }
+    }
+}
+
+/// Share of an effect's amplitude that acts on a stroke.
+fn share(effect: &Effect, stroke: &Stroke) -> f64 {
+    if effect.id == EffectId::ForceDrift { stroke.time_fraction.unwrap_or(0.0) } else { 1.0 }
+}
+
+/// The effect that is to be simulated in strokes without a history, to learn how strokes respond to another one: a drift is a bias that
+/// grows. `None` of effects that such strokes do not show: those that depend on other strokes, or on where and when a stroke is made.
+#[must_use]
+pub fn simulated_as(id: EffectId) -> Option<EffectId> {
+    if id == EffectId::ForceDrift {
+        return Some(EffectId::ForceBias);
+    }
+    id.effect().varies_with.is_none().then_some(id)
+}
+
+/// Differences at one amplitude, for every stroke of the campaign.
+fn node(data: &Data, plain: &Data, shown: &Shown<'_>) -> Node {
+    let pairs: Vec<(usize, usize)> = plain
+        .rows
+        .iter()
+        .enumerate()
+        .filter_map(|(i, row)| {
+            let same = |other: &StrokeRow| row.stroke_id.is_some() && other.stroke_id == row.stroke_id;
+            Some((i, shown.with.rows.iter().position(same)?))
+        })
+        .collect();
+    let like = |row: &StrokeRow, has: &dyn Fn(usize, usize) -> Option<f64>| {
+        let found = pairs.iter().filter_map(|&(i, j)| Some((distance(row, &plain.rows[i]), has(i, j)?)));
+        found.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |(_, difference)| difference)
+    };
+    let of = |has: &dyn Fn(usize, usize) -> Option<f64>| data.rows.iter().map(|row| like(row, has)).collect();
+    // Depths are recorded: what a plate that rises or sinks loses of its force by the square of its depth, the force model knows.
+    let at_depth = |data: &Data, k: usize| data.ln_force[k] - 2.0 * data.rows[k].depth_m.ln();
+    let ln_force = of(&|i, j| Some(at_depth(shown.with, j) - at_depth(plain, i)));
+    let channels = plain.channels.iter().filter_map(|(channel, before)| {
+        let after = shown.with.channels.get(channel)?;
+        Some((*channel, of(&|i, j| Some(after[j]? - before[i]?))))
+    });
+    Node { amplitude: shown.amplitude, ln_force, channels: channels.collect() }
+}
+
+/// How little two strokes are alike, from 0.
+fn distance(a: &StrokeRow, b: &StrokeRow) -> f64 {
+    let relative = |a: f64, b: f64| (a - b) / a.max(b).max(f64::MIN_POSITIVE);
+    let radius = a.radius_m.zip(b.radius_m).map_or(0.0, |(a, b)| relative(a, b));
+    let parts = [a.alpha_deg - b.alpha_deg, radius, relative(a.depth_m, b.depth_m)];
+    parts.iter().zip(APART).map(|(part, apart)| (part / apart).powi(2)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_goes_through_its_points_and_on_as_a_line() {
+        let square = |x: f64| 3.0 * x + 0.5 * x * x;
+        let points = [(1.0, square(1.0)), (2.0, square(2.0))];
+        for x in [0.0, 0.4, 1.0, 1.7, 2.0] {
+            assert!((curve(&points, x) - square(x)).abs() < 1e-12, "{x}");
+        }
+        // Slope 3 + 2 at the end.
+        assert!((curve(&points, 4.0) - (square(2.0) + 2.0 * 5.0)).abs() < 1e-12);
+        assert_eq!((curve(&[(2.0, 6.0)], 3.0), curve(&[], 1.0)), (9.0, 0.0));
+    }
+
+    #[test]
+    fn a_drift_is_learnt_from_a_bias_and_what_needs_other_strokes_not_at_all() {
+        assert_eq!(simulated_as(EffectId::ForceDrift), Some(EffectId::ForceBias));
+        assert_eq!(simulated_as(EffectId::Backlash), Some(EffectId::Backlash));
+        for id in [EffectId::RateEffect, EffectId::AdjacentStroke, EffectId::RadiusDependence] {
+            assert_eq!(simulated_as(id), None, "{id}");
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Effects that a simulated arm shows in signals which no formula of the catalogue has: here an arm that takes free-air readings off its
+//! forces, so that what is wrong with its zero is in these readings and in no force.
+
+#![allow(clippy::unwrap_used)]
+
+use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest};
+use soilctl_diagnosis::{Data, Diagnosis, Learnt, Shown, Status, Surface, diagnose};
+use soilctl_earth_pressure::model;
+use soilctl_effects::EffectId;
+use soilctl_strokes::StrokeRow;
+
+/// Scatter of a free-air reading in N: a mean over half a second.
+const AIR_SD_N: f64 = 0.01;
+
+/// Numbers from -1 to 1 that look random.
+struct Chance(u64);
+
+impl Chance {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+fn campaign(number: u64) -> HiddenCampaign {
+    let test = SelfTest::new("chen", 77).unwrap();
+    let design = Design { strokes: 24, traces: false, ..Design::default() };
+    test.campaign(&Case { kind: Kind::Null, number, causes: Vec::new(), design }).unwrap().unwrap()
+}
+
+/// The campaign as an arm reads it whose zero is off, at the beginning and as it is at the end; the tool's weight goes with its angle.
+fn read(campaign: &HiddenCampaign, bias_n: f64, drift_n: f64, seed: u64) -> Data {
+    let mut chance = Chance(seed);
+    let last = campaign.rows.len() as f64 - 1.0;
+    let row = |(i, row): (usize, &StrokeRow)| {
+        let weight = 0.6 * row.alpha_deg.to_radians().sin();
+        let off = bias_n + drift_n * i as f64 / last;
+        StrokeRow {
+            air_across_n: Some(1.1 + weight + off + AIR_SD_N * 1.7 * chance.next()),
+            time_s: Some(100.0 * i as f64),
+            ..row.clone()
+        }
+    };
+    let rows = campaign.rows.iter().enumerate().map(row).collect();
+    let mut data = Data::new("read", rows, campaign.campaign.clone()).unwrap();
+    data.tare_taken_off();
+    data
+}
+
+/// Single strokes of the simulated arm, one of each tool angle.
+fn single(campaign: &HiddenCampaign, bias_n: f64) -> Data {
+    let mut data = read(campaign, bias_n, 0.0, 5);
+    data.compare_everything();
+    data
+}
+
+fn diagnosed(campaign: &HiddenCampaign, bias_n: f64, drift_n: f64) -> Diagnosis {
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    let mut data = read(campaign, bias_n, drift_n, 1);
+    data.expect(&read(campaign, 0.0, 0.0, 2), false, 0.0);
+    let plain = single(campaign, 0.0);
+    let with: Vec<(f64, Data)> = [0.2, 0.5, -0.2, -0.5]
+        .into_iter()
+        .map(|amplitude| (amplitude, single(campaign, amplitude)))
+        .collect();
+    let shown: Vec<Shown<'_>> =
+        with.iter().map(|(amplitude, with)| Shown { amplitude: *amplitude, with }).collect();
+    for id in [EffectId::ForceBias, EffectId::ForceDrift] {
+        let learnt = Learnt::new(id.effect(), &data, &plain, &shown);
+        data.learn(id, learnt);
+    }
+    diagnose(&data, &surface).unwrap()
+}
+
+#[test]
+fn a_zero_that_is_off_is_named_by_free_air_and_by_no_force() {
+    for (bias_n, drift_n, id) in [(-0.3, 0.0, EffectId::ForceBias), (0.0, 0.5, EffectId::ForceDrift)] {
+        let found = diagnosed(&campaign(1), bias_n, drift_n);
+        assert_eq!(found.status, Status::Named, "{id}: {:?}", found.equivalence_set);
+        assert_eq!((found.effects.len(), found.effects[0].id), (1, id));
+        let truth = bias_n + drift_n;
+        assert!((found.effects[0].amplitude / truth - 1.0).abs() < 0.15, "{:?}", found.effects[0]);
+        // No force has it, and none is predicted to.
+        let gap = &found.comparison.gap;
+        assert!((gap.after / gap.before - 1.0).abs() < 1e-3, "{gap:?}");
+    }
+}
+
+#[test]
+fn an_arm_that_reads_what_is_expected_has_no_effect() {
+    for number in 1..3 {
+        let found = diagnosed(&campaign(number), 0.0, 0.0);
+        assert_eq!(found.status, Status::None, "{number}: {:?}", found.equivalence_set);
+    }
+}
