@@ -67,7 +67,7 @@ mod tests {
         let strokes = plan.strokes().strokes();
         let mut kinds: Vec<(i32, i32)> = strokes
             .iter()
-            .map(|s| (s.alpha_rad.to_degrees().round() as i32, (1e3 * s.radius_m).round() as i32))
+            .map(|s| (s.tool_angle_rad.to_degrees().round() as i32, (1e3 * s.radius_m).round() as i32))
             .collect();
         kinds.sort_unstable();
         let all = [70, 80, 90, 100].into_iter().flat_map(|alpha| [(alpha, 305), (alpha, 432)]);

@@ -428,7 +428,7 @@ def solve(
     """Proven bounds for a plane-strain collapse problem that is described in a file or a dict.
 
     What is bounded is what the description's objective asks for: a force, a factor on loads or weights, an acceleration,
-    or a factor of safety (see ``Bracket.quantity``).
+    or a factor of safety (see ``Bracket.quantity``). Descriptions with cases or sweeps are for ``soilctl.use_cases.solve``.
 
     Args:
         problem: Path of a problem file (.toml or .json), or the description as a dict or another mapping, whose numbers may be

@@ -49,6 +49,7 @@ __all__ = [
     "DiagnoseParameter",
     "DiagnoseSelfTestAnswer",
     "DiagnoseSelfTestRate",
+    "DiagnoseSignal",
     "DiagnoseTestability",
     "DiagnoseWhere",
     "DoctorAnswer",
@@ -116,8 +117,10 @@ __all__ = [
     "SimulateBatchReport",
     "Solve",
     "SolveAnswer",
+    "SolveCase",
     "SolveCheckAnswer",
     "SolveCheckCheckedBoundary",
+    "SolveCheckCheckedCase",
     "SolveCheckCheckedRegion",
     "SolveContact",
     "SolveLevel",
@@ -609,6 +612,7 @@ class BoundAnswer(Answer):
         lower_factorisation: What factorised the solver's systems behind the lower bound; its digits may depend on
             that, its proof does not.
         lower_proof: How the lower bound is proven.
+        notes: Values of it that are possible but unusual, with what is usual and a likely cause.
         over_width: The same plate at other widths, narrow to wide, and plane strain last; empty if it has no ends.
         plane_strain: The bracket in plane strain, which elements and levels are about.
         results: What the fields behind the bounds show: x along the surface from the plate's top, y across it.
@@ -658,6 +662,8 @@ class BoundAnswer(Answer):
     """
     lower_proof: Literal["plane", "splice", "space", "mechanism"]
     """How the lower bound is proven."""
+    notes: list[str]
+    """Values of it that are possible but unusual, with what is usual and a likely cause."""
     over_width: list[BoundWidth]
     """The same plate at other widths, narrow to wide, and plane strain last; empty if it has no ends."""
     plane_strain: BoundWidth
@@ -686,6 +692,42 @@ class BoundAnswer(Answer):
     """Width over vertical depth; null in plane strain."""
     work: int
     """Work spent in element steps: elements of meshes times steps of the solver on them."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveCase(Record):
+    """What was found for one case of a problem file, or one value of its sweeps.
+
+    Attributes:
+        certified: Whether both bounds are proven.
+        enough: Whether a factor is proven to be one or more: what the case asks for. Null if the bounds do not
+            tell, and where forces or accelerations are bounded.
+        gap: As that of the whole answer.
+        lower: Lower bound, over the partial factor on resistance; null if there are no bounds.
+        name: Its name: that of the case, and the values of the sweeps.
+        problem: Why there are no bounds; null if there are.
+        upper: Upper bound, likewise.
+        values: The values that it sets, by parameter.
+    """
+
+    certified: bool
+    """Whether both bounds are proven."""
+    enough: bool | None
+    """Whether a factor is proven to be one or more: what the case asks for. Null if the bounds do not tell, and
+    where forces or accelerations are bounded.
+    """
+    gap: float | None
+    """As that of the whole answer."""
+    lower: float | None
+    """Lower bound, over the partial factor on resistance; null if there are no bounds."""
+    name: str
+    """Its name: that of the case, and the values of the sweeps."""
+    problem: str | None
+    """Why there are no bounds; null if there are."""
+    upper: float | None
+    """Upper bound, likewise."""
+    values: dict[str, float]
+    """The values that it sets, by parameter."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -842,14 +884,18 @@ class SolveAnswer(Answer):
     Attributes:
         schema: Id of this schema.
         version: Version of the program.
-        certified: Whether both bounds are proven with interval arithmetic.
+        cases: All cases of the file; empty if it has none.
+        certified: Whether both bounds are proven with interval arithmetic, of cases those of all.
         ended: Why the run ended.
         gap: ``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero.
+        governing: The case of the file with the least lower bound, whose fields and levels these are; null if the
+            file has no cases.
         levels: All levels, coarse to fine; empty for a factor of safety.
-        lower: Lower bound. A force is negative where the soil pushes the structure on.
+        lower: Lower bound, of cases the least. A force is negative where the soil pushes the structure on.
         lower_elements: Triangles of the mesh of the lower bound; each has three parts.
         lower_factorisation: What factorised the solver's systems behind the lower bound; its digits may depend on
             that, its proof does not.
+        notes: Values of the file that are possible but unusual, with what is usual and a likely cause.
         quantity: What is bounded.
         results: What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety
             are of soil whose strength is divided by its bounds.
@@ -858,7 +904,7 @@ class SolveAnswer(Answer):
             elsewhere another time.
         title: Title of the problem; null if it has none.
         trials: For a factor of safety, all factors that were tried; else empty.
-        upper: Upper bound.
+        upper: Upper bound, likewise.
         upper_elements: Triangles of the mesh of the upper bound.
         upper_factorisation: The same of the upper bound.
         work: Work spent in element steps: elements of meshes times steps of the solver on them.
@@ -868,22 +914,30 @@ class SolveAnswer(Answer):
     """Id of this schema."""
     version: str
     """Version of the program."""
+    cases: list[SolveCase]
+    """All cases of the file; empty if it has none."""
     certified: bool
-    """Whether both bounds are proven with interval arithmetic."""
+    """Whether both bounds are proven with interval arithmetic, of cases those of all."""
     ended: Literal["gap", "time", "elements", "work", "memory", "stopped"]
     """Why the run ended."""
     gap: float | None
     """``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero."""
+    governing: str | None
+    """The case of the file with the least lower bound, whose fields and levels these are; null if the file has no
+    cases.
+    """
     levels: list[SolveLevel]
     """All levels, coarse to fine; empty for a factor of safety."""
     lower: float
-    """Lower bound. A force is negative where the soil pushes the structure on."""
+    """Lower bound, of cases the least. A force is negative where the soil pushes the structure on."""
     lower_elements: int
     """Triangles of the mesh of the lower bound; each has three parts."""
     lower_factorisation: Literal["qdldl", "faer"]
     """What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does
     not.
     """
+    notes: list[str]
+    """Values of the file that are possible but unusual, with what is usual and a likely cause."""
     quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
     """What is bounded."""
     results: SolveResults
@@ -901,7 +955,7 @@ class SolveAnswer(Answer):
     trials: list[SolveTrial]
     """For a factor of safety, all factors that were tried; else empty."""
     upper: float
-    """Upper bound."""
+    """Upper bound, likewise."""
     upper_elements: int
     """Triangles of the mesh of the upper bound."""
     upper_factorisation: Literal["qdldl", "faer"]
@@ -923,6 +977,24 @@ class SolveCheckCheckedBoundary(Record):
     """The condition."""
     length_m: float
     """Its length, of both faces for plates."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveCheckCheckedCase(Record):
+    """A case of the file.
+
+    Attributes:
+        factors: Its partial factors other than one.
+        name: Its name, with the values of the sweeps.
+        values: The values that it sets, by parameter.
+    """
+
+    factors: dict[str, float]
+    """Its partial factors other than one."""
+    name: str
+    """Its name, with the values of the sweeps."""
+    values: dict[str, float]
+    """The values that it sets, by parameter."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -957,7 +1029,9 @@ class SolveCheckAnswer(Answer):
         schema: Id of this schema.
         version: Version of the program.
         boundaries: Total length of boundary with each condition.
+        cases: Cases, with the values of sweeps; empty if there are none.
         length_m: Unit of length of the solver in m.
+        notes: Values that are possible but unusual, with what is usual and a likely cause.
         quantity: What ``solve`` would bound.
         regions: Regions of one soil after cutting.
         stress_kpa: Unit of stress of the solver in kPa.
@@ -970,8 +1044,12 @@ class SolveCheckAnswer(Answer):
     """Version of the program."""
     boundaries: list[SolveCheckCheckedBoundary]
     """Total length of boundary with each condition."""
+    cases: list[SolveCheckCheckedCase]
+    """Cases, with the values of sweeps; empty if there are none."""
     length_m: float
     """Unit of length of the solver in m."""
+    notes: list[str]
+    """Values that are possible but unusual, with what is usual and a likely cause."""
     quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
     """What ``solve`` would bound."""
     regions: list[SolveCheckCheckedRegion]
@@ -2705,6 +2783,8 @@ class ProcessStrokeRecord(Record):
     """A stroke of a log: its row of the stroke table, and what its failure was like.
 
     Attributes:
+        air_across_n: Free-air reading before the stroke across the plate, weight and zero of the sensor in it (N).
+        air_along_n: The same along the plate (N).
         alpha_deg: Tool angle, from the ground ahead to the plate (deg).
         base_deg: Base angle at which the stroke was made (deg).
         batch: Name of the preparation the stroke was made in (text).
@@ -2714,6 +2794,7 @@ class ProcessStrokeRecord(Record):
         depth_m: Vertical depth of the plate's lower edge below the surface where the soil failed (m).
         depth_sd_m: Standard deviation of ``depth_m``: how well surface and edge are known (m).
         displacement_at_failure_m: Displacement at failure, compensated for flexion (m).
+        elbow_loop_deg: The same of the elbow (deg).
         failure: ``drastic`` or ``gradual`` (text).
         failure_time_s: Time of the failure on the clock of the log (s).
         flags: What to keep in mind, words parted by blanks; empty if nothing (text).
@@ -2722,22 +2803,28 @@ class ProcessStrokeRecord(Record):
         friction_angle_deg: Measured friction angle just before failure (deg).
         friction_angle_sd_deg: Standard deviation of ``friction_angle_deg`` (deg).
         gap_prior_m: Edge distance to the nearest earlier stroke in this preparation (m).
+        insertion_force_n: Mean force along the plate over the way of its insertion, work over way (N).
         lift_deg: Inclination of the force while failed soil slips along the plate, above the set-point, or without
             one above that before the failure (deg).
         lift_sd_deg: Standard deviation of ``lift_deg`` (deg).
         log: The log (text).
         method: How the failure was found: ``drop``, ``run_away`` or ``saturation`` (text).
         mobilised: Share of the limit force that was mobilised at the end of a gradual failure (1).
+        motor_angle_deg: Inclination of the force by the motor torques minus that by the sensor, before failure
+            (deg).
         motor_ext_gap_m: Motor-side minus external position before failure (m).
         order: Order within the preparation, from 1 (1).
         post_slope_norm: Slope after the break, ``(dF/du) H/F`` (1).
         radius_m: Radius from the base axis at which the stroke was made (m).
         residual_ratio: Force half a depth after failure over the failure force (1).
+        shoulder_loop_deg: Motor minus external angle of the shoulder before failure, above that in free air before
+            the stroke (deg).
         speed_mps: Mean speed of the plate up to failure (m/s).
         stroke_id: Name of the stroke; no other stroke of the table has it (text).
         tare_after_n: Free-air reading after the stroke, along the force (N).
         tare_before_n: Free-air reading before the stroke, along the force (N).
         time_s: Time of the stroke on the clock of the campaign (s).
+        touch_z_m: Height of the surface where the plate met it, above that which the log states (m).
         turned_deg: How far the tool angle had grown at failure, since the arm turns the plate while it pulls (deg).
         two_lines_force_n: Force where two lines fitted to the curve meet, the usual rule for gradual failures (N).
         wall_m: From the edge of the plate to the nearest wall (m).
@@ -2746,6 +2833,10 @@ class ProcessStrokeRecord(Record):
         z_drift_m: Drift of the plate's lower edge up to failure, up positive (m).
     """
 
+    air_across_n: float | None
+    """Free-air reading before the stroke across the plate, weight and zero of the sensor in it (N)."""
+    air_along_n: float | None
+    """The same along the plate (N)."""
     alpha_deg: float
     """Tool angle, from the ground ahead to the plate (deg)."""
     base_deg: float | None
@@ -2764,6 +2855,8 @@ class ProcessStrokeRecord(Record):
     """Standard deviation of ``depth_m``: how well surface and edge are known (m)."""
     displacement_at_failure_m: float | None
     """Displacement at failure, compensated for flexion (m)."""
+    elbow_loop_deg: float | None
+    """The same of the elbow (deg)."""
     failure: str
     """``drastic`` or ``gradual`` (text)."""
     failure_time_s: float | None
@@ -2780,6 +2873,8 @@ class ProcessStrokeRecord(Record):
     """Standard deviation of ``friction_angle_deg`` (deg)."""
     gap_prior_m: float | None
     """Edge distance to the nearest earlier stroke in this preparation (m)."""
+    insertion_force_n: float | None
+    """Mean force along the plate over the way of its insertion, work over way (N)."""
     lift_deg: float | None
     """Inclination of the force while failed soil slips along the plate, above the set-point, or without one above
     that before the failure (deg).
@@ -2792,6 +2887,8 @@ class ProcessStrokeRecord(Record):
     """How the failure was found: ``drop``, ``run_away`` or ``saturation`` (text)."""
     mobilised: float | None
     """Share of the limit force that was mobilised at the end of a gradual failure (1)."""
+    motor_angle_deg: float | None
+    """Inclination of the force by the motor torques minus that by the sensor, before failure (deg)."""
     motor_ext_gap_m: float | None
     """Motor-side minus external position before failure (m)."""
     order: int | None
@@ -2802,6 +2899,8 @@ class ProcessStrokeRecord(Record):
     """Radius from the base axis at which the stroke was made (m)."""
     residual_ratio: float | None
     """Force half a depth after failure over the failure force (1)."""
+    shoulder_loop_deg: float | None
+    """Motor minus external angle of the shoulder before failure, above that in free air before the stroke (deg)."""
     speed_mps: float | None
     """Mean speed of the plate up to failure (m/s)."""
     stroke_id: str
@@ -2812,6 +2911,8 @@ class ProcessStrokeRecord(Record):
     """Free-air reading before the stroke, along the force (N)."""
     time_s: float | None
     """Time of the stroke on the clock of the campaign (s)."""
+    touch_z_m: float | None
+    """Height of the surface where the plate met it, above that which the log states (m)."""
     turned_deg: float | None
     """How far the tool angle had grown at failure, since the arm turns the plate while it pulls (deg)."""
     two_lines_force_n: float | None
@@ -2974,6 +3075,39 @@ class DiagnoseParameter(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSignal(Record):
+    """The gap of a signal to the simulated arm, in standard deviations of its scatter from stroke to stroke.
+
+    Attributes:
+        gap_after: The same with the effects that were found; null if they were not simulated.
+        gap_before: Root mean square of measured minus simulated without effects.
+        heldout_after: The same with effects.
+        heldout_before: Batches that were left out, predicted without effects, in standard deviations of the
+            prediction; null without such a prediction.
+        phase: Phase of the stroke, for readings of traces: loading or after; null for the column itself.
+        signal: Column of the stroke table, or of the traces; the force goes as its logarithm.
+        strokes: Strokes that have it.
+    """
+
+    gap_after: float | None
+    """The same with the effects that were found; null if they were not simulated."""
+    gap_before: float
+    """Root mean square of measured minus simulated without effects."""
+    heldout_after: float | None
+    """The same with effects."""
+    heldout_before: float | None
+    """Batches that were left out, predicted without effects, in standard deviations of the prediction; null without
+    such a prediction.
+    """
+    phase: str | None
+    """Phase of the stroke, for readings of traces: loading or after; null for the column itself."""
+    signal: str
+    """Column of the stroke table, or of the traces; the force goes as its logarithm."""
+    strokes: int
+    """Strokes that have it."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class DiagnoseTestability(Record):
     """What the design could show of an effect.
 
@@ -3023,6 +3157,8 @@ class DiagnoseAnswer(Answer):
         schema: Id of this schema.
         version: Version of the program.
         density_kg_m3: Recalibrated density with the effects, kg/m3.
+        disagreements: Where readings of interface friction, zero or surface say what the verdict does not have,
+            each with the reason.
         effects: Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
         equivalence_set: What the data do not tell apart, best first; ids of effects, or ``unknown:<covariate>``.
         gap: How far model and measurement are apart.
@@ -3037,6 +3173,7 @@ class DiagnoseAnswer(Answer):
         phi_deg: Recalibrated friction angle with the effects, deg.
         report: HTML page; null if none was made.
         scatter: Scatter of ln force of one stroke about the baseline.
+        signals: The gap of each signal to the same strokes on the simulated arm; empty if they were not simulated.
         status: none, named, ambiguous, provisional, unknown or not_testable; only ``named`` is firm.
         strokes: Strokes.
         testability: What the design could show of each effect, before the forces were looked at.
@@ -3050,6 +3187,10 @@ class DiagnoseAnswer(Answer):
     """Version of the program."""
     density_kg_m3: float
     """Recalibrated density with the effects, kg/m3."""
+    disagreements: list[str]
+    """Where readings of interface friction, zero or surface say what the verdict does not have, each with the
+    reason.
+    """
     effects: list[DiagnoseEffect]
     """Effects of the best explanation, best first; empty unless named, ambiguous or provisional."""
     equivalence_set: list[str]
@@ -3076,6 +3217,8 @@ class DiagnoseAnswer(Answer):
     """HTML page; null if none was made."""
     scatter: float
     """Scatter of ln force of one stroke about the baseline."""
+    signals: list[DiagnoseSignal]
+    """The gap of each signal to the same strokes on the simulated arm; empty if they were not simulated."""
     status: str
     """none, named, ambiguous, provisional, unknown or not_testable; only ``named`` is firm."""
     strokes: int
