@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import keyword
 import re
+from collections.abc import Mapping
 from typing import Any
 
 from docstrings import described, docstring
@@ -149,6 +150,11 @@ def union(kinds: Any) -> str:
     return " | ".join(joined)
 
 
+def attribute_of(key: str) -> str:
+    """The name of a key as an attribute: words of Python, and what every mapping has, get an underscore."""
+    return key + "_" if keyword.iskeyword(key) or hasattr(Mapping, key) else key
+
+
 def record(name: str, base: str, schema: dict[str, Any], scope: Scope) -> str:
     """A class of an answer."""
     required = schema.get("required", [])
@@ -160,12 +166,12 @@ def record(name: str, base: str, schema: dict[str, Any], scope: Scope) -> str:
         default = ""
         if key not in required:
             kind, default = union([kind, "None"]), " = None"
-        attribute = key + "_" if keyword.iskeyword(key) else key
+        attribute = attribute_of(key)
         if attribute != key:
             metadata = f'metadata={{"key": {json.dumps(key)}}}'
             default = f" = field(default=None, {metadata})" if default else f" = field({metadata})"
         lines.append(f"    {attribute}: {kind}{default}\n" + docstring(sentences(about) or "See its type.", 4))
-    told = [described(key + "_" * keyword.iskeyword(key), [sentences(about) or "See its type."]) for key, about in properties]
+    told = [described(attribute_of(key), [sentences(about) or "See its type."]) for key, about in properties]
     summary = "\n".join([sentences(schema) or "Part of an answer.", "\nAttributes:", *told])
     return f"\n@dataclass(frozen=True, repr=False, eq=False)\nclass {name}({base}):\n{docstring(summary, 4)}\n" + "".join(lines)
 

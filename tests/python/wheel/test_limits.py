@@ -375,3 +375,26 @@ def test_problems_that_make_no_sense_are_refused(tmp_path):
 def test_bad_input_is_refused(change, error):
     with pytest.raises(error):
         soilctl.bound(**{**SMOOTH, **change})
+
+
+def test_cases_of_a_file_are_bounded_each(tmp_path):
+    text = """
+        default_boundary = "free"
+        objective = { kind = "load" }
+        soil = [{ name = "clay", phi_deg = 0, cohesion_kpa = 50, unit_weight_kn_m3 = 0 }]
+        region = [{ soil = "clay", polygon = [[-5, 0], [5, 0], [5, -4], [-5, -4]] }]
+        boundary = [
+            { kind = "fixed", sides = ["left", "right", "bottom"] },
+            { kind = "load", line = [[-1, 0], [1, 0]], pressure_kpa = 100, live = true },
+        ]
+        sweep = [{ parameter = "soil.clay.cohesion_kpa", values = [20, 40] }]
+    """
+    file = tmp_path / "strip.toml"
+    file.write_text(text)
+    answer = soilctl.use_cases.solve(file=file, max_gap=0.1)
+    for case, cohesion in zip(answer.cases, (20.0, 40.0), strict=True):
+        assert case["values"] == case.values_ == {"soil.clay.cohesion_kpa": cohesion}
+        assert case.lower <= (2 + math.pi) * cohesion / 100.0 <= case.upper and case.certified
+    assert answer.governing == answer.cases[0].name and answer.lower == answer.cases[0].lower
+    with pytest.raises(soilctl.InputError, match="use_cases.solve"):
+        soilctl.solve(file)

@@ -59,7 +59,7 @@ mod tests {
 
     use crate::Plan;
 
-    /// Table 6.2 has four tool angles at two radii each.
+    /// Table 6.2 has four tool angles, three of them at both radii and 70 deg at the inner one.
     #[test]
     fn one_stroke_of_each_tool_angle_and_radius() {
         let text = include_str!("../../../../data/plans/table_6_2.toml");
@@ -70,9 +70,8 @@ mod tests {
             .map(|s| (s.tool_angle_rad.to_degrees().round() as i32, (1e3 * s.radius_m).round() as i32))
             .collect();
         kinds.sort_unstable();
-        let all = [70, 80, 90, 100].into_iter().flat_map(|alpha| [(alpha, 305), (alpha, 432)]);
-        assert_eq!(kinds, all.collect::<Vec<_>>());
-        assert_eq!(plan.batches(), 8);
+        assert_eq!(kinds, [(70, 305), (80, 305), (80, 432), (90, 305), (90, 432), (100, 305), (100, 432)]);
+        assert_eq!(plan.batches(), 7);
         // It is a plan as any other.
         assert_eq!(Plan::from_toml(plan.text(), "again", Path::new("")).unwrap().strokes(), plan.strokes());
     }

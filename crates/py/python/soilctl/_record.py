@@ -52,7 +52,7 @@ class Answer(Record):
 
 
 def _key(field: Field[Any]) -> str:
-    """The key in JSON, where words may be names that Python keeps for itself."""
+    """The key in JSON, where words may be names that Python or mappings keep for themselves."""
     return str(field.metadata.get("key", field.name))
 
 

@@ -707,7 +707,7 @@ class SolveCase(Record):
         name: Its name: that of the case, and the values of the sweeps.
         problem: Why there are no bounds; null if there are.
         upper: Upper bound, likewise.
-        values: The values that it sets, by parameter.
+        values_: The values that it sets, by parameter.
     """
 
     certified: bool
@@ -726,7 +726,7 @@ class SolveCase(Record):
     """Why there are no bounds; null if there are."""
     upper: float | None
     """Upper bound, likewise."""
-    values: dict[str, float]
+    values_: dict[str, float] = field(metadata={"key": "values"})
     """The values that it sets, by parameter."""
 
 
@@ -986,14 +986,14 @@ class SolveCheckCheckedCase(Record):
     Attributes:
         factors: Its partial factors other than one.
         name: Its name, with the values of the sweeps.
-        values: The values that it sets, by parameter.
+        values_: The values that it sets, by parameter.
     """
 
     factors: dict[str, float]
     """Its partial factors other than one."""
     name: str
     """Its name, with the values of the sweeps."""
-    values: dict[str, float]
+    values_: dict[str, float] = field(metadata={"key": "values"})
     """The values that it sets, by parameter."""
 
 
