@@ -34,11 +34,11 @@ pub(super) fn set(
         .map_err(|e| wrong(format!("it sets {}, which does not fit: {e}", parameters.join(", "))))
 }
 
-/// The tables that hold a parameter, and its key in them.
-fn places<'a>(
-    root: &'a mut Value,
-    parameter: &str,
-) -> Result<Vec<(&'a mut Map<String, Value>, String)>, String> {
+/// A table that holds a parameter, and its key there.
+type Place<'a> = (&'a mut Map<String, Value>, String);
+
+/// Where a parameter stands: in each part of a structure, or in one table.
+fn places<'a>(root: &'a mut Value, parameter: &str) -> Result<Vec<Place<'a>>, String> {
     let none = || {
         format!("there is no parameter \"{parameter}\"; one is called like soil.NAME.phi_deg or seismic.kh")
     };
