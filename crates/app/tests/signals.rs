@@ -98,6 +98,7 @@ fn found(folder: &Path, store: &Path, effect: Option<(&str, &str, f64)>, seed: u
 
 #[test]
 #[ignore = "takes many minutes: some 150 simulated strokes"]
+#[allow(clippy::print_stdout, reason = "what was found, for who runs it")]
 fn what_a_controller_hides_is_found_in_other_signals() {
     let folder = tempfile::tempdir().unwrap();
     let store = folder.path().join("store");
@@ -111,11 +112,12 @@ fn what_a_controller_hides_is_found_in_other_signals() {
     for (number, (effect, expected)) in cases.into_iter().enumerate() {
         let answer = found(&folder.path().join(number.to_string()), &store, effect, 21 + number as u64);
         let names: Vec<&str> = answer.effects.iter().map(|effect| effect.id.name()).collect();
+        println!("{expected}: {} {names:?} of {:?}", answer.status, answer.equivalence_set);
         let both = ["interface_friction_offset", "ft_crosstalk"];
         if effect.is_none() {
             assert_eq!(answer.status, expected, "{names:?}");
         } else if both.contains(&expected) {
-            // Neither is told from the other firmly.
+            // Neither is told from the other, or from both, firmly.
             assert_ne!(answer.status, "named", "{names:?}");
             assert!(answer.equivalence_set.iter().any(|id| id == expected), "{:?}", answer.equivalence_set);
         } else {

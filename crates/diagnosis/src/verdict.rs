@@ -109,10 +109,11 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
             }
         }
     }
-    if let Some(other) = turns_alike(search, best).map(Explanation::Effect)
-        && !equivalents.contains(&other)
-    {
-        equivalents.push(other);
+    let turns = turns_the_slip(search, best);
+    for id in TURN_ALIKE.map(Explanation::Effect) {
+        if turns && !equivalents.contains(&id) {
+            equivalents.push(id);
+        }
     }
     let factors = factors(best, &sizes);
     let on_force = best.spec.on_force();
@@ -127,7 +128,7 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
         || instead.is_some()
     {
         Status::Provisional
-    } else if equivalents.len() > best.spec.choices.len() {
+    } else if turns || equivalents.len() > best.spec.choices.len() {
         Status::Ambiguous
     } else {
         Status::Named
@@ -146,20 +147,15 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
 }
 
-/// What turns the force after failure as an effect of the set does: interface friction and cross-talk of the sensor, where a trace shows the
-/// slip. What is left of their difference in forces and columns goes with the soil, the posture and the zero of the sensor: however much
-/// likelier one of them is, neither is firm, for each has been seen to take the other's place.
-fn turns_alike(search: &Search<'_>, best: &Scored) -> Option<EffectId> {
-    if !search.setup.data.channels.contains_key(&Channel::SlipAngle) {
-        return None;
-    }
-    let ids = best.spec.ids();
-    let (interface, crosstalk) = (EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk);
-    match (ids.contains(&interface), ids.contains(&crosstalk)) {
-        (true, false) => Some(crosstalk),
-        (false, true) => Some(interface),
-        (true, true) | (false, false) => None,
-    }
+/// What turns the force after failure alike: interface friction and cross-talk of the sensor.
+const TURN_ALIKE: [EffectId; 2] = [EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk];
+
+/// Whether a set has effects that turn the force after failure alike, and a trace shows the slip. What is left of their difference in
+/// forces and columns goes with the soil, the posture and the zero of the sensor: however much likelier one of them is, or both, none is
+/// firm, for each has been seen to take the other's place, and both that of one.
+fn turns_the_slip(search: &Search<'_>, best: &Scored) -> bool {
+    search.setup.data.channels.contains_key(&Channel::SlipAngle)
+        && best.spec.ids().iter().any(|id| TURN_ALIKE.contains(id))
 }
 
 /// Whether two sets differ by confounded effects only, and the condition that would tell these apart is always the same.
