@@ -3,7 +3,9 @@
 
 use soilctl_certificate::{prove_lower, prove_upper};
 use soilctl_earth_pressure::{Case, ChenLiu, Coulomb, ForceModel};
-use soilctl_limit_analysis::{Bounds, EmbeddedPlate, Ended, LimitError, Options, Problem, Solve, bound};
+use soilctl_limit_analysis::{
+    Bounds, Description, EmbeddedPlate, Ended, LimitError, Options, Problem, Solve, bound,
+};
 
 /// A few coarse levels, however slow the machine.
 fn coarse(max_elements: usize) -> Options {
@@ -66,6 +68,36 @@ fn closed_form_mechanisms_are_never_below_the_lower_bound() {
             assert!(lower <= coulomb.k_net().0);
         }
     }
+}
+
+/// They had no upper bound: a guide ahead of the face cut off a wedge that could not move.
+#[test]
+fn plates_that_lean_forward_in_soil_of_much_friction_have_both_bounds() {
+    let plate = EmbeddedPlate { alpha_deg: 50.0, phi_deg: 44.0, delta_deg: 20.0, ..EmbeddedPlate::default() };
+    let bounds = solve(&plate, &coarse(1200));
+    assert!(bounds.gap() < 0.05, "gap {}", bounds.gap());
+}
+
+/// A rough strip on weightless soil of 40 deg, half of it: `N_c / 2 = 37.66` (Prandtl). The solver fails on its first meshes
+/// with the regularisation that is best for others.
+#[test]
+fn no_level_of_a_rough_footing_is_lost() {
+    let text = r#"
+        default_boundary = "free"
+        objective = { kind = "structure", name = "strip", direction = [0, -1] }
+        soil = [{ name = "soil", phi_deg = 40, cohesion_kpa = 1, unit_weight_kn_m3 = 0 }]
+        region = [{ soil = "soil", polygon = [[0, -24], [40, -24], [40, 0], [0, 0]] }]
+        boundary = [{ kind = "fixed", sides = ["bottom", "right"] }, { kind = "symmetric", sides = ["left"] }]
+        structure = [{ name = "strip", edge = [[0, 0], [0.5, 0]], delta_deg = 40, adhesion_kpa = 1 }]
+    "#;
+    let described = Description::from_toml(text).unwrap().described().unwrap();
+    let bounds = bound(&described.problem().unwrap(), &coarse(1500), &mut |_, _| {}).unwrap();
+    assert!(bounds.levels.len() > 1 && bounds.levels.iter().all(|level| level.upper.proven.is_some()));
+    let [lower, upper] = described.in_units([bounds.lower.value, bounds.upper.value]);
+    let phi = 40.0_f64.to_radians();
+    let n_q = (std::f64::consts::PI * phi.tan()).exp() * (1.0 + phi.sin()) / (1.0 - phi.sin());
+    let exact = 0.5 * (n_q - 1.0) / phi.tan();
+    assert!(lower <= exact && exact <= upper, "{lower} {exact} {upper}");
 }
 
 #[test]

@@ -2,35 +2,66 @@
 
 use super::input::Description;
 
+/// What parts of strength are divided by.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Divisors {
+    /// Tangents of friction angles, of soils and of faces.
+    pub(super) friction: f64,
+    /// Cohesion and tension of soils with friction, and adhesion of faces with friction.
+    pub(super) cohesion: f64,
+    /// Those of soils and faces without friction.
+    pub(super) undrained: f64,
+}
+
+impl Divisors {
+    /// Divides the tangent of an angle.
+    fn turn(self, deg: &mut f64) {
+        if self.friction != 1.0 {
+            *deg = (deg.to_radians().tan() / self.friction).atan().to_degrees();
+        }
+    }
+
+    /// What divides cohesion beside a friction angle.
+    fn beside(self, deg: f64) -> f64 {
+        if deg > 0.0 { self.cohesion } else { self.undrained }
+    }
+
+    fn face(self, delta_deg: &mut f64, adhesion_kpa: &mut f64) {
+        *adhesion_kpa /= self.beside(*delta_deg);
+        self.turn(delta_deg);
+    }
+}
+
 impl Description {
     /// The problem with cohesion, adhesion, tension and the tangents of all friction angles divided by a factor.
     #[must_use]
     pub fn reduced(&self, factor: f64) -> Self {
-        let angle = |deg: &mut f64| *deg = (deg.to_radians().tan() / factor).atan().to_degrees();
         let mut weaker = self.clone();
-        for s in &mut weaker.soils {
-            angle(&mut s.phi_deg);
-            s.cohesion_kpa /= factor;
-            s.cohesion_gradient_kpa_per_m /= factor;
-            s.tension_kpa = s.tension_kpa.map(|t| t / factor);
+        weaker.weaken(Divisors { friction: factor, cohesion: factor, undrained: factor });
+        weaker
+    }
+
+    /// Divides the strength of all soils and faces.
+    pub(super) fn weaken(&mut self, by: Divisors) {
+        for soil in &mut self.soils {
+            let divisor = by.beside(soil.phi_deg);
+            soil.cohesion_kpa /= divisor;
+            soil.cohesion_gradient_kpa_per_m /= divisor;
+            soil.tension_kpa = soil.tension_kpa.map(|t| t / divisor);
+            by.turn(&mut soil.phi_deg);
         }
-        for p in &mut weaker.plates {
-            angle(&mut p.delta_deg);
-            p.adhesion_kpa /= factor;
-            for face in [&mut p.left, &mut p.right].into_iter().flatten() {
-                angle(&mut face.delta_deg);
-                face.adhesion_kpa /= factor;
+        for plate in &mut self.plates {
+            by.face(&mut plate.delta_deg, &mut plate.adhesion_kpa);
+            for face in [&mut plate.left, &mut plate.right].into_iter().flatten() {
+                by.face(&mut face.delta_deg, &mut face.adhesion_kpa);
             }
         }
-        let in_soil = weaker.plates.iter_mut().flat_map(|p| &mut p.in_soil);
-        for face in in_soil.chain(weaker.structures.iter_mut().flat_map(|s| &mut s.in_soil)) {
-            angle(&mut face.delta_deg);
-            face.adhesion_kpa /= factor;
+        for structure in &mut self.structures {
+            by.face(&mut structure.delta_deg, &mut structure.adhesion_kpa);
         }
-        for s in &mut weaker.structures {
-            angle(&mut s.delta_deg);
-            s.adhesion_kpa /= factor;
+        let of_plates = self.plates.iter_mut().flat_map(|p| &mut p.in_soil);
+        for face in of_plates.chain(self.structures.iter_mut().flat_map(|s| &mut s.in_soil)) {
+            by.face(&mut face.delta_deg, &mut face.adhesion_kpa);
         }
-        weaker
     }
 }

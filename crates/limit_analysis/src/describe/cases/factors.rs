@@ -4,7 +4,8 @@ use super::{CaseEntry, Effect, Factors};
 use crate::describe::check::{self, Range};
 use crate::describe::error::DescriptionError;
 use crate::describe::input::Description;
-use crate::describe::parts::{Action, Interface, Kind, Profile, SoilInterface};
+use crate::describe::parts::{Action, Kind, Profile};
+use crate::describe::reduce::Divisors;
 
 /// Partial factors are of this order.
 const RANGE: Range = Range { low: 0.01, high: 100.0, words: "0.01 to 100" };
@@ -114,38 +115,9 @@ impl Factors {
     pub(super) fn apply(&self, problem: &mut Description, title: &str) -> Result<(), DescriptionError> {
         let one = |factor: Option<f64>| factor.unwrap_or(1.0);
         let [friction, cohesion, undrained] = [self.friction, self.cohesion, self.undrained].map(one);
-        let strength = |phi_deg: f64| if phi_deg > 0.0 { cohesion } else { undrained };
-        let angle = |deg: &mut f64| {
-            if friction != 1.0 {
-                *deg = (deg.to_radians().tan() / friction).atan().to_degrees();
-            }
-        };
+        problem.weaken(Divisors { friction, cohesion, undrained });
         for soil in &mut problem.soils {
-            let by = strength(soil.phi_deg);
-            soil.cohesion_kpa /= by;
-            soil.cohesion_gradient_kpa_per_m /= by;
-            soil.tension_kpa = soil.tension_kpa.map(|t| t / by);
-            angle(&mut soil.phi_deg);
             soil.unit_weight_kn_m3 *= one(self.weight);
-        }
-        let face = |f: &mut Interface| {
-            f.adhesion_kpa /= strength(f.delta_deg);
-            angle(&mut f.delta_deg);
-        };
-        let in_soil = |f: &mut SoilInterface| {
-            f.adhesion_kpa /= strength(f.delta_deg);
-            angle(&mut f.delta_deg);
-        };
-        for plate in &mut problem.plates {
-            plate.adhesion_kpa /= strength(plate.delta_deg);
-            angle(&mut plate.delta_deg);
-            [&mut plate.left, &mut plate.right].into_iter().flatten().for_each(face);
-            plate.in_soil.iter_mut().for_each(in_soil);
-        }
-        for structure in &mut problem.structures {
-            structure.adhesion_kpa /= strength(structure.delta_deg);
-            angle(&mut structure.delta_deg);
-            structure.in_soil.iter_mut().for_each(in_soil);
         }
         if let Some(water) = &mut problem.water {
             water.unit_weight_kn_m3 *= one(self.water);
