@@ -200,7 +200,7 @@ fn the_next_stroke_has_another_width() {
 fn the_volume_is_that_of_its_sections() {
     let model = table();
     let setup = shared(&*model, strokes(&*model, &[0.127, 0.05], 0.03), TOLERANCE);
-    let volume = projections(&setup).unwrap().volume;
+    let volume = projections(&setup).unwrap().volume.unwrap();
     let steps = 8;
     let area = |i: usize| section(&setup, 19.0 + 2.0 * i as f64 / steps as f64).unwrap().area();
     let simpson: f64 = (0..=steps)

@@ -6,6 +6,7 @@ mod minimise;
 mod model;
 mod models;
 mod sensitivity;
+mod slip_stress;
 pub mod table;
 mod turn;
 
@@ -19,6 +20,7 @@ pub use models::{
     Ovesen, Perumpral, model, plane_model, plate_bounds, thesis,
 };
 pub use sensitivity::{Input, sensitivity_percent};
+pub use slip_stress::{EQUIVALENT_OVER_MEAN, mean_slip_stress_over_pressure};
 
 #[cfg(test)]
 pub(crate) mod test_support {

@@ -53,6 +53,12 @@ pub enum EstimatorError {
         /// Its force.
         force_n: f64,
     },
+    /// A task that knows one friction angle only.
+    #[error("{task} knows one friction angle for all stresses; leave it out, or the law of stress")]
+    OneFrictionOnly {
+        /// What was asked for.
+        task: &'static str,
+    },
     /// Too little data for what was asked.
     #[error("{task} needs {needed}, but there {found}")]
     TooLittle {

@@ -32,6 +32,7 @@ const STEPS: usize = 240;
 /// As [`crate::estimate`]; [`EstimatorError::TooLittle`] with fewer than two measurements.
 pub fn exact_section(setup: &Setup<'_>, delta_deg: f64) -> Result<ExactSection, EstimatorError> {
     setup.check()?;
+    setup.check_one_friction("the estimate from exact forces")?;
     let n = setup.observations.len();
     if n < 2 {
         return Err(EstimatorError::TooLittle {

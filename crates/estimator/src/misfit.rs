@@ -3,7 +3,7 @@
 use crate::constraint::{Constraint, Net, each};
 use crate::end_factor::EndFactors;
 use crate::estimate::Estimate;
-use crate::{EstimatorError, Setup};
+use crate::{EstimatorError, FrictionLaw, Setup};
 
 /// A soil with its misfit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +14,8 @@ pub struct Fit {
     pub density_kg_m3: f64,
     /// Interface friction in degrees.
     pub delta_deg: f64,
+    /// Fall of the friction angle in degrees a decade of stress; `None` without a law of stress.
+    pub slope_deg_per_decade: Option<f64>,
     /// `sum ((F_n - F_pred) / F_n)^2`, eq. 7.1 of Hong (2001).
     pub misfit: f64,
 }
@@ -61,7 +63,8 @@ impl<'m> Misfit<'m> {
         let nets = self.nets(phi_deg, delta_deg)?;
         let of = |ends: EndFactors, predicted: EndFactors| {
             let (density_kg_m3, misfit) = self.parabola(setup, &nets, ends, predicted)?;
-            Some(Fit { phi_deg, density_kg_m3, delta_deg, misfit })
+            let slope_deg_per_decade = setup.friction_law.map(|law| law.slope_deg_per_decade.0);
+            Some(Fit { phi_deg, density_kg_m3, delta_deg, slope_deg_per_decade, misfit })
         };
         if setup.shares_ends() {
             let shared = EndFactors::all().filter_map(|ends| of(ends, EndFactors::at(ends.middle())));
@@ -104,8 +107,28 @@ impl<'m> Misfit<'m> {
 /// # Errors
 /// As [`crate::estimate`].
 pub fn best_fit(setup: &Setup<'_>, estimate: &Estimate) -> Result<Option<Fit>, EstimatorError> {
+    let Some(law) = setup.friction_law else {
+        return estimate.phi_deg.map_or(Ok(None), |phi| best_fit_within(setup, phi));
+    };
+    // A soil has one slope: a few of the consistent ones are tried.
+    const SLOPES: usize = 5;
+    let count = estimate.slices.len();
+    let mut best: Option<Fit> = None;
+    for i in 0..count.min(SLOPES) {
+        let slice = &estimate.slices[(2 * i + 1) * count / (2 * count.min(SLOPES))];
+        let [low, high] = slice.slope_deg_per_decade;
+        let slope = f64::midpoint(low, high);
+        let law = FrictionLaw { slope_deg_per_decade: (slope, slope), ..law };
+        let setup = Setup { friction_law: Some(law), ..setup.clone() };
+        let found = best_fit_within(&setup, slice.phi_deg)?;
+        best = [best, found].into_iter().flatten().min_by(|a, b| a.misfit.total_cmp(&b.misfit));
+    }
+    Ok(best)
+}
+
+/// The same for friction angles of an interval, and a law of one slope.
+fn best_fit_within(setup: &Setup<'_>, phi: [f64; 2]) -> Result<Option<Fit>, EstimatorError> {
     const GRID: usize = 40;
-    let Some(phi) = estimate.phi_deg else { return Ok(None) };
     let misfit = Misfit::new(setup)?;
     let delta = setup.delta_deg;
     let better = |a: Option<Fit>, b: Option<Fit>| match (a, b) {

@@ -124,6 +124,7 @@ pub fn local_minima(
     starts: &[[f64; 3]],
 ) -> Result<Vec<LocalMinimum>, EstimatorError> {
     setup.check()?;
+    setup.check_one_friction("the search for local minima")?;
     let (misfit, domain) = (Misfit::new(setup)?, Box3::of(setup));
     let mut found = Vec::with_capacity(starts.len());
     for &start in starts {
@@ -141,7 +142,7 @@ pub fn local_minima(
             found.push(LocalMinimum {
                 optimiser,
                 start,
-                end: Fit { phi_deg, density_kg_m3, delta_deg, misfit: value },
+                end: Fit { phi_deg, density_kg_m3, delta_deg, slope_deg_per_decade: None, misfit: value },
             });
         }
     }

@@ -1,6 +1,7 @@
 use soilctl_earth_pressure::{Case, ForceModel, Loads, check_loads};
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, WidthRatio};
 
+use crate::law::{FrictionLaw, ShearBand, StressLevel};
 use crate::{EstimatorError, Observation};
 
 /// Friction angles searched unless the model covers less or the user asks for less, in degrees.
@@ -30,6 +31,11 @@ pub struct Setup<'m> {
     /// By how much the end factor of a stroke may differ from one that all share, 0 to 1; 1 if they share nothing. The end
     /// factor is the part of what ends add at most, by a bracket that knows of them, which the ends of a plate do add.
     pub end_tolerance: f64,
+    /// Friction as a law of stress; `None` if the soil has one friction angle at all stresses. With a law, phi is the friction angle at its
+    /// reference stress.
+    pub friction_law: Option<FrictionLaw>,
+    /// What tests in direct shear say of the same soil; only with a law.
+    pub shear_tests: Vec<ShearBand>,
 }
 
 impl<'m> Setup<'m> {
@@ -45,6 +51,8 @@ impl<'m> Setup<'m> {
             gravity_m_s2: STANDARD_GRAVITY_M_S2,
             loads: Loads::default(),
             end_tolerance: 1.0,
+            friction_law: None,
+            shear_tests: Vec::new(),
         }
     }
 
@@ -75,6 +83,11 @@ impl<'m> Setup<'m> {
         self.density_kg_m3.unwrap_or(DENSITY_SEARCH_KG_M3)
     }
 
+    /// The stress on the slip surfaces of a measurement.
+    pub(crate) fn stress_level(&self, observation: &Observation) -> StressLevel {
+        StressLevel::of(observation, self.model.valid_range().phi_deg, self.delta_deg)
+    }
+
     /// Whether strokes share something of their end factors.
     pub(crate) fn shares_ends(&self) -> bool {
         self.model.bounds_ends() && self.end_tolerance < 1.0
@@ -84,6 +97,14 @@ impl<'m> Setup<'m> {
     #[must_use]
     pub fn width_ratio(&self, plate: &Plate) -> WidthRatio {
         if self.model.has_ends() { plate.width_ratio() } else { WidthRatio::PLANE_STRAIN }
+    }
+
+    /// Refuses a law of stress, for tasks that do not know one.
+    pub(crate) fn check_one_friction(&self, task: &'static str) -> Result<(), EstimatorError> {
+        match self.friction_law {
+            Some(_) => Err(EstimatorError::OneFrictionOnly { task }),
+            None => Ok(()),
+        }
     }
 
     /// Refuses what cannot be estimated from.
@@ -116,6 +137,9 @@ impl<'m> Setup<'m> {
                 (1e-6, 1e3),
                 "the estimator",
             )?;
+        }
+        if let Some(law) = &self.friction_law {
+            law.check()?;
         }
         let tolerance = (self.end_tolerance, self.end_tolerance);
         interval("the tolerance of the end factor", tolerance, "", (0.0, 1.0), "the estimator")?;

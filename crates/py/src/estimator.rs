@@ -38,14 +38,12 @@ struct Known {
 impl Known {
     fn setup<'a>(&self, model: &'a dyn ForceModel) -> Setup<'a> {
         Setup {
-            model,
-            observations: self.observations.clone(),
-            delta_deg: self.delta_deg,
             density_kg_m3: self.density_kg_m3,
             phi_search_deg: self.phi_search_deg,
             gravity_m_s2: self.gravity_m_s2,
             loads: self.loads,
             end_tolerance: self.end_tolerance,
+            ..Setup::new(model, self.observations.clone(), self.delta_deg)
         }
     }
 

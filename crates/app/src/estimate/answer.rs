@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_estimator::{Candidate, Estimate, Fit, LocalMinimum, Observation, Optimiser, Ring};
 use soilctl_strokes::PooledBand;
 
-use super::ExactAnswer;
+use super::{ExactAnswer, LawAnswer};
 use crate::Outcome;
 use crate::request::Ends;
 
@@ -35,6 +35,9 @@ pub struct Measured {
     pub force_high_n: f64,
     /// Strokes behind it.
     pub strokes: usize,
+    /// Equivalent normal stress on its slip surfaces (Pa), at which the soil has the friction that it measured; null if no soil is
+    /// consistent, or no mechanism fits the tool angle.
+    pub slip_stress_pa: Option<[f64; 2]>,
     /// How the band came about, where strokes of one kind are taken together; otherwise null.
     pub pooled: Option<Pooled>,
 }
@@ -63,7 +66,12 @@ impl Pooled {
 }
 
 impl Measured {
-    pub(super) fn of(observation: &Observation, strokes: usize, band: Option<&PooledBand>) -> Self {
+    pub(super) fn of(
+        observation: &Observation,
+        strokes: usize,
+        slip_stress_pa: Option<[f64; 2]>,
+        band: Option<&PooledBand>,
+    ) -> Self {
         let pooled = band.map(|band| Pooled {
             scatter: band.scatter_rel,
             stated: band.stated_rel,
@@ -79,6 +87,7 @@ impl Measured {
             force_low_n: observation.low_n(),
             force_high_n: observation.high_n(),
             strokes,
+            slip_stress_pa,
             pooled,
         }
     }
@@ -104,6 +113,8 @@ pub struct Point {
     pub density_kg_m3: f64,
     /// Interface friction (deg).
     pub delta_deg: f64,
+    /// Fall of the friction angle (deg a decade of stress); null without a law of stress.
+    pub slope_deg_per_decade: Option<f64>,
     /// Sum of squared relative force errors (Hong 2001, eq. 7.1).
     pub misfit: f64,
 }
@@ -114,6 +125,7 @@ impl From<Fit> for Point {
             phi_deg: fit.phi_deg,
             density_kg_m3: fit.density_kg_m3,
             delta_deg: fit.delta_deg,
+            slope_deg_per_decade: fit.slope_deg_per_decade,
             misfit: fit.misfit,
         }
     }
@@ -275,8 +287,17 @@ pub struct Answer {
     pub plane_strain: Option<PlaneStrain>,
     /// Whether any soil explains all measurements.
     pub consistent: bool,
-    /// Range of the friction angle (deg) over the whole interval of delta; null if inconsistent.
+    /// Range of the friction angle (deg) over the whole interval of delta; null if inconsistent. With a law of stress it is that at
+    /// `reference_stress_pa`, otherwise that at the stresses of `slip_stress_pa`.
     pub phi_deg: Option<[f64; 2]>,
+    /// Normal stress (Pa) at which `phi_deg` holds under a law of stress; null without one.
+    pub reference_stress_pa: Option<f64>,
+    /// Least and greatest normal stress (Pa) on slip surfaces of all strokes; null as that of a measurement.
+    pub slip_stress_pa: Option<[f64; 2]>,
+    /// Friction as a law of stress; null unless asked for.
+    pub friction_law: Option<LawAnswer>,
+    /// Gravity (m/s2) under which the strokes were made.
+    pub gravity_m_s2: f64,
     /// Range of the density (kg/m3) over the whole interval of delta; null if inconsistent.
     pub density_kg_m3: Option<[f64; 2]>,
     /// Sections at chosen deltas; empty if inconsistent.
@@ -289,8 +310,8 @@ pub struct Answer {
     pub phi_delta: Vec<Vec<Ring>>,
     /// Area of the region (deg kg/m3).
     pub area_deg_kg_m3: f64,
-    /// Volume of the consistent set (deg2 kg/m3).
-    pub volume_deg2_kg_m3: f64,
+    /// Volume of the consistent set (deg2 kg/m3); null with a law of stress, which has one unknown more.
+    pub volume_deg2_kg_m3: Option<f64>,
     /// What was known of delta (deg).
     pub delta_deg: [f64; 2],
     /// What was known of the density (kg/m3).

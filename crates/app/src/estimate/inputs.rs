@@ -12,6 +12,7 @@ use soilctl_strokes::{
 };
 
 use super::bands::{self, Bands};
+use super::law;
 use super::request::{BandKind, Request, Uncertainty};
 use crate::AppError;
 use crate::request::NumberOrColumn;
@@ -128,6 +129,7 @@ impl Inputs {
         setup.gravity_m_s2 = request.loads.gravity_m_s2;
         setup.loads = request.loads.into();
         setup.end_tolerance = request.end_tolerance;
+        law::add(&mut setup, request)?;
         Ok(setup)
     }
 

@@ -4,13 +4,14 @@ mod answer;
 mod bands;
 mod exact;
 mod inputs;
+mod law;
 mod request;
 mod words;
 
 use soilctl_earth_pressure::{ChenLiu, ForceModel, InPlaneStrain, model};
 use soilctl_estimator::{
     Conflict, Estimate, Optimiser, Projections, Region, Setup, StrokeMenu, agreement_factor, best_fit,
-    conflict, estimate, local_minima, next_strokes, projections, section, spread_starts,
+    conflict, estimate, local_minima, next_strokes, projections, section, slip_stress_pa, spread_starts,
 };
 
 pub use answer::{
@@ -21,6 +22,7 @@ pub use bands::Bands;
 pub use exact::{ContourSection, Crossing, ExactAnswer};
 use inputs::Files;
 pub use inputs::Inputs;
+pub use law::{LawAnswer, LawRange, LawSlice, ShearTest};
 pub use request::{Request, Uncertainty};
 
 use soilctl_strokes::Measurement;
@@ -84,7 +86,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
         .collect::<Result<Vec<_>, AppError>>()?;
     let exact = if exact_data { Some(exact::answer(&setup, &deltas)?) } else { None };
     let consistent = estimate.is_consistent();
-    let disagreement = if consistent || exact_data { None } else { Some(disagreement(&setup)?) };
+    let disagreement = if consistent || exact_data { None } else { disagreement_of_strokes(&setup)? };
     let next = if request.next_strokes && consistent {
         Some(
             next_strokes(&setup, &estimate, &menu(request, &inputs, &setup), &ChenLiu)?
@@ -102,6 +104,9 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     } else {
         None
     };
+    let slip_stress_pa = estimate
+        .phi_deg
+        .map_or_else(|| vec![None; setup.observations.len()], |phi_deg| slip_stress_pa(&setup, phi_deg));
     let mut answer = Answer {
         model: model.id().into(),
         ends,
@@ -110,6 +115,14 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
         plane_strain,
         consistent,
         phi_deg: estimate.phi_deg,
+        reference_stress_pa: setup.friction_law.map(|law| law.reference_stress_pa),
+        slip_stress_pa: slip_stress_pa
+            .iter()
+            .flatten()
+            .copied()
+            .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]),
+        friction_law: LawAnswer::of(&setup, &estimate)?,
+        gravity_m_s2: setup.gravity_m_s2,
         density_kg_m3: estimate.density_kg_m3,
         regions: Vec::new(),
         region: estimate.region.polygons().to_vec(),
@@ -130,7 +143,9 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
             .iter()
             .zip(&inputs.measurements)
             .enumerate()
-            .map(|(place, (observation, m))| Measured::of(observation, m.count, inputs.band(place)))
+            .map(|(place, (observation, m))| {
+                Measured::of(observation, m.count, slip_stress_pa[place], inputs.band(place))
+            })
             .collect(),
         left_out: inputs.bands.as_ref().map_or_else(Vec::new, |bands| bands.left_out.clone()),
         disagreement,
@@ -189,6 +204,15 @@ fn centre(estimate: &Estimate) -> Option<Centre> {
         density_kg_m3,
         density_half_width_kg_m3: reach(density_kg_m3, estimate.density_kg_m3?),
     })
+}
+
+/// What breaks the consistency of the strokes; `None` if they agree, and only tests in direct shear say otherwise.
+fn disagreement_of_strokes(setup: &Setup<'_>) -> Result<Option<Disagreement>, AppError> {
+    let strokes = Setup { shear_tests: Vec::new(), ..setup.clone() };
+    if !setup.shear_tests.is_empty() && estimate(&strokes)?.is_consistent() {
+        return Ok(None);
+    }
+    disagreement(&strokes).map(Some)
 }
 
 fn disagreement(setup: &Setup<'_>) -> Result<Disagreement, AppError> {

@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::MODEL_IDS;
+use soilctl_estimator::MAX_SLOPE_DEG;
 
 use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help};
 use crate::{AppError, TableSource};
@@ -95,6 +96,30 @@ pub struct Request {
     #[schemars(range(min = 0.0))]
     pub adjust_high_angles: f64,
 
+    /// Take friction as a law of stress: it falls by so many degrees a decade of normal stress, known to lie between LOW and HIGH
+    /// (`--friction-law` alone: 0:8). phi is then the friction angle at the reference stress
+    #[arg(long, value_name = "LOW:HIGH", value_parser = slopes, num_args = 0..=1, require_equals = true,
+          default_missing_value = "0:8")]
+    pub friction_law: Option<(f64, f64)>,
+
+    /// Normal stress at which phi is told (Pa), with a law of stress; default: the middle of the stresses in the strokes
+    #[arg(long = "reference-stress", value_name = "PA", value_parser = finite, allow_negative_numbers = true, requires = "friction_law")]
+    pub reference_stress_pa: Option<f64>,
+
+    /// Tests of the same soil in direct shear (a table of friction angles against normal stress), with a law of stress
+    #[arg(long, value_name = "FILE", requires = "friction_law", value_hint = clap::ValueHint::AnyPath)]
+    pub shear: Option<TableSource>,
+
+    /// The soil in the table of direct shear; needed if it has several
+    #[arg(long, value_name = "NAME", requires = "shear")]
+    pub soil: Option<String>,
+
+    /// Half width of what a test in direct shear says of the friction angle (deg): its scatter, and what the box itself may be off by
+    #[arg(long = "shear-tol", value_name = "DEG", default_value_t = Request::default().shear_tol_deg, value_parser = finite,
+          allow_negative_numbers = true)]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub shear_tol_deg: f64,
+
     /// Friction angles to search (deg), LOW:HIGH
     #[arg(long = "phi-range", value_name = "LOW:HIGH", value_parser = range)]
     pub phi_range_deg: Option<(f64, f64)>,
@@ -154,6 +179,11 @@ impl Default for Request {
             sigma: None,
             uncertainty: Uncertainty::Sigma,
             adjust_high_angles: 0.0,
+            friction_law: None,
+            reference_stress_pa: None,
+            shear: None,
+            soil: None,
+            shear_tol_deg: 2.0,
             phi_range_deg: None,
             loads: Loads::default(),
             sections_deg: Vec::new(),
@@ -208,6 +238,17 @@ impl Request {
             (None, None, Uncertainty::Sigma) if !self.exact => Ok(BandKind::AsTold(CONFIDENCE)),
             (None, _, _) => Ok(BandKind::Own),
         }
+    }
+}
+
+fn slopes(text: &str) -> Result<(f64, f64), String> {
+    let (low, high) = text.split_once(':').ok_or("it must be LOW:HIGH in degrees a decade, such as 3:6")?;
+    let (low, high) = (finite(low)?, finite(high)?);
+    let (least, most) = (0.0, MAX_SLOPE_DEG);
+    if least <= low && low <= high && high <= most {
+        Ok((low, high))
+    } else {
+        Err(format!("LOW must be at most HIGH, both {least} to {most} degrees a decade"))
     }
 }
 

@@ -4,6 +4,7 @@ use crate::request::Ends;
 use soilctl_estimator::Estimate;
 
 use super::answer::{Answer, Disagreement, PlaneStrain};
+use super::law::{LawAnswer, LawRange};
 use super::request::Request;
 use crate::text::number;
 
@@ -50,9 +51,14 @@ pub(super) fn verdict(answer: &Answer) -> String {
     match (answer.phi_deg, answer.density_kg_m3) {
         (Some(phi), Some(density)) => {
             let mut text = format!(
-                "The measurements agree under model {model}: phi lies between {:.1} and {:.1} deg and the density \
+                "The measurements agree under model {model}: phi{} lies between {:.1} and {:.1} deg{} and the density \
                  between {:.0} and {:.0} kg/m3, for {delta}.",
-                phi[0], phi[1], density[0], density[1]
+                reference(answer),
+                phi[0],
+                phi[1],
+                slope(answer),
+                density[0],
+                density[1]
             );
             if let Some(plane) = &answer.plane_strain {
                 text += &without_ends(plane);
@@ -60,17 +66,59 @@ pub(super) fn verdict(answer: &Answer) -> String {
             text
         }
         _ => {
-            let mut text = format!("No soil explains all measurements under model {model} with {delta}");
+            let tests = answer.friction_law.as_ref().is_some_and(|law| !law.shear_tests.is_empty());
+            let tests = if tests { " and tests in direct shear" } else { "" };
+            let mut text =
+                format!("No soil explains all measurements{tests} under model {model} with {delta}");
             if let Some([low, high]) = answer.density_known_kg_m3 {
                 text += &format!(" and density {low:.0} to {high:.0} kg/m3");
             }
             text += ".";
+            if let Some(law) = &answer.friction_law {
+                text += &plates_and_shear(law);
+            }
             if let Some(d) = &answer.disagreement {
                 text += &disagreement(d);
             }
             text
         }
     }
+}
+
+/// At which stress a friction angle is told, if that is one stress.
+fn reference(answer: &Answer) -> String {
+    answer.reference_stress_pa.map_or_else(String::new, |stress| format!(" at {stress:.0} Pa"))
+}
+
+/// How friction falls.
+fn slope(answer: &Answer) -> String {
+    let slope = answer.friction_law.as_ref().and_then(|law| law.slope_deg_per_decade);
+    slope.map_or_else(String::new, |[low, high]| {
+        format!(", falls by {low:.1} to {high:.1} deg a decade of normal stress,")
+    })
+}
+
+/// What strokes and tests in direct shear say each by themselves, where they say nothing together.
+fn plates_and_shear(law: &LawAnswer) -> String {
+    if law.shear_tests.is_empty() {
+        return String::new();
+    }
+    let told = |range: Option<LawRange>| {
+        range.map_or_else(
+            || "no law of the known slopes".into(),
+            |LawRange { phi_deg: phi, slope_deg_per_decade: slope }| {
+                format!(
+                    "phi {:.1} to {:.1} deg with a fall of {:.1} to {:.1} deg a decade",
+                    phi[0], phi[1], slope[0], slope[1]
+                )
+            },
+        )
+    };
+    format!(
+        " At the reference stress, the strokes alone allow {}, and direct shear alone {}.",
+        told(law.plates_alone),
+        told(law.shear_alone)
+    )
 }
 
 /// What would come out if ends were forgotten.
@@ -129,11 +177,37 @@ pub(super) fn warnings(answer: &Answer, request: &Request, knows_ends: bool) -> 
         ));
     }
     if answer.consistent {
-        warnings.push(
-            "phi is that of the small stresses under the plate; at larger stresses it is several degrees lower, so \
-             do not carry it to foundations or walls without a test at their stress"
-                .into(),
-        );
+        warnings.extend(stresses(answer));
     }
     warnings
+}
+
+/// At which stresses the soil was tried.
+fn stresses(answer: &Answer) -> Option<String> {
+    let [low, high] = answer.slip_stress_pa?;
+    let tried = format!("{} Pa", range(low, high));
+    Some(match &answer.friction_law {
+        None => format!(
+            "phi is that of the stresses on slip surfaces in these strokes, {tried}; at larger stresses it is several degrees lower, so do \
+             not carry it to foundations or walls without a test at their stress; `--friction-law` makes it a law of stress"
+        ),
+        Some(law) => {
+            let boxes = law.shear_tests.iter().map(|test| test.stress_pa);
+            let (least, most) = boxes.fold((low, high), |(a, b), stress| (a.min(stress), b.max(stress)));
+            format!(
+                "the law was tried at stresses of {} Pa; beyond them it is carried on in a straight line of the logarithm, while friction may \
+                 stop to fall",
+                range(least, most)
+            )
+        }
+    })
+}
+
+/// Two stresses with two digits each.
+fn range(low: f64, high: f64) -> String {
+    let digits = |x: f64| {
+        let step = libm::pow(10.0, libm::log10(x).floor() - 1.0);
+        number((x / step).round() * step)
+    };
+    format!("{} to {}", digits(low), digits(high))
 }

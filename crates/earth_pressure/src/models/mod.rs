@@ -17,6 +17,7 @@ mod wedge_with_ends;
 pub use blocks::{Blocks, EndLaw};
 pub use caquot::Caquot;
 pub use chen_liu::ChenLiu;
+pub(crate) use chen_liu::{active as chen_active, passive as chen_passive};
 pub use coulomb::Coulomb;
 pub use godwin_spoor::GodwinSpoor;
 pub use in_plane_strain::InPlaneStrain;

@@ -41,6 +41,11 @@ impl Strength {
         (self.cohesion(p) * self.cos - mean * self.sin).max(0.0)
     }
 
+    /// Normal stress, compression positive, on the planes that slip at a mean effective stress, tension positive.
+    pub(super) fn on_slip_surface(&self, mean: f64, p: Point) -> f64 {
+        -mean - self.shear(mean, p) * self.sin
+    }
+
     /// Tension at the apex of the cone.
     fn apex(&self, p: Point) -> f64 {
         let c = self.cohesion(p);

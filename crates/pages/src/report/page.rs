@@ -205,9 +205,10 @@ fn regions(page: &mut HtmlReport, work: &Estimation) -> Result<(), PageError> {
     )?;
     if work.answer.consistent && !work.projections.phi_delta.is_empty() {
         page.heading("The other projections");
+        let volume = work.projections.volume;
+        let size = volume.map_or_else(String::new, |volume| format!(" of {volume:.4} deg² kg/m³"));
         page.paragraph(format!(
-            "The consistent set is a body in (φ, ρ, δ) of {:.4} deg² kg/m³; these are its other two shadows.",
-            work.projections.volume
+            "The consistent set is a body in (φ, ρ, δ){size}; these are its other two shadows."
         ));
         page.figure(&figures::phi_delta(work)?, Size::default(), "Friction angle and interface friction.")?;
         page.figure(&figures::delta_density(work)?, Size::default(), "Interface friction and density.")?;

@@ -1,7 +1,7 @@
 //! The estimate in words.
 
 use soilctl_app::estimate::{Answer, distinct};
-use soilctl_app::text::{columns, number};
+use soilctl_app::text::{columns, number, range};
 
 use crate::output::Words;
 
@@ -17,6 +17,12 @@ impl Words for Answer {
                 let centre = self.centre.map(|c| pick(c.phi_deg, c.density_kg_m3));
                 let best = self.best_estimate.map(|b| pick(b.phi_deg, b.density_kg_m3));
                 rows.push(vec![name.into(), cell(Some(low)), cell(Some(high)), cell(centre), cell(best)]);
+            }
+            if let Some([low, high]) = self.friction_law.as_ref().and_then(|law| law.slope_deg_per_decade) {
+                let best = self.best_estimate.and_then(|b| b.slope_deg_per_decade);
+                let best = best.map_or_else(|| "-".into(), |b| format!("{b:.2}"));
+                let name = "fall of phi (deg/decade)".to_owned();
+                rows.push(vec![name, format!("{low:.2}"), format!("{high:.2}"), "-".into(), best]);
             }
             text += "\n";
             text += &columns(&rows);
@@ -82,6 +88,10 @@ fn bands(answer: &Answer) -> String {
     if is_pooled {
         heading.extend(["scatter", "stated", "of mean", "in common"]);
     }
+    let is_law = answer.friction_law.is_some();
+    if is_law {
+        heading.push("slip stress (Pa)");
+    }
     let mut rows = vec![heading.into_iter().map(String::from).collect::<Vec<_>>()];
     let percent = |share: Option<f64>| share.map_or_else(|| "-".into(), |x| format!("{:.1} %", 100.0 * x));
     for m in &answer.measurements {
@@ -91,6 +101,9 @@ fn bands(answer: &Answer) -> String {
             [m.label.clone(), m.strokes.to_string()].into_iter().chain(cells).collect();
         if let Some(p) = &m.pooled {
             row.extend(p.shares().map(percent));
+        }
+        if is_law {
+            row.push(range(m.slip_stress_pa, 0));
         }
         rows.push(row);
     }
