@@ -30,6 +30,7 @@ pub mod request;
 pub mod shear;
 pub mod simulate;
 pub mod solve;
+pub mod stability;
 pub mod table;
 pub mod table_file;
 mod table_source;
@@ -54,6 +55,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("solve check", solve::check, |request, watch| {
         Ok(solve::check::run(request, watch)?.answer)
     }),
+    use_case!("stability", stability, stability::run),
     use_case!("certify", certify, |request, watch| Ok(certify::run(request, watch)?.answer)),
     use_case!("table show", table::show, table::show::run),
     use_case!("table build", table::build, table::build::run),

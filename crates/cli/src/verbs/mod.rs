@@ -24,6 +24,7 @@ mod schemas;
 mod shear;
 mod simulate;
 mod solve;
+mod stability;
 mod table;
 mod view;
 
@@ -42,6 +43,8 @@ pub(crate) enum Verb {
     Bound(bound::Args),
     /// Proven bounds for any plane-strain collapse problem described in a file
     Solve(solve::Args),
+    /// Tells whether a slope, footing or wall stands for every soil that explains the strokes
+    Stability(stability::Args),
     /// Proves the bounds of a saved solution anew
     Certify(certify::Args),
     /// Every soil that could have produced the measured forces
@@ -96,6 +99,7 @@ impl Verb {
             Self::Predict(args) => predict::run(&args, output),
             Self::Bound(args) => bound::run(&args, output),
             Self::Solve(args) => solve::run(&args, output),
+            Self::Stability(args) => stability::run(&args, output),
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
             Self::Diagnose(args) => diagnose::run(&args, output),

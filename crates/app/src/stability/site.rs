@@ -1,0 +1,199 @@
+//! The problem, with the soil of the strokes in it.
+
+use soilctl_limit_analysis::describe::Aim;
+use soilctl_limit_analysis::results::{
+    FlowResults, StressResults, least_reserve, problem_units, slip_stress,
+};
+use soilctl_limit_analysis::{Described, Description, LimitError};
+
+use super::Request;
+use crate::AppError;
+use crate::solve::Asked;
+use crate::text::number;
+
+/// Least friction angle of a soil that is asked about, in degrees: weaker soil without cohesion carries nothing.
+const LEAST_DEG: f64 = 0.5;
+/// Greatest, in degrees: the solver's limit.
+const MOST_DEG: f64 = 69.0;
+
+/// One soil of the strokes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Soil {
+    pub(super) phi_deg: f64,
+    pub(super) density_kg_m3: f64,
+    /// What a straight line above a curved strength starts from; otherwise 0.
+    pub(super) cohesion_kpa: f64,
+}
+
+/// The problem and which of its soils is asked about.
+#[derive(Debug, Clone)]
+pub(super) struct Site {
+    description: Description,
+    soil: usize,
+    gravity_m_s2: f64,
+    keep_weight: bool,
+}
+
+impl Site {
+    pub(super) fn read(request: &Request) -> Result<Self, AppError> {
+        let description = Description::read(&request.problem).map_err(LimitError::from)?;
+        let name = request.problem.display();
+        let refused = |words: String| Err(AppError::Request(format!("{name}: {words}")));
+        let soil = match (&request.soil, description.soils.len()) {
+            (Some(wanted), _) => description.soils.iter().position(|soil| soil.name == *wanted),
+            (None, 1) => Some(0),
+            (None, _) => None,
+        };
+        let Some(soil) = soil else {
+            let names: Vec<_> = description.soils.iter().map(|soil| soil.name.as_str()).collect();
+            return refused(format!("--soil must be one of its soils: {}", names.join(", ")));
+        };
+        if !description.cases().map_err(LimitError::from)?.is_empty() {
+            return refused("it has cases or sweeps; ask about one problem at a time".into());
+        }
+        match description.objective {
+            Aim::Load {} | Aim::UnitWeight {} | Aim::StrengthReduction {} => {}
+            Aim::Structure { .. } | Aim::Seismic { .. } => {
+                return refused(
+                    "it asks for a force or an acceleration; to stand is a matter of a factor: set the objective to strength-reduction, load or \
+                     unit-weight"
+                        .into(),
+                );
+            }
+        }
+        let site =
+            Self { description, soil, gravity_m_s2: request.gravity_m_s2, keep_weight: request.keep_weight };
+        if site.is_wet() && !request.keep_weight {
+            return refused(
+                "it has water, and the density of the strokes is that of the soil as they found it; give the unit weight with water in the file, and \
+                 --keep-weight"
+                    .into(),
+            );
+        }
+        Ok(site)
+    }
+
+    /// Whether there is water in the problem.
+    pub(super) fn is_wet(&self) -> bool {
+        self.description.water.is_some() || self.description.soils[self.soil].pore_pressure_ratio > 0.0
+    }
+
+    /// Whether the density of the strokes matters.
+    pub(super) const fn takes_density(&self) -> bool {
+        !self.keep_weight
+    }
+
+    /// Whether anything but this soil has strength: other soils, cohesion, faces.
+    pub(super) fn has_other_strength(&self) -> bool {
+        let Description { soils, plates, structures, .. } = &self.description;
+        let has_cohesion = self.kept().is_some();
+        soils.len() > 1 || has_cohesion || !plates.is_empty() || !structures.is_empty()
+    }
+
+    /// What is bounded.
+    pub(super) fn asked(&self) -> Asked {
+        match self.description.objective {
+            Aim::Load {} => Asked::LoadFactor,
+            Aim::UnitWeight {} => Asked::WeightFactor,
+            Aim::StrengthReduction {} => Asked::FactorOfSafety,
+            Aim::Structure { .. } => Asked::ForceKnPerM,
+            Aim::Seismic { .. } => Asked::AccelerationOverG,
+        }
+    }
+
+    /// Title of the file.
+    pub(super) fn title(&self) -> Option<String> {
+        self.description.title.clone()
+    }
+
+    /// Name of the soil.
+    pub(super) fn soil_name(&self) -> &str {
+        &self.description.soils[self.soil].name
+    }
+
+    /// What of the file's soil is kept although the strokes say nothing of it.
+    pub(super) fn kept(&self) -> Option<String> {
+        let soil = &self.description.soils[self.soil];
+        let cohesion = soil.cohesion_kpa > 0.0 || soil.cohesion_gradient_kpa_per_m != 0.0;
+        cohesion.then(|| {
+            format!(
+                "the cohesion of {} in the file, {} kPa, is kept; strokes in soil without cohesion say nothing of it",
+                soil.name,
+                number(soil.cohesion_kpa)
+            )
+        })
+    }
+
+    /// The problem with a soil of the strokes, and more cohesion (kPa) than the file says.
+    ///
+    /// # Errors
+    /// [`AppError`] if its friction angle is beyond what can be bounded.
+    pub(super) fn with_soil(&self, soil: Soil) -> Result<Description, AppError> {
+        let Soil { phi_deg, density_kg_m3, cohesion_kpa } = soil;
+        if !(LEAST_DEG..=MOST_DEG).contains(&phi_deg) {
+            return Err(AppError::Request(format!(
+                "the law of stress makes phi {} deg at the stresses of this problem; bounds are for {LEAST_DEG} to {MOST_DEG} deg: a law carried so \
+                 far says nothing, so test the soil nearer to these stresses",
+                number(phi_deg)
+            )));
+        }
+        let mut description = self.description.clone();
+        let soil = &mut description.soils[self.soil];
+        soil.phi_deg = phi_deg;
+        soil.cohesion_kpa += cohesion_kpa;
+        if !self.keep_weight {
+            soil.unit_weight_kn_m3 = 1e-3 * density_kg_m3 * self.gravity_m_s2;
+        }
+        Ok(description)
+    }
+
+    /// Normal stresses (Pa) at which this soil slips in a solution: those between which the equivalent stress lies; `None` if it does not slip.
+    pub(super) fn slip_stress_pa(
+        &self,
+        described: &Described,
+        flow: &FlowResults,
+        stress: &StressResults,
+    ) -> Option<[f64; 2]> {
+        let found = slip_stress(flow, stress, self.is_ours(described))?;
+        Some([found.mean, found.heavy].map(|stress| 1e3 * described.stress_kpa * stress))
+    }
+
+    /// The factor by which the strength of this soil may be divided so that it bears a stress field, if its friction angle (deg) is a function of
+    /// normal stress (Pa), and the stress (Pa) where no more may be; `None` if the soil is not in the field.
+    pub(super) fn reserve(
+        &self,
+        described: &Described,
+        stress: &StressResults,
+        friction_deg: impl Fn(f64) -> f64,
+    ) -> Option<(f64, f64)> {
+        let pa = 1e3 * described.stress_kpa;
+        let found = least_reserve(stress, self.is_ours(described), |mean| friction_deg(pa * mean))?;
+        Some((found.factor, pa * found.stress))
+    }
+
+    /// Whether a point of a statement lies in this soil.
+    fn is_ours(&self, described: &Described) -> impl Fn([f64; 2]) -> bool {
+        let units = problem_units(&self.description, described);
+        let name = self.soil_name();
+        let areas: Vec<&[[f64; 2]]> = (self.description.regions.iter())
+            .filter(|region| region.soil == name)
+            .map(|region| &region.polygon[..])
+            .collect();
+        move |p| {
+            let p = units.point(p);
+            areas.iter().any(|polygon| contains(polygon, p))
+        }
+    }
+}
+
+/// Whether a point lies inside, by the parity of crossings on a ray.
+fn contains(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let mut inside = false;
+    for (i, a) in polygon.iter().enumerate() {
+        let b = polygon[(i + 1) % polygon.len()];
+        if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+            inside = !inside;
+        }
+    }
+    inside
+}

@@ -1,0 +1,129 @@
+//! The answer in words.
+
+use super::Request;
+use super::answer::{Answer, FrictionBasis, SlopeAnswer, Verdict};
+use super::region::Soils;
+use crate::text::number;
+
+/// Two stresses, in Pa or kPa, with two digits each.
+pub(super) fn stresses([low, high]: [f64; 2]) -> String {
+    let (unit, size) = if high < 2000.0 { ("Pa", 1.0) } else { ("kPa", 1000.0) };
+    let digits = |stress: f64| {
+        let x = stress / size;
+        let step = libm::pow(10.0, libm::log10(x).floor() - 1.0);
+        number((x / step).round() * step)
+    };
+    format!("{} to {} {unit}", digits(low), digits(high))
+}
+
+fn factor(value: Option<f64>) -> String {
+    value.map_or_else(|| "unknown".into(), |value| format!("{value:.3}"))
+}
+
+/// The answer in a sentence or two.
+pub(super) fn verdict(answer: &Answer) -> String {
+    // What it is, without the explanation behind the comma.
+    let quantity = answer.quantity.words().split(',').next().unwrap_or_default();
+    let required = number(answer.required);
+    let [low, high] = answer.phi_deg;
+    let soils = match answer.friction_basis {
+        FrictionBasis::Law => "friction by the law of stress".to_owned(),
+        FrictionBasis::SameStress | FrictionBasis::Constant => format!("phi {low:.1} to {high:.1} deg"),
+    };
+    match answer.answer {
+        Verdict::Stands => format!(
+            "It stands for every soil that explains the strokes ({soils}): the {quantity} is at least {} ({required} is required).",
+            factor(answer.lower)
+        ),
+        Verdict::Fails => format!(
+            "It fails for every soil that explains the strokes ({soils}): the {quantity} is at most {} ({required} is required).",
+            factor(answer.upper)
+        ),
+        Verdict::Depends => {
+            let mut text = format!(
+                "It depends on the soil ({soils}): the {quantity} is between {} and {} ({required} is required).",
+                factor(answer.lower),
+                factor(answer.upper)
+            );
+            if let Some(phi) = answer.stands_from_phi_deg {
+                text += &format!(" From phi {phi:.1} deg on it stands.");
+            }
+            if let Some(phi) = answer.fails_to_phi_deg {
+                text += &format!(" Up to phi {phi:.1} deg it fails.");
+            }
+            text += &by_slope(answer);
+            if let Some(stress) = decisive(answer) {
+                text += &format!(" A test of this soil at {} would tell.", stresses(stress));
+            }
+            text
+        }
+    }
+}
+
+/// Stresses that decide: from those at which soil of one friction slips to that which leaves least of the strength.
+fn decisive(answer: &Answer) -> Option<[f64; 2]> {
+    let [low, high] = answer.slip_stress_pa?;
+    let at = answer.decisive_stress_pa;
+    Some([at.map_or(low, |at| at.min(low)), at.map_or(high, |at| at.max(high))])
+}
+
+/// With which slopes of a law it stands.
+fn by_slope(answer: &Answer) -> String {
+    let stands = |slope: &&SlopeAnswer| slope.lower.is_some_and(|lower| lower >= answer.required);
+    let standing: Vec<_> = answer.by_slope.iter().filter(stands).collect();
+    match (&standing[..], &answer.by_slope[..]) {
+        ([], []) => String::new(),
+        ([], _) => " No slope of the law is proven to stand.".into(),
+        ([first, .., last], _) | ([first @ last], _) => format!(
+            " With friction that falls by {} to {} deg a decade it stands.",
+            number(first.slope_deg_per_decade[0]),
+            number(last.slope_deg_per_decade[1])
+        ),
+    }
+}
+
+/// What to keep in mind.
+pub(super) fn warnings(answer: &Answer, request: &Request, soils: &Soils) -> Vec<String> {
+    let mut warnings = Vec::new();
+    match answer.friction_basis {
+        FrictionBasis::Law => {
+            let [low, high] = answer.tried_stress_pa;
+            if let Some([least, most]) = decisive(answer)
+                && (least < low || most > high)
+            {
+                warnings.push(format!(
+                    "the soil was tried at {}, and here {} decide: beyond what was tried the law of stress is carried on to the side that is not safe, and \
+                     not to the other",
+                    stresses(answer.tried_stress_pa),
+                    stresses([least, most])
+                ));
+            }
+        }
+        FrictionBasis::SameStress => {}
+        FrictionBasis::Constant => warnings.push(format!(
+            "friction is taken to be the same at {} as in the strokes, at {}, because --constant-friction says so; sands lose 3 to 6 deg with each \
+             factor of ten",
+            answer.slip_stress_pa.map_or_else(|| "any stress".into(), stresses),
+            stresses(answer.tried_stress_pa)
+        )),
+    }
+    let [weak, strong] = soils.cut;
+    if weak || strong {
+        let which = match (weak, strong) {
+            (true, true) => "weaker and stronger",
+            (true, false) => "weaker",
+            (false, _) => "stronger",
+        };
+        warnings.push(format!(
+            "the search of the estimate ended before its region did: {which} soils may explain the strokes too, and nothing is said of them"
+        ));
+    }
+    if request.gravity_m_s2 != Request::default().gravity_m_s2 && !request.keep_weight {
+        warnings.push(format!(
+            "gravity of {} m/s2 makes the weight of {}; all other weights and loads are those of the file",
+            number(request.gravity_m_s2),
+            answer.soil
+        ));
+    }
+    warnings
+}
