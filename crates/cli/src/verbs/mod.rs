@@ -21,11 +21,13 @@ mod replay;
 mod report;
 mod run;
 mod schemas;
+mod serve;
 mod shear;
 mod simulate;
 mod solve;
 mod table;
 mod view;
+mod workbench;
 
 use clap::Subcommand;
 use soilctl_app::Outcome;
@@ -42,6 +44,8 @@ pub(crate) enum Verb {
     Bound(bound::Args),
     /// Proven bounds for any plane-strain collapse problem described in a file
     Solve(solve::Args),
+    /// Draws, checks, solves and saves problem files on a page in the browser
+    Workbench(workbench::Args),
     /// Proves the bounds of a saved solution anew
     Certify(certify::Args),
     /// Every soil that could have produced the measured forces
@@ -87,7 +91,7 @@ pub(crate) enum Verb {
 impl Verb {
     /// Whether it answers once, in JSON, and ends by itself, so that another program may wait for it.
     pub(crate) const fn is_one_answer(&self) -> bool {
-        !matches!(self, Self::Run(_) | Self::Console(_) | Self::Completions(_))
+        !matches!(self, Self::Run(_) | Self::Console(_) | Self::Workbench(_) | Self::Completions(_))
     }
 
     /// Carries it out. `whole` is the command line that it is a verb of.
@@ -96,6 +100,7 @@ impl Verb {
             Self::Predict(args) => predict::run(&args, output),
             Self::Bound(args) => bound::run(&args, output),
             Self::Solve(args) => solve::run(&args, output),
+            Self::Workbench(args) => workbench::run(&args, output),
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
             Self::Diagnose(args) => diagnose::run(&args, output),

@@ -1,0 +1,317 @@
+// What holds all parts together.
+import {begin} from './begin.js';
+import {get, html, say, short} from './dom.js';
+import {Editor, TOOLS} from './editor.js';
+import {Files} from './files.js';
+import {KINDS} from './fields.js';
+import {Flow} from './flow.js';
+import {parse} from './form.js';
+import {forgetWork, keep, keepWork, kept, keptWork} from './keep.js';
+import {Link} from './link.js';
+import * as model from './model.js';
+import {Panel} from './panel.js';
+import {draw} from './section.js';
+import {Solver} from './solver.js';
+import {Store} from './store.js';
+import {TextTab} from './text.js';
+import {View} from './view.js';
+
+// So long nobody types before the document is looked at.
+const CHECK_MS = 120;
+
+const section = get('section');
+const store = new Store(model.empty()), view = new View();
+// `of` is the document that was understood, `checked` the one that was looked at last.
+const state = {understood: null, of: null, checked: null, errors: [], notes: [], checks: 0, asked: 0, answered: 0, templates: [], greeted: false};
+const editor = new Editor(store, view, section, what => { if (what === 'choice') chosen(); if (what) tools(); later(); });
+const panel = new Panel(store, editor);
+const flow = new Flow(get('flow'), view);
+const link = new Link(hear, lost);
+const text = new TextTab(store, link);
+const solver = new Solver(store, link, {flush: check, shown: showFlow});
+const files = new Files(store, link, {settle, take, section, view, flow});
+
+// Shows what is chosen in the panel, where that stands beside the drawing.
+function chosen() {
+  due = true;
+  later();
+  if (editor.chosen && matchMedia('(min-width: 821px)').matches) requestAnimationFrame(() => get('chosen').parentElement.scrollIntoView({block: 'nearest'}));
+}
+
+// Fields are filled at the next picture, once, however much was changed until then.
+function fill() {
+  due = false;
+  panel.update();
+  panel.mark(state.errors, state.notes);
+}
+
+let waiting = false, due = false, timer = 0, resolveSettled = [];
+
+// Draws at the next picture, once.
+function later() {
+  if (waiting) return;
+  waiting = true;
+  requestAnimationFrame(() => {
+    waiting = false;
+    if (due) fill();
+    const isStale = state.of !== store.problem, isChecked = state.checked === store.problem;
+    draw(section, {problem: store.problem, view, editor, understood: state.understood, isStale, errors: isChecked ? state.errors : [], notes: isChecked ? state.notes : [], hasFlow: Boolean(flow.field)});
+    flow.draw();
+    status();
+  });
+}
+
+function status() {
+  const at = editor.cursor;
+  get('place').textContent = at ? `${short(at[0], 5)}, ${short(at[1], 5)} m` : '';
+  get('step').textContent = `grid ${short(view.step())} m`;
+}
+
+function changed() {
+  if (editor.chosen && !model.entry(store.problem, editor.chosen)) Object.assign(editor, {chosen: null, point: null});
+  const shape = editor.shape;
+  if (editor.point !== null && !shape?.points[editor.point]) editor.point = null;
+  due = true;
+  if (flow.field && solver.isStale) { flow.show(null); get('motion').hidden = true; }
+  solver.draw();
+  get('undo').disabled = !store.past.length;
+  get('redo').disabled = !store.future.length;
+  get('dirty').hidden = !store.dirty;
+  document.title = `${store.dirty ? '• ' : ''}${files.name ?? store.problem.title ?? 'problem'} – soilctl workbench`;
+  if (state.greeted) { if (store.dirty) keepWork(files.name, store.problem); else forgetWork(files.name); }
+  clearTimeout(timer);
+  timer = setTimeout(check, CHECK_MS);
+  later();
+}
+
+// Asks what is understood of the document.
+function check() {
+  clearTimeout(timer);
+  if (!model.list(store.problem, 'region').length && !model.allPoints(store.problem).length) {
+    // Nothing is wrong with an empty sheet.
+    Object.assign(state, {understood: null, errors: [], notes: [], of: store.problem, checked: store.problem});
+    messages();
+  }
+  state.asked = link.number();
+  state.sent = store.problem;
+  if (!link.send({type: 'check', id: state.asked, problem: store.problem})) state.asked = 0;
+}
+
+function checked(message) {
+  if (message.id !== state.asked) return;
+  const problem = state.sent, isEmpty = !model.allPoints(problem).length;
+  state.answered = message.id;
+  if (message.toml !== null) text.know(message.toml, problem);
+  state.errors = message.error && !isEmpty ? [message.error] : [];
+  state.notes = message.notes;
+  if (message.understood) state.understood = message.understood;
+  // What was understood before fades where nothing is understood now.
+  state.of = message.error ? null : problem;
+  state.checked = problem;
+  for (const resolve of resolveSettled.splice(0)) resolve();
+  messages();
+  later();
+}
+
+// What is wrong, below the drawing and at the fields it is about.
+function messages() {
+  const place = get('messages'), all = [...state.errors.map(error => [error, 'bad']), ...state.notes.map(note => [note, 'note'])];
+  const before = place.dataset.words, isEmpty = !model.allPoints(store.problem).length;
+  const words = all.length ? all.map(([one]) => one.words).join('\n') : isEmpty ? 'An empty sheet.' : 'The problem is understood.';
+  if (!due) panel.mark(state.errors, state.notes);
+  if (before === words && place.childElementCount) return;
+  place.dataset.words = words;
+  const item = ([one, kind]) => {
+    const at = one.entries.find(entry => model.shapeOf(store.problem, entry) ?? model.entry(store.problem, entry));
+    const canShow = at && model.SECTIONS.includes(at.section);
+    return html('li', {class: kind}, html('span', null, one.words), canShow ? html('button', {type: 'button', class: 'small', click: () => { editor.use('select'); editor.choose(at); tab('problem'); }}, 'Show') : null);
+  };
+  place.replaceChildren(...(all.length ? all.map(item) : [html('li', {class: 'good'}, words)]));
+}
+
+// The text of the document as it is now; null if it has none.
+async function settle() {
+  for (let k = 0; k < 3 && text.of(store.problem) === null; k++) {
+    check();
+    if (!state.asked) return null;
+    await new Promise(resolve => { resolveSettled.push(resolve); setTimeout(resolve, 5000); });
+  }
+  return text.of(store.problem);
+}
+
+// A document from elsewhere, with the text that it was.
+function take(words, problem) {
+  if (words !== null) text.know(words, problem);
+  Object.assign(editor, {chosen: null, point: null, drawn: [], tool: 'select', soil: 0});
+  store.replace(problem);
+  view.fit(model.allPoints(problem));
+  tools();
+}
+
+function showFlow(field, problem) {
+  flow.show(field, problem);
+  get('motion').hidden = !field;
+  const isCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  get('play').setAttribute('aria-pressed', String(Boolean(field) && !isCalm));
+  flow.play(Boolean(field) && !isCalm);
+  later();
+}
+
+function hear(message) {
+  switch (message.type) {
+    case 'hello': hello(message); break;
+    case 'file': opened(message); break;
+    case 'checked': checked(message); break;
+    case 'error': files.tell(message.error.words, 'bad'); break;
+    default: solver.hear(message);
+  }
+}
+
+function hello({file, templates}) {
+  connection('ready', file ? `file ${file}` : 'no file');
+  files.name = file;
+  get('save').textContent = file ? 'Save' : 'Download';
+  get('download').hidden = !file;
+  get('source').textContent = file ?? '';
+  state.templates = templates;
+  begin(templates, problem => take(null, problem));
+  if (state.greeted) { check(); return; }
+  // A page that may have the file waits for it.
+  if (!file || !kept('session', 'token')) start(null, null);
+}
+
+function opened({text: words, problem, error}) {
+  if (state.greeted) return;
+  if (error) {
+    start(null, null);
+    files.tell(error.words, 'bad');
+    if (words !== null) { get('toml').value = words; text.wrong(error.words); tab('text'); }
+    return;
+  }
+  if (problem) text.know(words, problem);
+  start(problem, words);
+}
+
+// Begins with the file, with unsaved work that the browser kept, or with a choice.
+function start(problem) {
+  const work = keptWork(files.name);
+  if (problem) { store.problem = problem; store.saved = JSON.stringify(problem); }
+  state.greeted = true;
+  if (work && JSON.stringify(work) !== JSON.stringify(store.problem)) {
+    store.replace(work);
+    files.tell(problem ? 'unsaved work of this browser is shown; undo takes the file as it is' : 'unsaved work of this browser is shown', 'good');
+  } else if (!problem) { store.tell(); get('begin').showModal(); } else store.tell();
+  view.fit(model.allPoints(store.problem));
+}
+
+function lost(reason) { connection('lost', reason ? `lost: ${reason}` : 'no connection'); solver.lost(); }
+function connection(now, words) { Object.assign(get('link').dataset, {state: now}); get('link').textContent = words; }
+
+function tab(name) {
+  for (const button of document.querySelectorAll('[role=tab]')) {
+    const is = button.dataset.tab === name;
+    button.setAttribute('aria-selected', String(is));
+    button.tabIndex = is ? 0 : -1;
+    get(`panel-${button.dataset.tab}`).hidden = !is;
+  }
+  keep('session', 'tab', name);
+  if (name === 'text') { const now = text.of(store.problem); if (now !== null && document.activeElement !== text.area) text.area.value = now; }
+}
+
+function tools() {
+  for (const button of document.querySelectorAll('[data-tool]')) button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool));
+  const isDrawing = editor.tool !== 'select';
+  get('drawing').hidden = !isDrawing;
+  get('kind-of-line').hidden = editor.tool !== 'line';
+  get('done').disabled = editor.drawn.length < (TOOLS[editor.tool].least ?? 1);
+  get('back').disabled = !editor.drawn.length;
+  section.dataset.tool = editor.tool;
+}
+
+// Buttons, keys and the window.
+for (const [tool, {name, key}] of Object.entries(TOOLS)) {
+  get('tools').append(html('button', {type: 'button', 'data-tool': tool, title: `${name} (${key.toUpperCase()})`, 'aria-pressed': 'false', click: () => { editor.use(tool); section.focus({preventScroll: true}); }}, name));
+}
+get('kind').replaceChildren(...KINDS.filter(([kind]) => kind !== 'load').map(([value, words]) => html('option', {value}, words)));
+const on = (id, run, event = 'click') => get(id).addEventListener(event, run);
+on('kind', () => { editor.kind = get('kind').value; }, 'change');
+on('done', () => editor.finish());
+on('back', () => editor.back());
+on('cancel', () => editor.cancel());
+on('exact', event => {
+  event.preventDefault();
+  // A comma between the two numbers, or a semicolon or blank where the comma is in them.
+  const parts = get('exact-point').value.trim().split(/\s*;\s*|\s*,\s+|\s+|,/).map(parse);
+  if (parts.length !== 2 || parts.includes(null)) { get('exact-point').setCustomValidity('two numbers, such as 2.5, -3'); get('exact-point').reportValidity(); return; }
+  editor.put(parts);
+  get('exact-point').value = '';
+}, 'submit');
+on('exact-point', () => get('exact-point').setCustomValidity(''), 'input');
+on('undo', () => store.undo());
+on('redo', () => store.redo());
+on('fit', () => view.fit(model.allPoints(store.problem)));
+on('zoom-in', () => view.zoom(1.3));
+on('zoom-out', () => view.zoom(1 / 1.3));
+on('snap', () => { editor.grid = !editor.grid; get('snap').setAttribute('aria-pressed', String(editor.grid)); });
+on('mirror', () => store.change(draft => model.mirror(draft)));
+on('begin-open', () => get('begin').showModal());
+on('help-open', () => get('help').showModal());
+on('theme', () => {
+  const isDark = getComputedStyle(document.documentElement).colorScheme.includes('dark') && (document.documentElement.dataset.theme === 'dark' || matchMedia('(prefers-color-scheme: dark)').matches);
+  theme(document.documentElement.dataset.theme === 'dark' || (!document.documentElement.dataset.theme && isDark) ? 'light' : 'dark');
+});
+on('play', () => { const now = get('play').getAttribute('aria-pressed') !== 'true'; get('play').setAttribute('aria-pressed', String(now)); flow.play(now); });
+on('amount', () => { flow.amount = Number(get('amount').value); get('play').setAttribute('aria-pressed', 'false'); flow.play(false); }, 'input');
+on('flow-off', () => showFlow(null, null));
+for (const button of document.querySelectorAll('[role=tab]')) {
+  button.addEventListener('click', () => tab(button.dataset.tab));
+  button.addEventListener('keydown', event => {
+    const step = {ArrowRight: 1, ArrowLeft: -1}[event.key], all = [...document.querySelectorAll('[role=tab]')];
+    if (!step) return;
+    const next = all[(all.indexOf(button) + step + all.length) % all.length];
+    tab(next.dataset.tab);
+    next.focus();
+  });
+}
+
+function theme(name) {
+  if (name) document.documentElement.dataset.theme = name;
+  keep('local', 'theme', name ?? '');
+  later();
+}
+
+addEventListener('keydown', event => {
+  const command = event.ctrlKey || event.metaKey, key = event.key.toLowerCase(), isField = event.target.matches?.('input:not([type=checkbox], [type=radio], [type=range]), textarea, select');
+  const use = run => { event.preventDefault(); run(); };
+  if (document.querySelector('dialog[open]')) return;
+  if (command && key === 's') return use(() => files.save());
+  if (command && key === 'enter') return use(() => { tab('result'); solver.start(); });
+  if (command && key === 'o') return use(() => get('open').click());
+  // In the text, the browser's own undo.
+  if (command && key === 'z' && event.target !== text.area) return use(() => event.shiftKey ? store.redo() : store.undo());
+  if (command && key === 'y' && event.target !== text.area) return use(() => store.redo());
+  if (command && key === 'd' && editor.shape) return use(() => editor.choose(store.change(draft => model.duplicate(draft, editor.chosen))));
+  if (command || event.altKey || isField) return;
+  const tool = Object.entries(TOOLS).find(([, {key: own}]) => own === key);
+  if (tool) return use(() => { editor.use(tool[0]); section.focus({preventScroll: true}); });
+  const act = {f: 'fit', g: 'snap', '?': 'help-open', '+': 'zoom-in', '-': 'zoom-out', t: 'begin-open', m: 'mirror'}[key];
+  if (act) use(() => get(act).click());
+});
+
+new ResizeObserver(([{contentRect}]) => {
+  const first = view.width === 100;
+  view.size(contentRect.width, contentRect.height);
+  if (first) view.fit(model.allPoints(store.problem));
+}).observe(get('view'));
+addEventListener('beforeunload', event => { if (store.dirty && !kept('local', `work.${files.name ?? ''}`)) event.preventDefault(); });
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', later);
+store.listen(changed);
+view.listen(later);
+theme(kept('local', 'theme') || null);
+tab(kept('session', 'tab') ?? 'problem');
+tools();
+changed();
+solver.draw();
+
+// For whoever looks at the page from outside.
+window.workbench = {store, view, editor, model, state, solver, flow, files, settle, say};
