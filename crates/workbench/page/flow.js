@@ -2,7 +2,7 @@
 import {box, plus} from './geometry.js';
 import {entry, list, shapes} from './model.js';
 
-const TONES = 12, PERIOD_MS = 3600, FARTHEST = .07, ARROW_PX = 26, CELL_PX = 40;
+const TONES = 12, PERIOD_MS = 3600, FARTHEST = .07, ARROW_PX = 36, CELL_PX = 36;
 
 export class Flow {
   constructor(canvas, view) {
@@ -16,8 +16,9 @@ export class Flow {
     if (field) {
       const {low, high} = box(field.triangles.flatMap(t => [[t[0], t[1]], [t[2], t[3]], [t[4], t[5]]]));
       this.reach = FARTHEST * Math.max(high[0] - low[0], high[1] - low[1]);
-      const moving = field.velocities.flatMap((v, k) => speed(v) > .05 ? [[field.triangles[k][0], field.triangles[k][1]]] : []);
-      const part = box(moving);
+      // Places of what moves.
+      this.moving = field.velocities.flatMap((v, k) => speed(v) > .05 ? [[field.triangles[k][0], field.triangles[k][1]]] : []);
+      const part = box(this.moving);
       // Where little moves, what moves is what is looked at.
       if (part) this.reach = Math.min(this.reach, .12 * Math.max(part.high[0] - part.low[0], part.high[1] - part.low[1]));
       this.tones = Array.from({length: TONES}, () => []);
@@ -92,20 +93,20 @@ export class Flow {
     for (let k = 0; k < this.field.triangles.length; k++) {
       const t = this.field.triangles[k], v = this.field.velocities[k];
       const vx = (v[0] + v[2] + v[4]) / 3, vy = (v[1] + v[3] + v[5]) / 3, fast = Math.hypot(vx, vy);
-      if (fast < .06) continue;
+      if (fast < .12) continue;
       const at = this.view.px([(t[0] + t[2] + t[4]) / 3 + far * vx, (t[1] + t[3] + t[5]) / 3 + far * vy]);
       const cell = `${Math.round(at[0] / CELL_PX)} ${Math.round(at[1] / CELL_PX)}`;
       if (cells.has(cell)) continue;
       cells.add(cell);
-      const tip = plus(at, ARROW_PX, [vx, -vy]), unit = [vx / fast, -vy / fast], back = plus(tip, -Math.min(6, ARROW_PX * fast), unit), side = [-unit[1], unit[0]];
+      const tip = plus(at, ARROW_PX, [vx, -vy]), unit = [vx / fast, -vy / fast], head = Math.min(6, .45 * ARROW_PX * fast), back = plus(tip, -head, unit), side = [-unit[1], unit[0]];
       to.beginPath();
       to.moveTo(...at);
       to.lineTo(...back);
       to.stroke();
       to.beginPath();
       to.moveTo(...tip);
-      to.lineTo(...plus(back, 2.6, side));
-      to.lineTo(...plus(back, -2.6, side));
+      to.lineTo(...plus(back, .42 * head, side));
+      to.lineTo(...plus(back, -.42 * head, side));
       to.fill();
     }
   }

@@ -8,9 +8,10 @@ export function forget(where, name) { try { window[`${where}Storage`].removeItem
 const work = file => `work.${file ?? ''}`;
 export function keepWork(file, problem) { keep('local', work(file), JSON.stringify(problem)); }
 export function forgetWork(file) { forget('local', work(file)); }
-export function keptWork(file) {
+// None if it is no document: `check` throws or returns nothing then.
+export function keptWork(file, check) {
   try {
     const problem = JSON.parse(kept('local', work(file)));
-    return problem && typeof problem === 'object' && !Array.isArray(problem) ? problem : null;
+    return problem && typeof problem === 'object' && problem.objective && check(problem) ? problem : null;
   } catch { return null; }
 }

@@ -1,11 +1,10 @@
 // What holds all parts together.
 import {begin} from './begin.js';
+import {controls, theme} from './controls.js';
 import {get, html, say, short} from './dom.js';
 import {Editor, TOOLS} from './editor.js';
 import {Files} from './files.js';
-import {KINDS} from './fields.js';
 import {Flow} from './flow.js';
-import {parse} from './form.js';
 import {forgetWork, keep, keepWork, kept, keptWork} from './keep.js';
 import {Link} from './link.js';
 import * as model from './model.js';
@@ -28,7 +27,7 @@ const panel = new Panel(store, editor);
 const flow = new Flow(get('flow'), view);
 const link = new Link(hear, lost);
 const text = new TextTab(store, link);
-const solver = new Solver(store, link, {flush: check, shown: showFlow});
+const solver = new Solver(store, link, showFlow);
 const files = new Files(store, link, {settle, take, section, view, flow});
 
 // Shows what is chosen in the panel, where that stands beside the drawing.
@@ -162,13 +161,17 @@ function hear(message) {
     case 'hello': hello(message); break;
     case 'file': opened(message); break;
     case 'checked': checked(message); break;
-    case 'error': files.tell(message.error.words, 'bad'); break;
+    case 'error':
+      // A page whose token is refused does without the file.
+      if (!state.greeted) start(null);
+      files.tell(message.error.words, 'bad');
+      break;
     default: solver.hear(message);
   }
 }
 
 function hello({file, templates}) {
-  connection('ready', file ? `file ${file}` : 'no file');
+  connection('ready', file ? 'connected' : 'no file');
   files.name = file;
   get('save').textContent = file ? 'Save' : 'Download';
   get('download').hidden = !file;
@@ -177,24 +180,24 @@ function hello({file, templates}) {
   begin(templates, problem => take(null, problem));
   if (state.greeted) { check(); return; }
   // A page that may have the file waits for it.
-  if (!file || !kept('session', 'token')) start(null, null);
+  if (!file || !kept('session', 'token')) start(null);
 }
 
 function opened({text: words, problem, error}) {
   if (state.greeted) return;
   if (error) {
-    start(null, null);
+    start(null);
     files.tell(error.words, 'bad');
     if (words !== null) { get('toml').value = words; text.wrong(error.words); tab('text'); }
     return;
   }
   if (problem) text.know(words, problem);
-  start(problem, words);
+  start(problem);
 }
 
 // Begins with the file, with unsaved work that the browser kept, or with a choice.
 function start(problem) {
-  const work = keptWork(files.name);
+  const work = keptWork(files.name, problem => model.allPoints(problem) && JSON.stringify(model.list(problem, 'soil').map(soil => soil.name)));
   if (problem) { store.problem = problem; store.saved = JSON.stringify(problem); }
   state.greeted = true;
   if (work && JSON.stringify(work) !== JSON.stringify(store.problem)) {
@@ -228,76 +231,6 @@ function tools() {
   section.dataset.tool = editor.tool;
 }
 
-// Buttons, keys and the window.
-for (const [tool, {name, key}] of Object.entries(TOOLS)) {
-  get('tools').append(html('button', {type: 'button', 'data-tool': tool, title: `${name} (${key.toUpperCase()})`, 'aria-pressed': 'false', click: () => { editor.use(tool); section.focus({preventScroll: true}); }}, name));
-}
-get('kind').replaceChildren(...KINDS.filter(([kind]) => kind !== 'load').map(([value, words]) => html('option', {value}, words)));
-const on = (id, run, event = 'click') => get(id).addEventListener(event, run);
-on('kind', () => { editor.kind = get('kind').value; }, 'change');
-on('done', () => editor.finish());
-on('back', () => editor.back());
-on('cancel', () => editor.cancel());
-on('exact', event => {
-  event.preventDefault();
-  // A comma between the two numbers, or a semicolon or blank where the comma is in them.
-  const parts = get('exact-point').value.trim().split(/\s*;\s*|\s*,\s+|\s+|,/).map(parse);
-  if (parts.length !== 2 || parts.includes(null)) { get('exact-point').setCustomValidity('two numbers, such as 2.5, -3'); get('exact-point').reportValidity(); return; }
-  editor.put(parts);
-  get('exact-point').value = '';
-}, 'submit');
-on('exact-point', () => get('exact-point').setCustomValidity(''), 'input');
-on('undo', () => store.undo());
-on('redo', () => store.redo());
-on('fit', () => view.fit(model.allPoints(store.problem)));
-on('zoom-in', () => view.zoom(1.3));
-on('zoom-out', () => view.zoom(1 / 1.3));
-on('snap', () => { editor.grid = !editor.grid; get('snap').setAttribute('aria-pressed', String(editor.grid)); });
-on('mirror', () => store.change(draft => model.mirror(draft)));
-on('begin-open', () => get('begin').showModal());
-on('help-open', () => get('help').showModal());
-on('theme', () => {
-  const isDark = getComputedStyle(document.documentElement).colorScheme.includes('dark') && (document.documentElement.dataset.theme === 'dark' || matchMedia('(prefers-color-scheme: dark)').matches);
-  theme(document.documentElement.dataset.theme === 'dark' || (!document.documentElement.dataset.theme && isDark) ? 'light' : 'dark');
-});
-on('play', () => { const now = get('play').getAttribute('aria-pressed') !== 'true'; get('play').setAttribute('aria-pressed', String(now)); flow.play(now); });
-on('amount', () => { flow.amount = Number(get('amount').value); get('play').setAttribute('aria-pressed', 'false'); flow.play(false); }, 'input');
-on('flow-off', () => showFlow(null, null));
-for (const button of document.querySelectorAll('[role=tab]')) {
-  button.addEventListener('click', () => tab(button.dataset.tab));
-  button.addEventListener('keydown', event => {
-    const step = {ArrowRight: 1, ArrowLeft: -1}[event.key], all = [...document.querySelectorAll('[role=tab]')];
-    if (!step) return;
-    const next = all[(all.indexOf(button) + step + all.length) % all.length];
-    tab(next.dataset.tab);
-    next.focus();
-  });
-}
-
-function theme(name) {
-  if (name) document.documentElement.dataset.theme = name;
-  keep('local', 'theme', name ?? '');
-  later();
-}
-
-addEventListener('keydown', event => {
-  const command = event.ctrlKey || event.metaKey, key = event.key.toLowerCase(), isField = event.target.matches?.('input:not([type=checkbox], [type=radio], [type=range]), textarea, select');
-  const use = run => { event.preventDefault(); run(); };
-  if (document.querySelector('dialog[open]')) return;
-  if (command && key === 's') return use(() => files.save());
-  if (command && key === 'enter') return use(() => { tab('result'); solver.start(); });
-  if (command && key === 'o') return use(() => get('open').click());
-  // In the text, the browser's own undo.
-  if (command && key === 'z' && event.target !== text.area) return use(() => event.shiftKey ? store.redo() : store.undo());
-  if (command && key === 'y' && event.target !== text.area) return use(() => store.redo());
-  if (command && key === 'd' && editor.shape) return use(() => editor.choose(store.change(draft => model.duplicate(draft, editor.chosen))));
-  if (command || event.altKey || isField) return;
-  const tool = Object.entries(TOOLS).find(([, {key: own}]) => own === key);
-  if (tool) return use(() => { editor.use(tool[0]); section.focus({preventScroll: true}); });
-  const act = {f: 'fit', g: 'snap', '?': 'help-open', '+': 'zoom-in', '-': 'zoom-out', t: 'begin-open', m: 'mirror'}[key];
-  if (act) use(() => get(act).click());
-});
-
 new ResizeObserver(([{contentRect}]) => {
   const first = view.width === 100;
   view.size(contentRect.width, contentRect.height);
@@ -307,6 +240,7 @@ addEventListener('beforeunload', event => { if (store.dirty && !kept('local', `w
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', later);
 store.listen(changed);
 view.listen(later);
+controls({store, view, editor, flow, text, solver, files, section, tab, showFlow, later});
 theme(kept('local', 'theme') || null);
 tab(kept('session', 'tab') ?? 'problem');
 tools();

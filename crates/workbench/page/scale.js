@@ -17,7 +17,7 @@ export function scale(steps, unit) {
   // First bounds may be far off; the scale is that of what they came to.
   const reach = Math.max(1e-12, 1e-3 * Math.abs(centre), Math.min(.6 * Math.abs(centre) || Infinity, Math.max(...known.map(value => Math.abs(value - centre)))));
   const low = centre - 1.15 * reach, high = centre + 1.15 * reach;
-  const x = k => LEFT + (steps.length > 1 ? k / (steps.length - 1) : 1) * (WIDE - LEFT - RIGHT);
+  const x = k => LEFT + (steps.length > 1 ? k / (steps.length - 1) : .5) * (WIDE - LEFT - RIGHT);
   const y = value => TOP + (1 - (Math.min(high, Math.max(low, value)) - low) / (high - low)) * (TALL - TOP - BOTTOM);
   for (let k = 0; k <= 4; k++) {
     const value = low + k / 4 * (high - low);
@@ -27,6 +27,7 @@ export function scale(steps, unit) {
   const lower = line('lower'), upper = line('upper');
   const both = steps.map((step, k) => [k, step]).filter(([, step]) => Number.isFinite(step.lower) && Number.isFinite(step.upper));
   if (both.length) chart.append(svg('path', {d: `M${[...both.map(([k, step]) => [x(k), y(step.upper)]), ...both.reverse().map(([k, step]) => [x(k), y(step.lower)])].join('L')}Z`, class: 'bracket'}));
+  if (both.length === 1) chart.append(svg('path', {d: `M${x(both[0][0])} ${y(both[0][1].upper)}V${y(both[0][1].lower)}`, class: 'bracket one'}));
   for (const [points, name] of [[lower, 'lower'], [upper, 'upper']]) {
     if (!points.length) continue;
     chart.append(svg('path', {d: `M${points.join('L')}`, class: name}));

@@ -7,9 +7,9 @@ import {scale} from './scale.js';
 const ENDED = {gap: 'the gap was reached', elements: 'the mesh is as fine as is allowed', work: 'the work allowed is spent', time: 'the time allowed is spent', memory: 'the memory allowed is used', stopped: 'it was stopped'};
 
 export class Solver {
-  // `flush` makes sure that the document is checked; `shown` is told the flow of a solution and its document.
-  constructor(store, link, {flush, shown}) {
-    Object.assign(this, {store, link, flush, shown, state: 'idle', steps: [], id: 0});
+  // `shown` is told the flow of a solution and its document.
+  constructor(store, link, shown) {
+    Object.assign(this, {store, link, shown, state: 'idle', steps: [], id: 0});
     get('solve').addEventListener('click', () => this.start());
     get('stop').addEventListener('click', () => this.stop());
   }

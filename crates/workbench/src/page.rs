@@ -37,6 +37,7 @@ files! {
     "/" Document "page.html"
     "/style.css" Style "style.css"
     "/begin.js" Module "begin.js"
+    "/controls.js" Module "controls.js"
     "/dom.js" Module "dom.js"
     "/editor.js" Module "editor.js"
     "/fields.js" Module "fields.js"

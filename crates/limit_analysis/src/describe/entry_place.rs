@@ -114,13 +114,15 @@ impl DescriptionError {
             | Self::Format { .. }
             | Self::TooMuch { .. } => Place::default(),
             // The key that would say what holds there.
-            Self::NoCondition { .. } => Place {
+            Self::NoCondition { parts } => Place {
                 entries: vec![Entry { section: Section::Problem, index: None }],
                 key: Some("default_boundary".to_owned()),
-                points: Vec::new(),
+                points: points_in(parts).take(2).collect(),
             },
             Self::Number { entry, key, .. } | Self::Unknown { entry, key, .. } => keyed(entry, key),
-            Self::Entry { entry, .. } => Place { entries: of(&[entry]), ..Place::default() },
+            Self::Entry { entry, problem } => {
+                Place { entries: of(&[entry]), key: None, points: points_in(problem).take(1).collect() }
+            }
             Self::Overlap { first, second, at } | Self::NearlyTouch { first, second, at, .. } => {
                 Place { entries: of(&[first, second]), key: None, points: vec![*at] }
             }
@@ -129,6 +131,14 @@ impl DescriptionError {
             }
         }
     }
+}
+
+/// The points that words name: `(4.8, 0)`.
+fn points_in(words: &str) -> impl Iterator<Item = [f64; 2]> {
+    words.split('(').skip(1).filter_map(|rest| {
+        let (x, y) = rest.split_once(')')?.0.split_once(", ")?;
+        Some([x.parse().ok()?, y.parse().ok()?])
+    })
 }
 
 #[cfg(test)]
@@ -155,6 +165,13 @@ mod tests {
     }
 
     #[test]
+    fn points_are_found_in_words() {
+        let of = |words: &str| points_in(words).collect::<Vec<_>>();
+        assert_eq!(of("from (0, -6) to (4.5, 0), (a, b), (3) and ("), [[0.0, -6.0], [4.5, 0.0]]);
+        assert!(of("").is_empty());
+    }
+
+    #[test]
     fn errors_know_their_place() {
         let soil = |phi_deg| SoilEntry {
             name: "a: b".into(),
@@ -170,6 +187,16 @@ mod tests {
         let place = error.place();
         assert_eq!(place.entries.len(), 2);
         assert!(place.entries.iter().all(|entry| entry.section == Section::Region));
+        let mut it = Description::strip_load(soil(30.0), 2.0);
+        it.regions[0].polygon = vec![[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0]];
+        let Err(crate::LimitError::Description(error)) = it.described() else { panic!("it crosses itself") };
+        assert_eq!(error.place().points, [[2.0, 2.0]], "{error}");
+        let mut it = Description::strip_load(soil(30.0), 2.0);
+        it.default_boundary = None;
+        let Err(crate::LimitError::Description(error)) = it.described() else {
+            panic!("it has no condition")
+        };
+        assert_eq!(error.place().points.len(), 2, "{error}");
         let place = Place::of_words("soil 1 (\"a: b\"): phi_deg is 0.5; soils with friction have");
         assert_eq!((place.entries[0].index, place.key.as_deref()), (Some(0), Some("phi_deg")));
         assert_eq!(Place::of_words("water: its table is at y = 3 m").key, None);
