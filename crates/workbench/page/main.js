@@ -186,9 +186,12 @@ function hello({file, templates}) {
 function opened({text: words, problem, error}) {
   if (state.greeted) return;
   if (error) {
-    start(null);
+    start(null, words !== null);
     files.tell(error.words, 'bad');
-    if (words !== null) { get('toml').value = words; text.wrong(error.words); tab('text'); }
+    if (words === null) return;
+    get('toml').value = words;
+    text.wrong(error.words);
+    tab('text');
     return;
   }
   if (problem) text.know(words, problem);
@@ -196,14 +199,15 @@ function opened({text: words, problem, error}) {
 }
 
 // Begins with the file, with unsaved work that the browser kept, or with a choice.
-function start(problem) {
+// Who has a file that is no problem has a text to mend, and nothing to choose.
+function start(problem, hasText = false) {
   const work = keptWork(files.name, problem => model.allPoints(problem) && JSON.stringify(model.list(problem, 'soil').map(soil => soil.name)));
   if (problem) { store.problem = problem; store.saved = JSON.stringify(problem); }
   state.greeted = true;
   if (work && JSON.stringify(work) !== JSON.stringify(store.problem)) {
     store.replace(work);
     files.tell(problem ? 'unsaved work of this browser is shown; undo takes the file as it is' : 'unsaved work of this browser is shown', 'good');
-  } else if (!problem) { store.tell(); get('begin').showModal(); } else store.tell();
+  } else if (!problem) { store.tell(); if (!hasText) get('begin').showModal(); } else store.tell();
   view.fit(model.allPoints(store.problem));
 }
 
@@ -218,7 +222,7 @@ function tab(name) {
     get(`panel-${button.dataset.tab}`).hidden = !is;
   }
   keep('session', 'tab', name);
-  if (name === 'text') { const now = text.of(store.problem); if (now !== null && document.activeElement !== text.area) text.area.value = now; }
+  if (name === 'text') text.show();
 }
 
 function tools() {

@@ -14,9 +14,15 @@ export class TextTab {
   know(text, problem) {
     const of = JSON.stringify(problem);
     // What the author wrote goes before what was made of it.
-    if (this.source.of === of) return;
-    this.source = {text, of};
-    if (document.activeElement !== this.area && this.area.value !== text) this.area.value = text;
+    if (this.source.of !== of) this.source = {text, of};
+    this.show();
+  }
+
+  // Writes the text of the document, but not over one that is being typed, nor over one that is wrong until something else is changed.
+  show() {
+    const text = this.of(this.store.problem);
+    if (text === null || document.activeElement === this.area || this.wrongWith === this.store.problem) return;
+    if (this.area.value !== text) this.area.value = text;
     this.wrong(null);
   }
 
@@ -33,6 +39,7 @@ export class TextTab {
   }
 
   wrong(words) {
+    this.wrongWith = words ? this.store.problem : null;
     get('toml-wrong').hidden = !words;
     get('toml-wrong').textContent = words ?? '';
     this.area.setAttribute('aria-invalid', String(Boolean(words)));

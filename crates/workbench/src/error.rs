@@ -51,10 +51,16 @@ pub enum WorkbenchError {
         /// Name of the file.
         name: String,
     },
+    /// The file held something else than a problem when it was opened.
+    #[error("{name} holds what is no problem file; save again to write over that")]
+    Strange {
+        /// Name of the file.
+        name: String,
+    },
     /// There is no file to save to.
     #[error("the workbench was started without a file; download the problem instead")]
     NoFile,
-    /// What is to be saved is no problem file.
-    #[error("this is no problem file, and was not saved: {0}")]
+    /// What is to be read or saved is no problem file.
+    #[error("this is no problem file: {0}")]
     Format(#[from] DescriptionError),
 }

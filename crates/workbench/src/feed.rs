@@ -98,7 +98,7 @@ impl Page {
         match saved {
             Ok(name) => answer(&Told::Saved { id, name }),
             Err(problem) => {
-                let changed = matches!(problem, WorkbenchError::Changed { .. });
+                let changed = matches!(problem, WorkbenchError::Changed { .. } | WorkbenchError::Strange { .. });
                 answer(&Told::NotSaved { id, error: Wrong::words(problem.to_string()), changed })
             }
         }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use soilctl_jobs::write_atomically;
-use soilctl_limit_analysis::Description;
+use soilctl_limit_analysis::{Description, DescriptionError};
 
 use crate::WorkbenchError;
 
@@ -25,8 +25,37 @@ enum Format {
 pub(crate) struct ProblemFile {
     path: PathBuf,
     format: Format,
-    /// None: there was no file.
-    seen: Mutex<Option<String>>,
+    seen: Mutex<Seen>,
+}
+
+/// What the file held.
+#[derive(Debug, PartialEq)]
+enum Seen {
+    /// There was no file.
+    Nothing,
+    /// A problem.
+    Problem(String),
+    /// Something else, which somebody may want to keep.
+    Strange(String),
+}
+
+impl Seen {
+    fn new(text: Option<String>, format: Format) -> Self {
+        match text {
+            None => Self::Nothing,
+            Some(text) if format.read(&text).is_ok() => Self::Problem(text),
+            Some(text) => Self::Strange(text),
+        }
+    }
+}
+
+impl Format {
+    fn read(self, text: &str) -> Result<Description, DescriptionError> {
+        match self {
+            Self::Toml => Description::from_toml(text),
+            Self::Json => Description::from_json(text),
+        }
+    }
 }
 
 impl ProblemFile {
@@ -46,7 +75,7 @@ impl ProblemFile {
             let message = "there is no such folder; make it first".to_owned();
             return Err(WorkbenchError::Read { path, message });
         }
-        let seen = Mutex::new(read(&path)?);
+        let seen = Mutex::new(Seen::new(read(&path)?, format));
         Ok(Self { path, format, seen })
     }
 
@@ -58,7 +87,7 @@ impl ProblemFile {
     /// Its text as TOML, read anew; none if there is no file yet. JSON that is a problem is converted.
     pub(crate) fn text(&self) -> Result<Option<String>, WorkbenchError> {
         let text = read(&self.path)?;
-        self.see(text.clone());
+        *self.seen.lock().unwrap_or_else(PoisonError::into_inner) = Seen::new(text.clone(), self.format);
         match (text, self.format) {
             (Some(text), Format::Json) => Ok(Some(Description::from_json(&text)?.to_toml()?)),
             (text, _) => Ok(text),
@@ -77,17 +106,16 @@ impl ProblemFile {
         };
         let mut seen = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
         // What cannot be read is not what was seen.
-        let is_as_seen = read(&self.path).is_ok_and(|now| now == *seen);
-        if !is_as_seen && !anyway {
-            return Err(WorkbenchError::Changed { name: self.name() });
+        let is_as_seen = read(&self.path).is_ok_and(|now| Seen::new(now, self.format) == *seen);
+        match &*seen {
+            _ if anyway => {}
+            _ if !is_as_seen => return Err(WorkbenchError::Changed { name: self.name() }),
+            Seen::Strange(_) => return Err(WorkbenchError::Strange { name: self.name() }),
+            Seen::Nothing | Seen::Problem(_) => {}
         }
         write_atomically(&self.path, text.as_bytes()).map_err(|problem| self.unwritten(&problem))?;
-        *seen = Some(text);
+        *seen = Seen::Problem(text);
         Ok(())
-    }
-
-    fn see(&self, text: Option<String>) {
-        *self.seen.lock().unwrap_or_else(PoisonError::into_inner) = text;
     }
 
     fn unwritten(&self, problem: &dyn std::fmt::Display) -> WorkbenchError {
@@ -136,6 +164,20 @@ mod tests {
         file.save(PROBLEM, true).unwrap();
         assert_eq!(file.text().unwrap().as_deref(), Some(PROBLEM));
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_is_no_problem_is_not_written_over_unasked() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("draft.toml");
+        let draft = "title = \"half a file\nsoil = ";
+        std::fs::write(&path, draft).unwrap();
+        let file = ProblemFile::open(&path).unwrap();
+        assert_eq!(file.text().unwrap().as_deref(), Some(draft));
+        assert!(matches!(file.save(PROBLEM, false), Err(WorkbenchError::Strange { .. })));
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), draft);
+        file.save(PROBLEM, true).unwrap();
+        file.save(PROBLEM, false).unwrap();
     }
 
     #[test]

@@ -122,7 +122,7 @@ pub(crate) enum Told<'a> {
     NotSaved {
         id: u64,
         error: Wrong,
-        /// Whether another program wrote it meanwhile, so that the page must ask.
+        /// Whether it holds what the page has not read, so that the page must ask.
         changed: bool,
     },
     /// A message was refused.
