@@ -1,12 +1,12 @@
 // In and out: save, download, open from disk, a picture of the section.
 import {get, html, say, svg} from './dom.js';
 
-const PICTURE_STYLE = `text{font:12px system-ui,sans-serif;fill:#1f2328}.grid path{stroke:#e4e1da;fill:none}.grid text{fill:#5a626b;font-size:10px}
+const PICTURE_STYLE = `text{font:12px system-ui,sans-serif;fill:#1f2328}.grid path{stroke:#000;stroke-opacity:.075;fill:none}.grid text{fill:#5a626b;font-size:10px}
 .region{stroke:#444;stroke-width:1.2}.region.unknown{stroke:#b3261e;stroke-dasharray:4 3}.hatch{stroke:#0006;stroke-width:1;fill:none}.dot{stroke-width:2;stroke-linecap:round}
 .side{fill:none;stroke:#1f2328;stroke-width:2}.side.far{stroke-dasharray:7 5;stroke-width:1.4}.side.smooth{stroke-width:1.2}.thin{stroke:#1f2328;stroke-width:.8;fill:none}.roller{fill:none;stroke:#1f2328;stroke-width:.8}
 .acting .shaft{stroke:#c25400;fill:none;stroke-width:1.3}.acting .head{fill:#c25400}.live .shaft{stroke-width:2.2}.motion .shaft{stroke:#1f2328;stroke-width:3;fill:none}.motion .head{fill:#1f2328}
 .pond{fill:#0072b233}.table{stroke:#0072b2;fill:none;stroke-width:1.5}.mark{fill:#0072b2}.body{fill:#8a8f96;stroke:#1f2328;stroke-width:1.5}.plate{fill:none;stroke:#1f2328;stroke-width:5}
-.entry{fill:none;stroke:none}.name text{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round;font-weight:600}.name .small{font-weight:400}.bare+*{}
+.entry{fill:none;stroke:none}.name text{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round;font-weight:600}.name .small{font-weight:400}.value{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round}
 ${['#f3e2b3', '#d9e8d2', '#d6e4f2', '#eedbd3', '#e6dcef', '#dde3dd', '#f6e7ee', '#e3e0d2'].map((tint, k) => `.tint-${k}{fill:${tint}}`).join('')}`;
 
 export function download(name, kind, content) {
@@ -22,14 +22,14 @@ export function download(name, kind, content) {
 export const fileName = (problem, ending) => `${(problem.title ?? '').toLowerCase().replace(/[^a-z0-9]+/g, '_').replace(/^_|_$/g, '') || 'problem'}.${ending}`;
 
 // The section as a picture of its own: in light colours, for paper, with the failure mechanism if it is shown.
-export function picture(section, view, canvas) {
+export function picture(section, view, flow) {
   const copy = section.cloneNode(true);
   copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   for (const [name, value] of [['viewBox', `0 0 ${view.width} ${view.height}`], ['width', view.width], ['height', view.height]]) copy.setAttribute(name, value);
   for (const name of ['tabindex', 'role', 'aria-roledescription', 'aria-describedby', 'class', 'id']) copy.removeAttribute(name);
   for (const part of copy.querySelectorAll('.editing, .faults')) part.remove();
   const first = [svg('style', null, PICTURE_STYLE), svg('rect', {width: view.width, height: view.height, fill: '#fff'})];
-  if (canvas.dataset.amount) first.push(svg('image', {href: canvas.toDataURL('image/png'), width: view.width, height: view.height}));
+  if (flow.field) first.push(svg('image', {href: flow.onPaper(), width: view.width, height: view.height}));
   copy.prepend(...first);
   return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
 }
@@ -40,7 +40,7 @@ export class Files {
     Object.assign(this, {store, link, settle, take, name: null});
     get('save').addEventListener('click', () => this.save());
     get('download').addEventListener('click', () => this.download());
-    get('picture').addEventListener('click', () => { download(fileName(store.problem, 'svg'), 'image/svg+xml', picture(section, view, flow.canvas)); });
+    get('picture').addEventListener('click', () => { download(fileName(store.problem, 'svg'), 'image/svg+xml', picture(section, view, flow)); });
     get('open').addEventListener('click', () => get('file').click());
     get('file').addEventListener('change', () => this.open(get('file').files[0]));
   }

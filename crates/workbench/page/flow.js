@@ -33,6 +33,17 @@ export class Flow {
     if (this.playing) { this.begun = performance.now(); this.frame(); } else this.draw();
   }
 
+  // The picture that is shown, in the colours of paper, as an address.
+  onPaper() {
+    const amount = Number(this.canvas.dataset.amount);
+    this.canvas.classList.add('paper');
+    this.draw(amount);
+    const address = this.canvas.toDataURL('image/png');
+    this.canvas.classList.remove('paper');
+    this.draw(amount);
+    return address;
+  }
+
   frame() {
     if (!this.playing) return;
     this.draw((1 - Math.cos(2 * Math.PI * (performance.now() - this.begun) / PERIOD_MS)) / 2);

@@ -98,7 +98,8 @@ impl Page {
         match saved {
             Ok(name) => answer(&Told::Saved { id, name }),
             Err(problem) => {
-                let changed = matches!(problem, WorkbenchError::Changed { .. } | WorkbenchError::Strange { .. });
+                let changed =
+                    matches!(problem, WorkbenchError::Changed { .. } | WorkbenchError::Strange { .. });
                 answer(&Told::NotSaved { id, error: Wrong::words(problem.to_string()), changed })
             }
         }
