@@ -224,9 +224,18 @@ def test_unsaved_work_survives_a_reload_and_text_keeps_its_comments(serve, tmp_p
     page.locator("#tab-text").click()
     assert page.locator("#toml").input_value() == text
     page.locator("#toml").fill(text.replace("phi_deg = 25", "phi_deg = 26"))
-    until(page, "workbench.store.problem.soil[0].phi_deg === 26")
+    # At once, before the page has read what was typed.
     save(page)
+    assert page.evaluate("workbench.store.problem.soil[0].phi_deg") == 26
     assert file.read_text(encoding="utf-8") == text.replace("phi_deg = 25", "phi_deg = 26")
+    # They come back with an undo of what was done in the drawing.
+    page.locator("#tab-problem").click()
+    page.locator("[id='soil.0.cohesion_kpa']").fill("14")
+    settled(page)
+    page.locator("#undo").click()
+    settled(page)
+    page.locator("#tab-text").click()
+    assert page.locator("#toml").input_value() == text.replace("phi_deg = 25", "phi_deg = 26")
     # What is wrong with a text is said where it is typed, and the document stays.
     page.locator("#toml").fill("[[soil]\nname = 3")
     until(page, "!document.getElementById('toml-wrong').hidden")
@@ -259,12 +268,13 @@ def test_a_file_that_is_no_problem_is_shown_and_kept(serve, tmp_path):
     assert page.locator("#toml").input_value() == text
     assert "phi_deg" in page.locator("#toml-wrong").text_content()
     page.keyboard.press("Control+s")
-    until(page, "document.getElementById('told').textContent.includes('no problem file')")
+    until(page, "document.getElementById('told').textContent.includes('no problem file yet')")
     assert file.read_text(encoding="utf-8") == text
     # Mended where it stands, it is a problem.
     page.locator("#toml").fill(text + 'phi_deg = 30\nunit_weight_kn_m3 = 18\n[objective]\nkind = "load"\n')
     until(page, "workbench.store.problem.title === 'half a file'")
     page.keyboard.press("Control+s")
+    until(page, "document.getElementById('told').textContent.includes('save again')")
     page.locator("#told button").click()
     until(page, "document.getElementById('told').textContent.endsWith('was saved')")
     assert "phi_deg = 30" in file.read_text(encoding="utf-8")

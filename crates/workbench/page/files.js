@@ -35,7 +35,7 @@ export function picture(section, view, flow) {
 }
 
 export class Files {
-  // `settle` waits until the text of the document is known, and returns it; `take` takes a document from elsewhere.
+  // `settle` waits for the text of the document, or why there is none; `take` takes a document from elsewhere.
   constructor(store, link, {settle, take, section, view, flow}) {
     Object.assign(this, {store, link, settle, take, name: null});
     get('save').addEventListener('click', () => this.save());
@@ -46,16 +46,16 @@ export class Files {
   }
 
   async download() {
-    const text = await this.settle();
-    if (text === null) { this.tell('the problem cannot be written: it has a value that is missing or of the wrong kind', 'bad'); return; }
-    download(this.name?.replace(/\.json$/, '.toml') ?? fileName(this.store.problem, 'toml'), 'application/toml', text);
+    const {words, why} = await this.settle();
+    if (words === null) { this.tell(why, 'bad'); return; }
+    download(this.name?.replace(/\.json$/, '.toml') ?? fileName(this.store.problem, 'toml'), 'application/toml', words);
   }
 
   async save(anyway = false) {
     if (!this.name) return this.download();
-    const problem = this.store.problem, text = await this.settle();
-    if (text === null) { this.tell('the problem cannot be written: it has a value that is missing or of the wrong kind', 'bad'); return; }
-    const answer = await this.link.ask({type: 'save', text, anyway}, 'saved', 'not_saved');
+    const {words, why} = await this.settle(), {problem} = this.store;
+    if (words === null) { this.tell(why, 'bad'); return; }
+    const answer = await this.link.ask({type: 'save', text: words, anyway}, 'saved', 'not_saved');
     if (answer?.type === 'saved') { this.store.markSaved(problem); this.tell(`${answer.name} was saved`, 'good'); return; }
     this.tell(answer?.error.words ?? 'there is no connection, and nothing was saved; download the problem instead', 'bad');
     if (answer?.changed) get('told').append(' ', html('button', {type: 'button', click: () => this.save(true)}, 'Save over it'));

@@ -100,7 +100,8 @@ function checked(message) {
   if (message.id !== state.asked) return;
   const problem = state.sent, isEmpty = !model.allPoints(problem).length;
   state.answered = message.id;
-  if (message.toml !== null) text.know(message.toml, problem);
+  // The text of what is no longer there is of no use.
+  if (message.toml !== null && problem === store.problem) text.know(message.toml, problem);
   state.errors = message.error && !isEmpty ? [message.error] : [];
   state.notes = message.notes;
   if (message.understood) state.understood = message.understood;
@@ -128,19 +129,21 @@ function messages() {
   place.replaceChildren(...(all.length ? all.map(item) : [html('li', {class: 'good'}, words)]));
 }
 
-// The text of the document as it is now; null if it has none.
+// The text of the document as it is now, or why it has none.
 async function settle() {
+  const wrong = await text.flush();
+  if (wrong) return {words: null, why: `the text is no problem file yet: ${wrong}`};
   for (let k = 0; k < 3 && text.of(store.problem) === null; k++) {
     check();
-    if (!state.asked) return null;
+    if (!state.asked) return {words: null, why: 'there is no connection to the workbench'};
     await new Promise(resolve => { resolveSettled.push(resolve); setTimeout(resolve, 5000); });
   }
-  return text.of(store.problem);
+  return {words: text.of(store.problem), why: 'the problem cannot be written: it has a value that is missing or of the wrong kind'};
 }
 
 // A document from elsewhere, with the text that it was.
 function take(words, problem) {
-  if (words !== null) text.know(words, problem);
+  if (words !== null) text.wrote(words, problem);
   Object.assign(editor, {chosen: null, point: null, drawn: [], tool: 'select', soil: 0});
   store.replace(problem);
   view.fit(model.allPoints(problem));
@@ -194,7 +197,7 @@ function opened({text: words, problem, error}) {
     tab('text');
     return;
   }
-  if (problem) text.know(words, problem);
+  if (problem) text.wrote(words, problem);
   start(problem);
 }
 
