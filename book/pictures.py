@@ -1,4 +1,5 @@
-"""Makes the pictures of docs/images that show pages: the monitor during a stroke, the same log in Rerun's viewer, and the page of a plate.
+"""Makes the pictures of docs/images that show pages: the monitor during a stroke, the same log in Rerun's viewer, the page of a plate, and the
+workbench with a solved footing.
 
     cargo xtask pictures
 """
@@ -15,6 +16,8 @@ sys.path.insert(0, str(ROOT / "tests" / "python"))
 from monitor_page import CHROMIUM_ARGS, Monitor, open_page, seek, still, write_plan  # noqa: E402
 from playwright.sync_api import sync_playwright  # noqa: E402
 from rerun_page import Viewer  # noqa: E402
+from workbench_page import Workbench, begin, solve  # noqa: E402
+from workbench_page import open_page as open_workbench  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 # Where the monitor's picture is taken: share of the way through the last stroke.
@@ -65,6 +68,20 @@ def page(binary, browser, folder, path):
     print(f"{path}: {Path(path).stat().st_size} bytes")
 
 
+def workbench(binary, browser, folder, path):
+    """A footing on sand, solved, displaced by half."""
+    running = Workbench(binary, folder / "footing.toml")
+    shown = open_workbench(browser, running.url, color_scheme="light", viewport={"width": 1280, "height": 760})
+    begin(shown, "strip-footing")
+    solve(shown, "0.03")
+    shown.evaluate("workbench.view.fit([[-9, -6], [9, 3]])")
+    shown.wait_for_timeout(300)
+    shown.screenshot(path=path)
+    shown.context.close()
+    running.end()
+    print(f"{path}: {Path(path).stat().st_size} bytes")
+
+
 def main():
     binary = Path(os.environ["SOILCTL"]).resolve()
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
@@ -72,6 +89,7 @@ def main():
         monitor(binary, browser, Path(folder), IMAGES / "monitor.png")
         viewer(binary, browser, Path(folder), IMAGES / "rerun.png")
         page(binary, browser, Path(folder), IMAGES / "page.png")
+        workbench(binary, browser, Path(folder), IMAGES / "workbench.png")
         browser.close()
 
 

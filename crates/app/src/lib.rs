@@ -45,7 +45,7 @@ pub use finite::check as check_finite;
 pub use table_source::TableSource;
 pub use use_cases::UseCase;
 use use_cases::use_case;
-pub use watch::{Interrupted, Unwatched, Watch};
+pub use watch::{Interrupted, Proven, Unwatched, Watch};
 
 /// All use cases, from which schemas, documentation and Python's functions follow.
 pub const USE_CASES: &[UseCase] = &[

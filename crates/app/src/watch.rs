@@ -3,6 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use serde::Serialize;
+
 /// What is left of work that is stopped before its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Interrupted {
@@ -10,6 +12,19 @@ pub enum Interrupted {
     KeepsResults,
     /// Nothing is left, so the process may as well end at once.
     LeavesNothing,
+}
+
+/// What is proven of a collapse load while it is still being bounded.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Proven {
+    /// Triangles of the mesh that was solved last.
+    pub elements: usize,
+    /// The greatest lower bound so far, in the units of the answer; null if there is none.
+    pub lower: Option<f64>,
+    /// The least upper bound so far, likewise.
+    pub upper: Option<f64>,
+    /// The factor that strength is divided by on the way to a factor of safety; null for other quantities.
+    pub trial: Option<f64>,
 }
 
 /// Whoever runs a use case: sees how far it is, reads its notes, and may stop it. Any thread may call it.
@@ -25,6 +40,9 @@ pub trait Watch: Sync {
 
     /// What the work is at, in a few words; shown where there is a place for it.
     fn say(&self, _text: &str) {}
+
+    /// More is proven, or a finer mesh was solved.
+    fn proven(&self, _proven: &Proven) {}
 
     /// The work that was begun has ended.
     fn end(&self);

@@ -11,6 +11,7 @@ use soilctl_pages::PageError;
 use soilctl_recording::RecordingError;
 use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
+use soilctl_workbench::WorkbenchError;
 use thiserror::Error;
 
 /// Why a verb gave no answer.
@@ -37,6 +38,9 @@ pub(crate) enum CliError {
     /// A live session, or the operator's end of one.
     #[error(transparent)]
     Live(#[from] LiveError),
+    /// The workbench.
+    #[error(transparent)]
+    Workbench(#[from] WorkbenchError),
     /// The monitor.
     #[error(transparent)]
     Monitor(#[from] MonitorError),

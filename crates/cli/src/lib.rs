@@ -41,7 +41,8 @@ const FIRST_STEPS: &str = "error: a verb is missing. Three that need no file:
   soilctl demo --quick --open
 
 The first is the force on a plate in sand, the second between which coefficients it must lie, proven, and the third a campaign from
-the simulated soil to what its forces tell of it, on a page. `soilctl --help` lists all verbs, `soilctl help VERB` tells of one.
+the simulated soil to what its forces tell of it, on a page. `soilctl workbench --open` is a page to draw a problem on and to solve it.
+`soilctl --help` lists all verbs, `soilctl help VERB` tells of one.
 ";
 
 fn exit_code(args: impl IntoIterator<Item = OsString>) -> u8 {

@@ -1,22 +1,13 @@
-use std::net::SocketAddr;
-
 use soilctl_live::LiveError;
 use soilctl_motion::MotionError;
 use soilctl_session::SessionError;
+use soilctl_web::WebError;
 use thiserror::Error;
 
 /// Why a monitor could not be started.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum MonitorError {
-    /// The address could not be listened at.
-    #[error("{address} cannot be listened at: {reason}; give another address, or port 0 for any free port")]
-    Listen {
-        /// The address.
-        address: SocketAddr,
-        /// What the operating system said.
-        reason: std::io::Error,
-    },
     /// A log of another program does not hold what is needed, or something of it cannot be used.
     #[error("{file} cannot be played: {problem}")]
     Bag {
@@ -34,9 +25,6 @@ pub enum MonitorError {
     /// The session does not say what it runs with.
     #[error("the session does not say which arm it runs; use programs of one version")]
     Silent,
-    /// The system gave no random bytes for the token.
-    #[error("the system gives no random numbers ({0}), so there can be no token; leave commands off")]
-    Random(String),
     /// A thread could not be started.
     #[error("the {thread} thread could not be started: {reason}; close some programs")]
     Thread {
@@ -45,6 +33,9 @@ pub enum MonitorError {
         /// What the operating system said.
         reason: std::io::Error,
     },
+    /// The address cannot be listened at, there is no token, or no thread.
+    #[error(transparent)]
+    Web(#[from] WebError),
     /// The live session.
     #[error(transparent)]
     Live(#[from] LiveError),

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use soilctl_live::protocol::{ClientMessage, Problem, ServerMessage, parse_command, read_client_message};
+use soilctl_web::is_same;
 
 use crate::film::Player;
 use crate::live::Operator;
@@ -121,9 +122,4 @@ fn authorize(given: &str, rights: &mut Rights) -> (Option<String>, Option<String
             refuse(None, Problem::Forbidden, "the token is wrong; open the address that the monitor printed")
         }
     }
-}
-
-/// Compares in a time that does not tell where the first difference is.
-fn is_same(one: &[u8], other: &[u8]) -> bool {
-    one.len() == other.len() && one.iter().zip(other).fold(0, |sum, (a, b)| sum | (a ^ b)) == 0
 }

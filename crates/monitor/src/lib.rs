@@ -8,10 +8,12 @@ mod live;
 mod meshes;
 mod messages;
 mod monitor;
+mod page;
 mod scene;
+mod site;
 mod soil;
-mod web;
 
 pub use error::MonitorError;
-pub use monitor::{Counts, Monitor, Settings, Source};
+pub use monitor::{Monitor, Settings, Source};
 pub use soilctl_motion::Settings as BagSettings;
+pub use soilctl_web::Counts;

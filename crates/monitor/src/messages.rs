@@ -31,8 +31,6 @@ pub(crate) enum PageMessage<'a> {
     Link { connected: bool, message: String },
     /// The token was right.
     Authorized,
-    /// There was nothing to tell for a while, but the monitor is there.
-    Heartbeat,
 }
 
 /// The arm, the box, and who shows them.

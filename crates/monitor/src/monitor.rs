@@ -1,15 +1,17 @@
-use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpListener};
+use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
+
+use soilctl_web::{Counts, Port, Serving, random_hex};
 
 use crate::BagSettings;
 use crate::MonitorError;
 use crate::feed::Feed;
 use crate::film::Film;
 use crate::live::{Hub, Operator, Upstream};
-use crate::web::{Guard, Server, Shared, random_hex};
+use crate::site::Shown;
 
 /// What is shown.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,21 +41,11 @@ pub struct Settings {
     pub note: Box<dyn Fn(&str) + Send + Sync>,
 }
 
-/// What a monitor has counted.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counts {
-    /// Pages that connected.
-    pub pages: u64,
-    /// Requests and messages that were refused.
-    pub refused: u64,
-    /// Messages that pages did not take in time.
-    pub dropped: u64,
-}
-
 /// A monitor that serves.
 pub struct Monitor {
-    address: SocketAddr,
-    shared: Arc<Shared>,
+    serving: Serving,
+    stop: Arc<AtomicBool>,
+    token: Option<Arc<str>>,
     hub: Option<Arc<Hub>>,
     damage: Vec<String>,
     notes: Vec<String>,
@@ -64,15 +56,11 @@ impl Monitor {
     /// Connects to the session or reads the log, and serves the page.
     ///
     /// # Errors
-    /// [`MonitorError::Listen`], [`MonitorError::Live`] if the session is not there, [`MonitorError::Session`] or
-    /// [`MonitorError::Bag`] for the log, [`MonitorError::Scene`], [`MonitorError::Random`],
-    /// [`MonitorError::Thread`].
+    /// [`MonitorError::Web`], [`MonitorError::Live`] if the session is not there, [`MonitorError::Session`] or
+    /// [`MonitorError::Bag`] for the log, [`MonitorError::Scene`], [`MonitorError::Thread`].
     pub fn start(source: Source, settings: Settings) -> Result<Self, MonitorError> {
         let Settings { listen, hosts, commands, note } = settings;
-        let failed = |reason| MonitorError::Listen { address: listen, reason };
-        let listener = TcpListener::bind(listen).map_err(failed)?;
-        listener.set_nonblocking(true).map_err(failed)?;
-        let address = listener.local_addr().map_err(failed)?;
+        let port = Port::listen(listen)?;
         let stop = Arc::new(AtomicBool::new(false));
         let mut threads = Vec::new();
         let (mut hub, mut damage, mut notes, mut meshes) = (None, Vec::new(), Vec::new(), Vec::new());
@@ -92,52 +80,29 @@ impl Monitor {
                 (Box::new(move || Ok(Feed::Log(Box::new(film.player(from_s)?)))), greeting)
             }
         };
-        let token = if commands { Some(random_hex::<16>()?.into()) } else { None };
-        let shared = Arc::new(Shared {
-            guard: Guard::new(address, hosts),
-            token,
-            feed,
-            greeting,
-            meshes,
-            note,
-            stop,
-            open: AtomicUsize::new(0),
-            pages: AtomicU64::new(0),
-            refused: AtomicU64::new(0),
-            dropped: AtomicU64::new(0),
-        });
-        let server = Server { listener, shared: Arc::clone(&shared) };
-        let thread = std::thread::Builder::new().name("server".to_owned()).spawn(move || server.run());
-        threads.push(thread.map_err(|reason| {
-            shared.stop.store(true, Ordering::Relaxed);
-            MonitorError::Thread { thread: "server", reason }
-        })?);
-        Ok(Self { address, shared, hub, damage, notes, threads })
+        let token: Option<Arc<str>> = if commands { Some(random_hex::<16>()?.into()) } else { None };
+        let shown = Shown { token: token.clone(), feed, greeting, meshes };
+        let served = port.serve(shown, soilctl_web::Settings { hosts, note, stop: Arc::clone(&stop) });
+        let serving = served.inspect_err(|_| stop.store(true, Ordering::Relaxed))?;
+        Ok(Self { serving, stop, token, hub, damage, notes, threads })
     }
 
     /// Where it listens.
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
-        self.address
+        self.serving.address()
     }
 
     /// The token that allows commands, if they are on.
     #[must_use]
     pub fn token(&self) -> Option<&str> {
-        self.shared.token.as_deref()
+        self.token.as_deref()
     }
 
     /// The address for a browser on this machine, with the token in the part that browsers keep to themselves.
     #[must_use]
     pub fn url(&self) -> String {
-        let mut address = self.address;
-        match address.ip() {
-            IpAddr::V4(ip) if ip.is_unspecified() => address.set_ip(Ipv4Addr::LOCALHOST.into()),
-            IpAddr::V6(ip) if ip.is_unspecified() => address.set_ip(Ipv6Addr::LOCALHOST.into()),
-            _ => {}
-        }
-        let token = self.token().map(|token| format!("#token={token}")).unwrap_or_default();
-        format!("http://{address}/{token}")
+        self.serving.url(self.token())
     }
 
     /// What is wrong with the log that is played; it is left out.
@@ -156,11 +121,8 @@ impl Monitor {
     #[must_use]
     pub fn counts(&self) -> Counts {
         let waiting = self.hub.as_ref().map_or(0, |hub| hub.lock().dropped());
-        Counts {
-            pages: self.shared.pages.load(Ordering::Relaxed),
-            refused: self.shared.refused.load(Ordering::Relaxed),
-            dropped: self.shared.dropped.load(Ordering::Relaxed) + waiting,
-        }
+        let counts = self.serving.counts();
+        Counts { dropped: counts.dropped + waiting, ..counts }
     }
 
     /// Says good-bye to all pages and ends.
@@ -171,7 +133,8 @@ impl Monitor {
     }
 
     fn end(&mut self) {
-        self.shared.stop.store(true, Ordering::Relaxed);
+        self.stop.store(true, Ordering::Relaxed);
+        self.serving.end();
         for thread in self.threads.drain(..) {
             let _ = thread.join();
         }

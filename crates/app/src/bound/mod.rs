@@ -59,7 +59,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     };
     let options = request.budget.options(watch)?;
     let mechanisms = width_ratio.map(|ratio| Mechanisms::new(&scaled, &problem, ratio, watch)).transpose()?;
-    let bounds = limits::bounds(&problem, &options, watch)?;
+    let bounds = limits::bounds(&problem, &options, 1.0, watch)?;
     let start = Instant::now();
     let end = width_ratio.map(|ratio| {
         watch.begin(0, "stresses about the ends in space");

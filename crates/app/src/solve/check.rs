@@ -36,7 +36,14 @@ pub struct Checked {
 /// # Errors
 /// [`AppError`] if it cannot be read or makes no sense.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Checked, AppError> {
-    let description = Description::read(&request.file).map_err(LimitError::from)?;
+    of(Description::read(&request.file).map_err(LimitError::from)?, watch)
+}
+
+/// What a description was understood to mean.
+///
+/// # Errors
+/// [`AppError`] if it makes no sense.
+pub fn of(description: Description, watch: &dyn Watch) -> Result<Checked, AppError> {
     let described = description.described()?;
     let cases = description.cases().map_err(LimitError::from)?;
     for case in &cases {

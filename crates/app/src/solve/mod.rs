@@ -17,7 +17,7 @@ pub use boundary::BoundaryKind;
 pub use cases::CaseAnswer;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_limit_analysis::describe::Aim;
+use soilctl_limit_analysis::describe::{Aim, Quantity};
 use soilctl_limit_analysis::results::problem_units;
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
@@ -73,8 +73,16 @@ impl Solved {
 /// [`AppError`] if the file makes no sense, there is no folder for the solution, or there are no bounds.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Solved, AppError> {
     crate::request::check(request)?;
+    of(Description::read(&request.file).map_err(LimitError::from)?, request, watch)
+}
+
+/// Bounds what a description asks for; the file of the request is not read.
+///
+/// # Errors
+/// As those of [`run`].
+pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Result<Solved, AppError> {
+    crate::request::check(request)?;
     request.save.as_deref().map_or(Ok(()), can_be_written)?;
-    let description = Description::read(&request.file).map_err(LimitError::from)?;
     let cases = description.cases().map_err(LimitError::from)?;
     let notes = plausible::of_file(&description, &cases);
     notes.iter().for_each(|note| watch.note(note));
@@ -98,7 +106,11 @@ fn solve_one(
     if description.objective == (Aim::StrengthReduction {}) {
         return safety::run(budget, save, description, described, watch);
     }
-    let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, watch)
+    let unit = match described.quantity {
+        Quantity::ForceKnPerM => described.length_m * described.stress_kpa,
+        Quantity::LoadFactor | Quantity::WeightFactor | Quantity::Acceleration => 1.0,
+    };
+    let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, unit, watch)
         .map_err(|problem| one_side::of_problem(problem, &described))?;
     let unsaved = save.and_then(|path| save::both(path, &described, &bounds).err());
     let statement = &described.statement;

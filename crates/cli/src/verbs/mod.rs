@@ -21,12 +21,14 @@ mod replay;
 mod report;
 mod run;
 mod schemas;
+mod serve;
 mod shear;
 mod simulate;
 mod solve;
 mod stability;
 mod table;
 mod view;
+mod workbench;
 
 use clap::Subcommand;
 use soilctl_app::Outcome;
@@ -45,6 +47,8 @@ pub(crate) enum Verb {
     Solve(solve::Args),
     /// Tells whether a slope, footing or wall stands for every soil that explains the strokes
     Stability(stability::Args),
+    /// Draws, checks, solves and saves problem files on a page in the browser
+    Workbench(workbench::Args),
     /// Proves the bounds of a saved solution anew
     Certify(certify::Args),
     /// Every soil that could have produced the measured forces
@@ -90,7 +94,7 @@ pub(crate) enum Verb {
 impl Verb {
     /// Whether it answers once, in JSON, and ends by itself, so that another program may wait for it.
     pub(crate) const fn is_one_answer(&self) -> bool {
-        !matches!(self, Self::Run(_) | Self::Console(_) | Self::Completions(_))
+        !matches!(self, Self::Run(_) | Self::Console(_) | Self::Workbench(_) | Self::Completions(_))
     }
 
     /// Carries it out. `whole` is the command line that it is a verb of.
@@ -100,6 +104,7 @@ impl Verb {
             Self::Bound(args) => bound::run(&args, output),
             Self::Solve(args) => solve::run(&args, output),
             Self::Stability(args) => stability::run(&args, output),
+            Self::Workbench(args) => workbench::run(&args, output),
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
             Self::Diagnose(args) => diagnose::run(&args, output),

@@ -1,20 +1,17 @@
 //! `soilctl monitor`: a page that shows a live session or a log in 3-D.
 
-use std::io::Write;
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use signal_hook::consts::{SIGINT, SIGTERM};
 use soilctl_app::Outcome;
 use soilctl_app::request::finite;
 use soilctl_monitor::{Monitor, Settings, Source};
-use tempfile::NamedTempFile;
 
+use super::serve;
 use crate::bag_args::BagArgs;
 use crate::error::CliError;
 use crate::output::{Output, Words};
@@ -91,12 +88,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         (None, Some(log)) => Source::Log { path: log.clone(), from_s: args.from, bag: args.bag.settings()? },
         (None, None) => return Err(CliError::Usage("give --connect or --play".to_owned())),
     };
-    let signalled = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
-        // The second one is for whoever cannot wait.
-        signal_hook::flag::register_conditional_shutdown(signal, 130, Arc::clone(&signalled))?;
-        signal_hook::flag::register(signal, Arc::clone(&signalled))?;
-    }
+    let signalled = serve::signalled()?;
     let notes = output.notes();
     let settings = Settings {
         listen: args.listen,
@@ -134,7 +126,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     output.answer(&answer)?;
     output.note("Ctrl-C ends");
     // Kept as long as the monitor.
-    let opened = args.open.then(|| open_page(&answer.url, args.commands));
+    let opened = args.open.then(|| serve::open_page(&answer.url, args.commands));
     if matches!(opened, Some(Err(_))) {
         output.note("no browser could be started; open the address by hand");
     }
@@ -147,21 +139,4 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
         counts.pages, counts.refused, counts.dropped
     ));
     Ok(outcome)
-}
-
-/// Opens the page. All users of a machine see with which arguments programs run: an address with a token goes through a file that
-/// is its owner's, and the browser from there to the page.
-fn open_page(url: &str, secret: bool) -> std::io::Result<Option<NamedTempFile>> {
-    if !secret {
-        open::that_detached(url)?;
-        return Ok(None);
-    }
-    let mut file = tempfile::Builder::new().prefix("soilctl-monitor-").suffix(".html").tempfile()?;
-    write!(
-        file,
-        "<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={url}\"><title>soilctl monitor</title>"
-    )?;
-    file.flush()?;
-    open::that_detached(file.path())?;
-    Ok(Some(file))
 }

@@ -10,7 +10,7 @@ use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{monitor, run as run_verb, view};
+use super::{monitor, run as run_verb, view, workbench};
 use crate::error::CliError;
 
 #[derive(Debug, clap::Args)]
@@ -33,6 +33,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
     write::<run_verb::RunAnswer>(&args.dir)?;
     write::<monitor::MonitorAnswer>(&args.dir)?;
+    write::<workbench::WorkbenchAnswer>(&args.dir)?;
     write::<view::ViewAnswer>(&args.dir)?;
     Ok(Outcome::Done)
 }

@@ -18,6 +18,7 @@ mod check;
 mod columns;
 mod convert;
 mod described;
+mod entry_place;
 mod error;
 mod faces;
 mod file;
@@ -34,6 +35,7 @@ mod size;
 
 pub use cases::{Approach, Case, CaseEntry, Effect, Factors, MOST_CASES, Setting, SweepEntry};
 pub use described::{Described, Quantity};
+pub use entry_place::{Entry, Place, Section};
 pub use error::DescriptionError;
 pub use file::PROBLEM_SCHEMA;
 pub use input::{Aim, Description, RegionEntry, Seismic, SoilEntry, Water};

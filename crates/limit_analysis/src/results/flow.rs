@@ -66,6 +66,17 @@ impl FlowResults {
         Some(value(&piece.control, of(piece)))
     }
 
+    /// Velocities at the corners of all triangles, in units of the structure's.
+    #[must_use]
+    pub fn corner_velocities(&self) -> Vec<[Point; 3]> {
+        let of = |pieces: &Vec<FlowPiece>| match &pieces[..] {
+            // Three parts: the first corner of each is the one after that which it lies opposite to.
+            [a, b, c] => [c.control[0], a.control[0], b.control[0]],
+            parts => parts.first().map_or([[0.0; 2]; 3], |whole| [0, 1, 2].map(|k| whole.control[k])),
+        };
+        self.pieces().iter().map(of).collect()
+    }
+
     pub(super) fn material(&self, triangle: usize) -> &Material {
         &self.statement.regions[self.saved.triangles[triangle].region].material
     }

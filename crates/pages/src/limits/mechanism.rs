@@ -1,9 +1,8 @@
 //! The failure mechanism in motion: the mesh moved by the flow of the upper bound.
 
 use soilctl_app::limits::Fields;
-use soilctl_certificate::FlowPiece;
 use soilctl_figure::{Motion, MovingPoint};
-use soilctl_limit_analysis::results::{FlowResults, Point};
+use soilctl_limit_analysis::results::Point;
 
 use super::frame::{INK, Window, face_lines};
 use super::trails::{bits, trails};
@@ -24,7 +23,7 @@ type Triangle = [MovingPoint; 3];
 pub(super) fn mechanism(fields: &Fields, window: &Window) -> Result<Option<Motion>, PageError> {
     let Some(flow) = &fields.flow else { return Ok(None) };
     let top =
-        corner_velocities(flow).into_iter().flatten().map(|[x, y]| x.hypot(y)).fold(flow.speed(), f64::max);
+        flow.corner_velocities().into_iter().flatten().map(|[x, y]| x.hypot(y)).fold(flow.speed(), f64::max);
     let [wide, high] = [0, 1].map(|i| window.high[i] - window.low[i]);
     let scale = if top > 0.0 { FARTHEST * wide.max(high) / top } else { 0.0 };
     let step = ROUNDED * top.max(f64::MIN_POSITIVE);
@@ -35,7 +34,7 @@ pub(super) fn mechanism(fields: &Fields, window: &Window) -> Result<Option<Motio
     };
     // Ground that heaves stays in view.
     let window = window.with_room_above(scale * top);
-    let all = || flow.triangles().iter().zip(corner_velocities(flow));
+    let all = || flow.triangles().iter().zip(flow.corner_velocities());
     let triangle = |(t, v): (&[Point; 3], [Point; 3])| [0, 1, 2].map(|k| moving(t[k], v[k]));
     let triangles: Vec<Triangle> = all().filter(|(t, _)| window.shows(t)).map(triangle).collect();
     // Also those out of view, so that no outline is where the view ends.
@@ -57,16 +56,6 @@ pub(super) fn mechanism(fields: &Fields, window: &Window) -> Result<Option<Motio
     let moved = |line: &[Point; 2]| line.map(|p| moving(p, velocity)).to_vec();
     motion.lines(faces.iter().map(moved).collect(), 3.5, Some(INK));
     Ok(Some(motion))
-}
-
-/// Velocities at the corners of all triangles, in units of the structure's.
-fn corner_velocities(flow: &FlowResults) -> Vec<[Point; 3]> {
-    let of = |pieces: &Vec<FlowPiece>| match &pieces[..] {
-        // Three parts: the first corner of each is the one after that which it lies opposite to.
-        [a, b, c] => [c.control[0], a.control[0], b.control[0]],
-        parts => parts.first().map_or([[0.0; 2]; 3], |whole| [0, 1, 2].map(|k| whole.control[k])),
-    };
-    flow.pieces().iter().map(of).collect()
 }
 
 /// What of the triangles lies in every other square of a grid with this corner and spacing.

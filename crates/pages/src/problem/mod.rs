@@ -9,6 +9,7 @@ mod of_statement;
 mod place;
 mod regions;
 mod supports;
+mod understood;
 mod water;
 
 use soilctl_app::solve::BoundaryKind;
@@ -17,6 +18,7 @@ use soilctl_limit_analysis::results::Point;
 
 use crate::PageError;
 use place::{Scale, data, middle, ring};
+pub use understood::{Understood, UnderstoodLoad, UnderstoodSide};
 
 /// Palette indices that mean the same in every drawing: water, what acts, ink.
 const WATER: usize = 0;
@@ -41,7 +43,7 @@ pub(crate) struct Scene {
     sides: Vec<([Point; 2], BoundaryKind)>,
     /// Pieces of the water table, and what stands above the ground.
     table: Vec<Vec<Point>>,
-    ponds: Vec<Polygon>,
+    ponds: Vec<Vec<Point>>,
     loads: Vec<Load>,
     /// Pressure on all free sides.
     surcharge: f64,
@@ -74,7 +76,8 @@ impl Scene {
             figure.push(Polygons::new(name, parts.clone()).color(SOILS[i % SOILS.len()]))?;
         }
         if !self.ponds.is_empty() {
-            figure.push(Polygons::new("open water", self.ponds.clone()).color(WATER))?;
+            let ponds: Vec<Polygon> = self.ponds.iter().map(|corners| Polygon::new(ring(corners))).collect();
+            figure.push(Polygons::new("open water", ponds).color(WATER))?;
         }
         if !self.interfaces.is_empty() {
             let lines: Vec<_> = self.interfaces.iter().map(|line| ring(line)).collect();

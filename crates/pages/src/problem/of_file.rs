@@ -2,13 +2,12 @@
 
 use soilctl_app::solve::BoundaryKind;
 use soilctl_app::text::number;
-use soilctl_figure::Polygon;
 use soilctl_limit_analysis::describe::{Aim, Hold, SoilEntry, Water};
 use soilctl_limit_analysis::results::{Point, problem_units};
 use soilctl_limit_analysis::{Described, Description};
 
 use super::of_statement::soils;
-use super::place::{add, along, between, middle, ring};
+use super::place::{add, along, between, middle};
 use super::regions::is_inside;
 use super::{Load, Scene};
 
@@ -93,7 +92,7 @@ impl Scene {
             let (first, last) = (bottom[0][0], bottom[bottom.len() - 1][1]);
             let mut corners = stretch(first[0], last[0]);
             corners.extend(bottom.iter().rev().flat_map(|[left, right]| [*right, *left]));
-            Polygon::new(ring(&corners))
+            corners
         };
         self.ponds = wet.chunk_by(|a, b| a[1] == b[0]).map(pond).collect();
     }

@@ -10,6 +10,7 @@ use soilctl_figure::{Align, Figure, HtmlReport, Size, Table};
 use crate::PageError;
 use crate::limits::{self, PageContent, bounds_table, level_table, proven};
 use crate::problem::Scene;
+pub use crate::problem::{Understood, UnderstoodLoad, UnderstoodSide};
 
 /// A problem file as it was understood: soils, water, supports, structures, and what acts; and the size at which it is legible.
 ///
@@ -17,6 +18,12 @@ use crate::problem::Scene;
 /// [`PageError`] if it cannot be drawn.
 pub fn drawing(Checked { description, described, .. }: &Checked) -> Result<(Figure, Size), PageError> {
     Scene::of_file(description, described).figure()
+}
+
+/// The facts of that drawing as data, for a page that draws them itself.
+#[must_use]
+pub fn understood(Checked { description, described, .. }: &Checked) -> Understood {
+    Scene::of_file(description, described).understood()
 }
 
 /// The page of bounds on what a problem file asks for.

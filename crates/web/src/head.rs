@@ -10,18 +10,18 @@ const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The head of a request.
 #[derive(Debug, Default, PartialEq, Eq)]
-pub(super) struct Head {
-    pub(super) method: String,
-    pub(super) path: String,
+pub(crate) struct Head {
+    pub(crate) method: String,
+    pub(crate) path: String,
     /// Names in small letters.
     fields: Vec<(String, String)>,
     /// Bytes that came after it.
-    pub(super) rest: Vec<u8>,
+    pub(crate) rest: Vec<u8>,
 }
 
 /// Why there is no head: the status to answer with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Bad {
+pub(crate) enum Bad {
     /// The other side went away.
     Gone,
     /// 408
@@ -34,7 +34,7 @@ pub(super) enum Bad {
 
 impl Head {
     /// Reads until the head is complete. The stream's own time-out decides how often the clock is looked at.
-    pub(super) fn read(stream: &mut dyn Read) -> Result<Self, Bad> {
+    pub(crate) fn read(stream: &mut dyn Read) -> Result<Self, Bad> {
         let (mut bytes, begin) = (Vec::new(), Instant::now());
         loop {
             if let Some(head) = Self::parse(&bytes)? {
@@ -83,7 +83,7 @@ impl Head {
     }
 
     /// The value of a field, if it is there once; a field that is there twice counts as malformed.
-    pub(super) fn field(&self, name: &str) -> Result<Option<&str>, Bad> {
+    pub(crate) fn field(&self, name: &str) -> Result<Option<&str>, Bad> {
         let mut values =
             self.fields.iter().filter(|(field, _)| field == name).map(|(_, value)| value.as_str());
         match (values.next(), values.next()) {
@@ -93,7 +93,7 @@ impl Head {
     }
 
     /// Whether a field's list holds a word, in any letters.
-    pub(super) fn has(&self, name: &str, word: &str) -> bool {
+    pub(crate) fn has(&self, name: &str, word: &str) -> bool {
         self.fields
             .iter()
             .filter(|(field, _)| field == name)

@@ -10,26 +10,26 @@ const NONCE_MARK: &str = "NONCE";
 /// Where the scales of arrows go, which are those of all programs.
 const SCALE_MARKS: [(&str, f64); 2] = [("/*FORCE_M_PER_N*/", FORCE_M_PER_N), ("/*LEAD_SCALE*/", LEAD_SCALE)];
 
-const DOCUMENT: &str = include_str!("../../page/page.html");
-const STYLE: &str = include_str!("../../page/style.css");
+const DOCUMENT: &str = include_str!("../page/page.html");
+const STYLE: &str = include_str!("../page/style.css");
 /// In the order in which they build on each other.
 const SCRIPTS: [&str; 12] = [
-    include_str!("../../page/matrix.js"),
-    include_str!("../../page/fit.js"),
-    include_str!("../../page/shapes.js"),
-    include_str!("../../page/arm.js"),
-    include_str!("../../page/soil.js"),
-    include_str!("../../page/pace.js"),
-    include_str!("../../page/shaders.js"),
-    include_str!("../../page/scene.js"),
-    include_str!("../../page/charts.js"),
-    include_str!("../../page/player.js"),
-    include_str!("../../page/panel.js"),
-    include_str!("../../page/main.js"),
+    include_str!("../page/matrix.js"),
+    include_str!("../page/fit.js"),
+    include_str!("../page/shapes.js"),
+    include_str!("../page/arm.js"),
+    include_str!("../page/soil.js"),
+    include_str!("../page/pace.js"),
+    include_str!("../page/shaders.js"),
+    include_str!("../page/scene.js"),
+    include_str!("../page/charts.js"),
+    include_str!("../page/player.js"),
+    include_str!("../page/panel.js"),
+    include_str!("../page/main.js"),
 ];
 
 /// The page with a number used once.
-pub(super) fn page(nonce: &str) -> String {
+pub(crate) fn page(nonce: &str) -> String {
     // First the number, which must not get into what stands in scripts.
     let script = SCALE_MARKS
         .iter()
@@ -38,7 +38,7 @@ pub(super) fn page(nonce: &str) -> String {
 }
 
 /// The policy that allows the page its own style and script, its own server, and nothing else.
-pub(super) fn policy(nonce: &str) -> String {
+pub(crate) fn policy(nonce: &str) -> String {
     format!(
         "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; connect-src 'self'; img-src data:; \
          base-uri 'none'; form-action 'none'; frame-ancestors 'none'"

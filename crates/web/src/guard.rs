@@ -4,19 +4,22 @@ use std::net::{IpAddr, SocketAddr};
 /// point there (then `Host` tells), or from its own page (then `Origin` differs from `Host`). Ports are not asked for: a
 /// tunnel's end has one of its own.
 #[derive(Debug, Clone)]
-pub(crate) struct Guard {
+pub struct Guard {
     address: SocketAddr,
     /// Further names by which this machine is known.
     names: Vec<String>,
 }
 
 impl Guard {
-    pub(crate) fn new(address: SocketAddr, names: Vec<String>) -> Self {
+    /// Of a server at this address, with further names by which this machine is known.
+    #[must_use]
+    pub fn new(address: SocketAddr, names: Vec<String>) -> Self {
         Self { address, names }
     }
 
     /// Whether a `Host` field is ours.
-    pub(super) fn allows_host(&self, host: &str) -> bool {
+    #[must_use]
+    pub fn allows_host(&self, host: &str) -> bool {
         let name = name_of(host);
         let address = self.address.ip();
         match name.trim_matches(['[', ']']).parse::<IpAddr>() {
@@ -34,7 +37,7 @@ impl Guard {
 
 /// Whether an `Origin` field is that of the page at `host`; `https` at the front of a proxy. Programs that are no browsers
 /// send none, and are no danger: nobody lures them.
-pub(super) fn is_own_origin(origin: Option<&str>, host: &str) -> bool {
+pub(crate) fn is_own_origin(origin: Option<&str>, host: &str) -> bool {
     let Some(origin) = origin else { return true };
     let own = |scheme: &str, port: &str| {
         let bare = |authority: &str| authority.strip_suffix(port).unwrap_or(authority).to_ascii_lowercase();

@@ -1,7 +1,7 @@
 use std::io::Write;
 
 /// A complete answer, after which the connection is closed. Nothing of it may be kept, framed or guessed at.
-pub(super) fn answer(
+pub(crate) fn answer(
     stream: &mut dyn Write,
     status: &str,
     fields: &[(&str, &str)],
@@ -26,7 +26,7 @@ pub(super) fn answer(
 }
 
 /// An answer in one line of words.
-pub(super) fn words(stream: &mut dyn Write, status: &str, text: &str) -> std::io::Result<()> {
+pub(crate) fn words(stream: &mut dyn Write, status: &str, text: &str) -> std::io::Result<()> {
     let content = format!("{text}\n");
     answer(stream, status, &[("Content-Type", "text/plain; charset=utf-8")], content.as_bytes(), true)
 }

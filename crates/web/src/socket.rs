@@ -3,16 +3,15 @@ use std::net::{SocketAddr, TcpStream};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use soilctl_live::protocol::{LINES_PER_SECOND, MOST_LINE_BYTES, Problem, Rate};
+use soilctl_live::protocol::{LINES_PER_SECOND, Rate};
 use tungstenite::error::ProtocolError;
 use tungstenite::protocol::frame::CloseFrame;
 use tungstenite::protocol::frame::coding::CloseCode;
 use tungstenite::protocol::{WebSocket, WebSocketConfig};
 use tungstenite::{Error, Message};
 
-use super::shared::Shared;
-use crate::feed::{Feed, Rights, refuse};
-use crate::messages::{PageMessage, text};
+use crate::serving::Shared;
+use crate::{Feed, Heard};
 
 /// Messages that are read before the page is told anything again.
 const ROUND: usize = 32;
@@ -24,24 +23,23 @@ const PATIENCE: Duration = Duration::from_secs(20);
 const HEARTBEAT: Duration = Duration::from_secs(5);
 /// Messages beyond the rate after which a page is sent away.
 const MOST_TOO_FAST: u32 = 5000;
-/// Tokens that a page may try.
-const MOST_WRONG_TOKENS: u32 = 5;
+/// What a page is told then.
+const ALL_IS_WELL: &str = "{\"type\":\"heartbeat\"}";
 
 /// Limits of a connection.
-pub(super) fn config() -> WebSocketConfig {
+pub(crate) fn config(most_message_bytes: usize) -> WebSocketConfig {
     WebSocketConfig::default()
         .read_buffer_size(8 << 10)
         .write_buffer_size(0)
         .max_write_buffer_size(MOST_BUFFERED)
-        .max_message_size(Some(MOST_LINE_BYTES))
-        .max_frame_size(Some(MOST_LINE_BYTES))
+        .max_message_size(Some(most_message_bytes))
+        .max_frame_size(Some(most_message_bytes))
 }
 
 /// A page's connection.
-pub(super) struct Page<'a> {
+pub(crate) struct Page<'a> {
     socket: WebSocket<TcpStream>,
-    feed: Feed,
-    rights: Rights,
+    feed: Box<dyn Feed>,
     peer: SocketAddr,
     shared: &'a Shared,
     rate: Rate,
@@ -62,19 +60,18 @@ enum End {
 }
 
 impl<'a> Page<'a> {
-    pub(super) fn new(
+    pub(crate) fn new(
         socket: WebSocket<TcpStream>,
-        feed: Feed,
+        feed: Box<dyn Feed>,
         peer: SocketAddr,
         shared: &'a Shared,
     ) -> Self {
-        let rights = Rights { token: shared.token.clone(), ..Rights::default() };
         let told = Instant::now();
         let rate = Rate::new(told);
-        Self { socket, feed, rights, peer, shared, rate, too_fast: 0, warned: false, stuck: None, told }
+        Self { socket, feed, peer, shared, rate, too_fast: 0, warned: false, stuck: None, told }
     }
 
-    pub(super) fn run(mut self) {
+    pub(crate) fn run(mut self) {
         let end = self.serve();
         if let End::Close(code, reason) = end {
             if code != CloseCode::Away {
@@ -93,14 +90,9 @@ impl<'a> Page<'a> {
     }
 
     fn serve(&mut self) -> End {
-        for message in self.shared.greeting.clone() {
-            if let Err(end) = self.send(message) {
-                return end;
-            }
-        }
         loop {
             if self.shared.stop.load(Ordering::Relaxed) {
-                return End::Close(CloseCode::Away, "the monitor ends");
+                return End::Close(CloseCode::Away, "the program ends");
             }
             let turn = self.tell().and_then(|()| self.listen());
             if let Err(end) = turn {
@@ -117,7 +109,7 @@ impl<'a> Page<'a> {
         let mut messages = Vec::new();
         self.feed.poll(Instant::now(), &mut |message| messages.push(message));
         if messages.is_empty() && self.told.elapsed() > HEARTBEAT {
-            messages.push(text(&PageMessage::Heartbeat));
+            messages.push(ALL_IS_WELL.to_owned());
         }
         messages.into_iter().try_for_each(|message| self.send(message))
     }
@@ -166,7 +158,9 @@ impl<'a> Page<'a> {
                 Ok(message) => self.hear(message)?,
                 Err(Error::Io(error)) if is_wait(error.kind()) => return Ok(()),
                 Err(Error::Capacity(_)) => {
-                    return Err(End::Close(CloseCode::Size, "a message has at most 4096 bytes"));
+                    let most = self.shared.site.most_message_bytes();
+                    self.shared.refuse(self.peer, &format!("a message has at most {most} bytes"));
+                    return Err(End::Close(CloseCode::Size, "a message is too large"));
                 }
                 Err(Error::Utf8(_)) => return Err(End::Close(CloseCode::Invalid, "a message is not UTF-8")),
                 // A page that is closed need not take its leave; that is nothing to refuse.
@@ -191,28 +185,23 @@ impl<'a> Page<'a> {
                 return Ok(());
             }
             let words = format!("more than {LINES_PER_SECOND} messages a second; the rest is left out");
-            return self.answer(refuse(None, Problem::TooFast, &words));
+            return self.answer(self.feed.refuse(&words, true));
         }
         self.warned = false;
-        let answer = match message {
-            Message::Text(line) => self.feed.obey(&line, &mut self.rights),
-            Message::Binary(_) => {
-                refuse(None, Problem::Malformed, "the message is binary; messages are text")
-            }
+        let heard = match message {
+            Message::Text(line) => self.feed.obey(&line),
+            Message::Binary(_) => self.feed.refuse("the message is binary; messages are text", false),
             _ => return Ok(()),
         };
-        self.answer(answer)?;
-        if self.rights.wrong_tokens > MOST_WRONG_TOKENS {
-            return Err(End::Close(CloseCode::Policy, "too many wrong tokens"));
-        }
-        Ok(())
+        self.answer(heard)
     }
 
-    fn answer(&mut self, (answer, note): (Option<String>, Option<String>)) -> Result<(), End> {
-        if let Some(note) = note {
-            self.shared.refuse(self.peer, &note);
+    fn answer(&mut self, heard: Heard) -> Result<(), End> {
+        if let Some(what) = heard.refused {
+            self.shared.refuse(self.peer, &what);
         }
-        answer.map_or(Ok(()), |answer| self.send(answer))
+        heard.answer.map_or(Ok(()), |answer| self.send(answer))?;
+        heard.send_away.map_or(Ok(()), |reason| Err(End::Close(CloseCode::Policy, reason)))
     }
 }
 

@@ -7,13 +7,11 @@ use std::time::Duration;
 use tungstenite::handshake::derive_accept_key;
 use tungstenite::protocol::{Role, WebSocket};
 
-use super::guard::is_own_origin;
-use super::head::{Bad, Head};
-use super::page::{page, policy};
-use super::response::{answer, words};
-use super::shared::Shared;
-use super::socket;
-use crate::MonitorError;
+use crate::guard::is_own_origin;
+use crate::head::{Bad, Head};
+use crate::response::{answer, words};
+use crate::serving::Shared;
+use crate::socket;
 
 /// Most connections at a time.
 const MOST_CONNECTIONS: usize = 64;
@@ -23,9 +21,6 @@ const TURN: Duration = Duration::from_millis(8);
 const NAP: Duration = Duration::from_millis(5);
 /// Where the WebSocket is.
 const SOCKET_PATH: &str = "/socket";
-
-/// Where meshes are, by their numbers.
-const MESH_PATH: &str = "/mesh/";
 
 /// Accepts connections.
 pub(crate) struct Server {
@@ -73,7 +68,7 @@ impl Server {
             connection(stream, peer, &open.0);
         };
         if std::thread::Builder::new().name("page".to_owned()).spawn(serve).is_err() {
-            (self.shared.note)("there is no thread left for a page");
+            self.shared.note("there is no thread left for a page");
         }
     }
 }
@@ -111,21 +106,13 @@ fn connection(mut stream: TcpStream, peer: SocketAddr, shared: &Shared) {
         return refuse(&mut stream, "421 Misdirected Request", &what);
     }
     if !is_own_origin(origin, host) {
-        let what = format!("pages from `{}` may not use this monitor", origin.unwrap_or_default());
+        let what =
+            format!("pages from `{}` may not use this {}", origin.unwrap_or_default(), shared.site.name());
         return refuse(&mut stream, "403 Forbidden", &what);
     }
     let served = match (head.method.as_str(), head.path.as_str()) {
         ("GET", SOCKET_PATH) => return upgrade(stream, peer, &head, shared),
-        ("GET" | "HEAD", "/") => send_page(&mut stream, head.method == "GET"),
-        ("GET" | "HEAD", path) => match mesh(path, shared) {
-            Some(mesh) => {
-                let fields = [("Content-Type", "application/octet-stream")];
-                answer(&mut stream, "200 OK", &fields, mesh, head.method == "GET")
-            }
-            None => {
-                words(&mut stream, "404 Not Found", &format!("there is nothing at {path}; the page is at /"))
-            }
-        },
+        ("GET" | "HEAD", path) => send(&mut stream, path, head.method == "GET", shared),
         (method, _) => {
             let what = format!("the method {method} is not served here");
             return refuse(&mut stream, "405 Method Not Allowed", &what);
@@ -138,19 +125,16 @@ fn connection(mut stream: TcpStream, peer: SocketAddr, shared: &Shared) {
     }
 }
 
-/// A mesh by its number; a page never says the name of a file.
-fn mesh<'a>(path: &str, shared: &'a Shared) -> Option<&'a [u8]> {
-    let number: usize = path.strip_prefix(MESH_PATH)?.parse().ok()?;
-    shared.meshes.get(number).map(AsRef::as_ref)
-}
-
-fn send_page(stream: &mut TcpStream, with_content: bool) -> std::io::Result<()> {
-    let Ok(nonce) = random_hex::<16>() else {
-        return words(stream, "500 Internal Server Error", "the system gives no random numbers");
-    };
-    let policy = policy(&nonce);
-    let fields = [("Content-Type", "text/html; charset=utf-8"), ("Content-Security-Policy", policy.as_str())];
-    answer(stream, "200 OK", &fields, page(&nonce).as_bytes(), with_content)
+fn send(stream: &mut TcpStream, path: &str, with_content: bool, shared: &Shared) -> std::io::Result<()> {
+    match shared.site.at(path) {
+        Ok(Some(found)) => {
+            let mut fields = vec![("Content-Type", found.kind)];
+            fields.extend(found.policy.as_deref().map(|policy| ("Content-Security-Policy", policy)));
+            answer(stream, "200 OK", &fields, &found.bytes, with_content)
+        }
+        Ok(None) => words(stream, "404 Not Found", &format!("there is nothing at {path}; the page is at /")),
+        Err(problem) => words(stream, "500 Internal Server Error", &problem.to_string()),
+    }
 }
 
 fn upgrade(mut stream: TcpStream, peer: SocketAddr, head: &Head, shared: &Shared) {
@@ -173,20 +157,13 @@ fn upgrade(mut stream: TcpStream, peer: SocketAddr, head: &Head, shared: &Shared
     {
         return;
     }
-    match (shared.feed)() {
+    match shared.site.feed() {
         Ok(feed) => {
             shared.pages.fetch_add(1, Ordering::Relaxed);
-            let config = Some(socket::config());
+            let config = Some(socket::config(shared.site.most_message_bytes()));
             let socket = WebSocket::from_partially_read(stream, head.rest.clone(), Role::Server, config);
             socket::Page::new(socket, feed, peer, shared).run();
         }
-        Err(error) => shared.refuse(peer, &error.to_string()),
+        Err(problem) => shared.refuse(peer, &problem),
     }
-}
-
-/// Random bytes as hexadecimal digits.
-pub(crate) fn random_hex<const N: usize>() -> Result<String, MonitorError> {
-    let mut bytes = [0; N];
-    getrandom::fill(&mut bytes).map_err(|error| MonitorError::Random(error.to_string()))?;
-    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
 }

@@ -1,0 +1,60 @@
+// What the page has fields for, by section of the problem file. Keys that are not here stay in the document as they are.
+
+const optional = true;
+const number = (key, label, unit, more = {}) => ({key, label, unit, kind: 'number', ...more});
+const choice = (key, label, options, more = {}) => ({key, label, kind: 'choice', options, ...more});
+const text = (key, label, more = {}) => ({key, label, kind: 'text', ...more});
+
+const HELD = choice('held', 'Held', [['', 'moves'], ['fixed', 'fixed'], ['smooth', 'smooth']], {optional, help: 'every structure but the one whose force is bounded'});
+const FACES = [number('delta_deg', 'Friction δ of faces', '°', {zero: true}), number('adhesion_kpa', 'Adhesion of faces', 'kPa', {zero: true})];
+const ACTION = choice('action', 'Action', [['', 'not said'], ['permanent', 'permanent'], ['variable', 'variable'], ['favourable', 'favourable']], {optional, help: 'for the partial factors of cases'});
+
+export const KINDS = [['fixed', 'fixed: no motion'], ['smooth', 'smooth: slides along'], ['symmetric', 'symmetric'], ['free', 'free'], ['far', 'far: goes on'], ['load', 'load']];
+export const SIDES = ['left', 'right', 'bottom', 'top'];
+
+export const SOIL = [
+  text('name', 'Name'),
+  number('phi_deg', 'φ', '°', {title: 'friction angle'}),
+  number('cohesion_kpa', 'c', 'kPa', {zero: true, title: 'cohesion'}),
+  number('unit_weight_kn_m3', 'γ', 'kN/m³', {title: 'unit weight, with the water in the pores'}),
+];
+export const SOIL_MORE = [
+  number('cohesion_gradient_kpa_per_m', 'c grows by', 'kPa/m', {zero: true}),
+  number('cohesion_level_m', 'below y', 'm', {optional}),
+  number('tension_kpa', 'Tension at most', 'kPa', {optional}),
+  number('pore_pressure_ratio', 'Pore pressure ratio', '', {zero: true}),
+];
+
+export const ENTRY = {
+  region: [text('name', 'Name', {optional}), {key: 'soil', label: 'Soil', kind: 'soil'}],
+  boundary: [
+    text('name', 'Name', {optional}),
+    choice('kind', 'What holds', KINDS),
+    {key: 'sides', label: 'On whole sides', kind: 'sides', only: of => !of.line?.length},
+    {key: 'pressure_kpa', label: 'Pressure', unit: 'kPa', kind: 'profile', only: of => of.kind === 'load'},
+    {key: 'shear_kpa', label: 'Shear stress along the line', unit: 'kPa', kind: 'profile', only: of => of.kind === 'load'},
+    {key: 'live', label: 'Live: its factor is bounded', kind: 'flag', only: of => of.kind === 'load'},
+    {...ACTION, only: of => of.kind === 'load'},
+  ],
+  structure: [text('name', 'Name'), ...FACES, HELD],
+  plate: [text('name', 'Name'), ...FACES, HELD],
+  water: [number('unit_weight_kn_m3', 'Unit weight of water', 'kN/m³'), number('rise_m', 'Higher than its points by', 'm', {zero: true})],
+};
+
+export const OBJECTIVES = [
+  ['structure', 'force of a structure'], ['load', 'factor on live loads'], ['strength-reduction', 'factor of safety'], ['unit-weight', 'factor on unit weights'], ['seismic', 'earthquake acceleration'],
+];
+export const PROBLEM = [
+  text('title', 'Title', {optional}),
+  number('surcharge_kpa', 'Surcharge on free ground', 'kPa', {zero: true}),
+  choice('default_boundary', 'Other outline is', [['', 'not said'], ...KINDS.filter(([kind]) => kind !== 'load')], {optional}),
+];
+export const SEISMIC = [number('kh', 'k_h towards the right', 'g', {zero: true}), number('kv', 'k_v upwards', 'g', {zero: true})];
+
+export const WORDS = {
+  force_kn_per_m: {name: 'force of the structure on the soil along its motion', unit: 'kN/m'},
+  load_factor: {name: 'factor on the live loads', unit: ''},
+  weight_factor: {name: 'factor on the unit weights', unit: ''},
+  acceleration_over_g: {name: 'horizontal acceleration over gravity', unit: 'g'},
+  factor_of_safety: {name: 'factor of safety', unit: ''},
+};

@@ -1,0 +1,75 @@
+// In and out: save, download, open from disk, a picture of the section.
+import {get, html, say, svg} from './dom.js';
+
+const PICTURE_STYLE = `text{font:12px system-ui,sans-serif;fill:#1f2328}.grid path{stroke:#000;stroke-opacity:.075;fill:none}.grid text{fill:#5a626b;font-size:10px}
+.region{stroke:#444;stroke-width:1.2}.region.unknown{stroke:#b3261e;stroke-dasharray:4 3}.hatch{stroke:#0006;stroke-width:1;fill:none}.dot{stroke-width:2;stroke-linecap:round}
+.side{fill:none;stroke:#1f2328;stroke-width:2}.side.far{stroke-dasharray:7 5;stroke-width:1.4}.side.smooth{stroke-width:1.2}.thin{stroke:#1f2328;stroke-width:.8;fill:none}.roller{fill:none;stroke:#1f2328;stroke-width:.8}
+.acting .shaft{stroke:#c25400;fill:none;stroke-width:1.3}.acting .head{fill:#c25400}.live .shaft{stroke-width:2.2}.motion .shaft{stroke:#1f2328;stroke-width:3;fill:none}.motion .head{fill:#1f2328}
+.pond{fill:#0072b233}.table{stroke:#0072b2;fill:none;stroke-width:1.5}.mark{fill:#0072b2}.body{fill:#8a8f96;stroke:#1f2328;stroke-width:1.5}.plate{fill:none;stroke:#1f2328;stroke-width:5}
+.entry{fill:none;stroke:none}.name text{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round;font-weight:600}.name .small{font-weight:400}.value{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round}
+${['#f3e2b3', '#d9e8d2', '#d6e4f2', '#eedbd3', '#e6dcef', '#dde3dd', '#f6e7ee', '#e3e0d2'].map((tint, k) => `.tint-${k}{fill:${tint}}`).join('')}`;
+
+export function download(name, kind, content) {
+  const url = URL.createObjectURL(new Blob([content], {type: kind}));
+  const link = html('a', {href: url, download: name});
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}
+
+// A name for a file from a title.
+export const fileName = (problem, ending) => `${(problem.title ?? '').toLowerCase().replace(/[^a-z0-9]+/g, '_').replace(/^_|_$/g, '') || 'problem'}.${ending}`;
+
+// The section as a picture of its own: in light colours, for paper, with the failure mechanism if it is shown.
+export function picture(section, view, flow) {
+  const copy = section.cloneNode(true);
+  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  for (const [name, value] of [['viewBox', `0 0 ${view.width} ${view.height}`], ['width', view.width], ['height', view.height]]) copy.setAttribute(name, value);
+  for (const name of ['tabindex', 'role', 'aria-roledescription', 'aria-describedby', 'class', 'id']) copy.removeAttribute(name);
+  for (const part of copy.querySelectorAll('.editing, .faults')) part.remove();
+  const first = [svg('style', null, PICTURE_STYLE), svg('rect', {width: view.width, height: view.height, fill: '#fff'})];
+  if (flow.field) first.push(svg('image', {href: flow.onPaper(), width: view.width, height: view.height}));
+  copy.prepend(...first);
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
+}
+
+export class Files {
+  // `settle` waits for the text of the document, or why there is none; `take` takes a document from elsewhere.
+  constructor(store, link, {settle, take, section, view, flow}) {
+    Object.assign(this, {store, link, settle, take, name: null});
+    get('save').addEventListener('click', () => this.save());
+    get('download').addEventListener('click', () => this.download());
+    get('picture').addEventListener('click', () => { download(fileName(store.problem, 'svg'), 'image/svg+xml', picture(section, view, flow)); });
+    get('open').addEventListener('click', () => get('file').click());
+    get('file').addEventListener('change', () => this.open(get('file').files[0]));
+  }
+
+  async download() {
+    const {words, why} = await this.settle();
+    if (words === null) { this.tell(why, 'bad'); return; }
+    download(this.name?.replace(/\.json$/, '.toml') ?? fileName(this.store.problem, 'toml'), 'application/toml', words);
+  }
+
+  async save(anyway = false) {
+    if (!this.name) return this.download();
+    const {words, why} = await this.settle(), {problem} = this.store;
+    if (words === null) { this.tell(why, 'bad'); return; }
+    const answer = await this.link.ask({type: 'save', text: words, anyway}, 'saved', 'not_saved');
+    if (answer?.type === 'saved') { this.store.markSaved(problem); this.tell(`${answer.name} was saved`, 'good'); return; }
+    this.tell(answer?.error.words ?? 'there is no connection, and nothing was saved; download the problem instead', 'bad');
+    if (answer?.changed) get('told').append(' ', html('button', {type: 'button', click: () => this.save(true)}, 'Save over it'));
+  }
+
+  async open(file) {
+    get('file').value = '';
+    if (!file) return;
+    if (file.size > 1 << 20) { this.tell(`${file.name} has more than 1 MiB; a problem file has at most that`, 'bad'); return; }
+    const text = await file.text(), answer = await this.link.ask({type: 'read', text}, 'read');
+    if (!answer || answer.error) { this.tell(`${file.name}: ${answer?.error.words ?? 'there is no connection'}`, 'bad'); return; }
+    this.take(text, answer.problem);
+    this.tell(`${file.name} was opened; undo brings back what was here`, 'good');
+  }
+
+  tell(words, tone) { Object.assign(get('told'), {textContent: words}); get('told').dataset.tone = tone; say(words); }
+}

@@ -1,0 +1,75 @@
+// The connection to the server: messages there, messages back, again when it was lost.
+import {keep, kept} from './keep.js';
+
+const LIFELESS_MS = 15000, MOST_WAIT_MS = 4000;
+
+export class Link {
+  // `hear` is told each message, `lost` why there is no connection.
+  constructor(hear, lost) {
+    Object.assign(this, {hear, lost, wait: 250, last: performance.now(), next: 1, waiting: new Map()});
+    this.open();
+    setInterval(() => this.check(), 1000);
+  }
+
+  open() {
+    const socket = this.socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/socket`);
+    this.last = performance.now();
+    socket.onopen = () => {
+      this.connected = true;
+      const token = takeToken();
+      if (token) this.send({type: 'authorize', token});
+    };
+    socket.onmessage = event => {
+      this.last = performance.now();
+      this.wait = 250;
+      const message = JSON.parse(event.data);
+      const answer = this.waiting.get(message.id);
+      if (answer && answer.types.includes(message.type)) { this.waiting.delete(message.id); answer.done(message); }
+      this.hear(message);
+    };
+    socket.onclose = event => this.again(event.reason);
+  }
+
+  again(reason) {
+    this.connected = false;
+    for (const {done} of this.waiting.values()) done(null);
+    this.waiting.clear();
+    this.lost(reason);
+    setTimeout(() => this.open(), this.wait);
+    this.wait = Math.min(MOST_WAIT_MS, this.wait * 2);
+  }
+
+  // A connection that only looks like one says nothing, not even that it is closed.
+  check() {
+    if (!this.connected || performance.now() - this.last < LIFELESS_MS) return;
+    Object.assign(this.socket, {onmessage: null, onclose: null}).close();
+    this.again('the workbench is silent');
+  }
+
+  // Returns the number of the message, or 0 if there is no connection.
+  send(message) {
+    if (this.socket.readyState !== WebSocket.OPEN) return 0;
+    this.socket.send(JSON.stringify(message));
+    return message.id ?? 1;
+  }
+
+  number() { return this.next++; }
+
+  // The answer of one of these types; null if the connection went away.
+  ask(message, ...types) {
+    const id = this.number();
+    return new Promise(done => {
+      this.waiting.set(id, {types, done});
+      if (!this.send({...message, id})) { this.waiting.delete(id); done(null); }
+    });
+  }
+}
+
+// From the address, out of which it goes so that nobody reads it there; a reload still has it.
+function takeToken() {
+  const given = new URLSearchParams(location.hash.slice(1)).get('token');
+  if (!given) return kept('session', 'token');
+  keep('session', 'token', given);
+  history.replaceState(null, '', location.pathname);
+  return given;
+}

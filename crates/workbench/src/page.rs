@@ -1,0 +1,116 @@
+//! The page: one document, its style and its modules, each at a path of its own.
+
+use std::borrow::Cow;
+
+use soilctl_web::Content;
+
+/// The policy that allows the page its own style and modules, its own server, and pictures that it makes; nothing else.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data: blob:; \
+                      base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// What a file of the page is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Document,
+    Style,
+    Module,
+}
+
+impl Kind {
+    const fn media_type(self) -> &'static str {
+        match self {
+            Self::Document => "text/html; charset=utf-8",
+            Self::Style => "text/css; charset=utf-8",
+            Self::Module => "text/javascript; charset=utf-8",
+        }
+    }
+}
+
+/// All files by their paths.
+macro_rules! files {
+    ($($path:literal $kind:ident $name:literal)*) => {
+        const FILES: &[(&str, Kind, &str)] = &[$(($path, Kind::$kind, include_str!(concat!("../page/", $name)))),*];
+    };
+}
+
+files! {
+    "/" Document "page.html"
+    "/style.css" Style "style.css"
+    "/begin.js" Module "begin.js"
+    "/controls.js" Module "controls.js"
+    "/dom.js" Module "dom.js"
+    "/editor.js" Module "editor.js"
+    "/fields.js" Module "fields.js"
+    "/files.js" Module "files.js"
+    "/flow.js" Module "flow.js"
+    "/form.js" Module "form.js"
+    "/geometry.js" Module "geometry.js"
+    "/hit.js" Module "hit.js"
+    "/keep.js" Module "keep.js"
+    "/link.js" Module "link.js"
+    "/main.js" Module "main.js"
+    "/model.js" Module "model.js"
+    "/palette.js" Module "palette.js"
+    "/panel.js" Module "panel.js"
+    "/scale.js" Module "scale.js"
+    "/section.js" Module "section.js"
+    "/snap.js" Module "snap.js"
+    "/solver.js" Module "solver.js"
+    "/store.js" Module "store.js"
+    "/symbols.js" Module "symbols.js"
+    "/text.js" Module "text.js"
+    "/view.js" Module "view.js"
+}
+
+/// The file at a path.
+pub(crate) fn at(path: &str) -> Option<Content<'static>> {
+    let (_, kind, text) = FILES.iter().find(|(known, ..)| *known == path)?;
+    Some(Content {
+        kind: kind.media_type(),
+        policy: (*kind == Kind::Document).then(|| POLICY.to_owned()),
+        bytes: Cow::Borrowed(text.as_bytes()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    /// What stands between a text and the next quotation mark, wherever the text is.
+    fn quoted<'a>(text: &'a str, before: &'a str, mark: char) -> impl Iterator<Item = &'a str> {
+        text.split(before).skip(1).map(move |rest| rest.split(mark).next().unwrap_or_default())
+    }
+
+    #[test]
+    fn everything_that_is_asked_for_is_served_and_nothing_is_asked_for_elsewhere() {
+        let page = FILES[0].2;
+        let asked = quoted(page, "src=\"", '"').chain(quoted(page, "rel=\"stylesheet\" href=\"", '"'));
+        let asked: Vec<_> = asked.map(str::to_owned).collect();
+        assert_eq!(asked.len(), 2);
+        let modules = FILES.iter().flat_map(|(_, _, text)| quoted(text, "from './", '\''));
+        for name in asked.into_iter().chain(modules.map(str::to_owned)) {
+            assert!(at(&format!("/{name}")).is_some(), "{name}");
+        }
+        for (path, _, text) in FILES {
+            for sign in ["http://", "https://", "@import", "import(", "eval("] {
+                let found =
+                    text.match_indices(sign).map(|(place, _)| &text[place..(place + 40).min(text.len())]);
+                let foreign: Vec<_> = found.filter(|text| !text.starts_with("http://www.w3.org/")).collect();
+                assert!(foreign.is_empty(), "{path}: {foreign:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_module_is_used() {
+        for (path, kind, _) in FILES {
+            let name = path.trim_start_matches('/');
+            let used = FILES.iter().any(|(_, _, text)| {
+                text.contains(&format!("./{name}'")) || text.contains(&format!("=\"{name}\""))
+            });
+            assert!(used || *kind == Kind::Document, "{path}");
+        }
+    }
+}

@@ -1,0 +1,340 @@
+"""`soilctl workbench`: the page in a browser, drawn on by pointer and keyboard."""
+
+import json
+import math
+import os
+import random
+import signal
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+from monitor_page import LONG_S, until
+from workbench_page import Workbench, begin, click, open_page, save, serve, settled, solve
+
+__all__ = ["serve"]
+
+TEMPLATES = ["strip-footing", "strip-load", "slope", "wall-passive", "wall-active", "wall-smooth", "plate", "embankment", "anchor"]
+
+
+def solved(soilctl, file, gap="0.1"):
+    """The bounds of `soilctl solve`."""
+    done = soilctl("solve", file, "--max-gap", gap, "--format", "json")
+    assert done.returncode in (0, 3), done.stderr
+    answer = json.loads(done.stdout)
+    return [answer["lower"], answer["upper"]]
+
+
+def test_all_templates_are_there(serve):
+    _, page = serve()
+    assert page.locator("[data-template]").evaluate_all("all => all.map(one => one.dataset.template)") == [*TEMPLATES, "empty"]
+
+
+@pytest.mark.parametrize("template", TEMPLATES)
+def test_a_template_is_solved_saved_and_solved_again(serve, soilctl, tmp_path, template):
+    file = tmp_path / "new.toml"
+    _, page = serve(file)
+    begin(page, template)
+    assert page.locator("#messages").text_content() == "The problem is understood."
+    save(page)
+    assert not page.evaluate("workbench.store.dirty")
+    # Side by side.
+    with ThreadPoolExecutor() as pool:
+        outside = pool.submit(solved, soilctl, file)
+        bounds = solve(page)
+    assert bounds[0] < bounds[1]
+    assert outside.result() == bounds
+    # The mechanism is drawn: what moves is in another colour than what rests.
+    assert page.evaluate("workbench.flow.field.triangles.length") > 50
+    colours = page.evaluate("() => { const c = document.getElementById('flow'); const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; const all = new Set(); for (let k = 0; k < d.length; k += 400) if (d[k + 3] === 255) all.add(`${d[k]} ${d[k + 1]} ${d[k + 2]}`); return all.size; }")
+    assert colours >= 4
+
+
+def test_a_strip_load_is_drawn_from_nothing(serve, soilctl, tmp_path):
+    file = tmp_path / "drawn.toml"
+    _, page = serve(file)
+    page.keyboard.press("Escape")
+    page.locator("#begin-open").click()
+    page.locator("[data-template=empty]").click()
+    page.locator("#section").focus()
+    # The ground by exact coordinates, which Enter adds; the first point again ends it.
+    page.keyboard.press("r")
+    for point in ["-8, -6", "8, -6", "8, 0", "-8, 0", "-8, -6"]:
+        page.locator("#exact-point").fill(point)
+        page.keyboard.press("Enter")
+    assert settled(page)["region"][0]["polygon"] == [[-8, -6], [8, -6], [8, 0], [-8, 0]]
+    page.locator("#fit").click()
+    # The load by pointer, a little beside where it is to be: it snaps.
+    page.keyboard.press("l")
+    for x in [-1.05, 0.96]:
+        click(page, x, 0.04)
+    load = settled(page)["boundary"][0]
+    assert load == {"kind": "load", "line": [[-1, 0], [1, 0]], "pressure_kpa": 10, "live": True}
+    page.locator("[id='boundary.0.pressure_kpa']").fill("1")
+    for key, value in [("phi_deg", "0"), ("cohesion_kpa", "10"), ("unit_weight_kn_m3", "18")]:
+        page.locator(f"[id='soil.0.{key}']").fill(value)
+    # The sides.
+    page.locator("#add-sides").click()
+    for side in ["left", "right"]:
+        page.locator(f"[id='boundary.1.sides.{side}']").check()
+    page.locator("[id='boundary.1.kind']").select_option("far")
+    settled(page)
+    assert page.locator("#messages").text_content() == "The problem is understood."
+    bounds = solve(page)
+    assert bounds[0] <= 10 * (2 + math.pi) <= bounds[1]
+    # The mechanism moves when it is asked to, and the slider displaces it.
+    amount = "Number(document.getElementById('flow').dataset.amount)"
+    page.locator("#play").click()
+    until(page, f"{amount} > 0.6")
+    page.locator("#amount").fill("0.25")
+    until(page, f"{amount} === 0.25")
+    save(page)
+    assert solved(soilctl, file) == bounds
+
+
+def test_keys_alone_draw_and_move(serve):
+    _, page = serve()
+    page.keyboard.press("Escape")
+    page.locator("[data-template=empty]").evaluate("one => one.click()")
+    page.evaluate("() => { workbench.view.size(800, 500); workbench.view.fit([[-10, -8], [10, 2]]); }")
+    step = page.evaluate("workbench.view.step()")
+    page.locator("#section").focus()
+    page.keyboard.press("r")
+    for keys in [[], ["ArrowRight"] * 4, ["ArrowUp"] * 4, ["ArrowLeft"] * 4]:
+        for key in keys:
+            page.keyboard.press(key)
+        page.keyboard.press("Enter")
+    page.keyboard.press("Enter")
+    (a, b, c, d) = settled(page)["region"][0]["polygon"]
+    assert (b[0] - a[0], c[1] - b[1], d[0]) == pytest.approx((4 * step, 4 * step, a[0]))
+    # The third point, one step to the right, and a further one after it.
+    for key in [".", ".", ".", "ArrowRight", "i"]:
+        page.keyboard.press(key)
+    polygon = settled(page)["region"][0]["polygon"]
+    assert len(polygon) == 5 and polygon[2][0] == pytest.approx(c[0] + step)
+    page.keyboard.press("Delete")
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    assert settled(page)["region"][0]["polygon"] == [a, b, c, d]
+
+
+def test_undo_of_200_random_edits_returns_to_the_start(serve, tmp_path):
+    file = tmp_path / "cut.toml"
+    text = (Path(__file__).resolve().parents[2] / "data" / "problems" / "cut_cases.toml").read_text(encoding="utf-8")
+    file.write_text(text, encoding="utf-8")
+    _, page = serve(file)
+    start = settled(page)
+    draw = random.Random(29)
+
+    kinds = ["move", "insert", "remove", "add", "field", "mirror", "copy"]
+    edits = 0
+    while edits < 200:
+        # One by pointer, whatever is there, and some by what the fields and keys call.
+        x, y = page.evaluate("p => workbench.view.px(p)", [draw.uniform(0, 24), draw.uniform(-4, 4)])
+        box = page.locator("#section").bounding_box()
+        page.mouse.move(box["x"] + x, box["y"] + y)
+        page.mouse.down()
+        page.mouse.move(box["x"] + x + 30, box["y"] + y - 20, steps=2)
+        page.mouse.up()
+        edits = page.evaluate("""some => {
+            const {store, editor, model} = workbench;
+            for (const [kind, number] of some) {
+                const all = model.shapes(store.problem), pick = all[Math.floor(number * all.length)];
+                const at = pick && Math.floor(number * 1000) % pick.points.length;
+                store.rest();
+                if (kind === 'add' || !pick) store.change(draft => model.add(draft, ['region', 'line', 'load', 'structure', 'plate', 'edge', 'water'][Math.floor(number * 7)], [[number * 9, 1], [number * 9 + 1, 2], [number * 5, 3]]));
+                else if (kind === 'move') store.change(draft => model.movePoint(draft, pick, at, [number * 20, number * 5 - 2]));
+                else if (kind === 'insert') store.change(draft => model.insertPoint(draft, pick, at, [number, -number]));
+                else if (kind === 'remove') store.change(draft => model.removePoint(draft, pick, at));
+                else if (kind === 'field') store.change(draft => { draft.soil[0].phi_deg = 20 + 10 * number; draft.title = `edit ${number}`; });
+                else if (kind === 'mirror') store.change(draft => model.mirror(draft));
+                else if (kind === 'copy') { editor.choose(pick); store.change(draft => model.duplicate(draft, pick)); }
+            }
+            return store.past.length;
+        }""", [[draw.choice(kinds), draw.random()] for _ in range(9)])
+    last = settled(page)
+    assert last != start and last["case"] == start["case"]
+    page.locator("#section").focus()
+    for _ in range(20):
+        page.keyboard.press("Control+z")
+    assert page.evaluate("workbench.store.past.length") == edits - 20
+    page.evaluate("for (let k = workbench.store.past.length; k; k--) document.getElementById('section').dispatchEvent(new KeyboardEvent('keydown', {key: 'z', ctrlKey: true, bubbles: true}))")
+    assert settled(page) == start
+    assert page.locator("#undo").is_disabled() and not page.evaluate("workbench.store.dirty")
+    page.evaluate("while (workbench.store.redo()) ;")
+    assert settled(page) == last
+
+
+def test_what_is_wrong_is_said_at_its_place(serve):
+    _, page = serve()
+    begin(page, "strip-load")
+
+    def wrong(path):
+        settled(page)
+        field = page.locator(f"[data-path='{path}']")
+        assert "bad" in field.get_attribute("class"), path
+        words = field.locator(".wrong").text_content()
+        assert words and words in page.locator("#messages").text_content()
+        return words
+
+    # A value, at its field.
+    page.locator("[id='soil.0.phi_deg']").fill("95")
+    assert "phi_deg is 95" in wrong("soil.0.phi_deg")
+    page.locator("[id='soil.0.phi_deg']").fill("30")
+    # A note likewise.
+    page.locator("[id='soil.0.unit_weight_kn_m3']").fill("1800")
+    settled(page)
+    assert "kg/m3" in page.locator("[data-path='soil.0.unit_weight_kn_m3'] .wrong").text_content()
+    page.locator("[id='soil.0.unit_weight_kn_m3']").fill("18")
+    # What is no number stays in its field, and is not in the document.
+    page.locator("[id='soil.0.unit_weight_kn_m3']").fill("18x")
+    assert page.locator("[id='soil.0.unit_weight_kn_m3']").get_attribute("aria-invalid") == "true"
+    assert settled(page)["soil"][0]["unit_weight_kn_m3"] == 18
+    page.locator("[id='soil.0.unit_weight_kn_m3']").fill("18,5")
+    assert settled(page)["soil"][0]["unit_weight_kn_m3"] == 18.5
+    # Outline without a condition, at the key that would say it.
+    page.locator("[id='problem.default_boundary']").select_option("")
+    assert "no boundary condition" in wrong("problem.default_boundary")
+    page.locator("[id='problem.default_boundary']").select_option("free")
+    # A line that is not on the outline, and regions that overlap: in the drawing, and in the list.
+    page.evaluate("workbench.store.change(draft => { draft.boundary[1].line = [[-1, -3], [1, -3]]; })")
+    settled(page)
+    assert page.locator("#section .fault.bad").count() == 1
+    assert "bad" in page.locator("[data-entry='boundary.1']").get_attribute("class")
+    page.locator("#messages button").click()
+    assert page.locator("#chosen h3").text_content() == "load, 2 points"
+    page.keyboard.press("Control+z")
+    page.evaluate("workbench.store.change(draft => { draft.region.push({soil: 'clay', polygon: [[0, -1], [30, -1], [30, 1]]}); })")
+    settled(page)
+    mark = page.evaluate("(() => { const {cx, cy} = document.querySelector('#section .flag.bad circle'); return workbench.view.m([cx.baseVal.value, cy.baseVal.value]); })()")
+    said = page.locator("#messages li.bad span").text_content()
+    assert "overlap at (" in said
+    place = [float(x) for x in said.split("overlap at (")[1].split(")")[0].split(",")]
+    assert mark == pytest.approx(place, abs=1e-3)
+
+
+def test_unsaved_work_survives_a_reload_and_text_keeps_its_comments(serve, tmp_path):
+    file = tmp_path / "slope.toml"
+    text = (Path(__file__).resolve().parents[2] / "data" / "problems" / "slope.toml").read_text(encoding="utf-8")
+    file.write_text(text, encoding="utf-8")
+    _, page = serve(file)
+    settled(page)
+    # Only the text is edited: its comments stay.
+    page.locator("#tab-text").click()
+    assert page.locator("#toml").input_value() == text
+    page.locator("#toml").fill(text.replace("phi_deg = 25", "phi_deg = 26"))
+    # At once, before the page has read what was typed.
+    save(page)
+    assert page.evaluate("workbench.store.problem.soil[0].phi_deg") == 26
+    assert file.read_text(encoding="utf-8") == text.replace("phi_deg = 25", "phi_deg = 26")
+    # They come back with an undo of what was done in the drawing.
+    page.locator("#tab-problem").click()
+    page.locator("[id='soil.0.cohesion_kpa']").fill("14")
+    settled(page)
+    page.locator("#undo").click()
+    settled(page)
+    page.locator("#tab-text").click()
+    assert page.locator("#toml").input_value() == text.replace("phi_deg = 25", "phi_deg = 26")
+    # What is wrong with a text is said where it is typed, and the document stays.
+    page.locator("#toml").fill("[[soil]\nname = 3")
+    until(page, "!document.getElementById('toml-wrong').hidden")
+    assert "line 1" in page.locator("#toml-wrong").text_content()
+    page.locator("#tab-problem").click()
+    page.locator("[id='soil.0.cohesion_kpa']").fill("33")
+    assert page.locator("#dirty").is_visible()
+    page.reload()
+    until(page, "window.workbench?.state.greeted")
+    assert settled(page)["soil"][0]["cohesion_kpa"] == 33
+    assert "unsaved work" in page.locator("#told").text_content()
+    page.locator("#undo").click()
+    assert settled(page)["soil"][0]["cohesion_kpa"] == 12
+    # What another program wrote meanwhile is not written over unasked.
+    file.write_text(text, encoding="utf-8")
+    page.keyboard.press("Control+s")
+    until(page, "document.getElementById('told').textContent.includes('another program')")
+    assert file.read_text(encoding="utf-8") == text
+    page.locator("#told button").click()
+    until(page, "document.getElementById('told').textContent.endsWith('was saved')")
+    assert "phi_deg = 26" in file.read_text(encoding="utf-8")
+
+
+def test_a_file_that_is_no_problem_is_shown_and_kept(serve, tmp_path):
+    file = tmp_path / "draft.toml"
+    text = 'title = "half a file"\n[[soil]]\nname = "sand"\n'
+    file.write_text(text, encoding="utf-8")
+    _, page = serve(file)
+    settled(page)
+    assert page.locator("#toml").input_value() == text
+    assert "phi_deg" in page.locator("#toml-wrong").text_content()
+    page.keyboard.press("Control+s")
+    until(page, "document.getElementById('told').textContent.includes('no problem file yet')")
+    assert file.read_text(encoding="utf-8") == text
+    # Mended where it stands, it is a problem.
+    page.locator("#toml").fill(text + 'phi_deg = 30\nunit_weight_kn_m3 = 18\n[objective]\nkind = "load"\n')
+    until(page, "workbench.store.problem.title === 'half a file'")
+    page.keyboard.press("Control+s")
+    until(page, "document.getElementById('told').textContent.includes('save again')")
+    page.locator("#told button").click()
+    until(page, "document.getElementById('told').textContent.endsWith('was saved')")
+    assert "phi_deg = 30" in file.read_text(encoding="utf-8")
+
+
+def test_files_go_in_and_out(serve, soilctl, tmp_path):
+    _, page = serve()
+    page.keyboard.press("Escape")
+    page.locator("#file").set_input_files(Path(__file__).resolve().parents[2] / "data" / "problems" / "plate_layers.toml")
+    until(page, "document.getElementById('told').textContent.includes('was opened')")
+    problem = settled(page)
+    assert problem["plate"][0]["in_soil"] == [{"soil": "wet sand", "delta_deg": 18}]
+    with page.expect_download() as got:
+        page.keyboard.press("Control+s")
+    target = tmp_path / got.value.suggested_filename
+    got.value.save_as(target)
+    assert target.name == "curved_plate_in_two_layers.toml"
+    soilctl("solve", target, "--check", code=0)
+    with page.expect_download() as got:
+        page.locator("#picture").click()
+    picture = tmp_path / "picture.svg"
+    got.value.save_as(picture)
+    words = picture.read_text(encoding="utf-8")
+    assert words.startswith("<?xml") and "pattern" in words and "blade" in words and "handle" not in words
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_phone_has_it_all(serve, scheme):
+    _, page = serve(viewport={"width": 360, "height": 740}, color_scheme=scheme, has_touch=True, is_mobile=True, device_scale_factor=2)
+    page.locator("[data-template=strip-load]").tap()
+    settled(page)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    # A point is added and the shape ended by touch.
+    page.locator("[data-tool=water]").tap()
+    for x in [-10, 10]:
+        px = page.evaluate("p => workbench.view.px(p)", [x, -4])
+        page.locator("#section").tap(position={"x": px[0], "y": px[1]})
+    page.locator("#done").tap()
+    assert len(settled(page)["water"]["table"]) == 2
+    solve(page)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    # Every button and field has a name.
+    nameless = page.evaluate("[...document.querySelectorAll('button, input, select, textarea')].filter(one => !one.hidden && !one.textContent.trim() && !one.title && !one.ariaLabel && !one.labels?.length).map(one => one.outerHTML)")
+    assert [one for one in nameless if 'type="file"' not in one] == []
+
+
+def test_it_ends_at_ctrl_c_and_says_what_it_cannot(soilctl, browser, tmp_path):
+    workbench = Workbench(soilctl.binary)
+    page = open_page(browser, workbench.url)
+    os.kill(workbench.process.pid, signal.SIGINT)
+    # A second signal would end it at once.
+    workbench.process.wait(LONG_S)
+    assert "pages: 1" in workbench.end()
+    until(page, "document.getElementById('link').dataset.state === 'lost'")
+    # The problem is still there.
+    assert page.evaluate("workbench.store.problem.soil.length") == 1
+    page.context.close()
+    soilctl.refuses("workbench", tmp_path / "a.txt", mentions=[".toml or .json"])
+    soilctl.refuses("workbench", tmp_path / "missing" / "a.toml", mentions=["folder"])
+    other = Workbench(soilctl.binary)
+    port = other.answer["listen"].rsplit(":", 1)[1]
+    soilctl.refuses("workbench", "--port", port, mentions=[f"127.0.0.1:{port}", "another address"])
+    other.end()
