@@ -36,12 +36,13 @@ pub(crate) enum Part {
     Mutants,
     Bags,
     Diagnosis,
+    Soils,
     Chain,
     Fuzz,
     Windows,
 }
 
-pub(crate) const PARTS: [(Part, &str, &str); 11] = [
+pub(crate) const PARTS: [(Part, &str, &str); 12] = [
     (Part::Properties, "properties", "property tests with 20000 cases each"),
     (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
     (Part::Exact, "exact", "known collapse loads on fine meshes"),
@@ -53,6 +54,11 @@ pub(crate) const PARTS: [(Part, &str, &str); 11] = [
         Part::Diagnosis,
         "diagnosis",
         "how often a hidden effect is named, and how often another; effects that a controller hides, in logs",
+    ),
+    (
+        Part::Soils,
+        "soils",
+        "a thousand soils whose friction falls with stress, and three hundred slopes that stand, fail, or depend",
     ),
     (Part::Chain, "chain", "from simulated strokes to the soil, against the truth; logs of gigabytes"),
     (Part::Fuzz, "fuzz", "the targets of fuzz/ compile"),
@@ -91,6 +97,9 @@ impl Part {
             }
             Self::Bags => bags(workspace),
             Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates", "signals"], ""),
+            Self::Soils => {
+                ignored(workspace, "laws of stress and stability", &["estimator_law", "stability"], "")
+            }
             Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),
             Self::Fuzz => fuzz::check(workspace),
             Self::Windows => systems::windows(workspace),

@@ -60,6 +60,9 @@ __all__ = [
     "EstimateCrossing",
     "EstimateDisagreement",
     "EstimateExact",
+    "EstimateLaw",
+    "EstimateLawRange",
+    "EstimateLawSlice",
     "EstimateLeftOut",
     "EstimateMeasured",
     "EstimateMinimum",
@@ -68,6 +71,7 @@ __all__ = [
     "EstimatePoint",
     "EstimatePooled",
     "EstimateSection",
+    "EstimateShearTest",
     "LogAnswer",
     "LogContent",
     "LogFound",
@@ -127,6 +131,9 @@ __all__ = [
     "SolveResults",
     "SolveStretch",
     "SolveTrial",
+    "StabilityAnswer",
+    "StabilitySlope",
+    "StabilityTrial",
     "TableAnswer",
     "TableBracketCell",
     "TableBracketFindings",
@@ -158,6 +165,7 @@ __all__ = [
     "simulate",
     "solve",
     "solve_check",
+    "stability",
     "table_build",
     "table_check",
     "table_merge",
@@ -1061,6 +1069,139 @@ class SolveCheckAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class StabilitySlope(Record):
+    """A lower bound with the soils of one slice of a law of stress.
+
+    Attributes:
+        lower: Proven lower bound on the factor; null if none was found.
+        slope_deg_per_decade: By how much their friction falls (deg a decade of stress).
+    """
+
+    lower: float | None
+    """Proven lower bound on the factor; null if none was found."""
+    slope_deg_per_decade: list[float]
+    """By how much their friction falls (deg a decade of stress)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class StabilityTrial(Record):
+    """Bounds with one friction angle.
+
+    Attributes:
+        lower: Proven lower bound on the factor, for all densities; null if none was asked for or found.
+        phi_deg: Friction angle of the soil (deg).
+        upper: Proven upper bound on the factor, for all densities; null likewise.
+    """
+
+    lower: float | None
+    """Proven lower bound on the factor, for all densities; null if none was asked for or found."""
+    phi_deg: float
+    """Friction angle of the soil (deg)."""
+    upper: float | None
+    """Proven upper bound on the factor, for all densities; null likewise."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class StabilityAnswer(Answer):
+    """The answer of ``stability``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        answer: Whether it stands.
+        by_slope: Lower bounds by slices of the law of stress; empty without a law.
+        certified: Whether both bounds are proven for soils of the friction and the densities told here. That the
+            soil has this friction at the stresses of the problem is what the strokes say, not part of the proof.
+            With a law of stress the field behind the lower bound is proven with interval arithmetic for one
+            friction angle, and held against the law in floating point.
+        decisive_stress_pa: Mean stress (Pa) where the field behind the lower bound leaves least of the strength;
+            null without a law of stress.
+        density_kg_m3: Its densities (kg/m3).
+        fails_to_phi_deg: Greatest friction angle with which it is proven to fail (deg); null if none was found.
+        friction_basis: Where these come from.
+        gravity_m_s2: Gravity at the problem (m/s2).
+        lower: Proven lower bound on the factor with every soil that explains the strokes; null if there is none.
+        phi_deg: Its friction angles (deg); with a law of stress those of the field behind the lower and of the
+            mechanism behind the upper bound.
+        quantity: What is bounded.
+        required: Least factor with which it is said to stand.
+        seconds: Time spent (s).
+        slip_stress_pa: Normal stresses at which the soil slips in the problem (Pa), were its friction the same
+            everywhere; null if that was not found.
+        soil: The soil of the problem that was asked about.
+        stands_from_phi_deg: Least friction angle with which it is proven to stand (deg); null if none was found.
+        title: Title of the problem; null if it has none.
+        trials: The friction angles that were tried. With a law of stress a lower bound is what the field found for
+            that angle proves of the law.
+        tried_stress_pa: Normal stresses at which the soil was tried by strokes and tests (Pa).
+        upper: Proven upper bound on the factor with every soil that explains the strokes; null if there is none.
+        verdict: The answer in words.
+        warnings: What to keep in mind.
+    """
+
+    schema: Literal["soilctl.stability/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    answer: Literal["stands", "fails", "depends"]
+    """Whether it stands."""
+    by_slope: list[StabilitySlope]
+    """Lower bounds by slices of the law of stress; empty without a law."""
+    certified: bool
+    """Whether both bounds are proven for soils of the friction and the densities told here. That the soil has this
+    friction at the stresses of the problem is what the strokes say, not part of the proof. With a law of stress
+    the field behind the lower bound is proven with interval arithmetic for one friction angle, and held against
+    the law in floating point.
+    """
+    decisive_stress_pa: float | None
+    """Mean stress (Pa) where the field behind the lower bound leaves least of the strength; null without a law of
+    stress.
+    """
+    density_kg_m3: list[float]
+    """Its densities (kg/m3)."""
+    fails_to_phi_deg: float | None
+    """Greatest friction angle with which it is proven to fail (deg); null if none was found."""
+    friction_basis: Literal["law", "same_stress", "constant"]
+    """Where these come from."""
+    gravity_m_s2: float
+    """Gravity at the problem (m/s2)."""
+    lower: float | None
+    """Proven lower bound on the factor with every soil that explains the strokes; null if there is none."""
+    phi_deg: list[float]
+    """Its friction angles (deg); with a law of stress those of the field behind the lower and of the mechanism
+    behind the upper bound.
+    """
+    quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
+    """What is bounded."""
+    required: float
+    """Least factor with which it is said to stand."""
+    seconds: float
+    """Time spent (s)."""
+    slip_stress_pa: list[float] | None
+    """Normal stresses at which the soil slips in the problem (Pa), were its friction the same everywhere; null if
+    that was not found.
+    """
+    soil: str
+    """The soil of the problem that was asked about."""
+    stands_from_phi_deg: float | None
+    """Least friction angle with which it is proven to stand (deg); null if none was found."""
+    title: str | None
+    """Title of the problem; null if it has none."""
+    trials: list[StabilityTrial]
+    """The friction angles that were tried. With a law of stress a lower bound is what the field found for that
+    angle proves of the law.
+    """
+    tried_stress_pa: list[float]
+    """Normal stresses at which the soil was tried by strokes and tests (Pa)."""
+    upper: float | None
+    """Proven upper bound on the factor with every soil that explains the strokes; null if there is none."""
+    verdict: str
+    """The answer in words."""
+    warnings: list[str]
+    """What to keep in mind."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class CertifyChecked(Record):
     """One bound.
 
@@ -1583,6 +1724,72 @@ class EstimateExact(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class EstimateLaw(Record):
+    """Friction as a law of stress: ``phi = phi_ref - slope log10(sigma / sigma_ref)``, and the soils that have it.
+
+    Attributes:
+        plates_alone: What the strokes say without the tests in direct shear; null without such tests.
+        shear_alone: What the tests in direct shear say without the strokes; null without such tests, or if no law
+            of the known slopes passes through all.
+        shear_tests: Tests in direct shear that were taken.
+        slices: The consistent soils by slices of the slope, growing; empty if there are none.
+        slope_deg_per_decade: Consistent slopes (deg a decade); null if no soil is consistent.
+        slope_known_deg_per_decade: What was known of the slope (deg a decade).
+    """
+
+    plates_alone: EstimateLawRange | None
+    """What the strokes say without the tests in direct shear; null without such tests."""
+    shear_alone: EstimateLawRange | None
+    """What the tests in direct shear say without the strokes; null without such tests, or if no law of the known
+    slopes passes through all.
+    """
+    shear_tests: list[EstimateShearTest]
+    """Tests in direct shear that were taken."""
+    slices: list[EstimateLawSlice]
+    """The consistent soils by slices of the slope, growing; empty if there are none."""
+    slope_deg_per_decade: list[float] | None
+    """Consistent slopes (deg a decade); null if no soil is consistent."""
+    slope_known_deg_per_decade: list[float]
+    """What was known of the slope (deg a decade)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class EstimateLawRange(Record):
+    """Ranges of the unknowns of a law.
+
+    Attributes:
+        phi_deg: Friction angle at the reference stress (deg).
+        slope_deg_per_decade: Slope (deg a decade).
+    """
+
+    phi_deg: list[float]
+    """Friction angle at the reference stress (deg)."""
+    slope_deg_per_decade: list[float]
+    """Slope (deg a decade)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class EstimateLawSlice(Record):
+    """The consistent soils whose slope is in a slice.
+
+    Attributes:
+        density_kg_m3: Range of the density (kg/m3).
+        phi_deg: Range of the friction angle at the reference stress (deg).
+        region: Consistent [phi at the reference stress, density]: polygons, each an outer ring and its holes.
+        slope_deg_per_decade: Slopes of the slice (deg a decade).
+    """
+
+    density_kg_m3: list[float]
+    """Range of the density (kg/m3)."""
+    phi_deg: list[float]
+    """Range of the friction angle at the reference stress (deg)."""
+    region: list[list[list[list[float]]]]
+    """Consistent [phi at the reference stress, density]: polygons, each an outer ring and its holes."""
+    slope_deg_per_decade: list[float]
+    """Slopes of the slice (deg a decade)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class EstimateLeftOut(Record):
     """A stroke that does not count.
 
@@ -1612,6 +1819,8 @@ class EstimateMeasured(Record):
         force_n: Failure force (N).
         label: Name.
         pooled: How the band came about, where strokes of one kind are taken together; otherwise null.
+        slip_stress_pa: Equivalent normal stress on its slip surfaces (Pa), at which the soil has the friction that
+            it measured; null if no soil is consistent, or no mechanism fits the tool angle.
         strokes: Strokes behind it.
     """
 
@@ -1629,6 +1838,10 @@ class EstimateMeasured(Record):
     """Name."""
     pooled: EstimatePooled | None
     """How the band came about, where strokes of one kind are taken together; otherwise null."""
+    slip_stress_pa: list[float] | None
+    """Equivalent normal stress on its slip surfaces (Pa), at which the soil has the friction that it measured; null
+    if no soil is consistent, or no mechanism fits the tool angle.
+    """
     strokes: int
     """Strokes behind it."""
 
@@ -1717,6 +1930,7 @@ class EstimatePoint(Record):
         density_kg_m3: Bulk density (kg/m3).
         misfit: Sum of squared relative force errors (Hong 2001, eq. 7.1).
         phi_deg: Friction angle (deg).
+        slope_deg_per_decade: Fall of the friction angle (deg a decade of stress); null without a law of stress.
     """
 
     delta_deg: float
@@ -1727,6 +1941,8 @@ class EstimatePoint(Record):
     """Sum of squared relative force errors (Hong 2001, eq. 7.1)."""
     phi_deg: float
     """Friction angle (deg)."""
+    slope_deg_per_decade: float | None
+    """Fall of the friction angle (deg a decade of stress); null without a law of stress."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -1775,6 +1991,21 @@ class EstimateSection(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class EstimateShearTest(Record):
+    """A test in direct shear.
+
+    Attributes:
+        friction_deg: Friction angles that it allows (deg).
+        stress_pa: Normal stress (Pa).
+    """
+
+    friction_deg: list[float]
+    """Friction angles that it allows (deg)."""
+    stress_pa: float
+    """Normal stress (Pa)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class EstimateAnswer(Answer):
     """The answer of ``estimate``.
 
@@ -1799,22 +2030,30 @@ class EstimateAnswer(Answer):
             if they share none, or no soil is consistent.
         ends: Whether plates have ends.
         exact: Results for exact data; null unless ``--exact``.
+        friction_law: Friction as a law of stress; null unless asked for.
+        gravity_m_s2: Gravity (m/s2) under which the strokes were made.
         left_out: Strokes in which the soil did not fail as models have it; empty unless strokes of one kind are
             taken together.
         measurements: The measurements.
         model: Force model.
         next_strokes: Strokes that would shrink the region most, the best first; null if not asked for.
         optimisers: What local optimisers find; null if not asked for.
-        phi_deg: Range of the friction angle (deg) over the whole interval of delta; null if inconsistent.
+        phi_deg: Range of the friction angle (deg) over the whole interval of delta; null if inconsistent. With a
+            law of stress it is that at ``reference_stress_pa``, otherwise that at the stresses of
+            ``slip_stress_pa``.
         phi_delta: Consistent [phi, delta], the same form; empty if delta is known exactly.
         plane_strain: The same without ends, for comparison; null if plates have none, and for exact data.
+        reference_stress_pa: Normal stress (Pa) at which ``phi_deg`` holds under a law of stress; null without one.
         region: Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi,
             density].
         regions: Sections at chosen deltas; empty if inconsistent.
         scatter_over_stated: Scatter of repeated strokes over what the table states of them; above 1 the bands are
             wider for it. Null if nothing was repeated, stated, or taken together.
+        slip_stress_pa: Least and greatest normal stress (Pa) on slip surfaces of all strokes; null as that of a
+            measurement.
         verdict: The result in words.
-        volume_deg2_kg_m3: Volume of the consistent set (deg2 kg/m3).
+        volume_deg2_kg_m3: Volume of the consistent set (deg2 kg/m3); null with a law of stress, which has one
+            unknown more.
         warnings: What to keep in mind.
         width_ratio: Least and greatest width of a plate over its vertical depth.
     """
@@ -1857,6 +2096,10 @@ class EstimateAnswer(Answer):
     """Whether plates have ends."""
     exact: EstimateExact | None
     """Results for exact data; null unless ``--exact``."""
+    friction_law: EstimateLaw | None
+    """Friction as a law of stress; null unless asked for."""
+    gravity_m_s2: float
+    """Gravity (m/s2) under which the strokes were made."""
     left_out: list[EstimateLeftOut]
     """Strokes in which the soil did not fail as models have it; empty unless strokes of one kind are taken
     together.
@@ -1870,11 +2113,15 @@ class EstimateAnswer(Answer):
     optimisers: list[EstimateMinimum] | None
     """What local optimisers find; null if not asked for."""
     phi_deg: list[float] | None
-    """Range of the friction angle (deg) over the whole interval of delta; null if inconsistent."""
+    """Range of the friction angle (deg) over the whole interval of delta; null if inconsistent. With a law of
+    stress it is that at ``reference_stress_pa``, otherwise that at the stresses of ``slip_stress_pa``.
+    """
     phi_delta: list[list[list[list[float]]]]
     """Consistent [phi, delta], the same form; empty if delta is known exactly."""
     plane_strain: EstimatePlaneStrain | None
     """The same without ends, for comparison; null if plates have none, and for exact data."""
+    reference_stress_pa: float | None
+    """Normal stress (Pa) at which ``phi_deg`` holds under a law of stress; null without one."""
     region: list[list[list[list[float]]]]
     """Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi, density]."""
     regions: list[EstimateSection]
@@ -1883,10 +2130,12 @@ class EstimateAnswer(Answer):
     """Scatter of repeated strokes over what the table states of them; above 1 the bands are wider for it. Null if
     nothing was repeated, stated, or taken together.
     """
+    slip_stress_pa: list[float] | None
+    """Least and greatest normal stress (Pa) on slip surfaces of all strokes; null as that of a measurement."""
     verdict: str
     """The result in words."""
-    volume_deg2_kg_m3: float
-    """Volume of the consistent set (deg2 kg/m3)."""
+    volume_deg2_kg_m3: float | None
+    """Volume of the consistent set (deg2 kg/m3); null with a law of stress, which has one unknown more."""
     warnings: list[str]
     """What to keep in mind."""
     width_ratio: list[float]
@@ -4166,6 +4415,68 @@ def solve_check(
     return run("solve check", solve_check, locals(), SolveCheckAnswer)
 
 
+def stability(
+    region: str,
+    problem: str,
+    *,
+    soil: str | None = None,
+    required: float = 1.0,
+    gravity_m_s2: float = 9.80665,
+    keep_weight: bool = False,
+    constant_friction: bool = False,
+    trials: int = 4,
+    max_gap: float = 0.01,
+    max_elements: int = 20000,
+    max_work: int = 3000000,
+    max_seconds: float | None = None,
+    max_memory_mb: int | None = None,
+    threads: int = 1,
+    factorisation: Literal["auto", "qdldl", "faer"] = "auto",
+    segments: int | None = None,
+    dump: PathLike | None = None,
+    progress: Progress = None,
+) -> StabilityAnswer:
+    """Whether what a problem file describes stands for every soil that explains the strokes.
+
+    Args:
+        region: The soils: the JSON answer of ``soilctl estimate``.
+        problem: The problem file, .toml or .json, which asks for a factor of safety, or a factor on live loads or
+            weights.
+        soil: Which soil of the problem is the one of the strokes; needed if it has several.
+        required: Least factor with which it is said to stand. Above 0.
+        gravity_m_s2: Gravity at the problem (m/s2), which makes the unit weight of the soil: 3.71 on Mars, 1.62 on
+            the Moon. Above 0 and at most 1000.
+        keep_weight: Keep the unit weight of the problem file, as where the soil is wet there and the strokes were
+            made in dry soil.
+        constant_friction: Take the friction angle of the strokes at any stress. Without a law of stress a problem
+            whose stresses are others is refused otherwise, since friction falls with stress.
+        trials: Further soils to try, between the weakest and the strongest, where the answer depends on the soil.
+            At least 0 and at most 100.
+        max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
+        max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
+        max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+            machine. At least 1.
+        max_seconds: Time that may be spent (s); where the run ends then depends on the machine, and the answer says
+            so. Above 0.
+        max_memory_mb: Memory that may be used (MB): a mesh whose programs may need more is not made. At least 100.
+        threads: Threads; the bounds are the same for any number. At least 1 and at most 1024.
+        factorisation: What factorises the systems of the solver's steps: bounds differ in their last digits;
+            ``auto`` goes by the size of the programs.
+        segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
+            slower and wider. At least 3 and at most 1000.
+        dump: Existing folder for programs on which the solver failed, to reproduce that from.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("stability", stability, locals(), StabilityAnswer)
+
+
 def certify(
     file: PathLike,
     *,
@@ -4323,6 +4634,11 @@ def estimate(
     sigma: float | None = None,
     uncertainty: Literal["sigma", "bounds"] = "sigma",
     adjust_high_angles: float = 0.0,
+    friction_law: Sequence[Any] | None = None,
+    reference_stress_pa: float | None = None,
+    shear: Table | None = None,
+    soil: str | None = None,
+    shear_tol_deg: float = 2.0,
     phi_range_deg: Sequence[Any] | None = None,
     cohesion_pa: float = 0.0,
     adhesion_pa: float = 0.0,
@@ -4366,6 +4682,16 @@ def estimate(
         adjust_high_angles: Allow that forces at tool angles of 90 deg and more were read low by up to this
             fraction, because friction was not fully mobilised when failure was read (0.1 in Hong 2001, section
             7.5.1). At least 0.
+        friction_law: Take friction as a law of stress: it falls by so many degrees a decade of normal stress, known
+            to lie between LOW and HIGH (````friction_law```` alone: 0:8). phi is then the friction angle at the
+            reference stress.
+        reference_stress_pa: Normal stress at which phi is told (Pa), with a law of stress; default: the middle of
+            the stresses in the strokes.
+        shear: Tests of the same soil in direct shear (a table of friction angles against normal stress), with a law
+            of stress.
+        soil: The soil in the table of direct shear; needed if it has several.
+        shear_tol_deg: Half width of what a test in direct shear says of the friction angle (deg): its scatter, and
+            what the box itself may be off by. Above 0.
         phi_range_deg: Friction angles to search (deg), LOW:HIGH.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
@@ -4389,7 +4715,7 @@ def estimate(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("estimate", estimate, locals(), EstimateAnswer, tables=("file",))
+    return run("estimate", estimate, locals(), EstimateAnswer, tables=("file", "shear",))
 
 
 def shear(
