@@ -147,9 +147,9 @@ def test_a_law_of_stress_makes_deep_slides_decide(soilctl, regions, tmp_path):
     assert earth["friction_basis"] == "law"
     # Deep below the slope, not where soil of one friction would slip.
     assert earth["decisive_stress_pa"] > 3.0 * earth["slip_stress_pa"][1]
-    # A circle is a mechanism, or nearly so: what is proven to stand cannot be above it. The field is not made for the law, and loses by that.
+    # A circle is a mechanism, or nearly so: what is proven to stand cannot be above it. The field is made for layers, and loses by that.
     slices = bishop(region, 2.0, 9.80665 * region["density_kg_m3"][1])
-    assert 0.75 * slices < earth["lower"] <= slices, (earth["lower"], slices)
+    assert 0.8 * slices < earth["lower"] <= slices, (earth["lower"], slices)
     # Under the gravity of Mars stresses are smaller, and friction is greater.
     mars = soilctl.json("stability", regions["law"], problem, "--max-gap", 0.05, "--gravity", 3.71)
     assert mars["lower"] > earth["lower"]

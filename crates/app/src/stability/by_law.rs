@@ -5,6 +5,7 @@
 //! every soil whose strength is below a straight line if it does so for the line, which has a friction angle and a cohesion.
 
 use super::answer::{FrictionBasis, SlopeAnswer, Trial};
+use super::factor::Found;
 use super::search::{Outcome, Search};
 use super::site::Soil;
 use crate::AppError;
@@ -89,9 +90,16 @@ impl Search<'_> {
         Ok(outcome)
     }
 
-    /// Fields of weaker and weaker soil, from the friction at a stress (Pa) on, until nothing is gained.
+    /// Fields of the soil in layers, then of weaker and weaker soil, from the friction at a stress (Pa) on, until nothing is gained.
     fn fields(&self, from_pa: f64, trials: &mut Vec<Trial>) -> Result<Option<Lower>, AppError> {
-        let mut best: Option<Lower> = None;
+        let at_first = self.soils.weakest_deg(from_pa);
+        let mut best = self.field(at_first, |density_kg_m3| Ok(self.in_layers(density_kg_m3)))?;
+        if let Some(found) = &best {
+            trials.push(Trial { phi_deg: found.phi_deg, lower: found.least, upper: None });
+            if self.is_enough(found.least) {
+                return Ok(best);
+            }
+        }
         let mut last = f64::INFINITY;
         for i in 0..FIELDS {
             let phi_deg = self.soils.weakest_deg(from_pa * f64::powi(2.0, i));
@@ -99,7 +107,11 @@ impl Search<'_> {
                 continue;
             }
             last = phi_deg;
-            let Some(found) = self.field(phi_deg)? else { break };
+            let of_angle = |density_kg_m3| {
+                let soil = Soil { phi_deg, density_kg_m3, cohesion_kpa: 0.0 };
+                self.bounds("weakest soil", soil, &self.part()).map(Some)
+            };
+            let Some(found) = self.field(phi_deg, of_angle)? else { break };
             trials.push(Trial { phi_deg, lower: found.least, upper: None });
             // A field that is borne with all that it was found for leaves nothing to weaker soil.
             let is_whole = found.least >= Some(found.of_field);
@@ -115,12 +127,15 @@ impl Search<'_> {
         Ok(best)
     }
 
-    /// What the field found for a friction angle proves, for all densities; `None` without a field.
-    fn field(&self, phi_deg: f64) -> Result<Option<Lower>, AppError> {
+    /// What the fields found for a density (kg/m3) prove, for all densities; `None` without a field. The angle is told of them.
+    fn field(
+        &self,
+        phi_deg: f64,
+        of_density: impl Fn(f64) -> Result<Option<Found>, AppError>,
+    ) -> Result<Option<Lower>, AppError> {
         let mut whole: Option<Lower> = None;
         for density_kg_m3 in self.densities() {
-            let soil = Soil { phi_deg, density_kg_m3, cohesion_kpa: 0.0 };
-            let found = self.bounds("weakest soil", soil, &self.part())?;
+            let Some(found) = of_density(density_kg_m3)? else { return Ok(None) };
             let (Some(of_field), Some((described, stress))) = (found.lower, &found.field) else {
                 return Ok(None);
             };

@@ -42,7 +42,16 @@ pub(super) fn with_soil(
     options: &Options,
     say: &mut dyn FnMut(usize),
 ) -> Result<Found, AppError> {
-    let description = site.with_soil(soil)?;
+    of_description(site, &site.with_soil(soil)?, options, say)
+}
+
+/// The same for a problem with the soil in it as it is.
+pub(super) fn of_description(
+    site: &Site,
+    description: &Description,
+    options: &Options,
+    say: &mut dyn FnMut(usize),
+) -> Result<Found, AppError> {
     let one_side = |error: LimitError| match error {
         LimitError::NothingProven { proven: Some(side), .. } => Ok(Found {
             lower: if let OneSide::Lower(value) = side { Some(value) } else { None },
@@ -56,7 +65,7 @@ pub(super) fn with_soil(
     };
     if description.objective == (Aim::StrengthReduction {}) {
         let safety =
-            match factor_of_safety(&description, options, &mut |_, level, _| say(level.upper.elements)) {
+            match factor_of_safety(description, options, &mut |_, level, _| say(level.upper.elements)) {
                 Ok(safety) => safety,
                 Err(error) => return one_side(error),
             };

@@ -3,6 +3,7 @@
 mod answer;
 mod by_law;
 mod factor;
+mod layers;
 mod region;
 mod request;
 mod search;

@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use soilctl_limit_analysis::Options;
 
 use super::answer::{FrictionBasis, SlopeAnswer, Trial};
-use super::factor::{Found, with_soil};
+use super::factor::{Found, of_description, with_soil};
 use super::region::Soils;
 use super::site::{Site, Soil};
 use super::{Request, words};
@@ -24,6 +24,8 @@ const NEARLY_ALL: f64 = 0.95;
 const SCOUT_SHARE: f64 = 0.05;
 /// Gap with which they are known well enough.
 const SCOUT_GAP: f64 = 0.15;
+/// Gap of the bounds of layers with which their field is good enough.
+const LAYERS_GAP: f64 = 0.06;
 /// Where it begins to stand is sought to this, in degrees.
 const NARROW_DEG: f64 = 0.25;
 
@@ -198,6 +200,18 @@ impl<'a> Search<'a> {
         })
     }
 
+    /// Bounds with the weakest soil in layers; `None` if it cannot be had so.
+    pub(super) fn in_layers(&self, density_kg_m3: f64) -> Option<Found> {
+        let weakest = |pa: f64| self.soils.weakest_deg(pa);
+        let description = self.site.with_layers(density_kg_m3, weakest)?;
+        let say = &mut |elements| self.watch.say(&format!("weakest soil in layers: {elements} elements"));
+        // The field is what counts, and is not much better for a sharper bound of the layers.
+        let part = self.part();
+        let options = Options { max_gap: part.max_gap.max(LAYERS_GAP), ..part };
+        // What the layers cannot do is left to the whole soil.
+        of_description(self.site, &description, &options, say).ok()
+    }
+
     /// Densities that matter.
     pub(super) fn densities(&self) -> Vec<f64> {
         let [low, high] = self.soils.density_kg_m3;
@@ -234,6 +248,11 @@ impl<'a> Search<'a> {
             }
         }
         Ok(None)
+    }
+
+    /// Whether a lower bound is all that was asked for.
+    pub(super) fn is_enough(&self, lower: Option<f64>) -> bool {
+        lower.is_some_and(|lower| lower >= self.request.required)
     }
 
     pub(super) fn is_stopped(&self) -> bool {

@@ -7,6 +7,7 @@ use soilctl_limit_analysis::results::{
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
 use super::Request;
+use super::layers::layered;
 use crate::AppError;
 use crate::solve::Asked;
 use crate::text::number;
@@ -145,6 +146,23 @@ impl Site {
             soil.unit_weight_kn_m3 = 1e-3 * density_kg_m3 * self.gravity_m_s2;
         }
         Ok(description)
+    }
+
+    /// The problem with this soil in layers along its surface, whose friction angle (deg) is a function of normal stress (Pa); `None` if it cannot be cut so,
+    /// or a layer has a friction angle beyond what can be bounded.
+    pub(super) fn with_layers(
+        &self,
+        density_kg_m3: f64,
+        friction_deg: impl Fn(f64) -> f64,
+    ) -> Option<Description> {
+        let whole = Soil { phi_deg: friction_deg(0.0), density_kg_m3, cohesion_kpa: 0.0 };
+        let description = self.with_soil(whole).ok()?;
+        let found = layered(&description, self.soil, friction_deg)?;
+        found
+            .soils
+            .iter()
+            .all(|soil| (LEAST_DEG..=MOST_DEG).contains(&soil.phi_deg) || soil.phi_deg == 0.0)
+            .then_some(found)
     }
 
     /// Normal stresses (Pa) at which this soil slips in a solution: those between which the equivalent stress lies; `None` if it does not slip.
