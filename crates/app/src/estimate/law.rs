@@ -26,9 +26,9 @@ pub(super) fn add(setup: &mut Setup<'_>, request: &Request) -> Result<(), AppErr
         None => middle_pa(setup)?,
     };
     setup.friction_law = Some(FrictionLaw { slope_deg_per_decade, reference_stress_pa });
-    if let Some(table) = &request.shear {
+    if let Some(table) = &request.shear_box {
         let series = table.shear_points()?;
-        let points = chosen(&series, request.soil.as_deref())?;
+        let points = chosen(&series, request.shear_soil.as_deref())?;
         let band = |point: &ShearPoint| {
             let phi = point.friction().degrees();
             let friction_deg = [phi - request.shear_tol_deg, phi + request.shear_tol_deg];
@@ -42,8 +42,8 @@ pub(super) fn add(setup: &mut Setup<'_>, request: &Request) -> Result<(), AppErr
 fn needs_a_law(request: &Request) -> Result<(), AppError> {
     let given = [
         ("--reference-stress", request.reference_stress_pa.is_some()),
-        ("--shear", request.shear.is_some()),
-        ("--soil", request.soil.is_some()),
+        ("--shear-box", request.shear_box.is_some()),
+        ("--shear-soil", request.shear_soil.is_some()),
     ];
     match given.iter().find(|(_, given)| *given) {
         Some((option, _)) => {
@@ -57,15 +57,15 @@ fn needs_a_law(request: &Request) -> Result<(), AppError> {
 fn chosen<'s>(series: &'s [ShearSeries], soil: Option<&str>) -> Result<&'s [ShearPoint], AppError> {
     let names = || series.iter().filter_map(|s| s.soil.as_deref()).collect::<Vec<_>>().join(", ");
     let found = match soil {
-        Some(name) => series
-            .iter()
-            .find(|s| s.soil.as_deref() == Some(name))
-            .ok_or_else(|| format!("--soil {name} is not in the table of direct shear; it has {}", names())),
+        Some(name) => series.iter().find(|s| s.soil.as_deref() == Some(name)).ok_or_else(|| {
+            format!("--shear-soil {name} is not in the table of direct shear; it has {}", names())
+        }),
         None => match series {
             [only] => Ok(only),
-            _ => {
-                Err(format!("the table of direct shear has several soils; choose one by --soil: {}", names()))
-            }
+            _ => Err(format!(
+                "the table of direct shear has several soils; choose one by --shear-soil: {}",
+                names()
+            )),
         },
     };
     found.map(|series| &series.points[..]).map_err(AppError::Request)

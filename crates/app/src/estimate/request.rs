@@ -108,11 +108,11 @@ pub struct Request {
 
     /// Tests of the same soil in direct shear (a table of friction angles against normal stress), with a law of stress
     #[arg(long, value_name = "FILE", requires = "friction_law", value_hint = clap::ValueHint::AnyPath)]
-    pub shear: Option<TableSource>,
+    pub shear_box: Option<TableSource>,
 
     /// The soil in the table of direct shear; needed if it has several
-    #[arg(long, value_name = "NAME", requires = "shear")]
-    pub soil: Option<String>,
+    #[arg(long, value_name = "NAME", requires = "shear_box")]
+    pub shear_soil: Option<String>,
 
     /// Half width of what a test in direct shear says of the friction angle (deg): its scatter, and what the box itself may be off by
     #[arg(long = "shear-tol", value_name = "DEG", default_value_t = Request::default().shear_tol_deg, value_parser = finite,
@@ -181,8 +181,8 @@ impl Default for Request {
             adjust_high_angles: 0.0,
             friction_law: None,
             reference_stress_pa: None,
-            shear: None,
-            soil: None,
+            shear_box: None,
+            shear_soil: None,
             shear_tol_deg: 2.0,
             phi_range_deg: None,
             loads: Loads::default(),

@@ -66,8 +66,8 @@ pub struct Answer {
     /// Proven upper bound on the factor with every soil that explains the strokes; null if there is none.
     pub upper: Option<f64>,
     /// Whether both bounds are proven for soils of the friction and the densities told here. That the soil has this friction at the stresses of the problem is
-    /// what the strokes say, not part of the proof. With a law of stress the field behind the lower bound is proven with interval arithmetic for one
-    /// friction angle, and held against the law in floating point.
+    /// what the strokes say, not part of the proof. With a law of stress the field behind the lower bound is proven with interval arithmetic for
+    /// layers or one friction angle, and held against the law in floating point.
     pub certified: bool,
     /// The soil of the problem that was asked about.
     pub soil: String,

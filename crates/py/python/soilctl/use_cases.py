@@ -1112,8 +1112,8 @@ class StabilityAnswer(Answer):
         by_slope: Lower bounds by slices of the law of stress; empty without a law.
         certified: Whether both bounds are proven for soils of the friction and the densities told here. That the
             soil has this friction at the stresses of the problem is what the strokes say, not part of the proof.
-            With a law of stress the field behind the lower bound is proven with interval arithmetic for one
-            friction angle, and held against the law in floating point.
+            With a law of stress the field behind the lower bound is proven with interval arithmetic for layers or
+            one friction angle, and held against the law in floating point.
         decisive_stress_pa: Mean stress (Pa) where the field behind the lower bound leaves least of the strength;
             null without a law of stress.
         density_kg_m3: Its densities (kg/m3).
@@ -1150,8 +1150,8 @@ class StabilityAnswer(Answer):
     certified: bool
     """Whether both bounds are proven for soils of the friction and the densities told here. That the soil has this
     friction at the stresses of the problem is what the strokes say, not part of the proof. With a law of stress
-    the field behind the lower bound is proven with interval arithmetic for one friction angle, and held against
-    the law in floating point.
+    the field behind the lower bound is proven with interval arithmetic for layers or one friction angle, and
+    held against the law in floating point.
     """
     decisive_stress_pa: float | None
     """Mean stress (Pa) where the field behind the lower bound leaves least of the strength; null without a law of
@@ -4636,8 +4636,8 @@ def estimate(
     adjust_high_angles: float = 0.0,
     friction_law: Sequence[Any] | None = None,
     reference_stress_pa: float | None = None,
-    shear: Table | None = None,
-    soil: str | None = None,
+    shear_box: Table | None = None,
+    shear_soil: str | None = None,
     shear_tol_deg: float = 2.0,
     phi_range_deg: Sequence[Any] | None = None,
     cohesion_pa: float = 0.0,
@@ -4687,9 +4687,9 @@ def estimate(
             reference stress.
         reference_stress_pa: Normal stress at which phi is told (Pa), with a law of stress; default: the middle of
             the stresses in the strokes.
-        shear: Tests of the same soil in direct shear (a table of friction angles against normal stress), with a law
-            of stress.
-        soil: The soil in the table of direct shear; needed if it has several.
+        shear_box: Tests of the same soil in direct shear (a table of friction angles against normal stress), with a
+            law of stress.
+        shear_soil: The soil in the table of direct shear; needed if it has several.
         shear_tol_deg: Half width of what a test in direct shear says of the friction angle (deg): its scatter, and
             what the box itself may be off by. Above 0.
         phi_range_deg: Friction angles to search (deg), LOW:HIGH.
@@ -4715,7 +4715,7 @@ def estimate(
         InputError: If a value makes no sense, is missing or outside its range; the message names it.
         FileError: If a file cannot be read or written.
     """
-    return run("estimate", estimate, locals(), EstimateAnswer, tables=("file", "shear",))
+    return run("estimate", estimate, locals(), EstimateAnswer, tables=("file", "shear_box",))
 
 
 def shear(
