@@ -3,7 +3,8 @@
 use soilctl_earth_pressure::{EarthPressureError, ModelSlice};
 
 use crate::end_factor::EndFactors;
-use crate::law::{FrictionLaw, StressLevel};
+use crate::law::FrictionLaw;
+use crate::stress_level::StressLevel;
 use crate::{EstimatorError, Observation, Setup};
 
 /// Densities consistent with a measurement at one (phi, delta), in kg/m3.
@@ -59,9 +60,9 @@ impl Constraint<'_> {
     }
 
     /// How many decades the stress of the measurement is from the reference of its law, at most, for friction angles of sand.
-    pub(crate) fn decades(&self) -> Option<f64> {
+    pub(crate) fn decades(&self, delta_deg: f64) -> Option<f64> {
         let (law, level) = self.law.as_ref()?;
-        level.decades(law)
+        level.decades(law, delta_deg)
     }
 
     /// What the model says at a point. `None` where it carries any load (Coulomb's singular corner), so that no finite

@@ -1,6 +1,7 @@
 use soilctl_soil::{Plate, Stroke};
 
 use crate::EstimatorError;
+use crate::stress_level::SlipStresses;
 
 /// What one measurement says about the failure force: it lies in an interval.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,6 +10,7 @@ pub struct Observation {
     stroke: Stroke,
     low_n: f64,
     high_n: f64,
+    slip_stresses: SlipStresses,
 }
 
 impl Observation {
@@ -48,7 +50,8 @@ impl Observation {
                 allowed: format!("a finite interval around {force_n} N"),
             });
         }
-        Ok(Self { label: label.into(), stroke, low_n: low_n.max(0.0), high_n })
+        let slip_stresses = SlipStresses::of(plate);
+        Ok(Self { label: label.into(), stroke, low_n: low_n.max(0.0), high_n, slip_stresses })
     }
 
     /// Name for messages and figures.
@@ -79,6 +82,10 @@ impl Observation {
     #[must_use]
     pub const fn high_n(&self) -> f64 {
         self.high_n
+    }
+
+    pub(crate) const fn slip_stresses(&self) -> &SlipStresses {
+        &self.slip_stresses
     }
 
     /// The same measurement with its interval scaled about the force.

@@ -1,7 +1,8 @@
 use soilctl_earth_pressure::{Case, ForceModel, Loads, check_loads};
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, WidthRatio};
 
-use crate::law::{FrictionLaw, ShearBand, StressLevel};
+use crate::law::{FrictionLaw, ShearBand};
+use crate::stress_level::StressLevel;
 use crate::{EstimatorError, Observation};
 
 /// Friction angles searched unless the model covers less or the user asks for less, in degrees.
@@ -85,7 +86,7 @@ impl<'m> Setup<'m> {
 
     /// The stress on the slip surfaces of a measurement.
     pub(crate) fn stress_level(&self, observation: &Observation) -> StressLevel {
-        StressLevel::of(observation, self.model.valid_range().phi_deg, self.delta_deg)
+        StressLevel::of(observation, self.model.valid_range().phi_deg)
     }
 
     /// Whether strokes share something of their end factors.
