@@ -1,5 +1,5 @@
 //! Friction as a law of stress: the truth is in the region, by forces integrated over depth that know nothing of an equivalent stress.
-#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "helpers of tests, and what was counted")]
 
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -104,6 +104,7 @@ fn the_true_law_is_in_the_region_a_thousand_times() {
         let constant = estimate(&Setup { friction_law: None, ..with_law }).unwrap();
         explained += u32::from(constant.is_consistent());
     }
+    println!("{explained} of 1000 are explained by one friction angle");
     // With one friction angle for all depths most of these campaigns contradict themselves.
     assert!(explained < 600, "{explained} of 1000 are explained by one friction angle");
 }
@@ -168,6 +169,6 @@ fn the_stress_of_a_stroke_is_that_of_rankines_zone() {
         let [low, high] = stress.unwrap();
         let sin = 35_f64.to_radians().sin();
         let equivalent = 1500.0 * STANDARD_GRAVITY_M_S2 * depth * (1.0 + sin) / std::f64::consts::E.sqrt();
-        assert!(low < equivalent && equivalent < high && high / low < 1.4, "{low} {equivalent} {high}");
+        assert!(low < equivalent && equivalent < high && high / low < 1.6, "{low} {equivalent} {high}");
     }
 }
