@@ -93,6 +93,9 @@ def test_files_that_make_no_sense_are_refused(soilctl, regions, tmp_path):
     wet = slope_file(tmp_path / "wet.json", 2.0, water={"table": [[0, -1], [30, -1]]})
     soilctl.refuses("stability", regions["constant"], wet, mentions=["water", "--keep-weight"])
     soilctl.refuses("stability", regions["law"], wet, "--keep-weight", mentions=["dry"])
+    sides = [{"kind": "free", "line": [[0, 0], [10, 0], [20, 5], [30, 5]]}, {"kind": "far", "sides": ["left", "right"]}]
+    far = slope_file(tmp_path / "far.json", 2.0, boundary=sides)
+    soilctl.refuses("stability", regions["law"], far, mentions=["far sides", "fixed or smooth"])
     soilctl.refuses("stability", regions["constant"], problem, "--soil", "clay", mentions=["--soil", "sand"])
 
 

@@ -12,6 +12,13 @@ pub fn number(value: f64) -> String {
     if size != 0.0 && !(1e-4..1e7).contains(&size) { format!("{rounded:e}") } else { rounded.to_string() }
 }
 
+/// A positive value rounded to its second digit.
+#[must_use]
+pub fn to_two_digits(value: f64) -> f64 {
+    let step = libm::pow(10.0, libm::log10(value).floor() - 1.0);
+    (value / step).round() * step
+}
+
 /// A value with its standard deviation: both to the second digit of this. The unit `1` is left out.
 #[must_use]
 pub fn measured(value: f64, sd: f64, unit: &str) -> String {

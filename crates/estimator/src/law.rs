@@ -7,8 +7,6 @@
 
 use crate::EstimatorError;
 
-/// Slopes that are searched unless the user says otherwise, in degrees a decade of stress: sands have 3 to 6 (Hong 2001, table 6.13).
-pub const SLOPE_SEARCH_DEG: (f64, f64) = (0.0, 8.0);
 /// Most slope in degrees a decade.
 pub const MAX_SLOPE_DEG: f64 = 20.0;
 /// Widest slices in degrees a decade.

@@ -24,7 +24,7 @@ pub use ellipse::Ellipse;
 pub use error::EstimatorError;
 pub use estimate::{Estimate, Limits, Projections, Slice, bands, estimate, projections, section};
 pub use exact::{ExactSection, exact_estimate, exact_section};
-pub use law::{FrictionLaw, MAX_SLOPE_DEG, REFERENCE_STRESS_PA, SLOPE_SEARCH_DEG, ShearBand};
+pub use law::{FrictionLaw, MAX_SLOPE_DEG, REFERENCE_STRESS_PA, ShearBand};
 pub use misfit::{Fit, best_fit};
 pub use next_stroke::{Candidate, StrokeMenu, next_strokes};
 pub use observation::Observation;

@@ -18,16 +18,8 @@ where
     let mut found = Vec::new();
     let decades = constraints.iter().filter_map(|constraint| constraint.decades(setup.delta_deg.0));
     let farthest = decades.fold(0.0, f64::max);
-    // What no soil of the whole law explains none of a slice does: a slice needs to look at the rest only.
-    let whole = cover(setup, &constraints)?;
-    let ends = whole.iter().flat_map(|piece| piece.base()).map(|point| point[0]);
-    let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), phi| (l.min(phi), h.max(phi)));
     for slice in law.slices(farthest) {
-        let Some((least, greatest)) = phi_range_deg(setup, &slice) else { continue };
-        let phi_deg = (least.max(low), greatest.min(high));
-        if phi_deg.0 >= phi_deg.1 {
-            continue;
-        }
+        let Some(phi_deg) = phi_range_deg(setup, &slice) else { continue };
         for constraint in &mut constraints {
             constraint.follow(slice);
         }

@@ -9,6 +9,7 @@ use soilctl_estimator::{
 
 use super::request::Request;
 use crate::AppError;
+use crate::text::to_two_digits;
 
 /// Friction angle at which the stresses of strokes are judged where nothing else is known, in degrees: a sand's.
 const SAND_DEG: f64 = 38.0;
@@ -83,8 +84,7 @@ fn middle_pa(setup: &Setup<'_>) -> Result<f64, AppError> {
         ));
     }
     let middle = known.iter().sum::<f64>() / known.len() as f64;
-    let step = libm::pow(10.0, middle.floor() - 1.0);
-    Ok((libm::pow(10.0, middle) / step).round() * step)
+    Ok(to_two_digits(libm::pow(10.0, middle)))
 }
 
 /// Friction as a law of stress: `phi = phi_ref - slope log10(sigma / sigma_ref)`, and the soils that have it.

@@ -6,7 +6,7 @@ use soilctl_estimator::Estimate;
 use super::answer::{Answer, Disagreement, PlaneStrain};
 use super::law::{LawAnswer, LawRange};
 use super::request::Request;
-use crate::text::number;
+use crate::text::{number, to_two_digits};
 
 /// Pairs in conflict that are named; the JSON answer has all.
 const MOST_PAIRS: usize = 6;
@@ -205,9 +205,6 @@ fn stresses(answer: &Answer) -> Option<String> {
 
 /// Two stresses with two digits each.
 fn range(low: f64, high: f64) -> String {
-    let digits = |x: f64| {
-        let step = libm::pow(10.0, libm::log10(x).floor() - 1.0);
-        number((x / step).round() * step)
-    };
+    let digits = |x: f64| number(to_two_digits(x));
     format!("{} to {}", digits(low), digits(high))
 }

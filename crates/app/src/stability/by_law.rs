@@ -149,7 +149,12 @@ impl Search<'_> {
                         Some(reserve.map_or(of_field, |reserve| reserve.min(of_field)))
                     }
                     Asked::FactorOfSafety => reserve,
-                    _ => reserve.is_none_or(|reserve| reserve >= 1.0).then_some(of_field),
+                    Asked::LoadFactor
+                    | Asked::WeightFactor
+                    | Asked::ForceKnPerM
+                    | Asked::AccelerationOverG => {
+                        reserve.is_none_or(|reserve| reserve >= 1.0).then_some(of_field)
+                    }
                 }
             };
             let of_all = reserve(&|pa| self.soils.weakest_deg(pa));

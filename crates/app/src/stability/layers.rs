@@ -27,7 +27,7 @@ pub(super) fn layered(
     let whole = &description.soils[soil];
     let is_ours = |region: &&RegionEntry| region.soil == whole.name;
     let areas: Vec<Vec<Point>> =
-        description.regions.iter().filter(is_ours).map(|region| counterclockwise(&region.polygon)).collect();
+        description.regions.iter().filter(is_ours).map(|region| region.polygon.clone()).collect();
     let surface = surface(&areas);
     let lowest = areas.iter().flatten().map(|p| p[1]).fold(f64::INFINITY, f64::min);
     let deepest = surface.iter().map(|p| p[1] - lowest).fold(0.0, f64::max);
@@ -60,20 +60,6 @@ pub(super) fn layered(
         }
     }
     Some(found)
-}
-
-fn counterclockwise(polygon: &[Point]) -> Vec<Point> {
-    let doubled: f64 = (0..polygon.len())
-        .map(|i| {
-            let (a, b) = (polygon[i], polygon[(i + 1) % polygon.len()]);
-            a[0] * b[1] - a[1] * b[0]
-        })
-        .sum();
-    let mut polygon = polygon.to_vec();
-    if doubled < 0.0 {
-        polygon.reverse();
-    }
-    polygon
 }
 
 /// The highest points of areas, from left to right.

@@ -36,6 +36,13 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
             request.problem.display()
         )));
     }
+    if soils.has_law() && site.has_far_sides() {
+        return Err(AppError::Request(format!(
+            "{}: it has far sides, beyond which stresses are not looked at, and a law of stress has no end there; make them fixed or smooth, and the \
+             section as wide and deep as what may slide",
+            request.problem.display()
+        )));
+    }
     let search = Search::new(request, &site, &soils, watch)?;
     watch.begin(0, "stresses");
     let found = search.run();

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use serde::Deserialize;
+use soilctl_estimator::FrictionLaw;
 
 use crate::AppError;
 
@@ -176,9 +177,9 @@ impl Soils {
     fn of_slice(&self, slice: usize, stress_pa: f64, end: usize) -> f64 {
         let Some(law) = &self.law else { return self.phi_deg[end] };
         let Slice { slope_deg_per_decade: [low, high], phi_deg } = law.slices[slice];
-        let decades = libm::log10(stress_pa / law.reference_stress_pa);
-        let (a, b) = (phi_deg[end] - low * decades, phi_deg[end] - high * decades);
-        if end == 0 { a.min(b).max(0.0) } else { a.max(b).min(MOST_DEG) }
+        let law =
+            FrictionLaw { slope_deg_per_decade: (low, high), reference_stress_pa: law.reference_stress_pa };
+        law.friction_range_deg(phi_deg[end], [stress_pa; 2])[end].clamp(0.0, MOST_DEG)
     }
 }
 

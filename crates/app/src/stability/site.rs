@@ -1,6 +1,6 @@
 //! The problem, with the soil of the strokes in it.
 
-use soilctl_limit_analysis::describe::Aim;
+use soilctl_limit_analysis::describe::{Aim, Kind};
 use soilctl_limit_analysis::results::{
     FlowResults, StressResults, least_reserve, problem_units, slip_stress,
 };
@@ -72,6 +72,12 @@ impl Site {
             );
         }
         Ok(site)
+    }
+
+    /// Whether the ground goes on beyond the mesh for ever, where no field is looked at.
+    pub(super) fn has_far_sides(&self) -> bool {
+        let Description { boundaries, default_boundary, .. } = &self.description;
+        boundaries.iter().map(|boundary| boundary.kind).chain(*default_boundary).any(|kind| kind == Kind::Far)
     }
 
     /// Whether there is water in the problem.

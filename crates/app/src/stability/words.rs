@@ -3,16 +3,12 @@
 use super::Request;
 use super::answer::{Answer, FrictionBasis, SlopeAnswer, Verdict};
 use super::region::Soils;
-use crate::text::number;
+use crate::text::{number, to_two_digits};
 
 /// Two stresses, in Pa or kPa, with two digits each.
 pub(super) fn stresses([low, high]: [f64; 2]) -> String {
     let (unit, size) = if high < 2000.0 { ("Pa", 1.0) } else { ("kPa", 1000.0) };
-    let digits = |stress: f64| {
-        let x = stress / size;
-        let step = libm::pow(10.0, libm::log10(x).floor() - 1.0);
-        number((x / step).round() * step)
-    };
+    let digits = |stress: f64| number(to_two_digits(stress / size));
     format!("{} to {} {unit}", digits(low), digits(high))
 }
 
