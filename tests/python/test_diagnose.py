@@ -208,7 +208,22 @@ def test_traces_that_cannot_be_meant_are_refused(soilctl, tmp_path):
     bad = tmp_path / "bad.csv"
     bad.write_text("stroke_id,t_s,x_ext_m,force_n\ns01,0,0,1\ns01,0,0,1\n", encoding="utf-8")
     soilctl.refuses("diagnose", tmp_path, "--traces", bad, mentions=["bad.csv", "line 3", "t_s"])
-    soilctl.refuses("diagnose", tmp_path, "--resimulate", mentions=[".mcap", "--resimulate"])
+    soilctl.refuses("diagnose", tmp_path, "--logs", tmp_path, mentions=[".mcap", "--logs"])
+    soilctl.refuses("diagnose", tmp_path, "--logs", tmp_path, "--no-resimulate", mentions=["--logs", "--no-resimulate"])
+
+
+def test_logs_that_are_not_of_the_strokes_are_said_not_to_be_compared(soilctl, tmp_path):
+    plain_campaign(soilctl, tmp_path)
+    plain = soilctl.json("diagnose", tmp_path, "--out", tmp_path / "out")
+    assert plain["resimulated"] == "no_logs" and plain["signals"] == []
+    (tmp_path / "other.mcap").write_bytes(b"no log")
+    beside = soilctl("diagnose", tmp_path, "--out", tmp_path / "out", code=0)
+    assert "signals were not compared" in beside.stdout and "other.mcap" in beside.stdout
+    answer = soilctl.json("diagnose", tmp_path, "--out", tmp_path / "out")
+    assert answer["resimulated"] == "not_possible" and "other.mcap" in answer["not_resimulated_because"]
+    soilctl.refuses("diagnose", tmp_path, "--logs", tmp_path, mentions=["other.mcap"])
+    alone = soilctl.json("diagnose", tmp_path, "--no-resimulate", "--out", tmp_path / "out")
+    assert alone["resimulated"] == "not_wanted" and alone["not_resimulated_because"] is None
 
 
 def test_refuses_what_is_not_there(soilctl, tmp_path):

@@ -87,12 +87,7 @@ fn found(folder: &Path, store: &Path, effect: Option<(&str, &str, f64)>, seed: u
     std::fs::write(&known, campaign.to_string()).unwrap();
     std::fs::write(logs.join("plant.toml"), TWIN).unwrap();
     let out = store.to_owned();
-    let request = diagnose::Request {
-        dir: logs.clone(),
-        resimulate: Some(logs),
-        out: Some(out),
-        ..diagnose::Request::default()
-    };
+    let request = diagnose::Request { dir: logs, out: Some(out), ..diagnose::Request::default() };
     diagnose::run(&request, &Unwatched).unwrap().answer
 }
 

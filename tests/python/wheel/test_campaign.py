@@ -290,7 +290,7 @@ def test_a_diagnosis_takes_traces_and_logs(tmp_path):
         soilctl.diagnose(campaign, traces=traces, out=tmp_path / "bad")
     # Logs are needed to run the campaign again.
     with pytest.raises(soilctl.InputError, match=r"\.mcap"):
-        soilctl.diagnose(campaign, resimulate=tmp_path, out=tmp_path / "again")
+        soilctl.diagnose(campaign, logs=tmp_path, out=tmp_path / "again")
 
 
 def test_angles_of_shear_tests_follow_their_power_law():

@@ -11,6 +11,8 @@ use super::Against;
 use super::Simulated;
 use super::disagreements::disagreements;
 use super::files::Written;
+use super::logs::Resimulation;
+use crate::Outcome;
 use crate::text::measured;
 
 /// Where model and measurement disagree, which effect is missing, and the gap after it is added.
@@ -29,6 +31,10 @@ pub struct Answer {
     pub gap_by_channel: Vec<ChannelGapAnswer>,
     /// The gap of each signal to the same strokes on the simulated arm; empty if they were not simulated.
     pub signals: Vec<SignalAnswer>,
+    /// Whether they were, or why not.
+    pub resimulated: Resimulation,
+    /// Why logs that are there cannot be simulated again; null otherwise.
+    pub not_resimulated_because: Option<String>,
     /// Disagreements of the recalibrated baseline that are more than chance.
     #[serde(rename = "where")]
     pub located: Vec<WhereAnswer>,
@@ -190,7 +196,7 @@ impl Answer {
         against: &Against,
         data: &Data,
         d: &Diagnosis,
-        simulated: &Simulated,
+        (simulated, resimulated, not_resimulated_because): (&Simulated, Resimulation, Option<String>),
         traces: usize,
         written: &Written,
     ) -> Self {
@@ -236,6 +242,8 @@ impl Answer {
                 })
                 .collect(),
             signals: signals(data, d, simulated),
+            resimulated,
+            not_resimulated_because,
             located: d
                 .located
                 .iter()
@@ -303,6 +311,23 @@ impl Answer {
             _ => "these strokes cannot tell any effect from the soil itself; see the next experiment".into(),
         }
     }
+
+    /// That signals were not compared although they could have been expected to be; `None` otherwise.
+    #[must_use]
+    pub fn resimulation(&self) -> Option<String> {
+        match (self.resimulated, &self.not_resimulated_because) {
+            (Resimulation::Compared | Resimulation::NoLogs | Resimulation::NotWanted, _) => None,
+            (Resimulation::NotPossible, Some(why)) => {
+                Some(format!("signals were not compared with a simulated arm, only the table was read: {why}"))
+            }
+            (Resimulation::NotPossible, None) => {
+                Some("no simulated stroke failed the soil, so that only the table was read".into())
+            }
+            (Resimulation::Stopped, _) => Some(
+                "stopped before all signals were compared with a simulated arm; the same command goes on from here".into(),
+            ),
+        }
+    }
 }
 
 fn signals(data: &Data, d: &Diagnosis, simulated: &Simulated) -> Vec<SignalAnswer> {
@@ -330,4 +355,14 @@ fn signals(data: &Data, d: &Diagnosis, simulated: &Simulated) -> Vec<SignalAnswe
 
 impl crate::Answer for Answer {
     const SCHEMA: &'static str = "soilctl.diagnose/1";
+
+    fn outcome(&self) -> Outcome {
+        match self.resimulated {
+            Resimulation::Stopped => Outcome::Partial,
+            Resimulation::Compared
+            | Resimulation::NoLogs
+            | Resimulation::NotWanted
+            | Resimulation::NotPossible => Outcome::Done,
+        }
+    }
 }

@@ -67,8 +67,8 @@ fn zero(data: &Data, names: Names<'_>) -> Option<String> {
     (drifts && !named).then(|| {
         format!(
             "zero of the force sensor: free-air readings go {:+.2} +- {sd_n:.2} N from the first stroke to the last, and no drift is named; \
-             where they are taken off each stroke, as `process` does, no force shows it, and only a comparison with the simulated arm \
-             (--resimulate) says what they should read",
+             where they are taken off each stroke, as `process` does, no force shows it, and only logs, which are run again on the simulated arm, say what \
+             they should read",
             line.slope
         )
     })

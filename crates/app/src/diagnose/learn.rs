@@ -1,6 +1,7 @@
 //! How the simulated arm shows effects: single strokes like those of the campaign, without and with each effect, by the same noise.
 
 use std::path::Path;
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use soilctl_campaign::{CampaignError, Options, Plan};
@@ -11,7 +12,7 @@ use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use crate::files::failed;
 use crate::simulate::cores;
-use crate::{AppError, Watch, process, simulate};
+use crate::{AppError, Interrupted, Watch, process, simulate};
 
 /// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.
 const SEED: u64 = 0x1ea2;
@@ -22,6 +23,15 @@ const SOIL_STEPS: [f64; 2] = [2.0, 50.0];
 
 /// Mean depth in m that model files of single strokes have.
 const REFERENCE_DEPTH_M: f64 = 0.025;
+
+/// Whether work came to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Progress {
+    /// All of it is done.
+    Done,
+    /// The user ended it; what is finished is kept.
+    Stopped,
+}
 
 /// Strokes of one kind each on the simulated arm.
 pub(super) struct Learning<'a> {
@@ -48,7 +58,9 @@ impl<'a> Learning<'a> {
     }
 
     /// Learns all effects that are not known and whose formulas do not know the controller.
-    pub(super) fn all(&self, data: &mut Data, candidates: &[EffectId]) -> Result<(), AppError> {
+    pub(super) fn all(&self, data: &mut Data, candidates: &[EffectId]) -> Result<Progress, AppError> {
+        let stop = self.watch.stop(Interrupted::KeepsResults);
+        let stopped = || stop.load(Ordering::Relaxed);
         let wanted: Vec<(EffectId, EffectId)> = candidates
             .iter()
             .filter(|id| id.effect().site.passes_the_controller())
@@ -61,8 +73,11 @@ impl<'a> Learning<'a> {
         let each = self.plan.strokes().strokes().len();
         let clock = Instant::now();
         let Some(plain) = self.table(&self.plain)? else {
+            if stopped() {
+                return Ok(Progress::Stopped);
+            }
             self.watch.note("no single stroke of the simulated arm has a failure force: effects are judged by their formulas");
-            return Ok(());
+            return Ok(Progress::Done);
         };
         self.watch.note(&format!(
             "how the simulated arm shows {} effects: {runs} times {each} single strokes, at most {:.0} min by the first {each}; what is \
@@ -76,6 +91,7 @@ impl<'a> Learning<'a> {
             for amplitude in amplitudes(effect) {
                 match self.table(&with(&self.plain, effect, amplitude)) {
                     Ok(Some(table)) => tables.push((amplitude, table)),
+                    Ok(None) if stopped() => return Ok(Progress::Stopped),
                     Ok(None) => {}
                     Err(AppError::Campaign(problem @ CampaignError::Effect { .. })) => {
                         self.watch.note(&problem.to_string());
@@ -95,7 +111,7 @@ impl<'a> Learning<'a> {
                 data.learn(*wanted, Learnt::new(wanted.effect(), data, &plain, &shown));
             }
         }
-        Ok(())
+        Ok(Progress::Done)
     }
 
     /// Strokes with the soil and the effects of a model file; `None` if no stroke has a failure force, or it was stopped.

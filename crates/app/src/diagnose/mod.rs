@@ -5,6 +5,7 @@ mod answer;
 mod disagreements;
 mod files;
 mod learn;
+mod logs;
 mod request;
 mod resimulated;
 pub mod self_test;
@@ -16,7 +17,10 @@ pub use answer::{
     Answer, ChannelGapAnswer, EffectAnswer, GapAnswer, NextAnswer, ParameterAnswer, SignalAnswer,
     TestabilityAnswer, WhereAnswer,
 };
+use logs::Asked;
+pub use logs::Resimulation;
 pub use request::Request;
+use resimulated::Again;
 pub use resimulated::{Resimulated, Simulated};
 use soilctl_diagnosis::{AddedTraces, Data, Diagnosis, RecordedTraces, Surface, diagnose};
 use soilctl_earth_pressure::plane_model;
@@ -66,24 +70,21 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Diagnosed, AppError> 
         watch.begin(0, "weighing explanations");
         let found = diagnose(data, &surface);
         watch.end();
-        found
+        Ok(found?)
     };
     let mut diagnosis = weigh(&data)?;
-    let mut simulated = Simulated::default();
-    if let Some(logs) = &request.resimulate {
-        let logs = if logs.as_os_str().is_empty() { dir } else { logs };
-        let again = resimulated::Again::of(logs, &out, watch)?;
-        let plain = again.before(&against, &data, &diagnosis, &mut simulated)?;
-        if let Some(before) = &simulated.before {
-            again.expect(before, &plain, &mut data)?;
-            diagnosis = weigh(&data)?;
-            again.after(&against, &data, &diagnosis, &mut simulated)?;
+    let (simulated, resimulated, why) = match logs::asked(request, &data)? {
+        Asked::Not(how, why) => (Simulated::default(), how, why),
+        Asked::Again(plan, seed) => {
+            let again = Again { plan: *plan, seed, out: &out, watch };
+            let (simulated, how) = again.compare(&against, &mut data, &mut diagnosis, &weigh)?;
+            (simulated, how, None)
         }
-    }
+    };
     let title = dir.file_name().map_or_else(|| "campaign".into(), |name| name.to_string_lossy().into_owned());
     let written = files::write(&against, &data, &diagnosis, &strokes, &out)?;
     let used = traces.as_ref().map_or(0, |traces| traces.used);
-    let answer = Answer::new(&against, &data, &diagnosis, &simulated, used, &written);
+    let answer = Answer::new(&against, &data, &diagnosis, (&simulated, resimulated, why), used, &written);
     Ok(Diagnosed { title, against, data, diagnosis, traces, simulated, answer })
 }
 

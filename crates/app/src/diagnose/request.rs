@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{OsStringValueParser, TypedValueParser as _};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -27,12 +26,14 @@ pub struct Request {
     #[arg(long, value_name = "FILE")]
     pub traces: Option<PathBuf>,
 
-    /// Run the campaign again on the simulated arm, without and with what is found, and compare the traces; LOGS is the folder
-    /// of its logs [default: DIR]
-    // An empty path stands for DIR.
-    #[arg(long, value_name = "LOGS", num_args = 0..=1, default_missing_value = "",
-          value_parser = OsStringValueParser::new().map(PathBuf::from))]
-    pub resimulate: Option<PathBuf>,
+    /// Folder of the campaign's logs, if they are soilctl's: the same commands are run on the simulated arm, without and with what is found,
+    /// and signals are compared [default: DIR, if logs of its strokes are there]
+    #[arg(long, value_name = "FOLDER", conflicts_with = "no_resimulate")]
+    pub logs: Option<PathBuf>,
+
+    /// Diagnose the table alone: nothing is simulated, also where logs are there
+    #[arg(long)]
+    pub no_resimulate: bool,
 
     /// Folder to write to [default: DIR/diagnosis]
     #[arg(long, value_name = "DIR2")]
@@ -46,7 +47,8 @@ impl Default for Request {
             model: "table".into(),
             model_file: None,
             traces: None,
-            resimulate: None,
+            logs: None,
+            no_resimulate: false,
             out: None,
         }
     }

@@ -1,6 +1,7 @@
 //! The same commands on the simulated arm: what it reads without the effects, and with those that were found.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::atomic::Ordering;
 
 use soilctl_campaign::{CampaignError, Options, Plan};
 use soilctl_diagnosis::{Course, Data, Diagnosis, RecordedTraces};
@@ -9,10 +10,10 @@ use soilctl_jobs::fnv1a;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use super::Against;
-use super::learn::Learning;
-use crate::files::failed;
+use super::learn::{Learning, Progress};
+use super::logs::Resimulation;
 use crate::simulate::cores;
-use crate::{AppError, Watch, process, simulate};
+use crate::{AppError, Interrupted, Watch, process, simulate};
 
 /// Noise of the campaign that is simulated again must not be that of the first one.
 const OTHER_NOISE: u64 = 0x5eed;
@@ -45,25 +46,48 @@ impl Resimulated {
 
 /// What is simulated again, and where its files go.
 pub(super) struct Again<'a> {
-    log: PathBuf,
-    out: &'a Path,
-    watch: &'a dyn Watch,
+    pub(super) plan: Plan,
+    pub(super) seed: u64,
+    pub(super) out: &'a Path,
+    pub(super) watch: &'a dyn Watch,
 }
 
-impl<'a> Again<'a> {
-    /// The campaign of the logs in a folder.
-    pub(super) fn of(logs: &Path, out: &'a Path, watch: &'a dyn Watch) -> Result<Self, AppError> {
-        Ok(Self { log: first_log(logs)?, out, watch })
+impl Again<'_> {
+    /// Runs the campaign without effects, weighs explanations by what the simulated arm reads, and runs it with what is found. What is
+    /// ended by the user before explanations are weighed leaves the diagnosis of the table as it was.
+    pub(super) fn compare(
+        &self,
+        against: &Against,
+        data: &mut Data,
+        diagnosis: &mut Diagnosis,
+        weigh: &dyn Fn(&Data) -> Result<Diagnosis, AppError>,
+    ) -> Result<(Simulated, Resimulation), AppError> {
+        let stop = self.watch.stop(Interrupted::KeepsResults);
+        let stopped = || stop.load(Ordering::Relaxed);
+        let ended = |simulated| {
+            let how = if stopped() { Resimulation::Stopped } else { Resimulation::NotPossible };
+            Ok((simulated, how))
+        };
+        let (before, plain) = self.before(against, data, diagnosis)?;
+        let Some(before) = before else { return ended(Simulated::default()) };
+        let mut with_signals = data.clone();
+        if self.expect(&before, &plain, &mut with_signals)? == Progress::Stopped {
+            return ended(Simulated::default());
+        }
+        *data = with_signals;
+        *diagnosis = weigh(data)?;
+        let after = self.after(against, data, diagnosis)?;
+        let how = if stopped() { Resimulation::Stopped } else { Resimulation::Compared };
+        Ok((Simulated { before: Some(before), after }, how))
     }
 
     /// Simulates without the effects that were found; the model file of that, with the effects that are known and can be simulated.
-    pub(super) fn before(
+    fn before(
         &self,
         against: &Against,
         data: &Data,
         diagnosis: &Diagnosis,
-        simulated: &mut Simulated,
-    ) -> Result<ModelFile, AppError> {
+    ) -> Result<(Option<Resimulated>, ModelFile), AppError> {
         let file = model_file(against, data, diagnosis);
         // The soil as it was fitted beside what was found: without, it takes a part of an effect, and the simulated arm would show it, too.
         let mut plain = file;
@@ -73,8 +97,11 @@ impl<'a> Again<'a> {
         plain.soil.delta_offset_deg.value = 0.0;
         let with =
             if plain.effects.is_empty() { "without effects" } else { "with the effects that are known" };
-        self.watch.note(&format!("the same commands on the simulated arm, {with}"));
-        simulated.before = loop {
+        self.watch.note(&format!(
+            "the same {} strokes on the simulated arm, {with}; --no-resimulate reads the table alone",
+            self.plan.strokes().strokes().len()
+        ));
+        let before = loop {
             match self.simulate(&plain, &data.campaign) {
                 // What is known and cannot be simulated is left out there.
                 Err(AppError::Campaign(ref problem @ CampaignError::Effect { effect, .. })) => {
@@ -84,17 +111,12 @@ impl<'a> Again<'a> {
                 found => break found?,
             }
         };
-        Ok(plain)
+        Ok((before, plain))
     }
 
     /// Puts what the simulated arm read into the data: what is to be expected of each signal, what the scene makes of the forces, and how
     /// signals respond to effects.
-    pub(super) fn expect(
-        &self,
-        before: &Resimulated,
-        plain: &ModelFile,
-        data: &mut Data,
-    ) -> Result<(), AppError> {
+    fn expect(&self, before: &Resimulated, plain: &ModelFile, data: &mut Data) -> Result<Progress, AppError> {
         data.expect(&before.data, !plain.effects.is_empty(), plain.soil.delta_offset_deg.value);
         let model = Loaded::new(plain.clone(), "the simulated soil")?;
         let model_n: Result<Vec<f64>, _> = before.data.rows.iter().map(|row| model.force_n(row)).collect();
@@ -102,48 +124,44 @@ impl<'a> Again<'a> {
         if let Ok(model_n) = model_n {
             data.expect_scene(&before.data, &model_n);
         }
-        let (plan, _) = Plan::from_log(&self.log)?;
         let store = self.out.join("learnt");
         let candidates: Vec<EffectId> = EffectId::ALL
             .into_iter()
             .filter(|id| plain.effects.iter().all(|known| known.id != *id))
             .collect();
         let campaign = data.campaign.clone();
-        Learning::new(&plan, plain, data, &campaign, &store, self.watch)?.all(data, &candidates)
+        Learning::new(&self.plan, plain, data, &campaign, &store, self.watch)?.all(data, &candidates)
     }
 
-    /// Simulates with the effects that were found, if there are any.
-    pub(super) fn after(
+    /// Simulates with the effects that were found; `None` without effects, or if it was stopped.
+    fn after(
         &self,
         against: &Against,
         data: &Data,
         diagnosis: &Diagnosis,
-        simulated: &mut Simulated,
-    ) -> Result<(), AppError> {
+    ) -> Result<Option<Resimulated>, AppError> {
         if diagnosis.effects.is_empty() {
-            return Ok(());
+            return Ok(None);
         }
         self.watch.note("the same commands on the simulated arm, with the effects");
         match self.simulate(&model_file(against, data, diagnosis), &data.campaign) {
-            Ok(after) => simulated.after = after,
             // An effect that the simulated arm cannot show stays named.
             Err(AppError::Campaign(problem @ CampaignError::Effect { .. })) => {
                 self.watch.note(&problem.to_string());
+                Ok(None)
             }
-            Err(problem) => return Err(problem),
+            after => after,
         }
-        Ok(())
     }
 
     /// Runs the plan of the log with soil and effects of a model file, in a folder of its own: what is there of the same run is
     /// used. `None` if it was stopped, or no stroke has a failure force.
     fn simulate(&self, file: &ModelFile, campaign: &Campaign) -> Result<Option<Resimulated>, AppError> {
-        let (plan, seed) = Plan::from_log(&self.log)?;
         let text = serde_json::to_string(file)?;
         let folder = self.out.join("resimulated").join(fnv1a(text.as_bytes()));
-        let options = Options { out: &folder, seed: seed ^ OTHER_NOISE, threads: cores() };
+        let options = Options { out: &folder, seed: self.seed ^ OTHER_NOISE, threads: cores() };
         let name = folder.display().to_string();
-        let simulated = simulate::campaign(&plan, Some((file, name.as_str())), &options, self.watch)?;
+        let simulated = simulate::campaign(&self.plan, Some((file, name.as_str())), &options, self.watch)?;
         if !simulated.complete {
             return Ok(None);
         }
@@ -163,21 +181,4 @@ impl<'a> Again<'a> {
 /// The model file of a diagnosis before it is written: of no stroke table.
 fn model_file(against: &Against, data: &Data, diagnosis: &Diagnosis) -> ModelFile {
     diagnosis.model_file(data, &against.model, against.known(), fnv1a(&[]))
-}
-
-/// The first log of a folder, by name.
-fn first_log(folder: &Path) -> Result<PathBuf, AppError> {
-    let mut logs = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
-        let path = entry.map_err(failed(folder))?.path();
-        if path.extension().is_some_and(|ending| ending == "mcap") {
-            logs.push(path);
-        }
-    }
-    logs.into_iter().min().ok_or_else(|| {
-        AppError::Request(format!(
-            "there is no .mcap file in {}; give the folder of the campaign's logs with --resimulate",
-            folder.display()
-        ))
-    })
 }

@@ -175,7 +175,8 @@ def diagnose(
     model: str | None = None,
     model_file: PathLike | None = None,
     traces: PathLike | None = None,
-    resimulate: PathLike | None = None,
+    logs: PathLike | None = None,
+    resimulate: bool = True,
     out: PathLike | None = None,
 ) -> use_cases.DiagnoseAnswer:
     """Where model and measurement disagree, which effect is missing, and the gap after it is added.
@@ -187,8 +188,9 @@ def diagnose(
         model_file: A model file instead of ``model``, such as the patch of an earlier diagnosis: its force model, and its effects
             as known ones, which are held as they are and not looked for.
         traces: Traces of the strokes; by default ``traces.csv`` in the folder, if it is there.
-        resimulate: Folder with the campaign's logs: runs it again on the simulated arm, without and with what is found, and
-            compares the traces. Takes some seconds a stroke.
+        logs: Folder with the campaign's logs, if they are soilctl's; by default the folder, if logs of its strokes are there. The same
+            commands are run on the simulated arm, without and with what is found, and signals are compared. Takes some seconds a stroke.
+        resimulate: False reads the table alone, also where logs are there.
         out: Folder for ``patch.json``, ``predictions.csv``, ``gap.csv``, ``next_experiment.csv`` and ``report.html``; by default
             ``diagnosis`` in the folder. Of a table in memory nothing is written by default.
 
@@ -200,7 +202,7 @@ def diagnose(
         InputError: If the table has errors; the message names file and line. Also if both a model and a model file are given.
         FileError: If a file cannot be read or written.
     """
-    options: dict[str, Any] = {"model_file": model_file, "traces": traces, "resimulate": resimulate}
+    options: dict[str, Any] = {"model_file": model_file, "traces": traces, "logs": logs, "no_resimulate": not resimulate}
     if model is not None:
         options["model"] = model
     if isinstance(folder, (str, os.PathLike)):

@@ -18,7 +18,8 @@ use crate::output::Output;
         .default_value_if("self_test", "true", "hidden campaigns")),
     mut_arg("model_file", |file| file.conflicts_with("self_test")),
     mut_arg("traces", |traces| traces.conflicts_with("self_test")),
-    mut_arg("resimulate", |logs| logs.conflicts_with("self_test")),
+    mut_arg("logs", |logs| logs.conflicts_with("self_test")),
+    mut_arg("no_resimulate", |none| none.conflicts_with("self_test")),
     mut_arg("out", |out| out.conflicts_with("self_test"))
 )]
 pub(crate) struct Args {

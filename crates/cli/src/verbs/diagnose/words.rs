@@ -53,6 +53,9 @@ impl Words for Answer {
         for disagreement in &self.disagreements {
             text += &format!("note: {disagreement}\n");
         }
+        if let Some(sentence) = self.resimulation() {
+            text += &format!("note: {sentence}\n");
+        }
         if let Some(next) = &self.next_experiment {
             text += &format!("next: {} (power {:.2}; {})\n", next.text, next.power, next.design_csv);
         }
