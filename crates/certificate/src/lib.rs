@@ -166,7 +166,8 @@
 //!   edge equals `g` if it does at both ends and in the middle. Lines that follow each other along the soil share the
 //!   constant if they are all level or all vertical: there `g` over the signed length of `n` is `f_y` or `-f_x`, and its
 //!   derivative is the shear stress of the base, whatever the region.
-//! - *Apexes.* On free sides without surcharge of soil without cohesion the stress must vanish. Then all second derivatives of `f`
+//! - *Apexes.* On free sides without surcharge of soil without cohesion the stress must vanish; on [submerged](Condition::Submerged)
+//!   ones the effective stress, to which the same applies with `reference + u I` for the reference. Then all second derivatives of `f`
 //!   are known there, and a cubic polynomial `q` of the side has them: with `p = start + s t + e n`, `t` along the side and `n` that
 //!   turned left,
 //!

@@ -215,6 +215,8 @@ pub enum Condition {
         /// like all loads.
         live: bool,
     },
+    /// Under open water that is one with the water in the pores: the load is a pressure, the soil's pore pressure along the line.
+    Submerged,
     /// No velocity; any traction.
     Fixed,
     /// No velocity across; no shear traction.
@@ -232,6 +234,21 @@ pub enum Condition {
     },
 }
 
+impl Statement {
+    /// Pore pressure of the soil on this side of a line, at the line's first and last point; none where no soil is.
+    #[must_use]
+    pub fn pore_pressure(&self, side: LineUse) -> [f64; 2] {
+        let owner =
+            self.regions.iter().find(|region| region.loops.iter().flatten().any(|other| *other == side));
+        let ends =
+            self.lines.get(side.line).map(|line| [line.from, line.to].map(|point| self.points.get(point)));
+        match (owner, ends) {
+            (Some(region), Some([Some(a), Some(b)])) => [a, b].map(|p| region.material.pore_pressure.at(*p)),
+            _ => [0.0; 2],
+        }
+    }
+}
+
 impl Condition {
     /// Whether it says what the shear stress along the line is: on smooth lines, frictionless faces without adhesion, and
     /// far lines.
@@ -240,14 +257,17 @@ impl Condition {
         match self {
             Self::Smooth | Self::Far => true,
             Self::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion == 0.0,
-            Self::Free | Self::Loaded { .. } | Self::Fixed => false,
+            Self::Free | Self::Loaded { .. } | Self::Submerged | Self::Fixed => false,
         }
     }
 
-    /// Whether it says what the tractions are: on free and loaded lines.
+    /// Whether it says what the tractions are: on free, loaded and submerged lines.
     #[must_use]
     pub fn traction_is_given(self) -> bool {
-        matches!(self, Self::Free | Self::Loaded { .. })
+        match self {
+            Self::Free | Self::Loaded { .. } | Self::Submerged => true,
+            Self::Fixed | Self::Smooth | Self::Far | Self::Face { .. } => false,
+        }
     }
 
     /// Whether it says, in soil without friction, what the velocity across the line is: zero, or that of the structure.
@@ -256,7 +276,7 @@ impl Condition {
         match self {
             Self::Fixed | Self::Far | Self::Smooth => true,
             Self::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion > 0.0,
-            Self::Free | Self::Loaded { .. } => false,
+            Self::Free | Self::Loaded { .. } | Self::Submerged => false,
         }
     }
 }

@@ -37,6 +37,11 @@ impl Soil {
         }
     }
 
+    /// What acts on the grains of a unit volume: the weight less the change of the pore pressure.
+    pub(crate) fn effective_weight(&self, gravity: [f64; 2]) -> [f64; 2] {
+        std::array::from_fn(|i| self.unit_weight * gravity[i] - self.pore_pressure.gradient[i])
+    }
+
     pub(crate) fn has_friction(&self) -> bool {
         self.tan > 0.0
     }
@@ -114,10 +119,23 @@ impl Problem {
         let top = statement.points.iter().map(|p| p[1]).fold(f64::NEG_INFINITY, f64::max);
         let loads = statement.boundaries.iter().flat_map(|b| match b.condition {
             Condition::Loaded { pressure, shear, .. } => [pressure[0], pressure[1], shear[0], shear[1]],
-            _ => [0.0; 4],
+            Condition::Submerged => {
+                let [a, b] = statement.pore_pressure(b.side());
+                [a, b, 0.0, 0.0]
+            }
+            Condition::Free
+            | Condition::Fixed
+            | Condition::Smooth
+            | Condition::Far
+            | Condition::Face { .. } => [0.0; 4],
         });
         let load = loads.fold(0.0, |most: f64, l| most.max(l.abs())) + statement.surcharge;
         Ok(Self { statement, soils, conditions, top, load })
+    }
+
+    /// The greatest load on the surface.
+    pub(crate) fn load(&self) -> f64 {
+        self.load
     }
 
     /// The statement.

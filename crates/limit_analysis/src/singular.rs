@@ -55,7 +55,7 @@ fn is_sheared(problem: &Problem, point: usize) -> bool {
     let touching = || s.boundaries.iter().filter(there);
     let bare = |b: &Boundary| {
         let cohesionless = problem.owner(b.side()).is_some_and(|r| problem.soils[r].cohesion.is_zero());
-        b.condition == Condition::Free && cohesionless
+        matches!(b.condition, Condition::Free | Condition::Submerged) && cohesionless
     };
     let smooth = |b: &Boundary| b.condition.shear_is_given() && b.condition != Condition::Far;
     touching().any(bare) && touching().any(smooth)
@@ -73,7 +73,14 @@ pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
         .filter(|b| is_open(b.condition))
         .map(|b| {
             let [from, to] = statement.lines[b.line].walked(b.forward);
-            (from, to, b.condition, b.forward)
+            let condition = match b.condition {
+                Condition::Submerged => {
+                    let pressure = statement.pore_pressure(b.side());
+                    Condition::Loaded { pressure, shear: [0.0; 2], live: false }
+                }
+                other => other,
+            };
+            (from, to, condition, b.forward)
         })
         .collect();
     let at_end = |(_, _, condition, forward): &(usize, usize, Condition, bool), end: bool| match *condition {

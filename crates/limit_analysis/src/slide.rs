@@ -58,8 +58,11 @@ pub(crate) fn slides(problem: &Problem) -> Vec<Slide> {
         let (foot, low, high) = if p[1] < q[1] { (line.from, p, q) } else { (line.to, q, p) };
         let beta = (high[1] - low[1]).atan2((high[0] - low[0]).abs());
         let phi = soil.tan.atan();
-        let theta = 0.5 * (beta + phi);
-        let is_slope = phi > 0.0 && beta > phi && beta < std::f64::consts::FRAC_PI_2;
+        // Seepage and earthquakes tilt what is level to the grains.
+        let tilt = tilt(soil.effective_weight(statement.gravity), (high[0] - low[0]).signum());
+        let steep = beta + tilt;
+        let theta = 0.5 * (steep + phi) - tilt;
+        let is_slope = phi > 0.0 && steep > phi && theta > 0.0 && beta < std::f64::consts::FRAC_PI_2;
         let gravity = statement.gravity[0].hypot(statement.gravity[1]);
         let cohesion = 0.5 * (soil.cohesion.at(low) + soil.cohesion.at(high));
         is_slope.then(|| Slide {
@@ -70,6 +73,11 @@ pub(crate) fn slides(problem: &Problem) -> Vec<Slide> {
         })
     })
     .collect()
+}
+
+/// By how much a body force leans out of a slope that rises to the right (`rises` 1) or to the left (-1), against the vertical.
+fn tilt([x, y]: Point, rises: f64) -> f64 {
+    if y < 0.0 { (-x * rises).atan2(-y) } else { 0.0 }
 }
 
 /// A mesh after it was cut.

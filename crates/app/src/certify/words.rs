@@ -139,6 +139,9 @@ fn held(condition: Condition, objective: Objective) -> String {
             let [a, b, s, t] = [a, b, s, t].map(plain);
             format!("{kind}: pressure {a} to {b}, shear {s} to {t}")
         }
+        Condition::Submerged => {
+            "under open water, whose pressure is the pore pressure of the soil".to_owned()
+        }
         Condition::Fixed => "fixed".to_owned(),
         Condition::Smooth => "fixed across, smooth along".to_owned(),
         Condition::Far => "the soil goes on beyond".to_owned(),

@@ -194,6 +194,7 @@ fn tractions(
             };
             [0, 1].map(|i| [pressure[i], shear[i]].map(|x| factor * Interval::point(x)))
         }
+        Some(Condition::Submerged) => problem.pore_pressure(side).map(|pressure| [pressure, Interval::ZERO]),
         _ => [[surcharge, Interval::ZERO]; 2],
     };
     if !side.forward {
@@ -211,10 +212,18 @@ fn tractions(
     }))
 }
 
-/// Boundary sides at which the stress must vanish: there is no load and the soil has no strength without one.
+/// Boundary sides at which the effective stress must vanish: nothing acts, or no more than the pore water bears, and the soil has no
+/// strength without a load.
 pub(super) fn is_bare(problem: &Problem, boundary: &Boundary) -> bool {
     let region = problem.owner(boundary.side()).and_then(|r| problem.statement.regions.get(r));
-    boundary.condition == Condition::Free
-        && problem.statement.surcharge == 0.0
-        && region.is_some_and(|r| r.material.cohesion.is_zero())
+    let nothing_acts = match boundary.condition {
+        Condition::Free => problem.statement.surcharge == 0.0,
+        Condition::Submerged => true,
+        Condition::Loaded { .. }
+        | Condition::Fixed
+        | Condition::Smooth
+        | Condition::Far
+        | Condition::Face { .. } => false,
+    };
+    nothing_acts && region.is_some_and(|r| r.material.cohesion.is_zero())
 }

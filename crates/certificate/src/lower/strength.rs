@@ -137,7 +137,8 @@ impl StressFunction<'_> {
             for (node, (stress, p)) in part.iter_mut().zip(self.nodes(triangle, k)).enumerate() {
                 // Exactly, which arithmetic would not show.
                 if surface != AT_REST && node < 2 && apex[after(k, 1 + node)] {
-                    *stress = Stress::ZERO;
+                    let water = self.surfaces.water(surface);
+                    *stress = water.map_or(Stress::ZERO, |water| Stress::ZERO.with_mean(-water.enclosed(p)));
                     continue;
                 }
                 let more = self.surfaces.stress(surface, region, p);
@@ -147,6 +148,15 @@ impl StressFunction<'_> {
             }
         }
         stresses
+    }
+
+    /// Whether the effective stress at a corner is exactly zero, which arithmetic would not show: the stress there is the pressure of the
+    /// water on the surface, and that is the pore pressure of the same soil.
+    fn is_weightless(&self, triangle: usize, corner: usize) -> bool {
+        let surface = self.surfaces.of_triangle(triangle);
+        let strength = &self.problem.strengths[self.tiling.region(triangle)];
+        let is_apex = self.apexes[self.field.corners[triangle][corner]];
+        surface != AT_REST && is_apex && self.surfaces.water(surface) == Some(strength.pore_pressure)
     }
 
     /// Checks that the soil bears the stresses of a triangle. They are linear in each part, as are cohesion and pore
@@ -162,7 +172,13 @@ impl StressFunction<'_> {
                     let node = ["its first corner", "its last corner", "the centroid"][node];
                     format!("triangle {triangle}, part at edge {k}, {node}")
                 };
-                self.limit(triangle, p).check(stress, "strength to spare", place)?;
+                let limit = self.limit(triangle, p);
+                if node < 2 && self.is_weightless(triangle, after(k, 1 + node)) {
+                    let dry = Limit { pore_pressure: Interval::ZERO, ..limit };
+                    dry.check(&Stress::ZERO, "strength to spare", place)?;
+                } else {
+                    limit.check(stress, "strength to spare", place)?;
+                }
             }
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! Surfaces of soil without cohesion, level or sloping: there the stress must vanish.
+//! Surfaces of soil without cohesion, level or sloping: there the effective stress must vanish.
 //!
 //! With tractions zero and the stress zero along a straight side, all second derivatives of the stress function are known
 //! there. With `p = start + s t + e n`, where `t` leads along the side and `n` is `t` turned left, into the soil, the cubic
@@ -11,6 +11,9 @@
 //! has them, if `v` is the value that the run demands and `w` its slope along `n`. Its stress and the reference's add up to `e S`,
 //! with one tensor `S`: it vanishes on the side and balances the weight. A stress function that vanishes to second order
 //! beyond `q` at a point of the side has no stress there.
+//!
+//! Under water the same holds for effective stresses, with `reference + u I` for the reference, where `u` is the pore pressure of the
+//! soil: `q` and the reference add up to `e S - u I`.
 
 use super::loads::{Loads, Station, Stretch, is_bare};
 use super::references::ReferenceStresses;
@@ -19,7 +22,7 @@ use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::mesh::Place;
 use crate::problem::{Problem, Stress};
-use crate::statement::{Condition, LineUse};
+use crate::statement::{Boundary, Condition, LineUse, Linear};
 use crate::tiling::Tiling;
 
 /// Number of the polynomial that is zero: of sides at the datum before which nothing acts, and of all that is next to none.
@@ -35,15 +38,26 @@ struct Surface {
     /// `S`.
     gradient: Stress,
     region: usize,
+    /// `u`, if the side is under water.
+    water: Option<Linear>,
 }
 
 impl Surface {
-    fn new(problem: &Problem, references: &ReferenceStresses, stretch: Stretch) -> Self {
+    fn new(
+        problem: &Problem,
+        references: &ReferenceStresses,
+        stretch: Stretch,
+        water: Option<Linear>,
+    ) -> Self {
         let ends = problem.walked(stretch.side).map(Vector::point);
         let region = problem.owner(stretch.side).unwrap_or(0);
         let reference = references.of(region);
         let (t, n) = (stretch.along, stretch.along.turned());
-        let (along, inwards) = (reference.change(t), reference.change(n));
+        let effective = |step: Vector| match water {
+            Some(water) => reference.change(step).with_mean(Vector::point(water.gradient).dot(step)),
+            None => reference.change(step),
+        };
+        let (along, inwards) = (effective(t), effective(n));
         let [tt, tn, nn] = [
             inwards.between(t, t),
             inwards.between(t, n) + along.between(t, t),
@@ -59,8 +73,11 @@ impl Surface {
             yy: part(t.y, t.y, n.y, n.y),
             xy: part(t.x, t.y, n.x, n.y),
         };
-        let bend = ends.map(|p| -reference.excess(p).between(t, t));
-        Self { stretch, start: ends[0], bend, gradient, region }
+        let bend = ends.map(|p| {
+            let excess = reference.excess(p);
+            -water.map_or(excess, |water| reference.at(p).with_mean(water.enclosed(p))).between(t, t)
+        });
+        Self { stretch, start: ends[0], bend, gradient, region, water }
     }
 
     /// `s` and `e` of a point.
@@ -86,7 +103,8 @@ impl Surface {
     fn stress(&self, p: Vector) -> Stress {
         let [_, e] = self.place(p);
         let Stress { xx, yy, xy } = self.gradient;
-        Stress { xx: xx * e, yy: yy * e, xy: xy * e }
+        let effective = Stress { xx: xx * e, yy: yy * e, xy: xy * e };
+        self.water.map_or(effective, |water| effective.with_mean(-water.enclosed(p)))
     }
 }
 
@@ -124,15 +142,21 @@ impl<'a> Surfaces<'a> {
         let mut surfaces = Vec::new();
         let mut number = std::collections::BTreeMap::new();
         let mut owners: Vec<Vec<usize>> = vec![Vec::new()];
-        for boundary in &problem.statement.boundaries {
+        // Dry ones first: where both meet, what goes by the dry one has no stress, exactly.
+        let in_water = |boundary: &Boundary| boundary.condition == Condition::Submerged;
+        let (wet, dry): (Vec<&Boundary>, Vec<&Boundary>) =
+            problem.statement.boundaries.iter().partition(|b| in_water(b));
+        for boundary in dry.into_iter().chain(wet) {
             let side = boundary.side();
             let Some(stretch) = loads.stretch(side).filter(|_| is_bare(problem, boundary)) else { continue };
             let is_level = problem.walked(side).iter().all(|p| p[1] == problem.statement.datum);
-            if is_level && loads.is_at_rest_up_to(side) {
+            if is_level && !in_water(boundary) && loads.is_at_rest_up_to(side) {
                 number.insert(side, AT_REST);
                 owners[AT_REST].extend(problem.owner(side));
             } else {
-                let surface = Surface::new(problem, references, stretch);
+                let region = problem.owner(side).filter(|_| in_water(boundary));
+                let water = region.map(|region| problem.strengths[region].pore_pressure);
+                let surface = Surface::new(problem, references, stretch, water);
                 owners.push(vec![surface.region]);
                 surfaces.push(surface);
                 number.insert(side, surfaces.len());
@@ -213,6 +237,11 @@ impl<'a> Surfaces<'a> {
         Stress { yy: stress.yy + (column - own), ..stress }
     }
 
+    /// The pore pressure that the stress at the side of a polynomial is; none beside what is dry.
+    pub(super) fn water(&self, surface: usize) -> Option<Linear> {
+        self.surfaces.get(surface.checked_sub(1)?)?.water
+    }
+
     /// Whether the polynomial's slope along x is the same all along a vertical line down from a vertex copy at this station: the side is
     /// level, and the reference has no shear stress.
     pub(super) fn is_level_from(&self, surface: usize, station: Option<Station>, loads: &Loads) -> bool {
@@ -250,9 +279,10 @@ fn check_references(
     Err(CertificateError::NotCovered { place: format!("region {region}"), what })
 }
 
-/// Whether an edge from an apex to another copy runs along a side without loads.
+/// Whether an edge from an apex to another copy runs along a side without loads but water.
 pub(super) fn along_free_side(problem: &Problem, loads: &Loads, apex: Station, other: Station) -> bool {
     let others = loads.sides_at(other);
-    let is_free = |side: &LineUse| problem.condition(*side) == Some(Condition::Free);
+    let is_free =
+        |side: &LineUse| matches!(problem.condition(*side), Some(Condition::Free | Condition::Submerged));
     loads.sides_at(apex).iter().any(|side| is_free(side) && others.contains(side))
 }

@@ -91,6 +91,14 @@ impl<'a> Problem<'a> {
         self.conditions[side.line][slot(side)]
     }
 
+    /// Pore pressure of the soil on this side of a line, at the line's first and last point.
+    pub(crate) fn pore_pressure(&self, side: LineUse) -> [Interval; 2] {
+        let line = self.statement.lines[side.line];
+        let pressure =
+            self.owner(side).map_or_else(Linear::default, |region| self.strengths[region].pore_pressure);
+        [line.from, line.to].map(|point| pressure.enclosed(Vector::point(self.statement.points[point])))
+    }
+
     /// The line between two points.
     pub(crate) fn line_between(&self, a: usize, b: usize) -> Option<usize> {
         let key = [a.min(b), a.max(b)];

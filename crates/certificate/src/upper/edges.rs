@@ -48,10 +48,17 @@ impl VelocityField<'_> {
         let all = statement.objective == Objective::Everything;
         let bad = |problem| Err(CertificateError::BadField { place: side.to_string(), problem });
         match condition {
-            Condition::Free => Ok(self.load(side, on, [statement.surcharge; 2], [0.0; 2], all)),
+            Condition::Free => {
+                let surcharge = Interval::point(statement.surcharge);
+                Ok(self.load(side, on, [surcharge; 2], [Interval::ZERO; 2], all))
+            }
             Condition::Loaded { pressure, shear, live } => {
                 let live = all || (live && statement.objective == Objective::Loads);
+                let [pressure, shear] = [pressure, shear].map(|at_ends| at_ends.map(Interval::point));
                 Ok(self.load(side, on, pressure, shear, live))
+            }
+            Condition::Submerged => {
+                Ok(self.load(side, on, self.problem.pore_pressure(on.side), [Interval::ZERO; 2], all))
             }
             Condition::Fixed | Condition::Far if !self.is_at_rest(side) => {
                 bad("the soil must be at rest here")
@@ -66,12 +73,17 @@ impl VelocityField<'_> {
 
     /// Power of tractions that are linear along a line, from their values at its ends. On the soil on the left a pressure
     /// acts along the edge vector turned left.
-    fn load(&self, side: Side, on: OnLine, pressure: [f64; 2], shear: [f64; 2], live: bool) -> Power {
+    fn load(
+        &self,
+        side: Side,
+        on: OnLine,
+        pressure: [Interval; 2],
+        shear: [Interval; 2],
+        live: bool,
+    ) -> Power {
         let slide = self.slide(side);
-        let at_ends = |[from, to]: [f64; 2]| {
-            let (from, to) = (Interval::point(from), Interval::point(to));
-            [on.start, on.end].map(|s| from + (to - from) * Interval::point(s))
-        };
+        let at_ends =
+            |[from, to]: [Interval; 2]| [on.start, on.end].map(|s| from + (to - from) * Interval::point(s));
         let pushed = means::over_edge(at_ends(pressure), slide.opening);
         let sheared = means::over_edge(at_ends(shear), slide.slip);
         Power::of_load(pushed + sheared, live)

@@ -9,7 +9,7 @@ use super::described::{Described, Quantity};
 use super::error::DescriptionError;
 use super::faces::Face;
 use super::fill::{Units, material};
-use super::ground::Map;
+use super::ground::{Map, Occupant};
 use super::holds::{Holder, Holds};
 use super::input::{Aim, Description};
 use super::plan::Plan;
@@ -192,10 +192,19 @@ impl Description {
                 if pressure.iter().all(|p| (p - at_far).abs() <= 1e-12 * at_far.abs()) {
                     return Condition::Free;
                 }
+                if self.is_under_water_alone(plan, at_far, walk) {
+                    return Condition::Submerged;
+                }
                 let pressure = pressure.map(|kpa| units.stress(kpa));
                 Condition::Loaded { pressure, shear: [0.0; 2], live: false }
             }
         }
+    }
+
+    /// Whether a free side is of soil without cohesion, below open water and nothing else.
+    fn is_under_water_alone(&self, plan: &Plan, at_far: f64, walk: LineUse) -> bool {
+        let is_wet = matches!(plan.map.left_of(walk), Occupant::Soil { submerged: true, .. });
+        is_wet && at_far == 0.0 && self.surcharge_kpa == 0.0 && plan.is_bare(self, &walk)
     }
 
     /// Gravity and the objective.

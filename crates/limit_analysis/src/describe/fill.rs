@@ -6,7 +6,7 @@ use super::columns::overburden;
 use super::error::DescriptionError;
 use super::faces::Face;
 use super::ground::Map;
-use super::input::Description;
+use super::input::{Description, SoilEntry};
 use super::segments::Drawing;
 use crate::vector::Point;
 
@@ -69,6 +69,26 @@ pub(super) fn material(
     })
 }
 
+/// The pore pressure less its rounding, if the soil has no cohesion: where it should be zero at a bare surface, such soil would not bear it.
+fn not_above_zero_at_surfaces(
+    pressure: Linear,
+    soil: &SoilEntry,
+    corners: &[Point],
+    units: &Units,
+) -> Linear {
+    let Linear { at_origin, gradient } = pressure;
+    let is_exact = at_origin == 0.0 && gradient[0] == 0.0;
+    if is_exact || soil.cohesion_kpa != 0.0 || soil.cohesion_gradient_kpa_per_m != 0.0 {
+        return pressure;
+    }
+    let terms = corners
+        .iter()
+        .map(|p| units.place(*p))
+        .map(|[x, y]| (gradient[0] * x).abs() + (gradient[1] * y).abs());
+    let largest = at_origin.abs() + terms.fold(0.0, f64::max);
+    Linear { at_origin: at_origin - 8.0 * f64::EPSILON * largest, gradient }
+}
+
 fn pore_pressure(
     description: &Description,
     drawing: &Drawing,
@@ -84,7 +104,8 @@ fn pore_pressure(
         (face.submerged, &description.water, drawing.table_line(middle))
     {
         let weight = water.unit_weight_kn_m3;
-        return units.linear(at, 0.0, [weight * slope, -weight]);
+        let pressure = units.linear(at, 0.0, [weight * slope, -weight]);
+        return not_above_zero_at_surfaces(pressure, soil, corners, units);
     }
     if soil.pore_pressure_ratio == 0.0 {
         return Linear::default();
@@ -107,7 +128,7 @@ fn pore_pressure(
         // At a surface at the datum it is zero.
         pressure.at_origin = 0.0;
     }
-    pressure
+    not_above_zero_at_surfaces(pressure, soil, corners, units)
 }
 
 /// A height at which the vertical at `x` is inside a region: the one nearest to `y` in the middle of a crossing.

@@ -109,6 +109,7 @@ impl Side {
         let condition = problem.condition(side).unwrap_or(Condition::Free);
         let (mut pressure, mut shear, live) = match condition {
             Condition::Loaded { pressure, shear, live } => (pressure, shear, live),
+            Condition::Submerged => (problem.statement().pore_pressure(side), [0.0; 2], false),
             _ => ([reference.surcharge(); 2], [0.0; 2], false),
         };
         if !side.forward {

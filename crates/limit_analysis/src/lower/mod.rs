@@ -190,7 +190,11 @@ impl Lower {
                         let vertex = t.corners[corner];
                         self.add_far(problem, mesh, side, vertex, s, scale(at));
                     }
-                    Condition::Free | Condition::Loaded { .. } | Condition::Fixed | Condition::Smooth => {}
+                    Condition::Free
+                    | Condition::Loaded { .. }
+                    | Condition::Submerged
+                    | Condition::Fixed
+                    | Condition::Smooth => {}
                 }
             }
         }

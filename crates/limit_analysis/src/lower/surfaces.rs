@@ -1,8 +1,8 @@
-//! Surfaces of soil without cohesion: there the stress vanishes, so that the second derivatives of the stress function are known.
+//! Surfaces of soil without cohesion: there the effective stress vanishes, so that the second derivatives of the stress function are known.
 //!
 //! The stress function is looked for beyond the cubic polynomial that has them; `soilctl_certificate` says which, and why.
 
-use soilctl_certificate::{Condition, LineUse};
+use soilctl_certificate::{Boundary, Condition, LineUse, Linear};
 use soilctl_conic::Form;
 
 use super::loads::Loads;
@@ -18,12 +18,23 @@ const WEAK: f64 = 0.05;
 
 fn bare(problem: &Problem, side: LineUse, condition: Condition) -> bool {
     let region = problem.owner(side);
-    condition == Condition::Free
-        && problem.statement().surcharge == 0.0
-        && region.is_some_and(|r| problem.soils[r].cohesion.is_zero())
+    nothing_acts(problem, condition) && region.is_some_and(|r| problem.soils[r].cohesion.is_zero())
 }
 
-/// Whether the stress must vanish on a side.
+/// Whether nothing acts on a side of this condition, or no more than the pore water bears.
+fn nothing_acts(problem: &Problem, condition: Condition) -> bool {
+    match condition {
+        Condition::Free => problem.statement().surcharge == 0.0,
+        Condition::Submerged => true,
+        Condition::Loaded { .. }
+        | Condition::Fixed
+        | Condition::Smooth
+        | Condition::Far
+        | Condition::Face { .. } => false,
+    }
+}
+
+/// Whether the effective stress must vanish on a side.
 pub(crate) fn is_bare(problem: &Problem, side: LineUse) -> bool {
     problem.condition(side).is_some_and(|condition| bare(problem, side, condition))
 }
@@ -35,7 +46,7 @@ pub(crate) fn is_weak(problem: &Problem, side: LineUse) -> bool {
     let [p, q] = problem.ends(side.line);
     let weight = soil.unit_weight * statement.gravity[0].hypot(statement.gravity[1]) * distance(p, q);
     let cohesion = soil.cohesion.at(p).max(soil.cohesion.at(q));
-    let is_free = problem.condition(side) == Some(Condition::Free) && statement.surcharge == 0.0;
+    let is_free = problem.condition(side).is_some_and(|condition| nothing_acts(problem, condition));
     is_free && soil.tan > 0.0 && cohesion <= WEAK * weight
 }
 
@@ -44,10 +55,12 @@ pub(crate) fn is_weak(problem: &Problem, side: LineUse) -> bool {
 pub(super) fn numbers(problem: &Problem, loads: &Loads) -> Vec<(LineUse, usize)> {
     let statement = problem.statement();
     let mut count = AT_REST;
-    let sides = statement.boundaries.iter().filter(|b| bare(problem, b.side(), b.condition));
-    sides
+    let in_water = |b: &&Boundary| b.condition == Condition::Submerged;
+    let sides = || statement.boundaries.iter().filter(|b| bare(problem, b.side(), b.condition));
+    let (dry, wet) = (sides().filter(|b| !in_water(b)), sides().filter(in_water));
+    dry.chain(wet)
         .map(|b| {
-            let on_datum = problem.ends(b.line).iter().all(|p| p[1] == statement.datum);
+            let on_datum = !in_water(&b) && problem.ends(b.line).iter().all(|p| p[1] == statement.datum);
             if on_datum && loads.is_at_rest_up_to(b.side()) {
                 return (b.side(), AT_REST);
             }
@@ -68,6 +81,8 @@ struct Surface {
     /// Stress per distance from the side, in units of its length.
     gradient: [Form; 3],
     region: usize,
+    /// Pore pressure of the soil, if the side is under water.
+    water: Option<Linear>,
 }
 
 fn difference(a: &[Form; 3], b: &[Form; 3]) -> [Form; 3] {
@@ -89,8 +104,15 @@ impl Surface {
         let region = problem.owner(side).unwrap_or(0);
         let (start, t) = (ends[0], between(ends[0], ends[1]));
         let n = turned(t);
-        let at = ends.map(|p| reference.at(region, p));
-        let inside = reference.at(region, [start[0] + n[0], start[1] + n[1]]);
+        let water = (problem.condition(side) == Some(Condition::Submerged))
+            .then(|| problem.soils[region].pore_pressure);
+        let effective = |p: Point| {
+            let [xx, yy, xy] = reference.at(region, p);
+            let pressure = Form::constant(water.map_or(0.0, |water| water.at(p)));
+            [xx.plus(1.0, &pressure), yy.plus(1.0, &pressure), xy]
+        };
+        let at = ends.map(effective);
+        let inside = effective([start[0] + n[0], start[1] + n[1]]);
         let (along, inwards) = (difference(&at[1], &at[0]), difference(&inside, &at[0]));
         let tt = on(&inwards, t, t);
         let tn = on(&inwards, t, n).plus(1.0, &on(&along, t, t));
@@ -109,7 +131,7 @@ impl Surface {
             let [xx, yy] = excess;
             zero().plus(-1.0, &on(&[xx, yy, xy], t, t))
         });
-        Self { side, start, along: t, bend, gradient: [part(0, 0), part(1, 1), part(0, 1)], region }
+        Self { side, start, along: t, bend, gradient: [part(0, 0), part(1, 1), part(0, 1)], region, water }
     }
 
     fn place(&self, p: Point) -> [f64; 2] {
@@ -228,6 +250,8 @@ impl Surfaces {
         let Some(surface) = self.surface(self.of_triangle[triangle]) else { return reference.at(region, p) };
         let [_, e] = surface.place(p);
         let [xx, yy, xy] = surface.gradient.each_ref().map(|f| Form::default().plus(e, f));
+        let water = Form::constant(surface.water.map_or(0.0, |water| water.at(p)));
+        let (xx, yy) = (xx.plus(-1.0, &water), yy.plus(-1.0, &water));
         if region == surface.region {
             return [xx, yy, xy];
         }

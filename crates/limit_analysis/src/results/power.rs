@@ -93,13 +93,14 @@ impl FlowResults {
     }
 
     fn add_loads(&self, triangle: usize, corner: usize, power: &mut Power) {
-        let Adjoins::Boundary { ends: s, condition, .. } = self.shown.adjoins[triangle][corner] else {
+        let Adjoins::Boundary { side, ends: s, condition } = self.shown.adjoins[triangle][corner] else {
             return;
         };
         let (pressure, shear, live) = match condition {
             Condition::Free => ([self.statement.surcharge; 2], [0.0; 2], false),
             Condition::Loaded { pressure, shear, live } => (pressure, shear, live),
-            _ => return,
+            Condition::Submerged => (self.statement.pore_pressure(side), [0.0; 2], false),
+            Condition::Fixed | Condition::Smooth | Condition::Far | Condition::Face { .. } => return,
         };
         let [a, b] = self.ends(triangle, corner);
         let d = between(a, b);

@@ -1,4 +1,5 @@
-//! Where the search for the factor of safety begins: slopes that slide on a plane through their foot (Culmann 1866).
+//! Where the search for the factor of safety begins: slopes that slide on a plane through their foot (Culmann 1866), without cohesion
+//! on one along the slope, under weight and water.
 
 use soilctl_certificate::Condition;
 
@@ -6,17 +7,24 @@ use super::search::Guess;
 use crate::problem::Problem;
 use crate::vector::{between, cross, dot};
 
-/// The least factor of all free slopes, as if nothing acted but weight; none without slopes and weight.
+/// The least factor of all free and submerged slopes, as if nothing acted but weight and, where there is no cohesion, water; none without
+/// slopes and weight.
 pub(super) fn guess(problem: &Problem) -> Option<Guess> {
     let statement = problem.statement();
     let gravity = statement.gravity[0].hypot(statement.gravity[1]);
-    let free = statement.boundaries.iter().filter(|b| b.condition == Condition::Free);
+    let is_free = |c: Condition| matches!(c, Condition::Free | Condition::Submerged);
+    let free = statement.boundaries.iter().filter(|b| is_free(b.condition));
     let factors = free.filter_map(|b| {
         let [p, q] = problem.ends(b.line);
-        // Against what is level across gravity, which an earthquake tilts.
-        let [along, down] = [between(p, q), statement.gravity];
-        let beta = dot(along, down).abs().atan2(cross(along, down).abs());
         let soil = &problem.soils[problem.owner(b.side())?];
+        let down = if soil.cohesion.is_zero() {
+            soil.effective_weight(statement.gravity)
+        } else {
+            statement.gravity
+        };
+        // Against what is level across gravity, which an earthquake tilts, and seepage.
+        let along = between(p, q);
+        let beta = dot(along, down).abs().atan2(cross(along, down).abs());
         if soil.cohesion.is_zero() {
             return (beta > 0.0 && soil.tan > 0.0).then(|| Guess::Good(soil.tan / beta.tan()));
         }

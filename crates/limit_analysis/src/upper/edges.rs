@@ -41,6 +41,13 @@ impl Builder<'_> {
                 let [pressure, shear] = [pressure, shear].map(|at_ends| self.between(side, at_ends));
                 self.add_load(side, pressure, shear, live);
             }
+            Edge::Boundary(Condition::Submerged) => {
+                let problem = self.meshed.problem;
+                let line = self.meshed.topology.line[side.triangle][side.corner];
+                let water = line.map_or([0.0; 2], |used| problem.statement().pore_pressure(used));
+                let pressure = self.between(side, water);
+                self.add_load(side, pressure, [0.0; 2], self.all);
+            }
             Edge::Boundary(Condition::Fixed | Condition::Smooth | Condition::Far) => {}
         }
     }

@@ -104,6 +104,7 @@ pub(super) fn objective_unit(problem: &Problem, live: f64) -> f64 {
         Condition::Loaded { pressure, live, .. } if !(live && statement.objective == Objective::Loads) => {
             pressure[0].abs().max(pressure[1].abs())
         }
+        Condition::Submerged => problem.load(),
         _ => 0.0,
     };
     let cohesion = statement.regions.iter().map(|r| at_corners(&r.material)).fold(0.0, f64::max);

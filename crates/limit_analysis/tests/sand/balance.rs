@@ -39,6 +39,12 @@ fn size(v: [f64; 2]) -> f64 {
     v[0].hypot(v[1])
 }
 
+/// Pore pressure of a region at a point.
+fn water(statement: &Statement, region: usize, p: [f64; 2]) -> f64 {
+    let u = statement.regions[region].material.pore_pressure;
+    u.at_origin + u.gradient[0] * p[0] + u.gradient[1] * p[1]
+}
+
 /// Checks a field for a statement whose free sides bear no surcharge. Of cohesion there is the part that the field's factor leaves.
 pub(crate) fn worst(statement: &Statement, field: &LowerField, regions: &[usize]) -> Worst {
     let shown = show_stress(statement, field).unwrap();
@@ -63,7 +69,8 @@ pub(crate) fn worst(statement: &Statement, field: &LowerField, regions: &[usize]
                     + material.cohesion.gradient[0] * p[0]
                     + material.cohesion.gradient[1] * p[1];
                 let radius = (0.5 * (s[0] - s[1])).hypot(s[2]);
-                let bears = cohesion / field.multiplier * cos - 0.5 * (s[0] + s[1]) * sin;
+                let bears = cohesion / field.multiplier * cos
+                    - (0.5 * (s[0] + s[1]) + water(statement, *region, p)) * sin;
                 worst.strength = worst.strength.max((radius - bears) / unit);
             }
             // Inside a triangle the next part adjoins along the line from a corner to the centroid.
@@ -83,6 +90,14 @@ pub(crate) fn worst(statement: &Statement, field: &LowerField, regions: &[usize]
                 Adjoins::Boundary { condition: Condition::Free, .. } => {
                     for s in &stresses[..2] {
                         worst.edges = worst.edges.max(size(traction(*s, at[0], at[1])) / (unit * length));
+                    }
+                }
+                // The water's pressure, against the outward normal, is all that acts.
+                Adjoins::Boundary { condition: Condition::Submerged, .. } => {
+                    for (s, p) in stresses[..2].iter().zip(at) {
+                        let u = water(statement, *region, p);
+                        let effective = traction([s[0] + u, s[1] + u, s[2]], at[0], at[1]);
+                        worst.edges = worst.edges.max(size(effective) / (unit * length));
                     }
                 }
                 Adjoins::Boundary { .. } => {}

@@ -19,6 +19,11 @@ enum Base {
 }
 
 fn description(phi: f64, beta: f64, height: f64, cohesion: f64, base: Base, far: bool) -> Description {
+    serde_json::from_value(problem(phi, beta, height, cohesion, base, far)).unwrap()
+}
+
+/// The foot of the slope is at a level of 0.
+fn problem(phi: f64, beta: f64, height: f64, cohesion: f64, base: Base, far: bool) -> serde_json::Value {
     let run = height / beta.to_radians().tan();
     let (left, right) = (-2.0 * height, run + 2.0 * height);
     let slope = [[left, height], [0.0, height], [run, 0.0]];
@@ -55,10 +60,16 @@ fn description(phi: f64, beta: f64, height: f64, cohesion: f64, base: Base, far:
             boundaries.push(serde_json::json!({"kind": "fixed", "sides": ["bottom"]}));
         }
     }
-    let problem = serde_json::json!({
+    serde_json::json!({
         "title": "a slope of sand", "default_boundary": "free", "objective": {"kind": "strength-reduction"},
         "soil": soils, "region": regions, "boundary": boundaries
-    });
+    })
+}
+
+/// A slope of sand of 34 deg, 1 in 2 and 4 m high, with water that stands still up to a level in m.
+fn under_water(level: f64, base: Base) -> Description {
+    let mut problem = problem(34.0, 26.565, 4.0, 0.0, base, false);
+    problem["water"] = serde_json::json!({"table": [[0.0, level]]});
     serde_json::from_value(problem).unwrap()
 }
 
@@ -96,6 +107,48 @@ fn a_slope_of_sand_bears_the_ratio_of_tangents() {
         assert!(bounds.gap() <= 0.04, "{name}");
         is_proven(&bounds);
     }
+}
+
+/// Still water takes a part of the weight of the grains, and nothing else.
+#[test]
+fn a_slope_under_water_bears_the_ratio_of_tangents() {
+    let exact = 34.0_f64.to_radians().tan() / 26.565_f64.to_radians().tan();
+    for (level, base) in [(5.0, Base::Same), (9.3, Base::Rock), (0.0, Base::Same)] {
+        let bounds = bounds(&under_water(level, base), 0.03);
+        let name = format!("{level} {base:?}: {} to {}", bounds.lower.factor, bounds.upper.factor);
+        assert!(bounds.lower.factor <= exact && exact <= bounds.upper.factor, "{name} {exact}");
+        assert!(bounds.gap() <= 0.04, "{name}");
+        is_proven(&bounds);
+    }
+}
+
+/// Where water stands at a part of its height, a slope bears less than dry or drowned: what lies above weighs more than what holds it.
+#[test]
+fn a_slope_half_under_water_bears_less() {
+    let exact = 34.0_f64.to_radians().tan() / 26.565_f64.to_radians().tan();
+    let bounds = bounds(&under_water(2.0, Base::Same), 0.08);
+    assert!(
+        bounds.upper.factor < exact && bounds.gap() <= 0.08,
+        "{} {}",
+        bounds.lower.factor,
+        bounds.upper.factor
+    );
+    is_proven(&bounds);
+}
+
+/// With the pore pressure a part of the overburden, an infinite slope bears `(1 - r / cos(beta)^2) tan(phi) / tan(beta)` (Skempton and
+/// DeLory 1957), and one with a foot no more.
+#[test]
+fn water_in_the_pores_takes_its_part() {
+    let (phi, beta, ratio) = (34.0_f64, 26.565_f64, 0.25);
+    let mut problem = problem(phi, beta, 4.0, 0.0, Base::Rock, false);
+    problem["soil"][0]["pore_pressure_ratio"] = serde_json::json!(ratio);
+    let bounds = bounds(&serde_json::from_value(problem).unwrap(), 0.12);
+    let (phi, beta) = (phi.to_radians(), beta.to_radians());
+    let infinite = (1.0 - ratio / beta.cos().powi(2)) * phi.tan() / beta.tan();
+    let name = format!("{} to {}, {infinite}", bounds.lower.factor, bounds.upper.factor);
+    assert!(bounds.lower.factor <= infinite && bounds.gap() <= 0.12, "{name}");
+    is_proven(&bounds);
 }
 
 /// The soil goes on below the wall's foot, and is held there.
@@ -146,7 +199,12 @@ fn a_little_cohesion_is_a_little_better_than_none() {
 
 #[test]
 fn altered_fields_are_refused_or_still_balance() {
-    let found = bounds(&description(38.0, 30.0, 4.0, 0.0, Base::Clay(20.0), false), 0.1);
+    for ground in [description(38.0, 30.0, 4.0, 0.0, Base::Clay(20.0), false), under_water(5.0, Base::Rock)] {
+        alterations_are_refused_or_still_balance(&bounds(&ground, 0.1));
+    }
+}
+
+fn alterations_are_refused_or_still_balance(found: &SafetyBounds) {
     let statement = &found.lower.described.statement;
     let field = &found.lower.bound.field;
     let regions: Vec<usize> = field.mesh.triangles.iter().map(|t| t.region).collect();

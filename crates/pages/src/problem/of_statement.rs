@@ -91,7 +91,15 @@ fn material_words(material: &Material, units: &Units) -> String {
 pub(super) fn loads(statement: &Statement, units: &Units, place: impl Fn(Point) -> Point) -> Vec<Load> {
     let mut all: Vec<Load> = Vec::new();
     for b in &statement.boundaries {
-        let Condition::Loaded { pressure, shear, live } = b.condition else { continue };
+        let (pressure, shear, live) = match b.condition {
+            Condition::Loaded { pressure, shear, live } => (pressure, shear, live),
+            Condition::Submerged => (statement.pore_pressure(b.side()), [0.0; 2], false),
+            Condition::Free
+            | Condition::Fixed
+            | Condition::Smooth
+            | Condition::Far
+            | Condition::Face { .. } => continue,
+        };
         let ends = statement.lines[b.line].walked(b.forward).map(|p| place(statement.points[p]));
         // Both are given from the start of the line on, whichever way the side is walked.
         let walked =
