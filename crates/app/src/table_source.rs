@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_direct_shear::{ShearSeries, parse_shear_points, read_shear_points};
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
+#[cfg(not(target_family = "wasm"))]
 use crate::{AppError, files};
 
 /// Stands for the file in messages about a table that has none.
@@ -43,6 +44,7 @@ impl TableSource {
     }
 
     /// Its text.
+    #[cfg(not(target_family = "wasm"))]
     pub(crate) fn text(&self) -> Result<String, AppError> {
         match self {
             Self::Path(path) => files::read_text(path),

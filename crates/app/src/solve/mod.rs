@@ -15,9 +15,10 @@ pub use answer::{Answer, TrialAnswer};
 pub use asked::Asked;
 pub use boundary::BoundaryKind;
 pub use cases::CaseAnswer;
+pub use save::Kept;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_limit_analysis::describe::{Aim, Quantity};
+use soilctl_limit_analysis::describe::{Aim, Case, Quantity};
 use soilctl_limit_analysis::results::problem_units;
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
@@ -49,10 +50,14 @@ pub struct Solved {
     pub answer: Answer,
     /// The fields that prove it.
     pub fields: Fields,
-    /// The file.
+    /// The file, of cases that of the governing one, with its values set and its partial factors applied.
     pub description: Description,
     /// The same cut into regions, in the units of the solver.
     pub described: Described,
+    /// The cases of the file, with what each of them solved; none if it has none.
+    pub cases: Vec<Case>,
+    /// What proves the bounds, of the governing case if there are several.
+    pub kept: Vec<Kept>,
     /// Why the solution was not saved, if it was to be: bounds that took their time are not lost with a file.
     pub unsaved: Option<AppError>,
 }
@@ -92,6 +97,7 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
         cases::run(request, &cases, watch)?
     };
     solved.answer.notes = notes;
+    solved.cases = cases;
     Ok(solved)
 }
 
@@ -112,7 +118,8 @@ fn solve_one(
     };
     let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, unit, watch)
         .map_err(|problem| one_side::of_problem(problem, &described))?;
-    let unsaved = save.and_then(|path| save::both(path, &described, &bounds).err());
+    let kept = save::both(&described, &bounds);
+    let unsaved = save.and_then(|path| save::write(&kept, path).err());
     let statement = &described.statement;
     let fields = Fields::new(
         Some((statement, &bounds.upper.field)),
@@ -121,5 +128,5 @@ fn solve_one(
         described.title.clone().unwrap_or_default(),
     )?;
     let answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, budget.max_gap);
-    Ok(Solved { answer, fields, description, described, unsaved })
+    Ok(Solved { answer, fields, description, described, cases: Vec::new(), kept, unsaved })
 }
