@@ -42,12 +42,12 @@ pub(crate) fn make(workspace: &Workspace, folder: &Path) -> Result<(), XtaskErro
         }
     }
     // Script and worker are one file, so that workers need no network.
-    let script = read(&module.join("solver.js"))? + &read(&own.join("worker.js"))?;
-    write(&folder.join("solver.js"), script.as_bytes())?;
-    let bytes = module.join("solver_bg.wasm");
+    let script = read(&module.join("engine.js"))? + &read(&own.join("worker.js"))?;
+    write(&folder.join("engine.js"), script.as_bytes())?;
+    let bytes = module.join("engine_bg.wasm");
     let bytes = std::fs::read(&bytes).map_err(|problem| XtaskError::file(STEP, &bytes, problem))?;
-    write(&folder.join("solver.wasm"), &bytes)?;
-    files.extend(["solver.js".to_owned(), "solver.wasm".to_owned()]);
+    write(&folder.join("engine.wasm"), &bytes)?;
+    files.extend(["engine.js".to_owned(), "engine.wasm".to_owned()]);
     // Folders are listed in no order.
     files.sort();
     let list = format!("const FILES = {files:?};\n");

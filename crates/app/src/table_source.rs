@@ -8,8 +8,9 @@ use serde::{Deserialize, Serialize};
 use soilctl_direct_shear::{ShearSeries, parse_shear_points, read_shear_points};
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
+use crate::AppError;
 #[cfg(not(target_family = "wasm"))]
-use crate::{AppError, files};
+use crate::files;
 
 /// Stands for the file in messages about a table that has none.
 const NAME: &str = "the table";

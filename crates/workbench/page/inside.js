@@ -19,7 +19,7 @@ export class Inside extends Messages {
   // Loads script and module once; workers are made of them without the network.
   async open() {
     try {
-      const [script, module] = await Promise.all(['solver.js', 'solver.wasm'].map(async name => {
+      const [script, module] = await Promise.all(['engine.js', 'engine.wasm'].map(async name => {
         const answer = await fetch(name);
         if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
         return answer.arrayBuffer();

@@ -10,7 +10,7 @@ use soilctl_jobs::fnv1a;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use crate::files::failed;
-use crate::simulate::cores;
+use crate::machine::cores;
 use crate::{AppError, Watch, process, simulate};
 
 /// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.

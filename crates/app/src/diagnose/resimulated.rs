@@ -11,7 +11,7 @@ use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 use super::Against;
 use super::learn::Learning;
 use crate::files::failed;
-use crate::simulate::cores;
+use crate::machine::cores;
 use crate::{AppError, Watch, process, simulate};
 
 /// Noise of the campaign that is simulated again must not be that of the first one.

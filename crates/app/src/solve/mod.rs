@@ -50,6 +50,8 @@ pub struct Solved {
     pub answer: Answer,
     /// The fields that prove it.
     pub fields: Fields,
+    /// The file as it was given.
+    pub given: Description,
     /// The file, of cases that of the governing one, with its values set and its partial factors applied.
     pub description: Description,
     /// The same cut into regions, in the units of the solver.
@@ -89,6 +91,7 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
     crate::request::check(request)?;
     request.save.as_deref().map_or(Ok(()), can_be_written)?;
     let cases = description.cases().map_err(LimitError::from)?;
+    let given = description.clone();
     let notes = plausible::of_file(&description, &cases);
     notes.iter().for_each(|note| watch.note(note));
     let mut solved = if cases.is_empty() {
@@ -97,6 +100,7 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
         cases::run(request, &cases, watch)?
     };
     solved.answer.notes = notes;
+    solved.given = given;
     solved.cases = cases;
     Ok(solved)
 }
@@ -128,5 +132,6 @@ fn solve_one(
         described.title.clone().unwrap_or_default(),
     )?;
     let answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, budget.max_gap);
-    Ok(Solved { answer, fields, description, described, cases: Vec::new(), kept, unsaved })
+    let given = description.clone();
+    Ok(Solved { answer, fields, given, description, described, cases: Vec::new(), kept, unsaved })
 }

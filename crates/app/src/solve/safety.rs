@@ -57,5 +57,6 @@ pub(super) fn run(
     )?;
     let results = ResultsAnswer::new(&fields)?;
     let answer = Answer::of_safety(description.title.as_ref(), &safety, results, budget.max_gap);
-    Ok(Solved { answer, fields, description, described, cases: Vec::new(), kept, unsaved })
+    let given = description.clone();
+    Ok(Solved { answer, fields, given, description, described, cases: Vec::new(), kept, unsaved })
 }

@@ -3,14 +3,19 @@
 use soilctl_app::solve::{CaseAnswer, Solved};
 use soilctl_app::text::{number, number_or_dash};
 use soilctl_figure::{Align, Table};
-use soilctl_limit_analysis::describe::Case;
+use soilctl_limit_analysis::describe::{Case, SoilEntry};
 
 use crate::PageError;
 use crate::problem::Scene;
 
 /// The tables that there is something for.
 pub(super) fn tables(found: &Solved) -> Result<Vec<Table>, PageError> {
-    let all = [Some(soils(found)?), acting(found)?, cases(found)?];
+    let given = soils("Soils, as given", &found.given.soils)?;
+    let of_case = match &found.answer.governing {
+        Some(_) => Some(soils(&format!("Soils{}", of_case(found)), &found.description.soils)?),
+        None => None,
+    };
+    let all = [Some(given), of_case, acting(found)?, cases(found)?];
     Ok(all.into_iter().flatten().collect())
 }
 
@@ -21,7 +26,7 @@ fn of_case(found: &Solved) -> String {
     })
 }
 
-fn soils(found: &Solved) -> Result<Table, PageError> {
+fn soils(caption: &str, soils: &[SoilEntry]) -> Result<Table, PageError> {
     let columns = [
         ("soil", Align::Left),
         ("friction angle (°)", Align::Right),
@@ -30,8 +35,8 @@ fn soils(found: &Solved) -> Result<Table, PageError> {
         ("tension at most (kPa)", Align::Right),
         ("pore pressure ratio", Align::Right),
     ];
-    let mut table = Table::new(format!("Soils{}", of_case(found)), columns);
-    for soil in &found.description.soils {
+    let mut table = Table::new(caption, columns);
+    for soil in soils {
         let mut cohesion = number(soil.cohesion_kpa);
         if soil.cohesion_gradient_kpa_per_m != 0.0 {
             let level = number(soil.cohesion_level_m.unwrap_or_default());

@@ -1,4 +1,4 @@
-//! `soilctl-wasm-bindgen MODULE FOLDER`: makes the module that cargo built loadable by browsers, as `solver.js` and `solver_bg.wasm`.
+//! `soilctl-wasm-bindgen MODULE FOLDER`: makes the module that cargo built loadable by browsers, as `engine.js` and `engine_bg.wasm`.
 
 use std::process::ExitCode;
 
@@ -11,7 +11,7 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(module).out_name("solver").typescript(false).remove_producers_section(true);
+    bindgen.input_path(module).out_name("engine").typescript(false).remove_name_section(true).remove_producers_section(true);
     // A classic script, so that the worker that runs it is one script with it.
     match bindgen.no_modules(true).and_then(|bindgen| bindgen.generate(folder)) {
         Ok(()) => ExitCode::SUCCESS,
