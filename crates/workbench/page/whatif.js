@@ -58,8 +58,9 @@ export class WhatIf {
     get('whatif-of').value = now.id;
     const of = now.find(this.store.problem);
     // Ranges stay what they are while a slider is dragged.
-    if (this.made !== now.id) {
-      this.made = now.id;
+    const made = JSON.stringify([now.id, now.sliders]);
+    if (this.made !== made && !this.isDragged) {
+      this.made = made;
       get('whatif-sliders').replaceChildren(...now.sliders.map(one => this.row(now, one, of[one.key] ?? 0)));
     }
     for (const {key, unit} of now.sliders) {
