@@ -338,3 +338,53 @@ def test_it_ends_at_ctrl_c_and_says_what_it_cannot(soilctl, browser, tmp_path):
     port = other.answer["listen"].rsplit(":", 1)[1]
     soilctl.refuses("workbench", "--port", port, mentions=[f"127.0.0.1:{port}", "another address"])
     other.end()
+
+
+def test_a_certificate_is_kept_and_proven_anew(serve, soilctl, tmp_path):
+    _, page = serve()
+    begin(page, "strip-load")
+    bounds = solve(page)
+    with page.expect_download() as kept:
+        page.locator("#certificate").click()
+    file = tmp_path / "certificate.json"
+    kept.value.save_as(file)
+    found = json.loads(soilctl("certify", file, "--format", "json", code=0).stdout)
+    assert found["certified"]
+    page.locator("#file").set_input_files(file)
+    until(page, "document.getElementById('certified').childElementCount")
+    proven = {one.get_attribute("data-side"): float(one.get_attribute("data-proven")) for one in page.locator("#certified li").all()}
+    assert proven == {side: found[side]["proven"] for side in ["lower", "upper"]}
+    # A claim that its field does not reach is not believed.
+    solution = json.loads(file.read_text(encoding="utf-8"))
+    solution["upper"]["claimed"] *= 0.5
+    file.write_text(json.dumps(solution), encoding="utf-8")
+    page.locator("#file").set_input_files(file)
+    until(page, "document.getElementById('told').dataset.tone === 'bad'")
+    assert page.locator("#certified li[data-side=upper]").get_attribute("class") == "bad"
+    with page.expect_download() as report:
+        page.locator("#report").click()
+    report.value.save_as(tmp_path / "report.html")
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Checked by, date" in text and "<script" in text and "plotly" not in text
+    assert bounds[0] < bounds[1]
+
+
+def test_sliders_solve_again_and_a_drag_is_one_step_back(serve):
+    _, page = serve()
+    begin(page, "strip-load")
+    before = solve(page)
+    slider = page.locator("[id='whatif.cohesion_kpa']")
+    steps = page.evaluate("workbench.store.past.length")
+    slider.focus()
+    for _ in range(8):
+        page.keyboard.press("ArrowRight")
+    until(page, "workbench.solver.state === 'solved' && !workbench.solver.isTrying && workbench.solver.problem === workbench.store.problem")
+    # Soil without friction bears in proportion to its cohesion.
+    clay = page.evaluate("workbench.store.problem.soil[0]")
+    after = page.evaluate("[workbench.solver.answer.lower, workbench.solver.answer.upper]")
+    assert clay["cohesion_kpa"] == 44
+    for now, then in zip(after, before, strict=True):
+        assert math.isclose(now, then * 1.1, rel_tol=1e-4)
+    assert page.evaluate("workbench.store.past.length") == steps + 1
+    page.locator("#undo").click()
+    assert settled(page)["soil"][0]["cohesion_kpa"] == 40

@@ -4,6 +4,7 @@
 //! itself. Exit codes: 0 done, 1 a step failed (its name is in the message), 2 wrong usage.
 
 mod apt;
+mod browser;
 mod chromium;
 mod dist;
 mod error;

@@ -12,12 +12,22 @@ use crate::workspace::{Workspace, on_path};
 
 pub(crate) const WINDOWS: &str = "x86_64-pc-windows-gnu";
 const MAC: &str = "aarch64-apple-darwin";
-const WASM: &str = "wasm32-unknown-unknown";
+pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 const MINGW: &str = "x86_64-w64-mingw32-gcc";
 
 /// What needs no system.
-const PURE: [&str; 8] =
-    ["soil", "earth-pressure", "certificate", "conic", "limit-analysis", "estimator", "diagnosis", "figure"];
+const PURE: [&str; 10] = [
+    "soil",
+    "earth-pressure",
+    "certificate",
+    "conic",
+    "limit-analysis",
+    "estimator",
+    "diagnosis",
+    "figure",
+    "workbench",
+    "wasm",
+];
 
 /// Checks every crate for Windows and macOS, and what needs no system for WebAssembly. What cannot be had is left out, and said.
 pub(crate) fn targets(workspace: &Workspace) -> Result<(), XtaskError> {

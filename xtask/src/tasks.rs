@@ -7,7 +7,7 @@ use crate::python::Environment;
 use crate::run::Step;
 use crate::verify::Part;
 use crate::workspace::Workspace;
-use crate::{chromium, dist, fuzz, rust, supply, systems, verify, wheel};
+use crate::{browser, chromium, dist, fuzz, rust, supply, systems, verify, wheel};
 
 /// What xtask can be asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,10 +30,11 @@ pub(crate) enum Task {
     Wheels(Option<String>),
     Reproducible,
     Site,
+    Workbench,
 }
 
 /// Word, further words, what it does.
-const TASKS: [(&str, &str, &str); 16] = [
+const TASKS: [(&str, &str, &str); 17] = [
     (
         "setup",
         "",
@@ -65,7 +66,12 @@ const TASKS: [(&str, &str, &str); 16] = [
         "wheels of the Python package that others can install, tried if they are for this system, in target/dist",
     ),
     ("reproducible", "", "build the archive in two folders and compare the bytes"),
-    ("site", "", "the documentation, with the notebooks' outputs, for any static host, in target/site"),
+    (
+        "site",
+        "",
+        "the documentation, with the notebooks' outputs and the workbench, for any static host, in target/site",
+    ),
+    ("workbench", "", "the workbench alone, solved in the browser, for any static host, in target/workbench"),
 ];
 
 /// What to type.
@@ -108,6 +114,7 @@ impl Task {
             "wheels" => Ok(Self::Wheels(target()?)),
             "reproducible" => alone(Self::Reproducible),
             "site" => alone(Self::Site),
+            "workbench" => alone(Self::Workbench),
             _ => Err(format!("there is no task {word:?}")),
         }
     }
@@ -131,6 +138,7 @@ impl Task {
             Self::Wheels(target) => dist::wheels::run(workspace, target.as_deref()),
             Self::Reproducible => dist::reproducible::run(workspace),
             Self::Site => wheel::site(workspace),
+            Self::Workbench => browser::make(workspace, &workspace.target().join("workbench")),
         }
     }
 }
@@ -155,6 +163,8 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     // Last, so that a log ends with pytest's summary.
     Step::new("Python tests", workspace.venv_python())
         .args(["-m", "pytest", "tests/python", "--ignore", "tests/python/wheel"])
+        // It tests what takes minutes to build: see `verify`.
+        .args(["--ignore", "tests/python/browser"])
         // Two at a time, whatever the machine; a file's fixtures are made once.
         .args(["--numprocesses", "2", "--dist", "loadfile"])
         .dir(workspace.root())

@@ -3,6 +3,7 @@
 //! All of it runs in the profile of the tests, where the inner loops are optimised and arithmetic that overflows is found, with the
 //! whole workspace's features: what `cargo xtask test` compiled is not compiled again.
 
+use crate::browser;
 use crate::error::XtaskError;
 use crate::fuzz;
 use crate::run::Step;
@@ -38,11 +39,12 @@ pub(crate) enum Part {
     Diagnosis,
     Soils,
     Chain,
+    Browser,
     Fuzz,
     Windows,
 }
 
-pub(crate) const PARTS: [(Part, &str, &str); 12] = [
+pub(crate) const PARTS: [(Part, &str, &str); 13] = [
     (Part::Properties, "properties", "property tests with 20000 cases each"),
     (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
     (Part::Exact, "exact", "known collapse loads on fine meshes"),
@@ -61,6 +63,11 @@ pub(crate) const PARTS: [(Part, &str, &str); 12] = [
         "a thousand soils whose friction falls with stress, and three hundred slopes that stand, fail, or depend",
     ),
     (Part::Chain, "chain", "from simulated strokes to the soil, against the truth; logs of gigabytes"),
+    (
+        Part::Browser,
+        "browser",
+        "the workbench of a static site: its bits against the program's, size and time",
+    ),
     (Part::Fuzz, "fuzz", "the targets of fuzz/ compile"),
     (Part::Windows, "windows", "the task of this name"),
 ];
@@ -101,6 +108,7 @@ impl Part {
                 ignored(workspace, "laws of stress and stability", &["estimator_law", "stability"], "")
             }
             Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),
+            Self::Browser => browser(workspace),
             Self::Fuzz => fuzz::check(workspace),
             Self::Windows => systems::windows(workspace),
         }
@@ -149,6 +157,25 @@ fn properties(workspace: &Workspace) -> Result<(), XtaskError> {
         // Some tests draw again what does not suit them.
         .env("PROPTEST_MAX_GLOBAL_REJECTS", CASES)
         .env("PROPTEST_MAX_LOCAL_REJECTS", "10000000")
+        .run()
+}
+
+fn browser(workspace: &Workspace) -> Result<(), XtaskError> {
+    setup(workspace)?;
+    let folder = workspace.target().join("workbench");
+    browser::make(workspace, &folder)?;
+    // What is compared for speed is optimised on both sides.
+    cargo(workspace, "the program to compare with")
+        .args(["build", "--locked", "--release", "--workspace", "--bin", "soilctl"])
+        .run()?;
+    Step::new("the workbench of a static site", workspace.venv_python())
+        .args(["-m", "pytest", "tests/python/browser"])
+        .dir(workspace.root())
+        .env(
+            "SOILCTL",
+            workspace.target().join("release").join(format!("soilctl{}", std::env::consts::EXE_SUFFIX)),
+        )
+        .env("SOILCTL_WORKBENCH", folder)
         .run()
 }
 

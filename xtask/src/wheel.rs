@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::browser;
 use crate::error::XtaskError;
 use crate::python::Environment;
 use crate::run::Step;
@@ -39,13 +40,14 @@ pub(crate) fn try_out(workspace: &Workspace, wheel: &Path) -> Result<(), XtaskEr
     tests(workspace).args(["--ignore", "tests/python/wheel/test_notebooks.py"]).run()
 }
 
-/// The documentation as a site, with what the notebooks say.
+/// The documentation as a site, with what the notebooks say and the workbench.
 pub(crate) fn site(workspace: &Workspace) -> Result<(), XtaskError> {
     setup(workspace)?;
     install(workspace, &build(workspace)?)?;
     // The tests keep what came of the notebooks.
     pytest(workspace, "notebooks").args(["tests/python/wheel/test_notebooks.py"]).run()?;
-    pages(workspace)
+    pages(workspace)?;
+    browser::make(workspace, &workspace.target().join("site/workbench"))
 }
 
 fn pages(workspace: &Workspace) -> Result<(), XtaskError> {

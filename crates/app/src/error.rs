@@ -1,7 +1,5 @@
 //! Why a use case gave no answer.
 
-use soilctl_bag::BagError;
-use soilctl_campaign::CampaignError;
 use soilctl_certificate::CertificateError;
 use soilctl_controller::ControllerError;
 use soilctl_diagnosis::DiagnosisError;
@@ -12,12 +10,15 @@ use soilctl_estimator::EstimatorError;
 use soilctl_jobs::JobsError;
 use soilctl_kinematics::KinematicsError;
 use soilctl_limit_analysis::{DescriptionError, LimitError};
-use soilctl_motion::MotionError;
-use soilctl_process::ProcessError;
-use soilctl_session::SessionError;
 use soilctl_soil::SoilError;
 use soilctl_strokes::StrokesError;
 use thiserror::Error;
+
+#[cfg(not(target_family = "wasm"))]
+use {
+    soilctl_bag::BagError, soilctl_campaign::CampaignError, soilctl_motion::MotionError,
+    soilctl_process::ProcessError, soilctl_session::SessionError,
+};
 
 /// Why a use case gave no answer.
 #[derive(Debug, Error)]
@@ -67,9 +68,11 @@ pub enum AppError {
     #[error(transparent)]
     Certificate(#[from] CertificateError),
     /// A log.
+    #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]
     Session(#[from] SessionError),
     /// A recording of another program.
+    #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]
     Motion(#[from] MotionError),
     /// None of several logs can be used; a note has told of each.
@@ -81,6 +84,7 @@ pub enum AppError {
         first: String,
     },
     /// Recorded strokes.
+    #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]
     Process(#[from] ProcessError),
     /// An arm.
@@ -93,6 +97,7 @@ pub enum AppError {
     #[error(transparent)]
     Jobs(#[from] JobsError),
     /// A simulated campaign.
+    #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]
     Campaign(#[from] CampaignError),
     /// A diagnosis.
@@ -129,6 +134,18 @@ impl AppError {
     /// Whether a file could not be read or written, rather than made no sense.
     #[must_use]
     pub const fn is_of_a_file(&self) -> bool {
+        #[cfg(not(target_family = "wasm"))]
+        if matches!(
+            self,
+            Self::Session(
+                SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
+            ) | Self::Motion(
+                MotionError::Write { .. }
+                    | MotionError::Bag(BagError::File { .. } | BagError::NotARecording { .. })
+            ) | Self::Campaign(CampaignError::File { .. })
+        ) {
+            return true;
+        }
         matches!(
             self,
             Self::File { .. }
@@ -141,14 +158,6 @@ impl AppError {
                         | LimitError::Certificate(CertificateError::File { .. })
                 )
                 | Self::Certificate(CertificateError::File { .. })
-                | Self::Session(
-                    SessionError::File { .. } | SessionError::Write { .. } | SessionError::NotALog { .. }
-                )
-                | Self::Motion(
-                    MotionError::Write { .. }
-                        | MotionError::Bag(BagError::File { .. } | BagError::NotARecording { .. })
-                )
-                | Self::Campaign(CampaignError::File { .. })
                 | Self::Jobs(JobsError::File { .. } | JobsError::NoResult { .. } | JobsError::Damaged { .. })
         )
     }

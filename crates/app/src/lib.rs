@@ -7,27 +7,39 @@
 //! The command line turns arguments into requests and answers into words; Python binds the same types; figures and pages are
 //! drawn from answers by the crate `pages`. Nothing here prints, draws or knows how it was called; what goes on during long work is
 //! told to a [`Watch`].
+//!
+//! In browsers there are those only that need neither recordings nor threads nor drives.
 
 mod answer;
+#[cfg(not(target_family = "wasm"))]
 pub mod arm;
 pub mod bound;
 pub mod certify;
+#[cfg(not(target_family = "wasm"))]
 pub mod demo;
+#[cfg(not(target_family = "wasm"))]
 pub mod diagnose;
+#[cfg(not(target_family = "wasm"))]
 pub mod doctor;
 mod error;
 pub mod estimate;
 pub mod files;
 mod finite;
 pub mod limits;
+#[cfg(not(target_family = "wasm"))]
 pub mod log;
+mod machine;
 mod plausible;
 pub mod predict;
+#[cfg(not(target_family = "wasm"))]
 pub mod process;
+#[cfg(not(target_family = "wasm"))]
 pub mod replay;
+#[cfg(not(target_family = "wasm"))]
 pub mod report;
 pub mod request;
 pub mod shear;
+#[cfg(not(target_family = "wasm"))]
 pub mod simulate;
 pub mod solve;
 pub mod stability;
@@ -35,7 +47,9 @@ pub mod table;
 pub mod table_file;
 mod table_source;
 pub mod text;
+#[cfg(not(target_family = "wasm"))]
 pub mod topics;
+#[cfg(not(target_family = "wasm"))]
 mod use_cases;
 mod watch;
 
@@ -43,10 +57,13 @@ pub use answer::{Answer, Outcome, document, schema};
 pub use error::AppError;
 pub use finite::check as check_finite;
 pub use table_source::TableSource;
+#[cfg(not(target_family = "wasm"))]
 pub use use_cases::UseCase;
+#[cfg(not(target_family = "wasm"))]
 use use_cases::use_case;
 pub use watch::{Interrupted, Proven, Unwatched, Watch};
 
+#[cfg(not(target_family = "wasm"))]
 /// All use cases, from which schemas, documentation and Python's functions follow.
 pub const USE_CASES: &[UseCase] = &[
     use_case!("predict", predict, predict::run),

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_campaign::{BatchReport, Notice, Options, Plan, simulate};
 use soilctl_effects::ModelFile;
 
+use crate::machine::cores;
 use crate::{AppError, Interrupted, Outcome, Watch};
 
 /// Runs a campaign on the simulated arm and soil, a log for each batch.
@@ -59,11 +60,6 @@ impl crate::Answer for Answer {
     fn outcome(&self) -> Outcome {
         if self.complete && self.strokes_done == self.strokes { Outcome::Done } else { Outcome::Partial }
     }
-}
-
-/// Processors of this machine.
-pub(crate) fn cores() -> usize {
-    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }
 
 /// Runs the campaign of a plan file, or what is left of it.

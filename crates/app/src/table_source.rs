@@ -8,7 +8,9 @@ use serde::{Deserialize, Serialize};
 use soilctl_direct_shear::{ShearSeries, parse_shear_points, read_shear_points};
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
-use crate::{AppError, files};
+use crate::AppError;
+#[cfg(not(target_family = "wasm"))]
+use crate::files;
 
 /// Stands for the file in messages about a table that has none.
 const NAME: &str = "the table";
@@ -43,6 +45,7 @@ impl TableSource {
     }
 
     /// Its text.
+    #[cfg(not(target_family = "wasm"))]
     pub(crate) fn text(&self) -> Result<String, AppError> {
         match self {
             Self::Path(path) => files::read_text(path),

@@ -90,11 +90,20 @@ impl Solution {
         fs::File::open(path)
             .and_then(|file| file.take(MAX_FILE_BYTES + 1).read_to_string(&mut text))
             .map_err(file_error)?;
+        Self::from_json(&text, path)
+    }
+
+    /// Reads the text of a file, which is called `name` where it makes no sense.
+    ///
+    /// # Errors
+    ///
+    /// [`CertificateError::TooLarge`], [`CertificateError::Format`] and [`CertificateError::Schema`], as [`Solution::read`].
+    pub fn from_json(text: &str, name: &Path) -> Result<Self, CertificateError> {
         if text.len() as u64 > MAX_FILE_BYTES {
-            return Err(CertificateError::TooLarge { path: path.to_owned(), limit: MAX_FILE_BYTES });
+            return Err(CertificateError::TooLarge { path: name.to_owned(), limit: MAX_FILE_BYTES });
         }
-        let solution: Self = serde_json::from_str(&text)
-            .map_err(|e| CertificateError::Format { path: path.to_owned(), message: e.to_string() })?;
+        let solution: Self = serde_json::from_str(text)
+            .map_err(|e| CertificateError::Format { path: name.to_owned(), message: e.to_string() })?;
         if solution.schema == SCHEMA {
             Ok(solution)
         } else {
@@ -108,13 +117,22 @@ impl Solution {
     ///
     /// [`CertificateError::File`]; [`CertificateError::Format`] if a number is NaN or infinite, which JSON cannot say.
     pub fn write(&self, path: &Path) -> Result<(), CertificateError> {
-        let format = |message: String| CertificateError::Format { path: path.to_owned(), message };
+        soilctl_jobs::write_atomically(path, self.to_json(path)?.as_bytes())
+            .map_err(|e| CertificateError::File { path: path.to_owned(), message: e.to_string() })
+    }
+
+    /// The text of the file that [`Solution::write`] writes, which is called `name` where there is none.
+    ///
+    /// # Errors
+    ///
+    /// [`CertificateError::Format`], as [`Solution::write`].
+    pub fn to_json(&self, name: &Path) -> Result<String, CertificateError> {
+        let format = |message: String| CertificateError::Format { path: name.to_owned(), message };
         let text = serde_json::to_string(self).map_err(|e| format(e.to_string()))?;
         // JSON has no infinity and no NaN; serde writes `null`, which nobody could read back.
         if !serde_json::from_str::<Self>(&text).is_ok_and(|back| back == *self) {
             return Err(format("a number is NaN or infinite".into()));
         }
-        soilctl_jobs::write_atomically(path, text.as_bytes())
-            .map_err(|e| CertificateError::File { path: path.to_owned(), message: e.to_string() })
+        Ok(text)
     }
 }

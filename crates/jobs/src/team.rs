@@ -17,6 +17,10 @@ pub fn each<T: Sync, R: Send, E: Send + From<JobsError>>(
     work: impl Fn(&T) -> Result<Option<R>, E> + Sync,
     mut done: impl FnMut(&T, R) -> Result<(), E>,
 ) -> Result<(), E> {
+    if cfg!(target_family = "wasm") {
+        // In browsers there are no threads to be had.
+        return alone(todo, stop, work, done);
+    }
     let next = AtomicUsize::new(0);
     let (work, next) = (&work, &next);
     std::thread::scope(|scope| {
@@ -61,6 +65,30 @@ pub fn each<T: Sync, R: Send, E: Send + From<JobsError>>(
         }
         result
     })
+}
+
+/// The same in the calling thread.
+fn alone<T, R, E>(
+    todo: &[T],
+    stop: &AtomicBool,
+    work: impl Fn(&T) -> Result<Option<R>, E>,
+    mut done: impl FnMut(&T, R) -> Result<(), E>,
+) -> Result<(), E> {
+    for piece in todo {
+        if stop.load(Ordering::Relaxed) {
+            break;
+        }
+        let ended = work(piece).and_then(|found| found.map(|found| done(piece, found)).transpose());
+        match ended {
+            Ok(Some(())) => {}
+            Ok(None) => break,
+            Err(problem) => {
+                stop.store(true, Ordering::Relaxed);
+                return Err(problem);
+            }
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

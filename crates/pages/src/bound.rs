@@ -59,6 +59,7 @@ fn content(answer: &Answer) -> Result<PageContent, PageError> {
         subtitle: "An embedded plate is pushed through soil; what it bears just before the soil fails".into(),
         verdict: (kind, title, text),
         bounds,
+        inputs: Vec::new(),
         given: given(&answer.inputs),
         steps: level_table(&answer.levels)?,
     })

@@ -49,6 +49,7 @@ fn content(answer: &Answer) -> Result<PageContent, PageError> {
             .map_or_else(String::new, |title| format!("The file calls it “{title}”, which nothing proves.")),
         verdict: (verdict.0, verdict.1.to_owned(), verdict.2),
         bounds,
+        inputs: Vec::new(),
         given: answer.statement.iter().map(|said| (said.of, said.says.clone())).collect(),
         steps: None,
     })

@@ -3,17 +3,22 @@
 //! A module a use case. Figures are descriptions ([`soilctl_figure::Figure`]) that can be written as SVG, PNG or CSV; pages hold
 //! figures, tables and sentences and need no network.
 
+#[cfg(not(target_family = "wasm"))]
 pub mod arm;
 pub mod bound;
 pub mod certify;
+#[cfg(not(target_family = "wasm"))]
 pub mod demo;
+#[cfg(not(target_family = "wasm"))]
 pub mod diagnose;
 mod error;
 pub mod estimate;
 pub mod limits;
 pub mod predict;
 mod problem;
+#[cfg(not(target_family = "wasm"))]
 pub mod process;
+#[cfg(not(target_family = "wasm"))]
 pub mod report;
 pub mod shear;
 pub mod solve;

@@ -1,5 +1,8 @@
 // In and out: save, download, open from disk, a picture of the section.
-import {get, html, say, svg} from './dom.js';
+import {get, html, say, short, svg} from './dom.js';
+
+// What `soilctl solve --save` writes, and the page's own certificates.
+const isCertificate = text => text.slice(0, 400).includes('"soilctl.solution/');
 
 const PICTURE_STYLE = `text{font:12px system-ui,sans-serif;fill:#1f2328}.grid path{stroke:#000;stroke-opacity:.075;fill:none}.grid text{fill:#5a626b;font-size:10px}
 .region{stroke:#444;stroke-width:1.2}.region.unknown{stroke:#b3261e;stroke-dasharray:4 3}.hatch{stroke:#0006;stroke-width:1;fill:none}.dot{stroke-width:2;stroke-linecap:round}
@@ -36,8 +39,8 @@ export function picture(section, view, flow) {
 
 export class Files {
   // `settle` waits for the text of the document, or why there is none; `take` takes a document from elsewhere.
-  constructor(store, link, {settle, take, section, view, flow}) {
-    Object.assign(this, {store, link, settle, take, name: null});
+  constructor(store, link, {settle, take, section, view, flow, certify}) {
+    Object.assign(this, {store, link, settle, take, certify, name: null});
     get('save').addEventListener('click', () => this.save());
     get('download').addEventListener('click', () => this.download());
     get('picture').addEventListener('click', () => { download(fileName(store.problem, 'svg'), 'image/svg+xml', picture(section, view, flow)); });
@@ -64,6 +67,11 @@ export class Files {
   async open(file) {
     get('file').value = '';
     if (!file) return;
+    if (/json$/i.test(file.name) && isCertificate(await file.slice(0, 400).text())) {
+      if (file.size <= this.link.mostBytes) await this.certify(file.name, await file.text());
+      else this.tell(`${file.name} has more than ${short(this.link.mostBytes / (1 << 20))} MiB; soilctl certify checks it`, 'bad');
+      return;
+    }
     if (file.size > 1 << 20) { this.tell(`${file.name} has more than 1 MiB; a problem file has at most that`, 'bad'); return; }
     const text = await file.text(), answer = await this.link.ask({type: 'read', text}, 'read');
     if (!answer || answer.error) { this.tell(`${file.name}: ${answer?.error.words ?? 'there is no connection'}`, 'bad'); return; }

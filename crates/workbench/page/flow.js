@@ -28,6 +28,19 @@ export class Flow {
     this.draw();
   }
 
+  // The velocity at a place, over the greatest; none beside the mesh.
+  at([x, y]) {
+    if (!this.field) return null;
+    for (let k = 0; k < this.field.triangles.length; k++) {
+      const [ax, ay, bx, by, cx, cy] = this.field.triangles[k], whole = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+      const b = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / whole, c = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / whole;
+      if (!(b >= 0 && c >= 0 && b + c <= 1)) continue;
+      const v = this.field.velocities[k], a = 1 - b - c;
+      return [a * v[0] + b * v[2] + c * v[4], a * v[1] + b * v[3] + c * v[5]];
+    }
+    return null;
+  }
+
   play(on) {
     this.playing = on && Boolean(this.field);
     if (this.playing) { this.begun = performance.now(); this.frame(); } else this.draw();

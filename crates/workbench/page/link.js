@@ -1,12 +1,14 @@
 // The connection to the server: messages there, messages back, again when it was lost.
 import {keep, kept} from './keep.js';
+import {Messages} from './messages.js';
 
 const LIFELESS_MS = 15000, MOST_WAIT_MS = 4000;
 
-export class Link {
-  // `hear` is told each message, `lost` why there is no connection.
+// A message has at most 4 MiB, with all that JSON adds to a text.
+export class Link extends Messages {
   constructor(hear, lost) {
-    Object.assign(this, {hear, lost, wait: 250, last: performance.now(), next: 1, waiting: new Map()});
+    super(hear, lost);
+    Object.assign(this, {wait: 250, last: performance.now(), mostBytes: 3 << 20});
     this.open();
     setInterval(() => this.check(), 1000);
   }
@@ -22,18 +24,14 @@ export class Link {
     socket.onmessage = event => {
       this.last = performance.now();
       this.wait = 250;
-      const message = JSON.parse(event.data);
-      const answer = this.waiting.get(message.id);
-      if (answer && answer.types.includes(message.type)) { this.waiting.delete(message.id); answer.done(message); }
-      this.hear(message);
+      this.heard(event.data);
     };
     socket.onclose = event => this.again(event.reason);
   }
 
   again(reason) {
     this.connected = false;
-    for (const {done} of this.waiting.values()) done(null);
-    this.waiting.clear();
+    this.forget();
     this.lost(reason);
     setTimeout(() => this.open(), this.wait);
     this.wait = Math.min(MOST_WAIT_MS, this.wait * 2);
@@ -51,17 +49,6 @@ export class Link {
     if (this.socket.readyState !== WebSocket.OPEN) return 0;
     this.socket.send(JSON.stringify(message));
     return message.id ?? 1;
-  }
-
-  number() { return this.next++; }
-
-  // The answer of one of these types; null if the connection went away.
-  ask(message, ...types) {
-    const id = this.number();
-    return new Promise(done => {
-      this.waiting.set(id, {types, done});
-      if (!this.send({...message, id})) { this.waiting.delete(id); done(null); }
-    });
   }
 }
 

@@ -6,14 +6,17 @@ import {Editor, TOOLS} from './editor.js';
 import {Files} from './files.js';
 import {Flow} from './flow.js';
 import {forgetWork, keep, keepWork, kept, keptWork} from './keep.js';
+import {Inside} from './inside.js';
 import {Link} from './link.js';
 import * as model from './model.js';
 import {Panel} from './panel.js';
+import {Proof} from './proof.js';
 import {draw} from './section.js';
 import {Solver} from './solver.js';
 import {Store} from './store.js';
 import {TextTab} from './text.js';
 import {View} from './view.js';
+import {WhatIf} from './whatif.js';
 
 // So long nobody types before the document is looked at.
 const CHECK_MS = 120;
@@ -25,14 +28,19 @@ const state = {understood: null, of: null, checked: null, errors: [], notes: [],
 const editor = new Editor(store, view, section, what => { if (what === 'choice') chosen(); if (what) tools(); later(); });
 const panel = new Panel(store, editor);
 const flow = new Flow(get('flow'), view);
-const link = new Link(hear, lost);
+// A page of a static site has no server.
+const isInside = document.documentElement.dataset.solver === 'inside';
+const link = new (isInside ? Inside : Link)(hear, lost);
 const text = new TextTab(store, link);
 const solver = new Solver(store, link, showFlow);
-const files = new Files(store, link, {settle, take, section, view, flow});
+const whatIf = new WhatIf(store, editor, solver);
+const files = new Files(store, link, {settle, take, section, view, flow, certify: (name, text) => proof.check(name, text)});
+const proof = new Proof(link, solver, {tell: (words, tone) => files.tell(words, tone), tab});
 
 // Shows what is chosen in the panel, where that stands beside the drawing.
 function chosen() {
   due = true;
+  whatIf.choose();
   later();
   if (editor.chosen && matchMedia('(min-width: 821px)').matches) requestAnimationFrame(() => get('chosen').parentElement.scrollIntoView({block: 'nearest'}));
 }
@@ -62,7 +70,8 @@ function later() {
 
 function status() {
   const at = editor.cursor;
-  get('place').textContent = at ? `${short(at[0], 5)}, ${short(at[1], 5)} m` : '';
+  const moves = at && flow.at(at);
+  get('place').textContent = at ? `${short(at[0], 5)}, ${short(at[1], 5)} m${moves ? `, moves ${short(moves[0], 2)}, ${short(moves[1], 2)} of the fastest` : ''}` : '';
   get('step').textContent = `grid ${short(view.step())} m`;
 }
 
@@ -71,7 +80,8 @@ function changed() {
   const shape = editor.shape;
   if (editor.point !== null && !shape?.points[editor.point]) editor.point = null;
   due = true;
-  if (flow.field && solver.isStale) { flow.show(null); get('motion').hidden = true; }
+  whatIf.update();
+  if (flow.field && solver.isStale && !whatIf.isDragged) { flow.show(null); get('motion').hidden = true; }
   solver.draw();
   get('undo').disabled = !store.past.length;
   get('redo').disabled = !store.future.length;
@@ -174,7 +184,7 @@ function hear(message) {
 }
 
 function hello({file, templates}) {
-  connection('ready', file ? 'connected' : 'no file');
+  connection('ready', isInside ? 'solves in this browser' : file ? 'connected' : 'no file');
   files.name = file;
   get('save').textContent = file ? 'Save' : 'Download';
   get('download').hidden = !file;
@@ -255,4 +265,4 @@ changed();
 solver.draw();
 
 // For whoever looks at the page from outside.
-window.workbench = {store, view, editor, model, state, solver, flow, files, settle, say};
+window.workbench = {store, view, editor, model, state, solver, flow, files, link, settle, say};

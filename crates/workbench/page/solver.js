@@ -14,21 +14,25 @@ export class Solver {
     get('stop').addEventListener('click', () => this.stop());
   }
 
-  async start() {
-    if (this.state === 'running') return;
-    const problem = this.store.problem, seconds = Number(get('seconds').value) || null;
+  // With a gap of its own a run is a trial, after which the next one goes on with what the document is then; what was shown stays until
+  // there is something else.
+  start(gap = null) {
+    if (this.state === 'running' && this.isTrying) { this.next = {gap}; return; }
+    // A trial ends the run before it.
+    if (this.state === 'running' && gap === null) return;
+    const problem = this.store.problem, seconds = Number(get('seconds').value) || null, wasTrying = this.isTrying;
     this.id = this.link.number();
-    Object.assign(this, {problem, steps: [], answer: null, failure: null, cases: null, quantity: null, begun: performance.now(), state: 'running'});
-    this.shown(null, null);
-    if (!this.link.send({type: 'solve', id: this.id, problem, budget: {max_gap: Number(get('gap').value), max_seconds: seconds}})) {
+    Object.assign(this, {problem, steps: [], answer: null, failure: null, cases: null, quantity: null, begun: performance.now(), state: 'running', isTrying: gap !== null, next: null});
+    if (!this.isTrying && !wasTrying) this.shown(null, null);
+    if (!this.link.send({type: 'solve', id: this.id, problem, budget: {max_gap: gap ?? Number(get('gap').value), max_seconds: seconds}})) {
       this.fail({words: 'there is no connection to the workbench; nothing is lost, try again when it is back'});
       return;
     }
-    say('solving');
+    if (!this.isTrying) say('solving');
     this.draw();
   }
 
-  stop() { this.link.send({type: 'stop'}); get('progress').textContent = 'stopping with the best bounds so far'; }
+  stop() { this.next = null; this.link.send({type: 'stop'}); get('progress').textContent = 'stopping with the best bounds so far'; }
 
   hear(message) {
     if (message.id !== this.id || this.state !== 'running') return;
@@ -38,8 +42,10 @@ export class Solver {
       case 'solved':
         Object.assign(this, {state: 'solved', answer: message.answer});
         this.shown(message.field, this.problem);
+        if (this.next) { this.draw(); this.start(this.next.gap); return; }
         say(`solved: ${this.words()}`);
         break;
+      case 'stopped': this.state = 'stopped'; say('stopped'); break;
       case 'failed': this.fail(message.error); return;
       default: return;
     }
@@ -47,9 +53,12 @@ export class Solver {
   }
 
   fail(error) {
+    const {next} = this;
+    this.next = null;
     Object.assign(this, {state: 'failed', failure: error});
     say(error.words);
     this.draw();
+    if (next && this.link.connected) this.start(next.gap);
   }
 
   lost() { if (this.state === 'running') this.fail({words: 'the connection was lost while it was solved; the problem is still here, solve it again'}); }
@@ -73,6 +82,7 @@ export class Solver {
     get('bounds').replaceChildren(...this.summary(last));
     get('findings').replaceChildren(...(answer ? this.findings() : []));
     get('stale').hidden = !this.isStale;
+    get('kept').hidden = this.state !== 'solved';
     document.body.dataset.solver = this.state;
   }
 
@@ -88,6 +98,10 @@ export class Solver {
     if (this.state === 'failed') return [html('p', {class: 'verdict bad', id: 'failure'}, this.failure.words)];
     const {answer} = this;
     if (!answer) {
+      if (this.state === 'stopped') {
+        const left = last ? [this.pair(last.lower, last.upper, '', 'when it was stopped; each of these is proven')] : [];
+        return [html('p', {class: 'verdict note', id: 'stopped'}, last ? 'Stopped with the best bounds so far. The mechanism and the certificate are those of a run that ends by itself.' : 'Stopped before anything was proven.'), ...left];
+      }
       if (!last) return this.state === 'idle' ? [html('p', {class: 'faint'}, 'Solve proves a lower and an upper bound: the true value for rigid-plastic soil with associated flow lies between them.')] : [];
       return [this.pair(last.lower, last.upper, '', 'so far; each of these is proven')];
     }

@@ -3,10 +3,9 @@
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use serde_json::Value;
-use soilctl_app::Unwatched;
-use soilctl_app::solve::check;
 
-use crate::messages::{Told, Wrong, problem};
+use crate::answers::{checked, unchecked};
+use crate::messages::Wrong;
 
 /// A thread that looks at problems.
 pub(crate) struct Checker {
@@ -26,8 +25,10 @@ impl Checker {
                     latest = later;
                 }
                 let (id, value) = latest;
-                let answer = std::panic::catch_unwind(|| checked(id, value))
-                    .unwrap_or_else(|_| broken(id, "the check broke off; this is a fault of the program"));
+                let answer = std::panic::catch_unwind(|| checked(id, value)).unwrap_or_else(|_| {
+                    let words = "the check broke off; this is a fault of the program";
+                    unchecked(id, None, Wrong::words(words))
+                });
                 if tell.send(answer).is_err() {
                     return;
                 }
@@ -45,37 +46,5 @@ impl Checker {
     /// What was found since.
     pub(crate) fn poll(&self, tell: &mut dyn FnMut(String)) {
         self.told.try_iter().for_each(tell);
-    }
-}
-
-fn broken(id: u64, words: &str) -> String {
-    wrong(id, None, Wrong::words(words))
-}
-
-fn wrong(id: u64, toml: Option<String>, error: Wrong) -> String {
-    let error = Some(error);
-    Told::Checked { id, toml, understood: None, answer: None, notes: Vec::new(), error }.text()
-}
-
-fn checked(id: u64, value: Value) -> String {
-    let description = match problem(value) {
-        Ok(description) => description,
-        Err(error) => return wrong(id, None, error),
-    };
-    let toml = match description.to_toml() {
-        Ok(toml) => Some(toml),
-        Err(error) => return wrong(id, None, (&error).into()),
-    };
-    match check::of(description, &Unwatched) {
-        Ok(found) => Told::Checked {
-            id,
-            toml,
-            understood: Some(soilctl_pages::solve::understood(&found)),
-            notes: found.answer.notes.iter().map(|note| Wrong::note(note)).collect(),
-            answer: Some(&found.answer),
-            error: None,
-        }
-        .text(),
-        Err(error) => wrong(id, toml, (&error).into()),
     }
 }

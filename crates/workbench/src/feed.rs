@@ -5,15 +5,16 @@ use std::sync::atomic::AtomicUsize;
 use std::time::Instant;
 
 use serde_json::Value;
+use soilctl_app::solve::Solved;
 use soilctl_limit_analysis::Description;
 use soilctl_web::{Feed, Heard, is_same};
 
 use crate::WorkbenchError;
+use crate::answers;
 use crate::checker::Checker;
 use crate::file::ProblemFile;
 use crate::messages::{Request, Spend, Told, Wrong, problem};
 use crate::run::Run;
-use crate::templates;
 
 /// Tokens that a page may try.
 const MOST_WRONG_TOKENS: u32 = 5;
@@ -25,6 +26,7 @@ pub(crate) struct Page {
     running: Arc<AtomicUsize>,
     checker: Checker,
     run: Option<Run>,
+    found: Option<Box<Solved>>,
     greeted: bool,
     authorized: bool,
     wrong_tokens: u32,
@@ -44,6 +46,7 @@ impl Page {
             running,
             checker,
             run: None,
+            found: None,
             greeted: false,
             authorized: false,
             wrong_tokens: 0,
@@ -76,6 +79,7 @@ impl Page {
     fn solve(&mut self, id: u64, value: Value, spend: Spend) -> Heard {
         // A page has one run: the one before ends without an answer.
         self.run = None;
+        self.found = None;
         match problem(value).and_then(|description| Run::start(id, description, spend, &self.running)) {
             Ok(run) => {
                 self.run = Some(run);
@@ -107,7 +111,11 @@ impl Page {
 }
 
 fn answer(told: &Told) -> Heard {
-    Heard { answer: Some(told.text()), ..Heard::default() }
+    said(told.text())
+}
+
+fn said(text: String) -> Heard {
+    Heard { answer: Some(text), ..Heard::default() }
 }
 
 impl Feed for Page {
@@ -115,11 +123,10 @@ impl Feed for Page {
         if !self.greeted {
             self.greeted = true;
             let file = self.file.as_ref().map(|file| file.name());
-            let version = env!("CARGO_PKG_VERSION");
-            tell(Told::Hello { version, file, templates: templates::all() }.text());
+            tell(answers::hello(file));
         }
         self.checker.poll(tell);
-        if self.run.as_ref().is_some_and(|run| run.poll(tell)) {
+        if self.run.as_ref().is_some_and(|run| run.poll(tell, &mut self.found)) {
             self.run = None;
         }
     }
@@ -132,25 +139,20 @@ impl Feed for Page {
                 self.checker.ask(id, problem);
                 Heard::default()
             }
-            Ok(Request::Read { id, text }) => {
-                let read = Description::from_toml(&text).or_else(|toml| {
-                    // Who opens a JSON file should not be told that it is no TOML.
-                    let is_json = text.trim_start().starts_with('{');
-                    if is_json { Description::from_json(&text) } else { Err(toml) }
-                });
-                let error = read.as_ref().err().map(Wrong::from);
-                answer(&Told::Read { id, problem: read.ok().as_ref(), error })
-            }
+            Ok(Request::Read { id, text }) => said(answers::read(id, &text)),
             Ok(Request::Solve { id, problem, budget }) => self.solve(id, problem, budget),
             Ok(Request::Stop {}) => {
                 self.run.iter().for_each(Run::stop);
                 Heard::default()
             }
             Ok(Request::Save { id, text, anyway }) => self.save(id, &text, anyway),
+            Ok(Request::Certificate { id }) => said(answers::certificate(id, self.found.as_deref())),
+            Ok(Request::Report { id, name }) => said(answers::report(id, self.found.as_deref(), &name)),
+            Ok(Request::Certify { id, name, text }) => said(answers::certified(id, &name, &text)),
         }
     }
 
     fn refuse(&self, what: &str, _: bool) -> Heard {
-        Heard { refused: Some(what.to_owned()), ..answer(&Told::Error { error: Wrong::words(what) }) }
+        Heard { refused: Some(what.to_owned()), ..said(Told::refusal(what)) }
     }
 }

@@ -1,16 +1,32 @@
 #![doc = include_str!("../README.md")]
 
-mod bench;
-mod checker;
-mod error;
-mod feed;
-mod file;
+mod answers;
+mod desk;
 mod messages;
-mod page;
-mod run;
 mod shown;
 mod templates;
+mod watched;
 
+// What serves: connections, threads and a file.
+#[cfg(not(target_family = "wasm"))]
+mod bench;
+#[cfg(not(target_family = "wasm"))]
+mod checker;
+#[cfg(not(target_family = "wasm"))]
+mod error;
+#[cfg(not(target_family = "wasm"))]
+mod feed;
+#[cfg(not(target_family = "wasm"))]
+mod file;
+#[cfg(not(target_family = "wasm"))]
+mod page;
+#[cfg(not(target_family = "wasm"))]
+mod run;
+
+#[cfg(not(target_family = "wasm"))]
 pub use bench::{Settings, Workbench};
+pub use desk::Desk;
+#[cfg(not(target_family = "wasm"))]
 pub use error::WorkbenchError;
+#[cfg(not(target_family = "wasm"))]
 pub use soilctl_web::Counts;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use soilctl_app::solve::{Answer, check};
-use soilctl_app::{AppError, Proven};
+use soilctl_app::{AppError, Proven, certify};
 use soilctl_limit_analysis::describe::Place;
 use soilctl_limit_analysis::{Description, DescriptionError, LimitError};
 use soilctl_pages::solve::Understood;
@@ -32,6 +32,12 @@ pub(crate) enum Request {
         /// Also over what another program wrote meanwhile.
         anyway: bool,
     },
+    /// What proves the bounds that were found last.
+    Certificate { id: u64 },
+    /// The calculation of what was found last; `name` is what the problem file is called.
+    Report { id: u64, name: String },
+    /// Proves anew what a saved solution claims.
+    Certify { id: u64, name: String, text: String },
 }
 
 /// What a run may spend.
@@ -117,6 +123,7 @@ pub(crate) enum Told<'a> {
     /// The run ended without.
     Failed { id: u64, error: Wrong },
     /// The file was written.
+    #[cfg(not(target_family = "wasm"))]
     Saved { id: u64, name: String },
     /// The file was not written.
     NotSaved {
@@ -125,11 +132,31 @@ pub(crate) enum Told<'a> {
         /// Whether it holds what the page has not read, so that the page must ask.
         changed: bool,
     },
+    /// What proves the bounds that were found last; no files where there are none.
+    Certificate { id: u64, files: Vec<Certificate>, error: Option<Wrong> },
+    /// The calculation of what was found last, as a page.
+    Report { id: u64, html: Option<String>, error: Option<Wrong> },
+    /// What a saved solution proves, or why it is none; with the hash of its bytes.
+    Certified { id: u64, sha256: String, answer: Option<certify::Answer>, error: Option<Wrong> },
     /// A message was refused.
     Error { error: Wrong },
 }
 
+/// A saved solution.
+#[derive(Debug, Serialize)]
+pub(crate) struct Certificate {
+    /// Which bound it proves, where each has a file of its own.
+    pub(crate) part: Option<&'static str>,
+    pub(crate) sha256: String,
+    pub(crate) text: String,
+}
+
 impl Told<'_> {
+    /// Says that a message was refused.
+    pub(crate) fn refusal(words: &str) -> String {
+        Self::Error { error: Wrong::words(words) }.text()
+    }
+
     /// As it is sent.
     pub(crate) fn text(&self) -> String {
         serde_json::to_string(self)

@@ -46,12 +46,15 @@ files! {
     "/form.js" Module "form.js"
     "/geometry.js" Module "geometry.js"
     "/hit.js" Module "hit.js"
+    "/inside.js" Module "inside.js"
     "/keep.js" Module "keep.js"
     "/link.js" Module "link.js"
     "/main.js" Module "main.js"
+    "/messages.js" Module "messages.js"
     "/model.js" Module "model.js"
     "/palette.js" Module "palette.js"
     "/panel.js" Module "panel.js"
+    "/proof.js" Module "proof.js"
     "/scale.js" Module "scale.js"
     "/section.js" Module "section.js"
     "/snap.js" Module "snap.js"
@@ -60,6 +63,7 @@ files! {
     "/symbols.js" Module "symbols.js"
     "/text.js" Module "text.js"
     "/view.js" Module "view.js"
+    "/whatif.js" Module "whatif.js"
 }
 
 /// The file at a path.

@@ -2,7 +2,7 @@
 
 mod words;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -102,14 +102,21 @@ pub struct Certified {
 /// [`AppError`] if the file cannot be read or claims nothing, or if the checker proves bounds that exclude each other, which is a
 /// fault of its own. A claim that is not proven is an answer.
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Certified, AppError> {
-    let solution = Solution::read(&request.file)?;
+    of(Solution::read(&request.file)?, &request.file)
+}
+
+/// Proves what a solution claims that was read from `name`.
+///
+/// # Errors
+/// As those of [`run`].
+pub fn of(solution: Solution, name: &Path) -> Result<Certified, AppError> {
     let (lower, upper) = soilctl_certificate::check(&solution)?;
     let lower = lower.map(|c| Checked::new(c, |claimed, proven| claimed <= proven));
     let upper = upper.map(|c| Checked::new(c, |claimed, proven| claimed >= proven));
     if lower.is_none() && upper.is_none() {
         return Err(AppError::Request(format!(
             "{} has neither a lower nor an upper bound; save one with `soilctl bound --save FILE`",
-            request.file.display()
+            name.display()
         )));
     }
     let certified = [&lower, &upper].into_iter().flatten().all(|c| c.confirmed);

@@ -11,7 +11,7 @@ use soilctl_jobs::fnv1a;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use crate::files::failed;
-use crate::simulate::cores;
+use crate::machine::cores;
 use crate::{AppError, Interrupted, Watch, process, simulate};
 
 /// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.

@@ -12,7 +12,7 @@ use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 use super::Against;
 use super::learn::{Learning, Progress};
 use super::logs::Resimulation;
-use crate::simulate::cores;
+use crate::machine::cores;
 use crate::{AppError, Interrupted, Watch, process, simulate};
 
 /// Noise of the campaign that is simulated again must not be that of the first one.

@@ -11,7 +11,7 @@ use super::request::{Bag, Request, WrenchSense};
 use super::windows::windows;
 use crate::AppError;
 use crate::files::failed;
-use crate::simulate::cores;
+use crate::machine::cores;
 
 /// Most logs of one run.
 const MOST_LOGS: usize = 1_000_000;

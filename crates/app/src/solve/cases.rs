@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::Instant;
 
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_jobs::each;
 use soilctl_limit_analysis::describe::Case;
+use web_time::Instant;
 
 use super::answer::gap;
 use super::{Asked, Request, Solved, solve_one};

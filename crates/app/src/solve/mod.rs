@@ -15,9 +15,10 @@ pub use answer::{Answer, TrialAnswer};
 pub use asked::Asked;
 pub use boundary::BoundaryKind;
 pub use cases::CaseAnswer;
+pub use save::Kept;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_limit_analysis::describe::{Aim, Quantity};
+use soilctl_limit_analysis::describe::{Aim, Case, Quantity};
 use soilctl_limit_analysis::results::problem_units;
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
@@ -49,10 +50,16 @@ pub struct Solved {
     pub answer: Answer,
     /// The fields that prove it.
     pub fields: Fields,
-    /// The file.
+    /// The file as it was given.
+    pub given: Description,
+    /// The file, of cases that of the governing one, with its values set and its partial factors applied.
     pub description: Description,
     /// The same cut into regions, in the units of the solver.
     pub described: Described,
+    /// The cases of the file, with what each of them solved; none if it has none.
+    pub cases: Vec<Case>,
+    /// What proves the bounds, of the governing case if there are several.
+    pub kept: Vec<Kept>,
     /// Why the solution was not saved, if it was to be: bounds that took their time are not lost with a file.
     pub unsaved: Option<AppError>,
 }
@@ -84,6 +91,7 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
     crate::request::check(request)?;
     request.save.as_deref().map_or(Ok(()), can_be_written)?;
     let cases = description.cases().map_err(LimitError::from)?;
+    let given = description.clone();
     let notes = plausible::of_file(&description, &cases);
     notes.iter().for_each(|note| watch.note(note));
     let mut solved = if cases.is_empty() {
@@ -92,6 +100,8 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
         cases::run(request, &cases, watch)?
     };
     solved.answer.notes = notes;
+    solved.given = given;
+    solved.cases = cases;
     Ok(solved)
 }
 
@@ -112,7 +122,8 @@ fn solve_one(
     };
     let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, unit, watch)
         .map_err(|problem| one_side::of_problem(problem, &described))?;
-    let unsaved = save.and_then(|path| save::both(path, &described, &bounds).err());
+    let kept = save::both(&described, &bounds);
+    let unsaved = save.and_then(|path| save::write(&kept, path).err());
     let statement = &described.statement;
     let fields = Fields::new(
         Some((statement, &bounds.upper.field)),
@@ -121,5 +132,6 @@ fn solve_one(
         described.title.clone().unwrap_or_default(),
     )?;
     let answer = Answer::new(&described, &bounds, ResultsAnswer::new(&fields)?, budget.max_gap);
-    Ok(Solved { answer, fields, description, described, unsaved })
+    let given = description.clone();
+    Ok(Solved { answer, fields, given, description, described, cases: Vec::new(), kept, unsaved })
 }

@@ -42,9 +42,9 @@ pub(super) fn run(
     });
     watch.end();
     let safety = safety.map_err(one_side::of_safety)?;
+    let kept = save::safety(&safety);
     let unsaved = save.and_then(|path| {
-        let saved = save::safety(path, &safety);
-        saved
+        save::write(&kept, path)
             .map(|files| files.iter().for_each(|file| watch.note(&format!("saved {}", file.display()))))
             .err()
     });
@@ -57,5 +57,6 @@ pub(super) fn run(
     )?;
     let results = ResultsAnswer::new(&fields)?;
     let answer = Answer::of_safety(description.title.as_ref(), &safety, results, budget.max_gap);
-    Ok(Solved { answer, fields, description, described, unsaved })
+    let given = description.clone();
+    Ok(Solved { answer, fields, given, description, described, cases: Vec::new(), kept, unsaved })
 }

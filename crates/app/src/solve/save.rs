@@ -7,27 +7,54 @@ use soilctl_limit_analysis::{Bound, Bounds, Described, SafetyBounds};
 
 use crate::AppError;
 
-/// Both bounds in one file.
-pub(super) fn both(path: &Path, described: &Described, bounds: &Bounds) -> Result<(), AppError> {
-    write(path, described, Some(&bounds.lower), Some(&bounds.upper))
+/// A solution for `soilctl certify`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    /// Which bound it proves, where each has a solution of its own; it goes before the ending of the file's name.
+    pub part: Option<&'static str>,
+    /// The solution.
+    pub solution: Solution,
 }
 
-/// Bounds on a factor of safety are of problems of different strength: each has a file of its own. Returns their names.
-pub(super) fn safety(path: &Path, safety: &SafetyBounds) -> Result<Vec<PathBuf>, AppError> {
-    let named = |part: &str| path.with_extension(format!("{part}.json"));
-    let files = vec![named("lower"), named("upper")];
-    let lower = write(&files[0], &safety.lower.described, Some(&safety.lower.bound), None);
-    // Each is a proof of its own, which need not be lost with the other.
-    let upper = write(&files[1], &safety.upper.described, None, Some(&safety.upper.bound));
-    lower.and(upper).map(|()| files)
+impl Kept {
+    /// The file that it is saved to, where the user names `path`.
+    #[must_use]
+    pub fn file(&self, path: &Path) -> PathBuf {
+        self.part.map_or_else(|| path.to_owned(), |part| path.with_extension(format!("{part}.json")))
+    }
 }
 
-fn write(
-    path: &Path,
+/// Both bounds in one.
+pub(super) fn both(described: &Described, bounds: &Bounds) -> Vec<Kept> {
+    vec![kept(None, described, Some(&bounds.lower), Some(&bounds.upper))]
+}
+
+/// Bounds on a factor of safety are of problems of different strength: each has a solution of its own.
+pub(super) fn safety(safety: &SafetyBounds) -> Vec<Kept> {
+    vec![
+        kept(Some("lower"), &safety.lower.described, Some(&safety.lower.bound), None),
+        kept(Some("upper"), &safety.upper.described, None, Some(&safety.upper.bound)),
+    ]
+}
+
+/// Writes all of them; the first that could not be written does not keep the others from it, since each is a proof of its own.
+pub(super) fn write(kept: &[Kept], path: &Path) -> Result<Vec<PathBuf>, AppError> {
+    let written: Vec<_> = kept
+        .iter()
+        .map(|kept| {
+            let file = kept.file(path);
+            kept.solution.write(&file).map(|()| file)
+        })
+        .collect();
+    Ok(written.into_iter().collect::<Result<_, _>>()?)
+}
+
+fn kept(
+    part: Option<&'static str>,
     described: &Described,
     lower: Option<&Bound<LowerField>>,
     upper: Option<&Bound<UpperField>>,
-) -> Result<(), AppError> {
+) -> Kept {
     let solution = Solution {
         schema: SCHEMA.to_owned(),
         program: format!("soilctl {}", env!("CARGO_PKG_VERSION")),
@@ -38,5 +65,5 @@ fn write(
         mechanism: None,
         space: None,
     };
-    Ok(solution.write(path)?)
+    Kept { part, solution }
 }

@@ -64,11 +64,12 @@ pub(crate) enum Block {
     Table(Table),
     Callout(Callout),
     Definitions(Vec<(String, RichText)>),
+    ToFillIn(Vec<String>),
     Figure(Box<Drawn>),
 }
 
 impl Block {
-    pub(crate) fn to_html(&self) -> String {
+    pub(crate) fn to_html(&self, still: bool) -> String {
         match self {
             Self::Section { number, text } => {
                 format!("<h2 id=\"section-{number}\">{}</h2>\n", escape::html(text))
@@ -83,7 +84,11 @@ impl Block {
                 };
                 format!("<dl>\n{}</dl>\n", entries.iter().map(entry).collect::<String>())
             }
-            Self::Figure(drawn) => drawn.to_html(),
+            Self::ToFillIn(entries) => {
+                let entry = |term: &String| format!("<div><dt>{}</dt><dd></dd></div>\n", escape::html(term));
+                format!("<dl class=\"fill-in\">\n{}</dl>\n", entries.iter().map(entry).collect::<String>())
+            }
+            Self::Figure(drawn) => drawn.to_html(still),
         }
     }
 }

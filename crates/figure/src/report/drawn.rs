@@ -72,11 +72,18 @@ impl Drawn {
         matches!(self.live, Live::Plot)
     }
 
-    pub(crate) fn to_html(&self) -> String {
+    pub(crate) fn to_html(&self, still: bool) -> String {
         let Self { number, svg, json, shown, .. } = self;
         let title = escape::html(shown.figure.title());
         let (width, height) = (shown.size.width(), shown.size.height());
         let colon = if title.is_empty() { "" } else { ": " };
+        if still {
+            return format!(
+                "<figure id=\"figure-{number}\">\n<p class=\"figure-title\">Figure {number}{colon}{title}</p>\n\
+                 <div class=\"static\" style=\"max-width:{width}px\">{svg}</div>\n<figcaption>{caption}</figcaption>\n</figure>\n",
+                caption = self.caption.to_html(),
+            );
+        }
         let (kind, live) = match &self.live {
             Live::Plot => (
                 "plotted",

@@ -56,6 +56,7 @@ pub struct HtmlReport {
     verdict: Option<Callout>,
     footer: Option<String>,
     command: Option<String>,
+    still: bool,
     blocks: Vec<Block>,
 }
 
@@ -69,6 +70,7 @@ impl HtmlReport {
             verdict: None,
             footer: None,
             command: None,
+            still: false,
             blocks: Vec::new(),
         }
     }
@@ -105,6 +107,12 @@ impl HtmlReport {
     /// Sets the command that made the report, which stands in the foot.
     pub fn command(&mut self, line: impl Into<String>) -> &mut Self {
         self.command = Some(line.into());
+        self
+    }
+
+    /// Makes all figures still: the page is for paper, and a fraction of the size. In browsers' modules every page is.
+    pub fn still(&mut self) -> &mut Self {
+        self.still = true;
         self
     }
 
@@ -147,6 +155,11 @@ impl HtmlReport {
     {
         let entries = entries.into_iter().map(|(term, text)| (term.into(), text.into()));
         self.add(Block::Definitions(entries.collect()))
+    }
+
+    /// Adds lines to be filled in by hand, each behind what belongs there.
+    pub fn to_fill_in<T: Into<String>>(&mut self, entries: impl IntoIterator<Item = T>) -> &mut Self {
+        self.add(Block::ToFillIn(entries.into_iter().map(Into::into).collect()))
     }
 
     /// Adds a figure with a caption and a link that saves the figure's data as CSV.

@@ -22,9 +22,12 @@ pub(crate) fn render(report: &HtmlReport) -> String {
     let kind = paragraph("kind", report.kind.as_deref());
     let subtitle = paragraph("subtitle", report.subtitle.as_deref());
     let verdict = report.verdict.as_ref().map_or_else(String::new, |v| v.to_html("callout verdict"));
-    let body: String = report.blocks.iter().map(Block::to_html).collect();
-    let drawn =
-        |plot: bool| report.blocks.iter().any(|b| matches!(b, Block::Figure(d) if d.is_plot() == plot));
+    // The library of interactive plots is larger than all that a browser's module should be.
+    let still = report.still || cfg!(target_family = "wasm");
+    let body: String = report.blocks.iter().map(|block| block.to_html(still)).collect();
+    let drawn = |plot: bool| {
+        !still && report.blocks.iter().any(|b| matches!(b, Block::Figure(d) if d.is_plot() == plot))
+    };
     let library = if drawn(true) { library() } else { String::new() };
     let scripts = [(true, PAGE_SCRIPT), (drawn(true), PLOT_SCRIPT), (drawn(false), MOTION_SCRIPT)];
     let script: String = scripts.iter().filter(|(wanted, _)| *wanted).map(|(_, script)| *script).collect();

@@ -1,6 +1,6 @@
 //! The user's clock. Nothing else in this crate decides by time, and a run that it changed says [`Ended::Time`](super::Ended).
 
-use std::time::Instant;
+use web_time::Instant;
 
 /// Time since the start of a run, and the user's limit on it.
 #[derive(Debug)]

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 use soilctl_certificate::{CertificateError, LowerField, UpperField, prove_lower, prove_upper};
 use soilctl_conic::{Accuracy, Answer, How, Program, Status};
+use web_time::Instant;
 
 use super::Solve;
 use super::run::Run;

@@ -69,9 +69,9 @@ mod strength;
 mod tests;
 
 use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use soilctl_conic::{Factorisation, How, Status, solve};
+use web_time::Instant;
 
 use crate::accuracy::SPACE;
 use crate::error::{LimitError, in_range};

@@ -22,6 +22,8 @@ pub(crate) struct PageContent {
     pub(crate) verdict: (CalloutKind, String, String),
     /// The bounds and what follows from them, by name.
     pub(crate) bounds: Table,
+    /// What was given, below the drawing of it.
+    pub(crate) inputs: Vec<Table>,
     /// What was given, by name.
     pub(crate) given: Vec<(&'static str, String)>,
     /// How it was computed; no times, which are different each time.
@@ -90,6 +92,9 @@ pub(crate) fn page(
     page.kind(content.kind).subtitle(content.subtitle).verdict(kind, headline, text).table(content.bounds);
     let (drawing, size) = scene.figure()?;
     page.heading("The problem").figure(&drawing, size, PROBLEM)?;
+    for table in content.inputs {
+        page.table(table);
+    }
     page.heading("How the soil fails");
     plot::add(&mut page, fields, Kind::Blocks)?;
     if fields.blocks.is_some() && fields.flow.is_some() {

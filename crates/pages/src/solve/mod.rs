@@ -1,9 +1,12 @@
 //! The page of a problem, and the drawing of its file.
 
+mod calculation;
+mod given;
+
 use std::path::Path;
 
 use soilctl_app::solve::check::Checked;
-use soilctl_app::solve::{Answer, Asked, Solved, TrialAnswer};
+use soilctl_app::solve::{Asked, Solved, TrialAnswer};
 use soilctl_app::text::{number, number_or_dash, rounded_down, rounded_up, sentence_case};
 use soilctl_figure::{Align, Figure, HtmlReport, Size, Table};
 
@@ -26,16 +29,19 @@ pub fn understood(Checked { description, described, .. }: &Checked) -> Understoo
     Scene::of_file(description, described).understood()
 }
 
-/// The page of bounds on what a problem file asks for.
+/// The page of bounds on what a problem file asks for: on paper, the calculation that an engineer keeps.
 ///
 /// # Errors
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Solved, file: &Path) -> Result<HtmlReport, PageError> {
     let scene = Scene::of_file(&found.description, &found.described);
-    limits::page(&found.fields, &scene, content(&found.answer, file)?, &found.answer.results)
+    let mut page = limits::page(&found.fields, &scene, content(found, file)?, &found.answer.results)?;
+    calculation::add(&mut page, found, file)?;
+    Ok(page)
 }
 
-fn content(answer: &Answer, file: &Path) -> Result<PageContent, PageError> {
+fn content(found: &Solved, file: &Path) -> Result<PageContent, PageError> {
+    let answer = &found.answer;
     let what = sentence_case(answer.quantity.words());
     let mut bounds = bounds_table();
     let least = if answer.cases.is_empty() { what.clone() } else { format!("{what}, least of all cases") };
@@ -57,6 +63,7 @@ fn content(answer: &Answer, file: &Path) -> Result<PageContent, PageError> {
         },
         verdict: (kind, title, text),
         bounds,
+        inputs: given::tables(found)?,
         given: Vec::new(),
         steps: if answer.trials.is_empty() {
             level_table(&answer.levels)?

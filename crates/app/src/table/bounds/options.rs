@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::table::BracketRules;
 use soilctl_jobs::Shard;
 
+use crate::machine::cores;
 use crate::request::finite;
-use crate::simulate::cores;
 
 /// Options of the model `bounds`.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
