@@ -40,6 +40,7 @@ def site(folder):
     for server in started:
         server.kill()
         server.wait()
+        server.stdout.close()
 
 
 @pytest.fixture
