@@ -294,7 +294,8 @@ pub use ends::{
 };
 pub use error::CertificateError;
 pub use fields::{
-    BeyondFacet, Facet, Flow, Gauge, Gradient, Jet, LowerField, Mechanism, Position, StreamCopy, StreamJet,
+    BeyondFacet, Facet, Flow, Gauge, Gradient, Jet, LowerField, Mechanism, MemberFlow, MemberMotion, Position,
+    StreamCopy, StreamJet,
     UpperField, Velocity, VertexCopy,
 };
 pub use lower::prove_lower;
@@ -303,5 +304,5 @@ pub use proof::{Bound, Checked, Proof, check, check_lower, check_upper, prove};
 pub use runs::Run;
 pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownStress, show_flow, show_stress};
 pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
-pub use statement::{Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement};
+pub use statement::{Boundary, Condition, Line, LineUse, Linear, Material, Member, Objective, Region, Statement};
 pub use upper::prove_upper;

@@ -94,6 +94,7 @@ mod gap;
 #[cfg(test)]
 mod known;
 mod lower;
+mod members;
 pub mod mesh;
 mod mobile;
 mod plate;

@@ -30,6 +30,7 @@ impl Block {
             surcharge: 0.0,
             objective,
             width: None,
+            members: Vec::new(),
             boundaries: conditions.into_iter().enumerate().map(|(l, c)| on(forward(l), c)).collect(),
         }
     }

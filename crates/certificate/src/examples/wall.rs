@@ -22,6 +22,7 @@ pub(crate) fn wall() -> Statement {
         surcharge: 0.0,
         objective: Objective::Structure { velocity: [1.0, 0.0] },
         width: None,
+        members: Vec::new(),
         boundaries: conditions.into_iter().enumerate().map(|(l, c)| on(forward(l), c)).collect(),
     }
 }

@@ -13,6 +13,7 @@ mod jets;
 mod joined;
 mod loads;
 mod local;
+mod members;
 mod overburden;
 mod references;
 mod strength;
@@ -65,8 +66,9 @@ pub fn prove_lower(statement: &Statement, field: &LowerField) -> Result<f64, Cer
             }
         }
     }
+    let attached = function.check_members(|triangle| function.stresses(triangle))?;
     let bound = match statement.objective {
-        Objective::Structure { .. } => function.power().lo(),
+        Objective::Structure { .. } => (function.power() + attached).lo(),
         Objective::Loads | Objective::Body { .. } | Objective::Everything => field.multiplier,
     };
     if bound > f64::NEG_INFINITY {
@@ -130,6 +132,8 @@ struct StressFunction<'a> {
     gauges: Gauges<'a>,
     given: GivenLines<'a>,
     surfaces: Surfaces<'a>,
+    /// Where vertex copies are on free or loaded boundary.
+    stations: Vec<Option<Station>>,
     /// Values and slopes of the vertex copies.
     jets: Vec<LocalJet>,
     /// For each vertex copy, whether the stress vanishes there, to the first order of its distance.
@@ -179,6 +183,7 @@ impl<'a> StressFunction<'a> {
             gauges,
             given,
             surfaces,
+            stations,
             jets,
             apexes,
         })

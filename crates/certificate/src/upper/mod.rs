@@ -5,6 +5,7 @@ mod edge_velocity;
 mod edges;
 mod jets;
 mod means;
+mod members;
 mod power;
 mod quadratic;
 mod resistance;
@@ -44,6 +45,7 @@ pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, Cer
     for side in tiling.sides() {
         power = power + velocity.edge(side)?;
     }
+    power = power + velocity.members()?;
     power.bound(&statement.objective)
 }
 

@@ -32,6 +32,7 @@ fn wall(objective: Objective) -> Statement {
         surcharge: 0.0,
         objective,
         width: None,
+        members: Vec::new(),
         boundaries: (0..4)
             .map(|line| Boundary { line, forward: true, condition: conditions[line] })
             .collect(),
