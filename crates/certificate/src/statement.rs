@@ -39,6 +39,9 @@ pub struct Statement {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Member {
+    /// Its name; no proof depends on it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
     /// The sides of lines on its left, from its start to its end: it goes along them. Either one line, or level ones, or upright
     /// ones, for only these are proven to be in one line.
     pub path: Vec<LineUse>,

@@ -45,7 +45,8 @@ pub(crate) fn member_edges(problem: &Problem, mesh: &Mesh, topology: &Topology) 
     }
     for triangle in 0..mesh.triangles.len() {
         for corner in 0..3 {
-            let (Some(on), Some(other)) = (topology.line[triangle][corner], topology.across[triangle][corner])
+            let (Some(on), Some(other)) =
+                (topology.line[triangle][corner], topology.across[triangle][corner])
             else {
                 continue;
             };
@@ -79,9 +80,10 @@ pub(crate) fn velocity_at_end(problem: &Problem, member: usize, end: usize) -> O
         return None;
     }
     let point = problem.member_end_point(member, end);
-    let meets_structure = statement.boundaries.iter().any(|b| {
-        matches!(b.condition, Face { .. }) && statement.lines[b.line].touches(point)
-    });
+    let meets_structure = statement
+        .boundaries
+        .iter()
+        .any(|b| matches!(b.condition, Face { .. }) && statement.lines[b.line].touches(point));
     let [a, b] = problem.member_ends(member);
     let d = between(a, b);
     Some(if meets_structure { dot(problem.velocity(), d) / length(d) } else { 0.0 })

@@ -120,14 +120,14 @@ impl Problem {
         });
         let load = loads.fold(0.0, |most: f64, l| most.max(l.abs())) + statement.surcharge;
         let on = |(i, m): (usize, &Member)| m.path.iter().map(move |side| (*side, i)).collect::<Vec<_>>();
-        let members: BTreeMap<LineUse, usize> =
-            statement.members.iter().enumerate().flat_map(on).collect();
+        let members: BTreeMap<LineUse, usize> = statement.members.iter().enumerate().flat_map(on).collect();
         for (side, i) in &members {
             in_range("the line of a member", side.line as f64, 0.0, lines, "")?;
             let member = &statement.members[*i];
-            for (quantity, force) in
-                [("the tension of a member", member.tension), ("the compression of a member", member.compression)]
-            {
+            for (quantity, force) in [
+                ("the tension of a member", member.tension),
+                ("the compression of a member", member.compression),
+            ] {
                 in_range(quantity, force, 0.0, f64::INFINITY, "")?;
             }
             in_range("the bond of a member", member.bond, f64::MIN_POSITIVE, 1.0_f64.next_up(), "")?;
@@ -151,6 +151,12 @@ impl Problem {
         if self.soils.len() != 1 {
             return Err(LimitError::NotCovered {
                 what: "the ends of a structure in more than one soil",
+                advice: "leave the width out, which gives bounds in plane strain",
+            });
+        }
+        if !self.statement.members.is_empty() {
+            return Err(LimitError::NotCovered {
+                what: "the ends of a structure beside bars and sheets",
                 advice: "leave the width out, which gives bounds in plane strain",
             });
         }

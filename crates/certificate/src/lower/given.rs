@@ -228,8 +228,7 @@ impl<'a> GivenLines<'a> {
                         let has_it = self.at[other].iter().any(|l| self.first(*l) == first);
                         let d = self.problem.direction(along);
                         let t = self.problem.direction(*line);
-                        let is_square =
-                            (d.x.is_zero() && t.y.is_zero()) || (d.y.is_zero() && t.x.is_zero());
+                        let is_square = (d.x.is_zero() && t.y.is_zero()) || (d.y.is_zero() && t.x.is_zero());
                         has_it && (jump == 0.0 || is_square)
                     }
                     Jet::Free { .. } => false,

@@ -37,9 +37,8 @@ pub(super) fn check(
                     // Its two sides are checked with its force.
                     let pairs = if on.is_left { here } else { [start, end] };
                     let others = if on.is_left { [start, end] } else { here };
-                    let is_kinked = |(a, b): (usize, usize)| {
-                        kink(problem, field, &stations, &on, [a, b]).is_some()
-                    };
+                    let is_kinked =
+                        |(a, b): (usize, usize)| kink(problem, field, &stations, &on, [a, b]).is_some();
                     if !pairs.into_iter().zip(others).all(is_kinked) {
                         let problem = "the stress function is not the same on both sides of the member";
                         return Err(bad(side.to_string(), problem));

@@ -134,7 +134,13 @@ impl Maker<'_> {
     }
 
     /// Beyond the jet on the other side of a member.
-    fn kinked(&self, copy: usize, other: usize, line: usize, jump: f64) -> Result<LocalJet, CertificateError> {
+    fn kinked(
+        &self,
+        copy: usize,
+        other: usize,
+        line: usize,
+        jump: f64,
+    ) -> Result<LocalJet, CertificateError> {
         let across = self.field.copies[other];
         if matches!(across.jet, Jet::Kinked { .. }) || across.vertex != self.field.copies[copy].vertex {
             return Err(bad(copy, "it must depend on a copy of the same vertex that depends on no other"));

@@ -69,10 +69,7 @@ impl StressFunction<'_> {
         let edges = self.tiling.along_members();
         for (i, (side, other, on)) in edges.iter().enumerate() {
             let member = on.piece.member;
-            let force = self.axial_force(*side, *other, on)?;
-            let [a, m, b] = force;
-            let two = Interval::point(2.0);
-            let m = two * m - (a + b).half();
+            let [a, m, b] = self.axial_force(*side, *other, on)?;
             self.check_force(*side, member, [a, m, b])?;
             for (side, edge) in [(*side, 0), (*other, 1)] {
                 self.check_bond(side, &stresses(side.triangle)[side.corner], member, edge)?;
@@ -80,13 +77,17 @@ impl StressFunction<'_> {
             let is_other = |j: Option<usize>| {
                 j.and_then(|j| edges.get(j)).is_none_or(|(.., next)| next.piece.member != member)
             };
-            for (end, is_end, force) in [(false, is_other(i.checked_sub(1)), a), (true, is_other(Some(i + 1)), b)] {
+            for (end, is_end, force) in
+                [(false, is_other(i.checked_sub(1)), a), (true, is_other(Some(i + 1)), b)]
+            {
                 if !is_end {
                     continue;
                 }
                 match self.problem.velocity_at_end(member, end)? {
                     // The structure pulls the start backwards.
-                    Some(velocity) => power = power + if end { force * velocity } else { -(force * velocity) },
+                    Some(velocity) => {
+                        power = power + if end { force * velocity } else { -(force * velocity) }
+                    }
                     None if force.is_zero() => {}
                     None => {
                         let place = format!("member {member}");
@@ -99,13 +100,14 @@ impl StressFunction<'_> {
         Ok(power)
     }
 
-    /// The axial force of a member at the start, in the middle and at the end of an edge on its left.
-    pub(super) fn axial_force(
-        &self,
-        side: Side,
-        other: Side,
-        on: &OnMember,
-    ) -> Result<[Interval; 3], CertificateError> {
+    /// The axial forces of all members, edge by edge.
+    pub(super) fn axial_forces(&self) -> Result<Vec<[Interval; 3]>, CertificateError> {
+        let edges = self.tiling.along_members();
+        edges.iter().map(|(side, other, on)| self.axial_force(*side, *other, on)).collect()
+    }
+
+    /// The axial force of a member along an edge on its left: its Bernstein coefficients.
+    fn axial_force(&self, side: Side, other: Side, on: &OnMember) -> Result<[Interval; 3], CertificateError> {
         let [start, end] = ends(self.field, side);
         let [other_end, other_start] = ends(self.field, other);
         let at = |left: usize, right: usize| {
@@ -115,7 +117,8 @@ impl StressFunction<'_> {
                 let problem = "the stress function is not proven to be the same on both sides of the member";
                 return Err(CertificateError::BadField { place: side.to_string(), problem });
             };
-            let length = kink.line.map_or(Interval::ZERO, |line| self.problem.direction(line).square().sqrt());
+            let length =
+                kink.line.map_or(Interval::ZERO, |line| self.problem.direction(line).square().sqrt());
             Ok(kink.jump * length)
         };
         let [a, b] = [at(start, other_start)?, at(end, other_end)?];
@@ -124,7 +127,7 @@ impl StressFunction<'_> {
         let slope = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
         // That on the right is along the vector turned right.
         let middle = (slope(side) + slope(other)) / edge.square().sqrt();
-        Ok([a, middle, b])
+        Ok([a, Interval::point(2.0) * middle - (a + b).half(), b])
     }
 
     fn check_force(
@@ -143,7 +146,12 @@ impl StressFunction<'_> {
             ] {
                 if !spare.is_at_least_zero() {
                     let place = format!("member {member}, {side}, control point {i} of 3");
-                    return Err(CertificateError::NotProven { quantity, place, low: spare.lo(), unit: "force" });
+                    return Err(CertificateError::NotProven {
+                        quantity,
+                        place,
+                        low: spare.lo(),
+                        unit: "force",
+                    });
                 }
             }
         }

@@ -120,13 +120,18 @@ impl Problem<'_> {
                 Condition::Far => return Err(not_covered(member, "an end attached to a far line")),
             };
             let t = self.direction(line);
-            let is_square = (direction.x.is_zero() && t.y.is_zero()) || (direction.y.is_zero() && t.x.is_zero());
+            let is_square =
+                (direction.x.is_zero() && t.y.is_zero()) || (direction.y.is_zero() && t.x.is_zero());
             if condition.shear_is_given() && !is_square {
-                let what = "an end attached to a line of given shear that is not proven to be at right angles";
+                let what =
+                    "an end attached to a line of given shear that is not proven to be at right angles";
                 return Err(not_covered(member, what));
             }
             if found != Attached::Nothing && found != here {
-                return Err(not_covered(member, "an end attached both to the structure and to what is at rest"));
+                return Err(not_covered(
+                    member,
+                    "an end attached both to the structure and to what is at rest",
+                ));
             }
             found = here;
         }
@@ -146,7 +151,11 @@ impl Problem<'_> {
     }
 
     /// Velocity along a member of what its start or its end is attached to; nothing if it is not attached.
-    pub(crate) fn velocity_at_end(&self, member: usize, end: bool) -> Result<Option<Interval>, CertificateError> {
+    pub(crate) fn velocity_at_end(
+        &self,
+        member: usize,
+        end: bool,
+    ) -> Result<Option<Interval>, CertificateError> {
         Ok(match self.end_of(member, end)? {
             Attached::Nothing => None,
             Attached::Ground => Some(Interval::ZERO),

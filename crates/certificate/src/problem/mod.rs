@@ -82,8 +82,7 @@ impl<'a> Problem<'a> {
             .map(|(i, l)| ([l.from.min(l.to), l.from.max(l.to)], i))
             .collect();
         joined.sort_unstable();
-        let mut problem =
-            Self { statement, strengths, far, owners, conditions, joined, pieces: Vec::new() };
+        let mut problem = Self { statement, strengths, far, owners, conditions, joined, pieces: Vec::new() };
         problem.pieces = problem.pieces_of_members()?;
         Ok(problem)
     }

@@ -41,7 +41,9 @@ pub(super) fn values(
                 (StreamJet::Wall { .. } | StreamJet::Corner { .. }, _) => {
                     Err("no edge on its wall ends there")
                 }
-                (StreamJet::Free { .. } | StreamJet::Kinked { .. }, [None, Some(_)]) => Err("it is on a wall"),
+                (StreamJet::Free { .. } | StreamJet::Kinked { .. }, [None, Some(_)]) => {
+                    Err("it is on a wall")
+                }
             };
             value.map_err(|problem| CertificateError::BadField {
                 place: format!("vertex copy {copy}"),

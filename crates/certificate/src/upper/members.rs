@@ -27,21 +27,7 @@ fn bad(side: Side, problem: &'static str) -> CertificateError {
 impl VelocityField<'_> {
     /// What all members add to the power. Checks the flow rule along them.
     pub(super) fn members(&self) -> Result<Power, CertificateError> {
-        let flows: BTreeMap<Side, &MemberFlow> = (self.field.members.iter())
-            .map(|flow| (Side { triangle: flow.triangle, corner: flow.corner }, flow))
-            .collect();
-        let edges = self.tiling.along_members();
-        if self.field.members.len() != edges.len() || flows.len() != edges.len() {
-            let (found, needed) = (self.field.members.len(), edges.len());
-            let each = "triangle edge on the left of a member, each once";
-            return Err(CertificateError::Length { list: "members", found, needed, each });
-        }
-        let mut pieces = Vec::with_capacity(edges.len());
-        for (side, other, on) in &edges {
-            let known = flows.get(side);
-            let flow = known.ok_or_else(|| bad(*side, "it is on a member whose motion is not given"))?;
-            pieces.push((on.piece.member, self.member_edge(*side, *other, on, flow.motion)?));
-        }
+        let pieces = self.pieces_of_members()?;
         let mut power = Power::ZERO;
         for (i, (member, (along, slid))) in pieces.iter().enumerate() {
             let [a, b, c] = *along;
@@ -61,6 +47,32 @@ impl VelocityField<'_> {
             }
         }
         Ok(power)
+    }
+
+    /// For each edge of a member, in order, the member, Bernstein coefficients of its velocity along itself, and what soil that slides
+    /// past dissipates.
+    fn pieces_of_members(&self) -> Result<Vec<(usize, ([Interval; 3], Power))>, CertificateError> {
+        let flows: BTreeMap<Side, &MemberFlow> = (self.field.members.iter())
+            .map(|flow| (Side { triangle: flow.triangle, corner: flow.corner }, flow))
+            .collect();
+        let edges = self.tiling.along_members();
+        if self.field.members.len() != edges.len() || flows.len() != edges.len() {
+            let (found, needed) = (self.field.members.len(), edges.len());
+            let each = "triangle edge on the left of a member, each once";
+            return Err(CertificateError::Length { list: "members", found, needed, each });
+        }
+        let mut pieces = Vec::with_capacity(edges.len());
+        for (side, other, on) in &edges {
+            let known = flows.get(side);
+            let flow = known.ok_or_else(|| bad(*side, "it is on a member whose motion is not given"))?;
+            pieces.push((on.piece.member, self.member_edge(*side, *other, on, flow.motion)?));
+        }
+        Ok(pieces)
+    }
+
+    /// Velocities of all members along themselves, edge by edge.
+    pub(super) fn along_members(&self) -> Result<Vec<[Interval; 3]>, CertificateError> {
+        Ok(self.pieces_of_members()?.into_iter().map(|(_, (along, _))| along).collect())
     }
 
     /// What a member dissipates where its velocity along itself changes.
@@ -84,7 +96,10 @@ impl VelocityField<'_> {
         let (left, right) = (self.slide(side), self.slide(other).reversed());
         let keeps = [side, other].map(|s| self.keeps_volume(s));
         if keeps == [true; 2] && !self.moves_as_one_across(side, other) {
-            return Err(bad(side, "soil that keeps its volume is not proven to move alike across the member"));
+            return Err(bad(
+                side,
+                "soil that keeps its volume is not proven to move alike across the member",
+            ));
         }
         let mut member = EdgeVelocity { slip: [Interval::ZERO; 3], opening: [Interval::ZERO; 3] };
         let (mut from_left, mut from_right) = (left.less(member), member.less(right));
@@ -92,7 +107,10 @@ impl VelocityField<'_> {
             let (along, across) = match motion {
                 MemberMotion::Soil => {
                     if !self.is_one_soil(side, other, i) {
-                        return Err(bad(side, "the soil is not proven to be one on both sides of the member"));
+                        return Err(bad(
+                            side,
+                            "the soil is not proven to be one on both sides of the member",
+                        ));
                     }
                     member.slip[i] = left.slip[i];
                     for relative in [&mut from_left, &mut from_right] {
@@ -205,8 +223,7 @@ impl VelocityField<'_> {
         let resistance = Resistance::new(strength, self.ends(side));
         let reversed = |[a, b, c]: [Interval; 3]| [c, b, a];
         let is_left = self.tiling.member(side).is_some_and(|on| on.is_left);
-        let [opening, slip] =
-            [slide.opening, slide.slip].map(|of| if is_left { of } else { reversed(of) });
+        let [opening, slip] = [slide.opening, slide.slip].map(|of| if is_left { of } else { reversed(of) });
         let resisted = resistance.of_bond(bond, opening, slip);
         Ok(Power::resisted(resisted, &self.problem.statement.objective))
     }

@@ -17,6 +17,7 @@ mod walls;
 use crate::CertificateError;
 use crate::fields::{Flow, UpperField};
 use crate::interval::Vector;
+use crate::lower::AlongMembers;
 use crate::problem::Problem;
 use crate::statement::Statement;
 use crate::tiling::{Tiling, after};
@@ -52,17 +53,17 @@ pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, Cer
 /// A polynomial velocity on a triangle: its corners, then its control points at corners and edges.
 pub(crate) type Piece = ([Vector; 3], [Vector; 6]);
 
-/// Velocities on the pieces of each triangle, on a checked mesh. No flow rule is checked.
+/// Velocities on the pieces of each triangle, and of members along themselves, on a checked mesh. No flow rule is checked.
 pub(crate) fn piece_velocities<T>(
     statement: &Statement,
     field: &UpperField,
-    with: impl FnOnce(&Tiling, Vec<Vec<Piece>>) -> T,
+    with: impl FnOnce(&Tiling, Vec<Vec<Piece>>, AlongMembers) -> T,
 ) -> Result<T, CertificateError> {
     let problem = Problem::new(statement)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
     let velocity = VelocityField::new(&problem, &tiling, field)?;
     let pieces = (0..field.mesh.triangles.len()).map(|t| velocity.pieces(t)).collect();
-    Ok(with(&tiling, pieces))
+    Ok(with(&tiling, pieces, velocity.along_members()))
 }
 
 /// A velocity field on a checked mesh.

@@ -147,14 +147,18 @@ impl Description {
             let entry = self.member_title(i);
             check_line(&entry, "line", &member.line, 2)?;
             if member.line.len() > 2 {
-                let problem = "a member is straight: its line has a start and an end; make one of each straight part";
+                let problem =
+                    "a member is straight: its line has a start and an end; make one of each straight part";
                 return Err(DescriptionError::entry(entry, problem));
             }
             number(&entry, "tensile_kn_per_m", member.tensile_kn_per_m, FORCE)?;
             number(&entry, "compressive_kn_per_m", member.compressive_kn_per_m, FORCE)?;
             number(&entry, "bond_factor", member.bond_factor, BOND)?;
             if self.members[..i].iter().any(|m| m.name == member.name) {
-                return Err(DescriptionError::entry(entry, "an earlier member has the same name; rename one"));
+                return Err(DescriptionError::entry(
+                    entry,
+                    "an earlier member has the same name; rename one",
+                ));
             }
         }
         Ok(())

@@ -45,11 +45,12 @@ impl Description {
                     length(between(p, q))
                 })
                 .sum();
-            let in_soil = |walk: &LineUse| {
-                map.left_of(*walk).is_soil() && map.left_of(walk.reversed()).is_soil()
-            };
+            let in_soil =
+                |walk: &LineUse| map.left_of(*walk).is_soil() && map.left_of(walk.reversed()).is_soil();
             if (covered - length(along)).abs() > ROUNDING * length(along) || !path.iter().all(in_soil) {
-                return Err(wrong("it must have soil on both sides all along; let it end where the soil does"));
+                return Err(wrong(
+                    "it must have soil on both sides all along; let it end where the soil does",
+                ));
             }
             let shared = |walk: &LineUse| {
                 map.arrangement.edges[walk.line].uses.iter().find_map(|(s, _)| match segments[*s].owner {
@@ -72,8 +73,9 @@ impl Description {
         let mut taken: Vec<(usize, usize)> = Vec::new();
         for (member, path) in plan.members.iter().enumerate() {
             let entry = &self.members[member];
-            let wrong =
-                |problem: String| LimitError::from(DescriptionError::entry(self.member_title(member), problem));
+            let wrong = |problem: String| {
+                LimitError::from(DescriptionError::entry(self.member_title(member), problem))
+            };
             let level = |axis: usize| {
                 path.iter().all(|walk| {
                     let [p, q] = map.walked_points(*walk);
@@ -88,7 +90,12 @@ impl Description {
                 ));
             }
             let corners = |walk: &LineUse| map.walked(*walk);
-            let points: Vec<usize> = path.iter().take(1).map(|w| corners(w)[0]).chain(path.iter().map(|w| corners(w)[1])).collect();
+            let points: Vec<usize> = path
+                .iter()
+                .take(1)
+                .map(|w| corners(w)[0])
+                .chain(path.iter().map(|w| corners(w)[1]))
+                .collect();
             for (i, point) in points.iter().enumerate() {
                 let at = map.arrangement.points[*point];
                 if let Some((_, other)) = taken.iter().find(|(p, _)| p == point) {
@@ -147,7 +154,9 @@ impl Description {
         for (walk, holds) in holds {
             match holds {
                 Holds::Far => return Err("is on a far side, which no proof covers; let it end before"),
-                Holds::Free if self.surcharge_kpa == 0.0 && plan.is_bare(self, walk) && self.is_dry(plan, walk) => {
+                Holds::Free
+                    if self.surcharge_kpa == 0.0 && plan.is_bare(self, walk) && self.is_dry(plan, walk) =>
+                {
                     return Err(
                         "is on free ground without cohesion, which no proof covers: it bears nothing there; let the \
                          member end a little below, or give the soil some cohesion",
@@ -155,21 +164,28 @@ impl Description {
                 }
                 Holds::Free | Holds::Load { .. } => {}
                 Holds::Smooth if is_attached && !is_square(walk) => {
-                    return Err("is attached to a smooth side that is not level or upright and at right angles to it");
+                    return Err(
+                        "is attached to a smooth side that is not level or upright and at right angles to it",
+                    );
                 }
                 Holds::Face(face)
-                    if is_attached && face.delta_deg == 0.0 && face.adhesion_kpa == 0.0 && !is_square(walk) =>
+                    if is_attached
+                        && face.delta_deg == 0.0
+                        && face.adhesion_kpa == 0.0
+                        && !is_square(walk) =>
                 {
-                    return Err("is attached to a smooth face that is not level or upright and at right angles to it");
+                    return Err(
+                        "is attached to a smooth face that is not level or upright and at right angles to it",
+                    );
                 }
                 Holds::Smooth | Holds::Fixed => on_ground = true,
                 Holds::Face(_) => on_structure = true,
             }
         }
         match (is_attached, on_ground, on_structure) {
-            (true, false, false) => {
-                Err("is attached, but there is no structure, plate, fixed or smooth side that it could be attached to")
-            }
+            (true, false, false) => Err(
+                "is attached, but there is no structure, plate, fixed or smooth side that it could be attached to",
+            ),
             (true, true, true) => Err("is attached both to a structure that moves and to what is at rest"),
             _ => Ok(()),
         }
@@ -185,6 +201,7 @@ impl Description {
     pub(super) fn statement_members(&self, plan: &Plan, units: &Units) -> Vec<Member> {
         let force = |kn_per_m: f64| units.stress(kn_per_m) / units.length_m;
         let member = |(entry, path): (&super::MemberEntry, &Vec<LineUse>)| Member {
+            name: entry.name.clone(),
             path: path.clone(),
             tension: force(entry.tensile_kn_per_m),
             compression: force(entry.compressive_kn_per_m),

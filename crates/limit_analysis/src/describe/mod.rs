@@ -41,5 +41,6 @@ pub use error::DescriptionError;
 pub use file::PROBLEM_SCHEMA;
 pub use input::{Aim, Description, RegionEntry, Seismic, SoilEntry, Water};
 pub use parts::{
-    Action, BoundaryEntry, Hold, Interface, Kind, MemberEnd, MemberEntry, PlateEntry, Profile, Side, SoilInterface, StructureEntry,
+    Action, BoundaryEntry, Hold, Interface, Kind, MemberEnd, MemberEntry, PlateEntry, Profile, Side,
+    SoilInterface, StructureEntry,
 };

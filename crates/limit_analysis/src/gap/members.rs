@@ -12,9 +12,8 @@ pub(super) fn beside(problem: &Problem, velocity: &VelocityField, side: Side) ->
     let (edge, along, across) =
         velocity.members.iter().find(|(edge, ..)| edge.side == side || edge.other == side)?;
     let t = edge.along();
-    let mut control = [0, 1, 2].map(|i| {
-        [along[i] * t[0] - across[i] * t[1], along[i] * t[1] + across[i] * t[0]]
-    });
+    let mut control =
+        [0, 1, 2].map(|i| [along[i] * t[0] - across[i] * t[1], along[i] * t[1] + across[i] * t[0]]);
     if edge.other == side {
         control.reverse();
     }
@@ -47,9 +46,8 @@ pub(super) fn add_shares(
     let pieces = &velocity.members;
     for (i, (edge, along, _)) in pieces.iter().enumerate() {
         let m = &problem.members()[edge.member];
-        let spent = |change: f64| {
-            stress.part * (m.tension * change.max(0.0) + m.compression * (-change).max(0.0))
-        };
+        let spent =
+            |change: f64| stress.part * (m.tension * change.max(0.0) + m.compression * (-change).max(0.0));
         let [a, b, c] = *along;
         let mut share = spent(b - a) + spent(c - b) - work(stress, edge, along);
         let jump = |change: f64, place: f64| spent(change) - change * force(stress, edge.member, place);
@@ -90,14 +88,18 @@ fn work(stress: &StressField, edge: &MemberEdge, along: &[f64; 3]) -> f64 {
             let on = edges.clone().find(|(other, _)| middle <= other.place[1]).or_else(|| edges.last());
             on.map_or(0.0, |(other, values)| {
                 let [a, m, b] = *values;
-                at(&[a, 2.0 * m - 0.5 * (a + b), b], (place - other.place[0]) / (other.place[1] - other.place[0]))
+                at(
+                    &[a, 2.0 * m - 0.5 * (a + b), b],
+                    (place - other.place[0]) / (other.place[1] - other.place[0]),
+                )
             })
         };
         let rate = |place: f64| {
             let s = (place - from) / (to - from);
             2.0 * ((1.0 - s) * (along[1] - along[0]) + s * (along[2] - along[1])) / (to - from)
         };
-        [(1.0, p), (4.0, middle), (1.0, q)].iter().map(|(w, s)| w / 6.0 * inner(*s) * rate(*s)).sum::<f64>() * (q - p)
+        [(1.0, p), (4.0, middle), (1.0, q)].iter().map(|(w, s)| w / 6.0 * inner(*s) * rate(*s)).sum::<f64>()
+            * (q - p)
     };
     cuts.windows(2).map(piece).sum()
 }

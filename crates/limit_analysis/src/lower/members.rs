@@ -29,7 +29,8 @@ impl Lower {
             for force in [&a, &between, &b] {
                 for (limit, sign) in [(m.tension, -1.0), (m.compression, 1.0)] {
                     if !force.terms.is_empty() && limit * scale < MORE_THAN_ENOUGH {
-                        let row = Form::default().plus(scale * limit, &self.strength()).plus(sign * scale, force);
+                        let row =
+                            Form::default().plus(scale * limit, &self.strength()).plus(sign * scale, force);
                         self.program.non_negative(row);
                     }
                 }
@@ -39,7 +40,9 @@ impl Lower {
             }
             // The structure pulls the start backwards and the end forwards.
             for (end, (force, sign)) in [(&a, -1.0), (&b, 1.0)].into_iter().enumerate() {
-                if let Some(velocity) = velocity_at_end(problem, edge.member, end).filter(|_| edge.is_end[end]) {
+                if let Some(velocity) =
+                    velocity_at_end(problem, edge.member, end).filter(|_| edge.is_end[end])
+                {
                     self.force.add(sign * velocity, force);
                 }
             }

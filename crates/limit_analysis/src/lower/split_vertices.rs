@@ -80,8 +80,9 @@ impl<'a> SplitVertices<'a> {
         let cut = |s: Side| {
             let line = topology.line[s.triangle][s.corner];
             let bears = |member: usize| bears_force(&problem.members()[member]);
-            line.is_some_and(|l| problem.condition(l).is_some() || problem.member_on(l.line).is_some_and(bears))
-                || cuts.holds(mesh, s)
+            line.is_some_and(|l| {
+                problem.condition(l).is_some() || problem.member_on(l.line).is_some_and(bears)
+            }) || cuts.holds(mesh, s)
         };
         let (corners, vertex_of) = topology.split(mesh, cut);
         let count = vertex_of.len();
@@ -139,9 +140,12 @@ impl<'a> SplitVertices<'a> {
                     continue;
                 }
                 let is_known = |copy: usize| {
-                    self.gauge_of[copy].is_some() || !self.apexes[copy].is_empty() || !self.given[copy].is_empty()
+                    self.gauge_of[copy].is_some()
+                        || !self.apexes[copy].is_empty()
+                        || !self.given[copy].is_empty()
                 };
-                let (copy, own) = if is_known(right) && !is_known(left) { (right, left) } else { (left, right) };
+                let (copy, own) =
+                    if is_known(right) && !is_known(left) { (right, left) } else { (left, right) };
                 let bears = !e.is_end[end] || m.attached[end];
                 self.kink_of[own] = Some(Kink { copy, line: e.line, bears });
                 self.surfaces.of_copy[own] = self.surfaces.of_copy[copy];

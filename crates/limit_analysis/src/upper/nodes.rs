@@ -94,10 +94,15 @@ impl Elements {
 }
 
 /// Vertex copies of triangles of soil without friction at both ends of the edges of members, on the left and on the right.
-fn across_members(meshed: &MeshedProblem, corners: impl Fn(usize) -> Option<[usize; 3]>) -> Vec<([usize; 2], usize)> {
+fn across_members(
+    meshed: &MeshedProblem,
+    corners: impl Fn(usize) -> Option<[usize; 3]>,
+) -> Vec<([usize; 2], usize)> {
     let mut pairs = Vec::new();
     for e in member_edges(meshed.problem, meshed.mesh, meshed.topology) {
-        let (Some(left), Some(right)) = (corners(e.side.triangle), corners(e.other.triangle)) else { continue };
+        let (Some(left), Some(right)) = (corners(e.side.triangle), corners(e.other.triangle)) else {
+            continue;
+        };
         for (i, j) in [(1, 2), (2, 1)] {
             pairs.push(([left[(e.side.corner + i) % 3], right[(e.other.corner + j) % 3]], e.line));
         }
@@ -139,7 +144,8 @@ fn kinks(meshed: &MeshedProblem, elements: &[Element]) -> BTreeMap<usize, (usize
     let mut kinks: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
     let mut firsts: BTreeSet<usize> = BTreeSet::new();
     for ([left, right], line) in across_members(meshed, copies) {
-        let pair = if kinks.contains_key(&left) || firsts.contains(&right) { [right, left] } else { [left, right] };
+        let pair =
+            if kinks.contains_key(&left) || firsts.contains(&right) { [right, left] } else { [left, right] };
         let [first, own] = pair;
         if first != own && !kinks.contains_key(&own) && !kinks.contains_key(&first) {
             firsts.insert(first);
@@ -206,7 +212,9 @@ fn weld_sharp_bends(meshed: &MeshedProblem, corners: &mut [[usize; 3]], count: u
             notch[copy] = 2.0 * meshed.soil(triangle).tan.atan() + 0.1;
             for edge in [(k + 1) % 3, (k + 2) % 3] {
                 match meshed.edge(Side { triangle, corner: edge }) {
-                    Edge::Jump { other, .. } | Edge::Member { other } if !meshed.is_isochoric(other.triangle) => {
+                    Edge::Jump { other, .. } | Edge::Member { other }
+                        if !meshed.is_isochoric(other.triangle) =>
+                    {
                         // Corner k lies at the other end of the neighbour's sense of the edge.
                         let at = if edge == (k + 2) % 3 { other.corner + 2 } else { other.corner + 1 } % 3;
                         jumps[copy].push(corners[other.triangle][at]);
