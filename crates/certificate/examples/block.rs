@@ -47,6 +47,7 @@ fn main() -> Result<(), soilctl_certificate::CertificateError> {
         velocities: vec![Velocity::Free { x: 1.0, y: 0.0 }],
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     };
     println!("the force is at most {}", prove_upper(&statement, &flow)?);
     flow.velocities[0] = Velocity::Free { x: 1.0, y: -0.1 };

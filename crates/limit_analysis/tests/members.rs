@@ -94,7 +94,7 @@ fn tied_wall(tensile: f64) -> Description {
 fn a_tie_takes_its_strength_off_the_thrust_on_a_smooth_wall() {
     for tensile in [0.0, 30.0] {
         let exact = tensile - 75.0;
-        let [lower, upper] = bounds(&tied_wall(tensile), 1000);
+        let [lower, upper] = bounds(&tied_wall(tensile), 1500);
         println!("{tensile}: {lower} {upper} exact {exact}");
         assert!(lower <= exact + 1e-6 && exact - 1e-6 <= upper, "{lower} {upper} {exact}");
         assert!(upper - lower < 1.5, "{lower} {upper} {exact}");
@@ -147,14 +147,15 @@ fn a_sheet_helps_a_vertical_cut_by_no_more_than_wedges_and_circles_say() {
     assert!((turning(0.0) - 3.83 * 5.0).abs() < 0.02, "{}", turning(0.0));
     let mut last = [0.0; 2];
     for tensile in [0.0, 20.0, 60.0] {
-        let [lower, upper] = bounds(&cut(tensile, 1.0), 1000).map(|factor| 18.0 * factor);
+        let [lower, upper] = bounds(&cut(tensile, 1.0), 1500).map(|factor| 18.0 * factor);
         let wedge = 4.0 * 20.0 / 4.0 + 2.0 * tensile / 16.0;
         let circle = turning(tensile);
         println!("{tensile}: {lower} {upper} wedge {wedge} circle {circle}");
         assert!(lower <= wedge.min(circle) && lower <= upper, "{lower} {upper} {wedge} {circle}");
         // Finer flows bear less than rigid ones.
         assert!(upper <= 1.01 * wedge.min(circle), "{upper} {wedge} {circle}");
-        assert!(tensile > 20.0 || lower >= 0.96 * circle, "{lower} {circle}");
+        // Where the sheet is not too strong to be torn, a rigid circle is near the truth.
+        assert!(tensile > 20.0 || lower >= 0.94 * circle, "{lower} {circle}");
         assert!(last[0] <= upper && last[1] <= 1.001 * upper, "{last:?} {lower} {upper}");
         last = [lower, upper];
     }

@@ -105,6 +105,7 @@ pub(crate) fn stream_field(
         velocities: Vec::new(),
         stream: copies.collect(),
         walls: walls.to_vec(),
+        members: Vec::new(),
     }
 }
 

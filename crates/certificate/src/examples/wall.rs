@@ -102,5 +102,6 @@ pub(crate) fn wedge_field(up: f64) -> UpperField {
         velocities: [vec![Velocity::Free { x: 1.0, y: up }; 6], vec![Velocity::Zero]].concat(),
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     }
 }

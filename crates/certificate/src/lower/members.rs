@@ -125,6 +125,16 @@ impl StressFunction<'_> {
         let corners = self.tiling.corners(side.triangle);
         let edge = corners[after(side.corner, 2)] - corners[after(side.corner, 1)];
         let slope = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
+        let apex = |copy: usize| self.apexes[copy];
+        if [start, end].map(apex) != [other_start, other_end].map(apex) {
+            let what = "a member that meets free ground without cohesion on one side only";
+            return Err(CertificateError::NotCovered { place: side.to_string(), what });
+        }
+        if apex(start) || apex(end) {
+            // Next to an apex stored slopes are not used. Those across, beyond a cubic that is known to second order at the apex, grow
+            // with the square of the distance from it, up to that at the other end, which is one on both sides.
+            return Ok([a, Interval::ZERO, b]);
+        }
         // That on the right is along the vector turned right.
         let middle = (slope(side) + slope(other)) / edge.square().sqrt();
         Ok([a, Interval::point(2.0) * middle - (a + b).half(), b])

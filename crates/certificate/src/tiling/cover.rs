@@ -62,9 +62,10 @@ pub(super) fn beyond(
 fn on_member(problem: &Problem, on: OnLine) -> Option<OnMember> {
     let piece = problem.piece(on.side.line)?;
     let is_left = piece.left == on.side;
-    let walked = |s: f64| if piece.left.forward { s } else { 1.0 - s };
-    let [start, end] = (if is_left { [on.start, on.end] } else { [on.end, on.start] }).map(walked);
-    Some(OnMember { piece, is_left, place: (piece.number, start), end })
+    let first = if is_left { on.start } else { on.end };
+    // Exactly, so that no two places are one.
+    let order = if piece.left.forward { first } else { -first };
+    Some(OnMember { piece, is_left, place: (piece.number, order) })
 }
 
 fn same_region(mesh: &Mesh, a: Side, b: Side) -> bool {

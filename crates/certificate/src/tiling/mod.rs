@@ -37,10 +37,8 @@ pub(crate) struct OnMember {
     pub(crate) piece: Piece,
     /// Whether the triangle is on the member's left.
     pub(crate) is_left: bool,
-    /// Where on the member the edge begins: the place of the line on its path, and the fraction of that, as the path goes.
+    /// What orders the edges of a member from its start to its end: the place of the line on its path, and how far along that.
     pub(crate) place: (usize, f64),
-    /// The line's fraction where it ends, likewise.
-    pub(crate) end: f64,
 }
 
 /// A mesh that fits its problem.

@@ -20,6 +20,9 @@ use crate::mesh::Side;
 use crate::problem::Strength;
 use crate::tiling::{OnMember, after};
 
+/// A member, Bernstein coefficients of its velocity along itself on an edge, and what soil that slides past there dissipates.
+type PieceFlow = (usize, ([Interval; 3], Power));
+
 fn bad(side: Side, problem: &'static str) -> CertificateError {
     CertificateError::BadField { place: side.to_string(), problem }
 }
@@ -49,9 +52,8 @@ impl VelocityField<'_> {
         Ok(power)
     }
 
-    /// For each edge of a member, in order, the member, Bernstein coefficients of its velocity along itself, and what soil that slides
-    /// past dissipates.
-    fn pieces_of_members(&self) -> Result<Vec<(usize, ([Interval; 3], Power))>, CertificateError> {
+    /// The flow of each edge of a member, in order.
+    fn pieces_of_members(&self) -> Result<Vec<PieceFlow>, CertificateError> {
         let flows: BTreeMap<Side, &MemberFlow> = (self.field.members.iter())
             .map(|flow| (Side { triangle: flow.triangle, corner: flow.corner }, flow))
             .collect();

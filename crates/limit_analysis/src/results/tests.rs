@@ -62,6 +62,7 @@ fn wedge() -> UpperField {
         velocities: [vec![Velocity::Free { x: 1.0, y: 3.0_f64.sqrt() }; 6], vec![Velocity::Zero]].concat(),
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     }
 }
 
