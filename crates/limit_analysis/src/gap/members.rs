@@ -33,7 +33,7 @@ fn force(stress: &StressField, member: usize, place: f64) -> f64 {
         at(&[a, 2.0 * m - 0.5 * (a + b), b], ((place - from) / (to - from)).clamp(0.0, 1.0))
     };
     let edges = || stress.members.iter().filter(|(edge, _)| edge.member == member);
-    edges().find(|(edge, _)| place <= edge.place[1]).or_else(|| edges().last()).map_or(0.0, of)
+    edges().find(|(edge, _)| place <= edge.place[1]).or_else(|| edges().next_back()).map_or(0.0, of)
 }
 
 /// Adds what members dissipate and their axial forces do not match: half of it to the triangle on each side.
@@ -84,8 +84,8 @@ fn work(stress: &StressField, edge: &MemberEdge, along: &[f64; 3]) -> f64 {
         let middle = 0.5 * (p + q);
         // Inside, where it is clear which edge counts.
         let inner = |place: f64| {
-            let edges = stress.members.iter().filter(|(other, _)| other.member == edge.member);
-            let on = edges.clone().find(|(other, _)| middle <= other.place[1]).or_else(|| edges.last());
+            let mut edges = stress.members.iter().filter(|(other, _)| other.member == edge.member);
+            let on = edges.clone().find(|(other, _)| middle <= other.place[1]).or_else(|| edges.next_back());
             on.map_or(0.0, |(other, values)| {
                 let [a, m, b] = *values;
                 at(
