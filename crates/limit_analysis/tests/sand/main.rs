@@ -162,7 +162,8 @@ fn altered_fields_are_refused_or_still_balance() {
                 | Jet::OneLine { f, .. } => {
                     *f += by * f.abs().max(1e-3);
                 }
-                other @ (Jet::Gauge { .. } | Jet::Zero { .. } | Jet::TwoLines { .. } | Jet::Kinked { .. }) => {
+                other
+                @ (Jet::Gauge { .. } | Jet::Zero { .. } | Jet::TwoLines { .. } | Jet::Kinked { .. }) => {
                     *other = Jet::Free { base: 0, f: by, fx: 0.0, fy: by };
                 }
             }
