@@ -32,6 +32,7 @@ fn main() -> Result<(), soilctl_certificate::CertificateError> {
         surcharge: 2.0,
         objective: Objective::Structure { velocity: [1.0, 0.0] },
         width: None,
+        members: Vec::new(),
         boundaries: (0..4).map(|i| Boundary { line: i, forward: true, condition: conditions[i] }).collect(),
     };
     let vertex = |point: usize| Vertex { position: points[point], place: Place::Corner { point } };
@@ -46,6 +47,7 @@ fn main() -> Result<(), soilctl_certificate::CertificateError> {
         velocities: vec![Velocity::Free { x: 1.0, y: 0.0 }],
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     };
     println!("the force is at most {}", prove_upper(&statement, &flow)?);
     flow.velocities[0] = Velocity::Free { x: 1.0, y: -0.1 };

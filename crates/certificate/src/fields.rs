@@ -20,6 +20,43 @@ pub struct UpperField {
     /// What is added to the stream function along each wall.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub walls: Vec<f64>,
+    /// How members move: an entry for each triangle edge on the left of one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<MemberFlow>,
+}
+
+/// How a piece of a [member](crate::Member) moves, along one triangle edge on its left.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MemberFlow {
+    /// Index of the triangle.
+    pub triangle: usize,
+    /// The corner opposite to the edge, 0 to 2.
+    pub corner: usize,
+    /// Its motion at the edge's start, in the middle and at its end: the velocity is the quadratic polynomial with these Bernstein
+    /// coefficients. It may jump from one edge to the next.
+    pub motion: [MemberMotion; 3],
+}
+
+/// A Bernstein coefficient of a member's velocity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum MemberMotion {
+    /// That of the soil, which is the same on both sides: triangles there share the control point or the vertex copy, or both
+    /// are at rest.
+    Soil,
+    /// Along the member as given, across it as the soil that keeps its volume: that on the left, if both do.
+    Along {
+        /// Velocity along the member.
+        along: f64,
+    },
+    /// Any.
+    Free {
+        /// Velocity along the member.
+        along: f64,
+        /// Velocity across it, to its left.
+        across: f64,
+    },
 }
 
 /// The flow on one triangle.
@@ -61,7 +98,7 @@ pub struct StreamCopy {
 /// a)_y - V_y (b - a)_x`. Runs are counted in the order of the least index of their sides in
 /// [`Statement::boundaries`](crate::Statement::boundaries); a closed one starts with that side.
 ///
-/// All copies at the ends of an edge on a wall must be of the kind `Wall` or `Corner`, all others `Free`.
+/// All copies at the ends of an edge on a wall must be of the kind `Wall` or `Corner`, all others `Free` or `Kinked`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum StreamJet {
@@ -83,6 +120,16 @@ pub enum StreamJet {
         line: usize,
         /// Slope across over the length of `n`.
         across: f64,
+    },
+    /// On the other side of a member than another copy, which is of the kind `Free`: value and slopes are those there, and
+    /// `jump n` more, `n` being the line's `to - from` turned left. So soil slides along the member, and none passes through it.
+    Kinked {
+        /// Index of the other copy of the same vertex.
+        copy: usize,
+        /// Index of a line of the member, on which the vertex is.
+        line: usize,
+        /// What the slope across is more, over the length of `n`.
+        jump: f64,
     },
     /// Where two sides of a wall meet that are not parallel: both slopes follow from them. Also where they are parallel and
     /// move alike: the soil moves with them then.
@@ -250,6 +297,17 @@ pub enum Jet {
         /// Value.
         f: f64,
     },
+    /// On the other side of a member than another copy, of any other kind: value and slopes are those there, and `jump n` more, `n`
+    /// being the line's `to - from` turned left. The jump is the member's axial force over the length of `n`: tension, if the
+    /// slope along `n` is greater on the side to which `n` points.
+    Kinked {
+        /// Index of the other copy of the same vertex.
+        copy: usize,
+        /// Index of a line of the member, on which the vertex is.
+        line: usize,
+        /// What the slope across is more, over the length of `n`.
+        jump: f64,
+    },
 }
 
 impl Jet {
@@ -261,7 +319,7 @@ impl Jet {
             | Self::OneApex { base, .. }
             | Self::ManyApexes { base, .. }
             | Self::Zero { base } => Some(base),
-            Self::OneLine { .. } | Self::TwoLines { .. } => None,
+            Self::OneLine { .. } | Self::TwoLines { .. } | Self::Kinked { .. } => None,
         }
     }
 
@@ -273,7 +331,7 @@ impl Jet {
             Self::OneApex { f, turn, .. } => Self::OneApex { base, apex, f, turn },
             Self::ManyApexes { f, .. } => Self::ManyApexes { base, f },
             Self::Zero { .. } => Self::Zero { base },
-            other @ (Self::OneLine { .. } | Self::TwoLines { .. }) => other,
+            other @ (Self::OneLine { .. } | Self::TwoLines { .. } | Self::Kinked { .. }) => other,
         }
     }
 }

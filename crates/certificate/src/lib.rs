@@ -212,6 +212,31 @@
 //! Downwards an effective stress state moves along the gradient of the base plus that of the pore pressure, which is
 //! proven to be within the cone of the strength without cohesion and tension, so it stays within.
 //!
+//! # Members
+//!
+//! A [`Member`] goes along lines inside the soil that are in one line: level, upright, or one only. It bears an axial force `-compression <= N <=
+//! tension`, no moment and no force across. With `t` along it and `n` to its left, let `T` be the tractions on the soil at both faces; then
+//!
+//! ```text
+//! balance             T(left) + T(right) = t dN/ds,    |T . t| <= bond (c - (normal + u) tan(phi))  on each face,
+//!                     N = 0 at ends that are not attached; others pull what they are attached to
+//! kinematics          w: velocity along t;  opening >= bond |slip| tan(phi)  between each soil and the member
+//! virtual work        N(end) w(end) - N(start) w(start)  =  int N dw + int t . (T(left) + T(right)) w
+//! dissipation         int max(tension dw, -compression dw)  +  on each face  int (t' - u) opening + bond max(0, c - t' tan(phi)) |slip|
+//! ```
+//!
+//! with `t'` the soil's greatest tension, or `c cot(phi)`, which leaves no term in `slip`; without friction nor limit to the tension the opening is zero.
+//!
+//! *Lower.* The normal slope of `f` is more on the member's left than on its right by `N`; `f` and its slope along `t` are the same. That is so on an
+//! edge if, at each end, the jets on both sides are one but for a multiple of `n` ([`Jet::Kinked`]), for the slope across is
+//! quadratic and given in the middle on each side. So tractions balance as above by construction, and `N` is quadratic: within its limits if its
+//! Bernstein coefficients are. Directions are exactly those of the lines; hence the condition that these be level or upright, or one.
+//!
+//! *Upper.* The member's velocity along itself is quadratic on each edge; it may jump between edges, and to what an end is attached to. Its total
+//! rise and fall are no more than those of its Bernstein coefficients, one after the other. The velocity across has no part in the power, so it need not be
+//! continuous. Beside soil that keeps its volume it is that soil's: the stream functions of both sides have one value and one slope along
+//! `t` there ([`StreamJet::Kinked`]).
+//!
 //! # Structures with ends
 //!
 //! With [`Statement::width`] the statement is the section of a thin plate that hangs from the level surface of one soil
@@ -255,6 +280,7 @@
 //! - adhesion without friction on soil with friction, and interface friction on soil without;
 //! - more than two lines of given shear, or parallel ones that are not joined, that meet; sloping ones between soils of
 //!   different unit weight;
+//! - members that meet, that go through points of boundaries, that are attached to far lines, or to lines of given shear other than at right angles;
 //! - far lines other than a frame of the mesh, different unit weights beyond the one below, and pore pressure that varies
 //!   along x beside vertical ones.
 //!
@@ -295,14 +321,16 @@ pub use ends::{
 };
 pub use error::CertificateError;
 pub use fields::{
-    BeyondFacet, Facet, Flow, Gauge, Gradient, Jet, LowerField, Mechanism, Position, StreamCopy, StreamJet,
-    UpperField, Velocity, VertexCopy,
+    BeyondFacet, Facet, Flow, Gauge, Gradient, Jet, LowerField, Mechanism, MemberFlow, MemberMotion,
+    Position, StreamCopy, StreamJet, UpperField, Velocity, VertexCopy,
 };
 pub use lower::prove_lower;
 pub use mesh::{Mesh, Place, Side, Triangle, Vertex};
 pub use proof::{Bound, Checked, Proof, check, check_lower, check_upper, prove};
 pub use runs::Run;
-pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownStress, show_flow, show_stress};
+pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownMember, ShownStress, show_flow, show_stress};
 pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
-pub use statement::{Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement};
+pub use statement::{
+    Boundary, Condition, Line, LineUse, Linear, Material, Member, Objective, Region, Statement,
+};
 pub use upper::prove_upper;

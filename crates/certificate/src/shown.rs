@@ -2,13 +2,13 @@
 
 use crate::CertificateError;
 use crate::fields::{LowerField, UpperField};
-use crate::interval::Vector;
+use crate::interval::{Interval, Vector};
 use crate::lower::element::NodeStresses;
 use crate::lower::node_stresses;
 use crate::mesh::Side;
 use crate::problem::finite;
 use crate::statement::{Condition, LineUse, Statement};
-use crate::tiling::{Beyond, Tiling};
+use crate::tiling::{Beyond, Tiling, after};
 use crate::upper::piece_velocities;
 
 /// What an edge of a triangle adjoins.
@@ -37,6 +37,19 @@ pub struct ShownStress {
     /// Total stresses `[xx, yy, xy]`, tension positive, in units of the statement. Each triangle has three parts, in which
     /// they are linear: part `k` lies at edge `k`, its nodes are corner `k + 1`, corner `k + 2` and the centroid.
     pub parts: Vec<[[[f64; 3]; 3]; 3]>,
+    /// Axial forces of members, tension positive: an entry for each edge, one member after the other, from start to end.
+    pub members: Vec<ShownMember>,
+}
+
+/// What there is along a triangle edge on a member.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShownMember {
+    /// Index of the member.
+    pub member: usize,
+    /// Start and end of the edge, as the member goes.
+    pub ends: [[f64; 2]; 2],
+    /// A quadratic polynomial along it, as Bernstein coefficients: of the axial force, or of the member's velocity along itself.
+    pub along: [f64; 3],
 }
 
 /// A flow in plain numbers. Edge `k` of a triangle lies opposite to corner `k`.
@@ -49,6 +62,8 @@ pub struct ShownFlow {
     /// The pieces of each triangle on which the velocity is a polynomial: one, or three for soil without friction, piece
     /// `k` at edge `k`.
     pub pieces: Vec<Vec<FlowPiece>>,
+    /// Velocities of members along themselves, likewise. Where these grow, it stretches, also from one edge to the next.
+    pub members: Vec<ShownMember>,
 }
 
 /// A quadratic velocity on a triangle.
@@ -68,7 +83,7 @@ pub struct FlowPiece {
 /// [`CertificateError`] if the statement is not a problem, if the field is not built as it must be, or if a stress is
 /// too large for a number. Whether the soil bears the stresses is not checked.
 pub fn show_stress(statement: &Statement, field: &LowerField) -> Result<ShownStress, CertificateError> {
-    node_stresses(statement, field, |tiling, stresses| {
+    node_stresses(statement, field, |tiling, stresses, forces| {
         let plain = |triangle: usize, nodes: NodeStresses| -> Result<_, CertificateError> {
             let parts = nodes.map(|part| part.map(|s| [s.xx, s.yy, s.xy].map(|x| x.middle())));
             for x in parts.iter().flatten().flatten() {
@@ -81,6 +96,7 @@ pub fn show_stress(statement: &Statement, field: &LowerField) -> Result<ShownStr
             corners: corners(tiling),
             adjoins: adjoins(tiling),
             parts: parts.collect::<Result<_, _>>()?,
+            members: members(tiling, forces?, "axial force", "force")?,
         })
     })?
 }
@@ -92,7 +108,7 @@ pub fn show_stress(statement: &Statement, field: &LowerField) -> Result<ShownStr
 /// [`CertificateError`] if the statement is not a problem, if the field is not built as it must be, or if a velocity is
 /// too large for a number. Whether the soil can flow like this is not checked.
 pub fn show_flow(statement: &Statement, field: &UpperField) -> Result<ShownFlow, CertificateError> {
-    piece_velocities(statement, field, |tiling, all| {
+    piece_velocities(statement, field, |tiling, all, along| {
         let mut pieces = Vec::with_capacity(all.len());
         for (triangle, found) in all.into_iter().enumerate() {
             let found = found.into_iter().map(|(corners, control)| FlowPiece {
@@ -105,8 +121,29 @@ pub fn show_flow(statement: &Statement, field: &UpperField) -> Result<ShownFlow,
             }
             pieces.push(found);
         }
-        Ok(ShownFlow { corners: corners(tiling), adjoins: adjoins(tiling), pieces })
+        let members = members(tiling, along?, "velocity of a member", "velocity")?;
+        Ok(ShownFlow { corners: corners(tiling), adjoins: adjoins(tiling), pieces, members })
     })?
+}
+
+/// What there is on the edges of members, given for each.
+fn members(
+    tiling: &Tiling,
+    along: Vec<[Interval; 3]>,
+    quantity: &'static str,
+    unit: &'static str,
+) -> Result<Vec<ShownMember>, CertificateError> {
+    let mut all = Vec::with_capacity(along.len());
+    for ((side, _, on), along) in tiling.along_members().into_iter().zip(along) {
+        let corners = tiling.corners(side.triangle);
+        let ends = [1, 2].map(|i| plain(corners[after(side.corner, i)]));
+        let along = along.map(Interval::middle);
+        for x in along {
+            finite(quantity, || side.to_string(), x, unit)?;
+        }
+        all.push(ShownMember { member: on.piece.member, ends, along });
+    }
+    Ok(all)
 }
 
 fn plain(v: Vector) -> [f64; 2] {

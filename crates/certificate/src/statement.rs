@@ -29,6 +29,43 @@ pub struct Statement {
     /// those of a body in space, per unit width of the structure. Plane strain if it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<f64>,
+    /// Bars and sheets inside the soil. No line and no point belongs to two of them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<Member>,
+}
+
+/// A straight member inside the soil, thin and perfectly flexible: a bar, a sheet, a tie. It carries an axial force and takes
+/// the soil along up to what its two faces bear. Forces are per unit width.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Member {
+    /// Its name; no proof depends on it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
+    /// The sides of lines on its left, from its start to its end: it goes along them. Either one line, or level ones, or upright
+    /// ones, for only these are proven to be in one line.
+    pub path: Vec<LineUse>,
+    /// Greatest tension (force), at least zero.
+    pub tension: f64,
+    /// Greatest compression (force), at least zero; a sheet bears none.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub compression: f64,
+    /// Shear traction that each face bears over that which the soil beside it bears at the same effective normal stress: above
+    /// zero, at most one.
+    pub bond: f64,
+    /// Whether its start and its end are attached to the boundary there, which then takes any force along the member: a face of
+    /// the structure, a fixed side, or a smooth one at right angles. Ends that are not bear no force.
+    #[serde(default, skip_serializing_if = "is_loose")]
+    pub attached: [bool; 2],
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_none(force: &f64) -> bool {
+    *force == 0.0
+}
+
+fn is_loose(attached: &[bool; 2]) -> bool {
+    *attached == [false; 2]
 }
 
 impl Statement {

@@ -1,9 +1,11 @@
 //! Solved fields as plain numbers, and how to find one's way in them.
 
 use soilctl_certificate::Side;
+use soilctl_conic::Form;
 
 use crate::lower::macro_element::{Curvature, curvatures};
 use crate::lower::{Lower, node_stresses};
+use crate::members::MemberEdge;
 use crate::mesh::Mesh;
 use crate::topology::Topology;
 use crate::upper::{Element, Limit, Upper, Velocity, gradients, shear_rates};
@@ -17,6 +19,8 @@ pub(crate) struct StressField {
     pub(crate) parts: Vec<[[[f64; 3]; 3]; 3]>,
     /// The part of cohesion, adhesion and tension that it needs; one unless that is what is bounded.
     pub(crate) part: f64,
+    /// Axial forces of members, at the start, in the middle and at the end of each edge.
+    pub(crate) members: Vec<(MemberEdge, [f64; 3])>,
 }
 
 /// A velocity field.
@@ -30,6 +34,8 @@ pub(crate) struct VelocityField {
     pub(crate) limits: Vec<Limit>,
     /// Power of the loads whose factor is bounded; one if a force is.
     pub(crate) live: f64,
+    /// Velocities of members along themselves and across, to their left: Bernstein coefficients on each edge.
+    pub(crate) members: Vec<(MemberEdge, [f64; 3], [f64; 3])>,
 }
 
 /// Strain rates `[exx, eyy, 2 exy]` at corners, and the shear rate that a second kind of strength works on: that beyond
@@ -49,7 +55,9 @@ impl StressField {
                     .map(|part| part.map(|s| s.map_or([0.0; 3], |s| s.map(|f| f.value(x)))))
             })
             .collect();
-        Self { corners, across: topology.across.clone(), parts, part: lower.part(x) }
+        let force = |edge: MemberEdge| (edge, lower.function.axial_force(&edge).map(|f| f.value(x)));
+        let members = lower.members.iter().copied().map(force).collect();
+        Self { corners, across: topology.across.clone(), parts, part: lower.part(x), members }
     }
 
     pub(crate) fn centre(&self, t: usize) -> Point {
@@ -92,7 +100,9 @@ impl VelocityField {
             Some(local) => thirds(&upper.corners[t], &local),
             None => vec![whole(&upper.corners[t], &control[t])],
         });
-        Self { pieces: pieces.collect(), control, limits: upper.limits.clone(), live: upper.live }
+        let value = |forms: &[Form; 3]| forms.each_ref().map(|f| f.value(x));
+        let members = upper.members.iter().map(|m| (m.edge, value(&m.along), value(&m.across))).collect();
+        Self { pieces: pieces.collect(), control, limits: upper.limits.clone(), live: upper.live, members }
     }
 }
 

@@ -9,6 +9,8 @@
 //! are linear between nodes. Cohesion and pore pressure are linear. For a factor on loads the integral is that over the
 //! loads' power.
 
+mod members;
+
 use soilctl_certificate::{Condition, Side};
 
 use crate::fields::{StressField, VelocityField, near};
@@ -108,8 +110,9 @@ pub(crate) fn shares(
                 }
             }
         }
-        shares[triangle] /= velocity.live * stress.part;
     }
+    members::add_shares(problem, velocity, stress, &mut shares);
+    shares.iter_mut().for_each(|share| *share /= velocity.live * stress.part);
     shares
 }
 
@@ -164,12 +167,12 @@ fn jumps(
         let here = [a, 3 + k, b].map(|n| velocity.control[triangle][n]);
         let ends = meshed.ends(side);
         let water = ends.map(|p| meshed.soil(triangle).pore_pressure.at(p));
-        let (there, tension, radius, factor) = match meshed.edge(side) {
+        let (there, tension, radius, factor, on_slip) = match meshed.edge(side) {
             Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
                 let adhesion = part * adhesion;
                 let tension = if delta_deg > 0.0 { adhesion / delta_deg.to_radians().tan() } else { 0.0 };
                 let radius = if delta_deg > 0.0 { 0.0 } else { adhesion };
-                ([meshed.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0)
+                ([meshed.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0, false)
             }
             Edge::Jump { other: o, region } => {
                 let on = |n: usize| velocity.control[o.triangle][n];
@@ -178,15 +181,25 @@ fn jumps(
                 let there = [on((o.corner + 2) % 3), on(3 + o.corner), on((o.corner + 1) % 3)];
                 // Both sides see the jump; each takes half.
                 let tension = |p| limit.tension(soil, p) - soil.pore_pressure.at(p);
-                (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5)
+                (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5, false)
+            }
+            Edge::Member { .. } => {
+                let (there, bond) = members::beside(meshed.problem, velocity, side)?;
+                let soil = &soils[meshed.mesh.triangles[triangle].region];
+                let [opening, slip] = crate::upper::bond(soil, bond, &ends);
+                let tension = [0, 1].map(|i| opening[i] - water[i]);
+                // Soil that keeps its volume does not open, whatever the last digits say.
+                (there, tension, slip, 1.0, true)
             }
             _ => return None,
         };
         let control = std::array::from_fn(|i| [here[i][0] - there[i][0], here[i][1] - there[i][1]]);
         let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
         let n = [(ends[0][1] - ends[1][1]) / length, (ends[1][0] - ends[0][0]) / length];
-        let beyond =
-            control.map(|d: Point| (d[0].hypot(d[1]) - (d[0] * n[0] + d[1] * n[1]).max(0.0)).max(0.0));
+        let beyond = control.map(|d: Point| {
+            let (open, slip) = (d[0] * n[0] + d[1] * n[1], d[1] * n[0] - d[0] * n[1]);
+            if on_slip { slip.abs() } else { (open.hypot(slip) - open.max(0.0)).max(0.0) }
+        });
         Some(Jump { edge: k, control, tension, radius, beyond, factor })
     })
 }

@@ -48,6 +48,12 @@
 //! program, and it dissipates `c g`, with one cone `(z, exx - eyy, 2 exy) in Q3` for each shear rate `g <= z`. Where tension
 //! is limited, a cone more bounds `max(g - e, 0)`.
 //!
+//! # Members
+//!
+//! Bars and sheets bear an axial force `N` along a line. In the static program the slope of `f` across the line jumps by `N`, which is bounded by two rows for
+//! each Bernstein coefficient; in the kinematic one the member has a velocity along itself, soil may slide on both sides, and each rise of
+//! the velocity costs the tension that is borne, each fall the compression. [`soilctl_certificate`] states both.
+//!
 //! # Duality, and the gap
 //!
 //! On one mesh and with exact spaces the two programs are dual to each other: velocities are the multipliers of
@@ -94,6 +100,7 @@ mod gap;
 #[cfg(test)]
 mod known;
 mod lower;
+mod members;
 pub mod mesh;
 mod mobile;
 mod plate;

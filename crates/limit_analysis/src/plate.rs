@@ -123,6 +123,7 @@ impl EmbeddedPlate {
             // Level in space, so inclined against a sloping surface.
             objective: Objective::Structure { velocity: [beta.cos(), -beta.sin()] },
             width: None,
+            members: Vec::new(),
             boundaries: uses
                 .iter()
                 .zip(conditions)

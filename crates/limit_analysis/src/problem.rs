@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Objective, Statement};
+use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Member, Objective, Statement};
 
 use crate::error::{LimitError, in_range};
 use crate::mesh::check;
@@ -68,6 +68,8 @@ pub struct Problem {
     statement: Statement,
     pub(crate) soils: Vec<Soil>,
     conditions: BTreeMap<LineUse, Condition>,
+    /// The member whose left side a side is.
+    members: BTreeMap<LineUse, usize>,
     /// Height of the highest point.
     top: f64,
     /// The greatest load on the surface.
@@ -130,7 +132,20 @@ impl Problem {
             | Condition::Face { .. } => [0.0; 4],
         });
         let load = loads.fold(0.0, |most: f64, l| most.max(l.abs())) + statement.surcharge;
-        Ok(Self { statement, soils, conditions, top, load })
+        let on = |(i, m): (usize, &Member)| m.path.iter().map(move |side| (*side, i)).collect::<Vec<_>>();
+        let members: BTreeMap<LineUse, usize> = statement.members.iter().enumerate().flat_map(on).collect();
+        for (side, i) in &members {
+            in_range("the line of a member", side.line as f64, 0.0, lines, "")?;
+            let member = &statement.members[*i];
+            for (quantity, force) in [
+                ("the tension of a member", member.tension),
+                ("the compression of a member", member.compression),
+            ] {
+                in_range(quantity, force, 0.0, f64::INFINITY, "")?;
+            }
+            in_range("the bond of a member", member.bond, f64::MIN_POSITIVE, 1.0_f64.next_up(), "")?;
+        }
+        Ok(Self { statement, soils, conditions, members, top, load })
     }
 
     /// The greatest load on the surface.
@@ -157,6 +172,12 @@ impl Problem {
                 advice: "leave the width out, which gives bounds in plane strain",
             });
         }
+        if !self.statement.members.is_empty() {
+            return Err(LimitError::NotCovered {
+                what: "the ends of a structure beside bars and sheets",
+                advice: "leave the width out, which gives bounds in plane strain",
+            });
+        }
         Ok(Self { statement: self.statement.with_width(width), ..self })
     }
 
@@ -173,6 +194,34 @@ impl Problem {
     /// The condition on a side of a line.
     pub(crate) fn condition(&self, side: LineUse) -> Option<Condition> {
         self.conditions.get(&side).copied()
+    }
+
+    /// All members.
+    pub(crate) fn members(&self) -> &[Member] {
+        &self.statement.members
+    }
+
+    /// The member whose left side a side is.
+    pub(crate) fn member_whose_left_is(&self, side: LineUse) -> Option<usize> {
+        self.members.get(&side).copied()
+    }
+
+    /// The member on a line.
+    pub(crate) fn member_on(&self, line: usize) -> Option<usize> {
+        let of = |forward| self.members.get(&LineUse { line, forward });
+        of(true).or_else(|| of(false)).copied()
+    }
+
+    /// Index of the point at the start (0) or the end (1) of a member.
+    pub(crate) fn member_end_point(&self, member: usize, end: usize) -> usize {
+        let path = &self.statement.members[member].path;
+        let side = path[if end == 0 { 0 } else { path.len() - 1 }];
+        self.statement.lines[side.line].walked(side.forward)[end]
+    }
+
+    /// Start and end of a member.
+    pub(crate) fn member_ends(&self, member: usize) -> [[f64; 2]; 2] {
+        [0, 1].map(|end| self.statement.points[self.member_end_point(member, end)])
     }
 
     /// The region with a side on its rim.

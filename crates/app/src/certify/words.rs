@@ -2,7 +2,9 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_certificate::{Condition, LineUse, Linear, Material, Objective, Region, Scale, Statement};
+use soilctl_certificate::{
+    Condition, LineUse, Linear, Material, Member, Objective, Region, Scale, Statement,
+};
 
 /// Most lines of one kind; of the others their number is told.
 const MOST: usize = 40;
@@ -12,7 +14,7 @@ const CORNERS: usize = 12;
 /// One thing that a statement says.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Said {
-    /// What of: `soil`, `gravity`, `surface`, `line`, `width`, `bounded`, `units`.
+    /// What of: `soil`, `gravity`, `surface`, `line`, `member`, `width`, `bounded`, `units`.
     pub of: &'static str,
     /// What it says.
     pub says: String,
@@ -31,6 +33,7 @@ pub(super) fn words(statement: &Statement, scale: &Scale) -> Vec<Said> {
         format!("{}: {held}", side(statement, b.side()))
     });
     capped(&mut all, "line", sides);
+    capped(&mut all, "member", statement.members.iter().map(|m| member(statement, m)));
     let mut say = |of: &'static str, says: String| all.push(Said { of, says });
     say(
         "width",
@@ -121,6 +124,27 @@ fn side(statement: &Statement, side: LineUse) -> String {
         }
         None => format!("line {}, which is missing", side.line),
     }
+}
+
+/// From where to where a member goes, and what it bears.
+fn member(statement: &Statement, member: &Member) -> String {
+    let Member { path, tension, compression, bond, attached, .. } = member;
+    let end = |side: Option<&LineUse>, i: usize| {
+        let line = side.and_then(|side| Some(statement.lines.get(side.line)?.walked(side.forward)[i]));
+        line.map_or_else(|| "a line that is missing".to_owned(), |point| place(statement, point))
+    };
+    let attached = match attached {
+        [false, false] => "attached to nothing",
+        [true, false] => "attached at its start",
+        [false, true] => "attached at its end",
+        [true, true] => "attached at both ends",
+    };
+    format!(
+        "from {} to {}: tension up to {tension}, compression up to {compression}, faces bear {bond} times the shear strength of the \
+         soil beside them, {attached}",
+        end(path.first(), 0),
+        end(path.last(), 1)
+    )
 }
 
 fn linear(value: Linear) -> String {

@@ -2,7 +2,8 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_limit_analysis::results::{Contact, MOVING, Stretch};
+use soilctl_certificate::Member;
+use soilctl_limit_analysis::results::{AxialForce, Contact, FlowResults, MOVING, StressResults, Stretch};
 
 use super::Fields;
 use crate::AppError;
@@ -22,6 +23,8 @@ pub struct ResultsAnswer {
     pub moving: f64,
     /// The faces of structures, with the resultants of the lower bound's contact stresses.
     pub contacts: Vec<ContactAnswer>,
+    /// Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper bound's flow.
+    pub members: Vec<MemberAnswer>,
     /// Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
     pub files: Vec<String>,
 }
@@ -53,6 +56,70 @@ pub struct ContactAnswer {
     pub greatest_pressure: f64,
 }
 
+/// A bar or a sheet. Forces are per unit width, tension positive; for a factor of safety those of soil whose strength is divided by its
+/// lower bound.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct MemberAnswer {
+    /// Its name.
+    pub name: String,
+    /// Greatest tension that it bears.
+    pub tensile_strength: f64,
+    /// Greatest compression that it bears.
+    pub compressive_strength: f64,
+    /// Greatest tension in the field of the lower bound; zero if there is none, null if there is no field.
+    pub greatest_tension: Option<f64>,
+    /// Distance of that from its start.
+    pub greatest_tension_at: Option<f64>,
+    /// Greatest compression likewise, as a positive number.
+    pub greatest_compression: Option<f64>,
+    /// The greater of both over the strength for it: how far it is used.
+    pub utilisation: Option<f64>,
+    /// The axial force along it: distances from its start, and the force there.
+    pub axial_force: Vec<[f64; 2]>,
+    /// What it gets longer in the flow of the upper bound, over the speed that others are compared with; null if there is no flow. Not
+    /// zero where it yields.
+    pub gets_longer: Option<f64>,
+    /// What it gets shorter, likewise.
+    pub gets_shorter: Option<f64>,
+}
+
+impl MemberAnswer {
+    /// All members of what fields show.
+    fn all(fields: &Fields) -> Result<Vec<Self>, AppError> {
+        let units = &fields.units;
+        let unit = units.length * units.stress;
+        let forces = fields.stress.as_ref().map(StressResults::axial_forces);
+        let stretches = fields.flow.as_ref().map(FlowResults::member_stretches);
+        let speed = fields.flow.as_ref().map_or(1.0, FlowResults::speed);
+        let of = |(i, member): (usize, &Member)| {
+            let force = forces.as_ref().and_then(|all| all.iter().find(|force| force.member == i));
+            let stretch = stretches.as_ref().and_then(|all| all.get(i));
+            let [most, least] = [force.map(AxialForce::greatest), force.map(AxialForce::least)];
+            let tension = most.map(|[_, force]| force.max(0.0));
+            let compression = least.map(|[_, force]| (-force).max(0.0));
+            let part = |force: f64, strength: f64| if force > 0.0 { force / strength } else { 0.0 };
+            let used = tension
+                .zip(compression)
+                .map(|(t, c)| part(t, member.tension).max(part(c, member.compression)));
+            Self {
+                name: if member.name.is_empty() { format!("{}", i + 1) } else { member.name.clone() },
+                tensile_strength: unit * member.tension,
+                compressive_strength: unit * member.compression,
+                greatest_tension: tension.map(|force| unit * force),
+                greatest_tension_at: most.map(|[at, _]| units.length * at),
+                greatest_compression: compression.map(|force| unit * force),
+                utilisation: used,
+                axial_force: force.map_or_else(Vec::new, |force| {
+                    force.points.iter().map(|[at, force]| [units.length * at, unit * force]).collect()
+                }),
+                gets_longer: stretch.map(|s| s.longer / speed),
+                gets_shorter: stretch.map(|s| s.shorter / speed),
+            }
+        };
+        Ok(fields.statement()?.members.iter().enumerate().map(of).collect())
+    }
+}
+
 impl ResultsAnswer {
     /// What fields show.
     ///
@@ -79,6 +146,7 @@ impl ResultsAnswer {
             moving_ground: stretches.iter().map(stretch).collect(),
             moving: MOVING,
             contacts: contacts.iter().zip(names).map(answer).collect(),
+            members: MemberAnswer::all(fields)?,
             files: Vec::new(),
         })
     }

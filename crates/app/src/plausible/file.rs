@@ -9,6 +9,8 @@ use crate::text::number;
 /// Greatest length of a plate in m, and of the whole ground: longer ones are probably in mm.
 const PLATE_M: f64 = 100.0;
 const GROUND_M: f64 = 5000.0;
+/// Greatest strength of a bar or sheet for each metre of width, kN/m: strong geogrids and rows of anchors bear less.
+const MEMBER_KN_PER_M: f64 = 5000.0;
 /// Least size of the ground in m.
 const LEAST_GROUND_M: f64 = 0.02;
 /// How much larger than a structure the ground usually is at most.
@@ -49,6 +51,17 @@ fn of_one(d: &Description) -> Vec<String> {
         all.push(friction(&entry, "delta_deg", delta));
         all.push(stress(&entry, "adhesion_kpa", adhesion, adhesion));
         all.push(length(&entry, size(points), ground));
+    }
+    for member in &d.members {
+        let value = member.tensile_kn_per_m.max(member.compressive_kn_per_m);
+        all.push((value > MEMBER_KN_PER_M).then(|| {
+            let (value, most) = (number(value), number(MEMBER_KN_PER_M));
+            format!(
+                "member {:?}: it bears {value} kN for each metre of width; few bear more than {most}: is it in N/m, or not over the \
+                 spacing?",
+                member.name
+            )
+        }));
     }
     all.push(extent(ground));
     all.push(stress("the problem", "surcharge_kpa", d.surcharge_kpa, d.surcharge_kpa));

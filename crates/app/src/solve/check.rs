@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_certificate::Linear;
-use soilctl_limit_analysis::describe::Case;
+use soilctl_limit_analysis::describe::{Case, MemberEnd, MemberEntry};
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
 use super::{Asked, BoundaryKind};
@@ -72,6 +72,8 @@ pub struct Answer {
     pub regions: Vec<CheckedRegion>,
     /// Total length of boundary with each condition.
     pub boundaries: Vec<CheckedBoundary>,
+    /// Bars and sheets.
+    pub members: Vec<CheckedMember>,
     /// Values that are possible but unusual, with what is usual and a likely cause.
     pub notes: Vec<String>,
     /// Cases, with the values of sweeps; empty if there are none.
@@ -112,6 +114,37 @@ pub struct CheckedRegion {
     pub unit_weight_kn_m3: f64,
     /// Least and greatest pore pressure at its corners.
     pub pore_pressure_kpa: [f64; 2],
+}
+
+/// A bar or a sheet.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct CheckedMember {
+    /// Its name.
+    pub name: String,
+    /// Its length.
+    pub length_m: f64,
+    /// Greatest tension that it bears.
+    pub tensile_kn_per_m: f64,
+    /// Greatest compression that it bears.
+    pub compressive_kn_per_m: f64,
+    /// What each face bears of the shear strength of the soil beside it.
+    pub bond_factor: f64,
+    /// Whether its start and its end are attached to what is there, and so may bear a force.
+    pub attached: [bool; 2],
+}
+
+impl CheckedMember {
+    fn new(member: &MemberEntry) -> Self {
+        let [a, b] = [0, 1].map(|i| member.line.get(i).copied().unwrap_or_default());
+        Self {
+            name: member.name.clone(),
+            length_m: (b[0] - a[0]).hypot(b[1] - a[1]),
+            tensile_kn_per_m: member.tensile_kn_per_m,
+            compressive_kn_per_m: member.compressive_kn_per_m,
+            bond_factor: member.bond_factor,
+            attached: [MemberEnd::Start, MemberEnd::End].map(|end| member.attached.contains(&end)),
+        }
+    }
 }
 
 /// All boundary with one condition.
@@ -162,6 +195,7 @@ impl Answer {
             stress_kpa: stress,
             regions: regions.collect(),
             boundaries: boundaries.into_iter().filter(|b| b.length_m > 0.0).collect(),
+            members: description.members.iter().map(CheckedMember::new).collect(),
             cases: Vec::new(),
             notes,
         }

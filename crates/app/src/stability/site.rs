@@ -90,11 +90,12 @@ impl Site {
         !self.keep_weight
     }
 
-    /// Whether anything but this soil has strength: other soils, cohesion, faces.
+    /// Whether anything but this soil has strength: other soils, cohesion, faces, members.
     pub(super) fn has_other_strength(&self) -> bool {
-        let Description { soils, plates, structures, .. } = &self.description;
+        let Description { soils, plates, structures, members, .. } = &self.description;
         let has_cohesion = self.kept().is_some();
-        soils.len() > 1 || has_cohesion || !plates.is_empty() || !structures.is_empty()
+        let has_bodies = !plates.is_empty() || !structures.is_empty() || !members.is_empty();
+        soils.len() > 1 || has_cohesion || has_bodies
     }
 
     /// What is bounded.

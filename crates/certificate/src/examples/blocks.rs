@@ -107,6 +107,7 @@ impl Blocks<'_> {
             surcharge: self.surcharge,
             objective: self.objective,
             width: None,
+            members: Vec::new(),
             boundaries,
         }
     }

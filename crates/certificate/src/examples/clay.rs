@@ -30,6 +30,7 @@ impl Block {
             surcharge: 0.0,
             objective,
             width: None,
+            members: Vec::new(),
             boundaries: conditions.into_iter().enumerate().map(|(l, c)| on(forward(l), c)).collect(),
         }
     }
@@ -104,6 +105,7 @@ pub(crate) fn stream_field(
         velocities: Vec::new(),
         stream: copies.collect(),
         walls: walls.to_vec(),
+        members: Vec::new(),
     }
 }
 

@@ -45,6 +45,7 @@ impl Plate {
             surcharge: self.surcharge,
             objective: Objective::Structure { velocity: [1.0, 0.0] },
             width: None,
+            members: Vec::new(),
             boundaries: vec![
                 on(forward(0), far),
                 on(forward(1), far),

@@ -22,6 +22,7 @@ pub(crate) fn wall() -> Statement {
         surcharge: 0.0,
         objective: Objective::Structure { velocity: [1.0, 0.0] },
         width: None,
+        members: Vec::new(),
         boundaries: conditions.into_iter().enumerate().map(|(l, c)| on(forward(l), c)).collect(),
     }
 }
@@ -101,5 +102,6 @@ pub(crate) fn wedge_field(up: f64) -> UpperField {
         velocities: [vec![Velocity::Free { x: 1.0, y: up }; 6], vec![Velocity::Zero]].concat(),
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     }
 }

@@ -222,6 +222,15 @@ impl<'a> GivenLines<'a> {
                     // Built from all lines here, of which there are as many as needed.
                     Jet::TwoLines { .. } => true,
                     Jet::OneApex { .. } => self.two_at(copy).is_none(),
+                    // The other copy is looked at by itself.
+                    Jet::Kinked { copy: other, line: along, jump } => {
+                        let first = Some(given.joined.first);
+                        let has_it = self.at[other].iter().any(|l| self.first(*l) == first);
+                        let d = self.problem.direction(along);
+                        let t = self.problem.direction(*line);
+                        let is_square = (d.x.is_zero() && t.y.is_zero()) || (d.y.is_zero() && t.x.is_zero());
+                        has_it && (jump == 0.0 || is_square)
+                    }
                     Jet::Free { .. } => false,
                 };
                 if !holds {

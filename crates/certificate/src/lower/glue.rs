@@ -2,6 +2,7 @@
 
 use super::ends;
 use super::loads::{Loads, Station, is_bare};
+use super::members::kink;
 use super::surfaces::along_free_side;
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
@@ -32,7 +33,17 @@ pub(super) fn check(
         match tiling.beyond(side) {
             Beyond::Soil(other) => {
                 let [end, start] = ends(field, other);
-                if here != [start, end] && !are_branches(field, &stations, here, [start, end]) {
+                if let Some(on) = tiling.member(side) {
+                    // Its two sides are checked with its force.
+                    let pairs = if on.is_left { here } else { [start, end] };
+                    let others = if on.is_left { [start, end] } else { here };
+                    let is_kinked =
+                        |(a, b): (usize, usize)| kink(problem, field, &stations, &on, [a, b]).is_some();
+                    if !pairs.into_iter().zip(others).all(is_kinked) {
+                        let problem = "the stress function is not the same on both sides of the member";
+                        return Err(bad(side.to_string(), problem));
+                    }
+                } else if here != [start, end] && !are_branches(field, &stations, here, [start, end]) {
                     let problem =
                         "the triangle beyond it has other vertex copies, but there is no boundary between";
                     return Err(bad(side.to_string(), problem));
@@ -113,6 +124,9 @@ pub(super) fn check_branches(
 ) -> Result<(), CertificateError> {
     for side in tiling.sides() {
         let Beyond::Soil(other) = tiling.beyond(side) else { continue };
+        if tiling.member(side).is_some() {
+            continue;
+        }
         let [end, start] = ends(field, other);
         let here = ends(field, side);
         let depends = |copy: usize| matches!(field.copies[copy].jet, Jet::OneApex { .. }) && is_on_line(copy);
@@ -158,7 +172,7 @@ fn check_apexes(
                 }
                 Jet::Zero { base } | Jet::ManyApexes { base, .. } => base == gauge,
                 Jet::OneApex { base, apex: only, .. } => base == gauge && only == apex,
-                Jet::Free { .. } | Jet::OneLine { .. } | Jet::TwoLines { .. } => false,
+                Jet::Free { .. } | Jet::OneLine { .. } | Jet::TwoLines { .. } | Jet::Kinked { .. } => false,
             };
             if !suits {
                 let problem = "a corner beside one at the free surface, where stress must vanish, does not allow for that";

@@ -51,6 +51,7 @@ pub(super) fn check_numbers(
             Jet::OneApex { f, turn, .. } => [f, turn, 0.0],
             Jet::ManyApexes { f, .. } | Jet::TwoLines { f } => [f, 0.0, 0.0],
             Jet::OneLine { f, along, .. } => [f, along, 0.0],
+            Jet::Kinked { jump, .. } => [jump, 0.0, 0.0],
         };
         for x in numbers {
             finite("value or slope", place, x, "")?;
@@ -65,6 +66,10 @@ pub(super) fn check_numbers(
             }
             Jet::OneLine { line, .. } => exists(place, "line", line, line_count)?,
             Jet::TwoLines { .. } => {}
+            Jet::Kinked { copy, line, .. } => {
+                exists(place, "vertex copy", copy, field.copies.len())?;
+                exists(place, "line", line, line_count)?;
+            }
         }
     }
     Ok(())
@@ -123,8 +128,30 @@ impl Maker<'_> {
                 (0, f, n * (across / n.square()) - n.turned() * Interval::point(along))
             }
             Jet::TwoLines { f } => (0, f, self.two_lines(copy)?),
+            Jet::Kinked { copy: other, line, jump } => return self.kinked(copy, other, line, jump),
         };
         Ok(LocalJet { base, surface, f: f.into(), slopes })
+    }
+
+    /// Beyond the jet on the other side of a member.
+    fn kinked(
+        &self,
+        copy: usize,
+        other: usize,
+        line: usize,
+        jump: f64,
+    ) -> Result<LocalJet, CertificateError> {
+        let across = self.field.copies[other];
+        if matches!(across.jet, Jet::Kinked { .. }) || across.vertex != self.field.copies[copy].vertex {
+            return Err(bad(copy, "it must depend on a copy of the same vertex that depends on no other"));
+        }
+        if self.problem.piece(line).is_none() {
+            return Err(bad(copy, "it depends on a line that is no member"));
+        }
+        self.fraction(copy, line)?;
+        let jet = self.jet(other)?;
+        let n = self.problem.direction(line).turned();
+        Ok(LocalJet { slopes: jet.slopes + n * Interval::point(jump), ..jet })
     }
 
     fn position(&self, copy: usize) -> Vector {

@@ -13,6 +13,7 @@ mod jets;
 mod joined;
 mod loads;
 mod local;
+mod members;
 mod overburden;
 mod references;
 mod strength;
@@ -65,8 +66,9 @@ pub fn prove_lower(statement: &Statement, field: &LowerField) -> Result<f64, Cer
             }
         }
     }
+    let attached = function.check_members(|triangle| function.stresses(triangle))?;
     let bound = match statement.objective {
-        Objective::Structure { .. } => function.power().lo(),
+        Objective::Structure { .. } => (function.power() + attached).lo(),
         Objective::Loads | Objective::Body { .. } | Objective::Everything => field.multiplier,
     };
     if bound > f64::NEG_INFINITY {
@@ -81,18 +83,21 @@ pub fn prove_lower(statement: &Statement, field: &LowerField) -> Result<f64, Cer
     }
 }
 
-/// Stresses at the nodes of the three parts of each triangle, on a checked mesh. No strength is checked.
+/// Bernstein coefficients along the edges of all members, in the order of [`Tiling::along_members`].
+pub(crate) type AlongMembers = Result<Vec<[crate::interval::Interval; 3]>, CertificateError>;
+
+/// Stresses at the nodes of the three parts of each triangle, and axial forces, on a checked mesh. No strength is checked.
 pub(crate) fn node_stresses<T>(
     statement: &Statement,
     field: &LowerField,
-    with: impl FnOnce(&Tiling, Vec<element::NodeStresses>) -> T,
+    with: impl FnOnce(&Tiling, Vec<element::NodeStresses>, AlongMembers) -> T,
 ) -> Result<T, CertificateError> {
     let problem = Problem::new(statement)?;
     let setting = Setting::new(&problem, field)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
     let function = StressFunction::new(&problem, &setting, &tiling, field)?;
     let stresses = (0..field.mesh.triangles.len()).map(|t| function.stresses(t)).collect();
-    Ok(with(&tiling, stresses))
+    Ok(with(&tiling, stresses, function.axial_forces()))
 }
 
 /// What follows from the statement and the factor that is to be proven, whatever the mesh.
@@ -130,6 +135,8 @@ struct StressFunction<'a> {
     gauges: Gauges<'a>,
     given: GivenLines<'a>,
     surfaces: Surfaces<'a>,
+    /// Where vertex copies are on free or loaded boundary.
+    stations: Vec<Option<Station>>,
     /// Values and slopes of the vertex copies.
     jets: Vec<LocalJet>,
     /// For each vertex copy, whether the stress vanishes there, to the first order of its distance.
@@ -179,6 +186,7 @@ impl<'a> StressFunction<'a> {
             gauges,
             given,
             surfaces,
+            stations,
             jets,
             apexes,
         })

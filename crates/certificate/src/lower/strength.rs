@@ -83,6 +83,11 @@ impl Limit {
         bounds.into_iter().flatten().map(spare).fold(0.0, f64::min)
     }
 
+    /// What the soil bears of shear at an effective normal stress, both times `factor`; the stress is given times that.
+    pub(super) fn shear_strength(&self, normal: Interval, factor: Interval) -> Interval {
+        self.cohesion * factor - self.friction.tan() * normal
+    }
+
     /// Checks that a stress state is one the soil can bear.
     pub(super) fn check(
         &self,

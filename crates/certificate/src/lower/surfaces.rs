@@ -188,7 +188,11 @@ impl<'a> Surfaces<'a> {
         let of_copy = next_to.into_iter().enumerate().map(|(copy, list)| match field.copies[copy].jet {
             Jet::OneApex { apex, .. } => Ok(at[apex].iter().copied().min().unwrap_or(AT_REST)),
             Jet::ManyApexes { .. } | Jet::Zero { .. } => least(list, || format!("vertex copy {copy}")),
-            Jet::Gauge { .. } | Jet::Free { .. } | Jet::OneLine { .. } | Jet::TwoLines { .. } => Ok(AT_REST),
+            Jet::Gauge { .. }
+            | Jet::Free { .. }
+            | Jet::OneLine { .. }
+            | Jet::TwoLines { .. }
+            | Jet::Kinked { .. } => Ok(AT_REST),
         });
         let of_copy = of_copy.collect::<Result<_, _>>()?;
         Ok(Self { references, surfaces, of_copy, of_triangle })

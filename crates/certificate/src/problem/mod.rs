@@ -1,6 +1,7 @@
 //! A statement that has been checked, with what the proofs look up in it.
 
 mod far;
+mod members;
 mod numbers;
 mod outline;
 mod reference;
@@ -11,6 +12,7 @@ use crate::interval::{Angle, Interval, Vector, angle};
 use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 
 pub(crate) use far::FarFrame;
+pub(crate) use members::Piece;
 pub(crate) use numbers::{exists, finite};
 pub(crate) use reference::{Column, ReferenceStress, Stress};
 
@@ -55,6 +57,8 @@ pub(crate) struct Problem<'a> {
     conditions: Vec<[Option<Condition>; 2]>,
     /// For each pair of points joined by a line, lower index first, the line. Sorted.
     joined: Vec<([usize; 2], usize)>,
+    /// For each line, the member that it is a piece of.
+    pieces: Vec<Option<Piece>>,
 }
 
 /// Where the entry for a side is in a pair.
@@ -78,7 +82,9 @@ impl<'a> Problem<'a> {
             .map(|(i, l)| ([l.from.min(l.to), l.from.max(l.to)], i))
             .collect();
         joined.sort_unstable();
-        Ok(Self { statement, strengths, far, owners, conditions, joined })
+        let mut problem = Self { statement, strengths, far, owners, conditions, joined, pieces: Vec::new() };
+        problem.pieces = problem.pieces_of_members()?;
+        Ok(problem)
     }
 
     /// The region that has this side of a line on its boundary.

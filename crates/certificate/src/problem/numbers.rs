@@ -53,6 +53,7 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
     if let Some(width) = statement.width {
         within("width", whole, width, "length", "finite and above 0", width > 0.0)?;
     }
+    check_members(statement)?;
     let (Objective::Structure { velocity: numbers } | Objective::Body { gravity: numbers }) = *objective
     else {
         return check_boundaries(statement);
@@ -77,6 +78,24 @@ fn check_boundaries(statement: &Statement) -> Result<(), CertificateError> {
                 finite("load", place, x, "stress")?;
             }
         }
+    }
+    Ok(())
+}
+
+fn check_members(statement: &Statement) -> Result<(), CertificateError> {
+    for (i, member) in statement.members.iter().enumerate() {
+        let place = || format!("member {i}");
+        for side in &member.path {
+            exists(place, "line", side.line, statement.lines.len())?;
+        }
+        at_least_zero("tension", place, member.tension, "force")?;
+        at_least_zero("compression", place, member.compression, "force")?;
+        let holds = member.bond > 0.0 && member.bond <= 1.0;
+        within("bond", place, member.bond, "", "above 0 and at most 1", holds)?;
+    }
+    if statement.width.is_some() && !statement.members.is_empty() {
+        let (place, what) = ("the statement".into(), "members beside a structure with ends");
+        return Err(CertificateError::NotCovered { place, what });
     }
     Ok(())
 }

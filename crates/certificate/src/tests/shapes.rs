@@ -122,6 +122,7 @@ fn layered(interface: bool) -> (Statement, UpperField) {
         velocities: vec![Velocity::Free { x: 1.0, y: 1.0 }],
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     };
     (s, field)
 }

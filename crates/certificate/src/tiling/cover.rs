@@ -4,18 +4,24 @@
 //! over a point, all of them counter-clockwise, is the winding number of the loops around it, which is one inside the
 //! region and zero outside.
 
-use super::{Beyond, OnLine, after, fraction};
+use super::{Beyond, OnLine, OnMember, after, fraction};
 use crate::CertificateError;
 use crate::mesh::{Mesh, Place, Side};
 use crate::problem::Problem;
 use crate::statement::LineUse;
 
-/// What each triangle edge adjoins.
+/// For each triangle, what its edges adjoin.
+type Adjoined = Vec<[Beyond; 3]>;
+
+/// For each triangle, the members on which its edges are.
+type OnMembers = Vec<[Option<OnMember>; 3]>;
+
+/// What each triangle edge adjoins, and the member that it is on.
 pub(super) fn beyond(
     problem: &Problem,
     mesh: &Mesh,
     across: &[[Option<Side>; 3]],
-) -> Result<Vec<[Beyond; 3]>, CertificateError> {
+) -> Result<(Adjoined, OnMembers), CertificateError> {
     let on_loops: Vec<[Option<OnLine>; 3]> = (0..mesh.triangles.len())
         .map(|triangle| [0, 1, 2].map(|corner| on_loop(problem, mesh, Side { triangle, corner })))
         .collect();
@@ -46,8 +52,20 @@ pub(super) fn beyond(
         Ok([of(0)?, of(1)?, of(2)?])
     });
     let beyond = beyond.collect::<Result<_, _>>()?;
+    let member = |on: &Option<OnLine>| on.and_then(|on| on_member(problem, on));
+    let members = on_loops.iter().map(|edges| [0, 1, 2].map(|k| member(&edges[k]))).collect();
     check_cover(problem, on_loops.into_iter().flatten().flatten())?;
-    Ok(beyond)
+    Ok((beyond, members))
+}
+
+/// The place on a member of an edge of a line. Members have soil on both sides and no boundary, so the edge has soil beyond.
+fn on_member(problem: &Problem, on: OnLine) -> Option<OnMember> {
+    let piece = problem.piece(on.side.line)?;
+    let is_left = piece.left == on.side;
+    let first = if is_left { on.start } else { on.end };
+    // Exactly, so that no two places are one.
+    let order = if piece.left.forward { first } else { -first };
+    Some(OnMember { piece, is_left, place: (piece.number, order) })
 }
 
 fn same_region(mesh: &Mesh, a: Side, b: Side) -> bool {

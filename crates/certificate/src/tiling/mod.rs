@@ -6,7 +6,7 @@ mod pairs;
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
 use crate::mesh::{Mesh, Place, Side};
-use crate::problem::{Problem, exists, finite};
+use crate::problem::{Piece, Problem, exists, finite};
 use crate::statement::{Condition, LineUse};
 
 /// Corner `k + i` of a triangle.
@@ -31,6 +31,16 @@ pub(crate) enum Beyond {
     Boundary(OnLine, Condition),
 }
 
+/// An edge on a member.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OnMember {
+    pub(crate) piece: Piece,
+    /// Whether the triangle is on the member's left.
+    pub(crate) is_left: bool,
+    /// What orders the edges of a member from its start to its end: the place of the line on its path, and how far along that.
+    pub(crate) place: (usize, f64),
+}
+
 /// A mesh that fits its problem.
 #[derive(Debug)]
 pub(crate) struct Tiling<'a> {
@@ -39,6 +49,8 @@ pub(crate) struct Tiling<'a> {
     positions: Vec<Vector>,
     /// For each triangle, what its edges adjoin.
     beyond: Vec<[Beyond; 3]>,
+    /// For each triangle, the members on which its edges are.
+    members: Vec<[Option<OnMember>; 3]>,
 }
 
 impl<'a> Tiling<'a> {
@@ -52,7 +64,7 @@ impl<'a> Tiling<'a> {
                 exists(place, "vertex", corner, positions.len())?;
             }
         }
-        let mut tiling = Self { mesh, positions, beyond: Vec::new() };
+        let mut tiling = Self { mesh, positions, beyond: Vec::new(), members: Vec::new() };
         for i in 0..mesh.triangles.len() {
             if !tiling.double_area(i).is_positive() {
                 let place = format!("triangle {i}");
@@ -62,7 +74,7 @@ impl<'a> Tiling<'a> {
             }
         }
         let across = pairs::across(mesh)?;
-        tiling.beyond = cover::beyond(problem, mesh, &across)?;
+        (tiling.beyond, tiling.members) = cover::beyond(problem, mesh, &across)?;
         Ok(tiling)
     }
 
@@ -80,6 +92,25 @@ impl<'a> Tiling<'a> {
     /// What an edge adjoins.
     pub(crate) fn beyond(&self, side: Side) -> Beyond {
         self.beyond[side.triangle][side.corner]
+    }
+
+    /// The member on which an edge is.
+    pub(crate) fn member(&self, side: Side) -> Option<OnMember> {
+        self.members[side.triangle][side.corner]
+    }
+
+    /// All edges on the left of members with those beyond, in the order of the members, from start to end.
+    pub(crate) fn along_members(&self) -> Vec<(Side, Side, OnMember)> {
+        let edge = |side: Side| match (self.member(side), self.beyond(side)) {
+            (Some(on), Beyond::Soil(other)) if on.is_left => Some((side, other, on)),
+            _ => None,
+        };
+        let mut edges: Vec<_> = self.sides().filter_map(edge).collect();
+        edges.sort_by(|(.., a), (.., b)| {
+            let key = |on: &OnMember| (on.piece.member, on.place.0);
+            key(a).cmp(&key(b)).then(a.place.1.total_cmp(&b.place.1))
+        });
+        edges
     }
 
     /// All edges of all triangles.

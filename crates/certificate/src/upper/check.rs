@@ -1,7 +1,7 @@
 //! Whether a field has what it must have, and a statement only what is covered.
 
 use crate::CertificateError;
-use crate::fields::{Flow, StreamJet, UpperField, Velocity};
+use crate::fields::{Flow, MemberMotion, StreamJet, UpperField, Velocity};
 use crate::interval::Vector;
 use crate::problem::{Problem, exists, finite};
 use crate::statement::{Condition, Statement};
@@ -82,6 +82,24 @@ pub(super) fn numbers(problem: &Problem, field: &UpperField) -> Result<(), Certi
                 finite("slope across", place, across, "")?;
             }
             StreamJet::Corner { wall } => exists(place, "wall", wall, field.walls.len())?,
+            StreamJet::Kinked { copy, line, jump } => {
+                exists(place, "vertex copy", copy, field.stream.len())?;
+                exists(place, "line", line, lines)?;
+                finite("jump of the slope", place, jump, "")?;
+            }
+        }
+    }
+    for (i, piece) in field.members.iter().enumerate() {
+        let place = || format!("piece {i} of the members");
+        exists(place, "triangle", piece.triangle, field.flows.len())?;
+        exists(place, "edge", piece.corner, 3)?;
+        for motion in piece.motion {
+            let numbers = match motion {
+                MemberMotion::Soil => [0.0; 2],
+                MemberMotion::Along { along } => [along, 0.0],
+                MemberMotion::Free { along, across } => [along, across],
+            };
+            numbers.into_iter().try_for_each(|x| finite("velocity", place, x, ""))?;
         }
     }
     field.walls.iter().enumerate().try_for_each(|(i, x)| finite("value", || format!("wall {i}"), *x, ""))

@@ -22,7 +22,7 @@ impl EdgeVelocity {
     }
 
     /// The same, seen from the other side.
-    fn reversed(self) -> Self {
+    pub(super) fn reversed(self) -> Self {
         let turned = |[a, b, c]: [Interval; 3]| [-c, -b, -a];
         Self { slip: turned(self.slip), opening: turned(self.opening) }
     }
@@ -98,9 +98,12 @@ impl VelocityField<'_> {
         }
     }
 
-    /// Whether the stream function and its slopes go on across an edge: both triangles have it, with the same vertex
+    /// Whether the stream function and its slopes go on across an edge, on which there is no member: both triangles have it, with the same vertex
     /// copies at both ends of the edge; they also use the same slope across its middle then.
     pub(super) fn is_glued(&self, side: Side, other: Side) -> bool {
+        if self.tiling.member(side).is_some() {
+            return false;
+        }
         let ends = |side: Side| match self.field.flows[side.triangle] {
             Flow::Stream { corners, .. } => Some([1, 2].map(|i| corners[after(side.corner, i)])),
             Flow::Quadratic(_) => None,

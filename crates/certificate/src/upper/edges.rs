@@ -17,6 +17,8 @@ impl VelocityField<'_> {
     /// What an edge adds to the power. Checks the flow rule.
     pub(super) fn edge(&self, side: Side) -> Result<Power, CertificateError> {
         match self.tiling.beyond(side) {
+            // Members are looked at from end to end.
+            Beyond::Soil(_) if self.tiling.member(side).is_some() => Ok(Power::ZERO),
             // Once for the two triangles.
             Beyond::Soil(other) if other < side || self.is_glued(side, other) => Ok(Power::ZERO),
             Beyond::Soil(other) => self.interface(side, other),

@@ -2,9 +2,10 @@
 
 use super::walls::{WallSide, Walls, way};
 use crate::CertificateError;
-use crate::fields::{StreamJet, UpperField};
+use crate::fields::{StreamCopy, StreamJet, UpperField};
 use crate::interval::{Interval, Vector};
 use crate::problem::Problem;
+use crate::tiling::fraction;
 
 /// Value and slopes of the stream function.
 #[derive(Debug, Clone, Copy)]
@@ -26,24 +27,54 @@ pub(super) fn values(
     field: &UpperField,
     walls: &Walls,
 ) -> Result<Vec<StreamValue>, CertificateError> {
-    (0..field.stream.len())
+    let beside = (0..field.stream.len())
         .map(|copy| {
             let value = match (field.stream[copy].jet, walls.at(copy)) {
                 (StreamJet::Free { s, sx, sy }, [None, None]) => {
                     Ok(StreamValue { value: s.into(), slopes: Vector::point([sx, sy]) })
                 }
+                // Once the other copy is known.
+                (StreamJet::Kinked { .. }, [None, None]) => {
+                    Ok(StreamValue { value: Interval::ZERO, slopes: Vector::ZERO })
+                }
                 (jet, [Some(side), other]) => on_wall(problem, field, copy, jet, side, other),
                 (StreamJet::Wall { .. } | StreamJet::Corner { .. }, _) => {
                     Err("no edge on its wall ends there")
                 }
-                (StreamJet::Free { .. }, [None, Some(_)]) => Err("it is on a wall"),
+                (StreamJet::Free { .. } | StreamJet::Kinked { .. }, [None, Some(_)]) => {
+                    Err("it is on a wall")
+                }
             };
             value.map_err(|problem| CertificateError::BadField {
                 place: format!("vertex copy {copy}"),
                 problem,
             })
         })
-        .collect()
+        .collect::<Result<Vec<_>, _>>()?;
+    (0..field.stream.len()).map(|copy| kinked(problem, field, &beside, copy)).collect()
+}
+
+/// Value and slopes of a copy, given those of all that depend on no other.
+fn kinked(
+    problem: &Problem,
+    field: &UpperField,
+    beside: &[StreamValue],
+    copy: usize,
+) -> Result<StreamValue, CertificateError> {
+    let StreamCopy { vertex, jet: StreamJet::Kinked { copy: other, line, jump } } = field.stream[copy] else {
+        return Ok(beside[copy]);
+    };
+    let bad = |problem| CertificateError::BadField { place: format!("vertex copy {copy}"), problem };
+    let across = field.stream[other];
+    if !matches!(across.jet, StreamJet::Free { .. }) || across.vertex != vertex {
+        return Err(bad("it must depend on a free copy of the same vertex"));
+    }
+    let is_on_it = fraction(problem, field.mesh.vertices[vertex].place, line).is_some();
+    if problem.piece(line).is_none() || !is_on_it {
+        return Err(bad("it depends on a line that is no member on which it is"));
+    }
+    let StreamValue { value, slopes } = beside[other];
+    Ok(StreamValue { value, slopes: slopes + problem.direction(line).turned() * Interval::point(jump) })
 }
 
 fn on_wall(
@@ -55,7 +86,9 @@ fn on_wall(
     other: Option<WallSide>,
 ) -> Result<StreamValue, &'static str> {
     let (wall, slopes) = match (jet, other) {
-        (StreamJet::Free { .. }, _) => return Err("it is on a wall, which says what its value is"),
+        (StreamJet::Free { .. } | StreamJet::Kinked { .. }, _) => {
+            return Err("it is on a wall, which says what its value is");
+        }
         (StreamJet::Corner { wall }, Some(other)) => (wall, corner(problem, &side, &other)?),
         (StreamJet::Corner { .. }, None) => return Err("there is only one side of a wall here"),
         (StreamJet::Wall { wall, line, across }, _) => {

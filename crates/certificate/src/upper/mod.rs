@@ -5,6 +5,7 @@ mod edge_velocity;
 mod edges;
 mod jets;
 mod means;
+mod members;
 mod power;
 mod quadratic;
 mod resistance;
@@ -16,6 +17,7 @@ mod walls;
 use crate::CertificateError;
 use crate::fields::{Flow, UpperField};
 use crate::interval::Vector;
+use crate::lower::AlongMembers;
 use crate::problem::Problem;
 use crate::statement::Statement;
 use crate::tiling::{Tiling, after};
@@ -44,23 +46,24 @@ pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, Cer
     for side in tiling.sides() {
         power = power + velocity.edge(side)?;
     }
+    power = power + velocity.members()?;
     power.bound(&statement.objective)
 }
 
 /// A polynomial velocity on a triangle: its corners, then its control points at corners and edges.
 pub(crate) type Piece = ([Vector; 3], [Vector; 6]);
 
-/// Velocities on the pieces of each triangle, on a checked mesh. No flow rule is checked.
+/// Velocities on the pieces of each triangle, and of members along themselves, on a checked mesh. No flow rule is checked.
 pub(crate) fn piece_velocities<T>(
     statement: &Statement,
     field: &UpperField,
-    with: impl FnOnce(&Tiling, Vec<Vec<Piece>>) -> T,
+    with: impl FnOnce(&Tiling, Vec<Vec<Piece>>, AlongMembers) -> T,
 ) -> Result<T, CertificateError> {
     let problem = Problem::new(statement)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
     let velocity = VelocityField::new(&problem, &tiling, field)?;
     let pieces = (0..field.mesh.triangles.len()).map(|t| velocity.pieces(t)).collect();
-    Ok(with(&tiling, pieces))
+    Ok(with(&tiling, pieces, velocity.along_members()))
 }
 
 /// A velocity field on a checked mesh.

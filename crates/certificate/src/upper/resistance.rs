@@ -108,6 +108,26 @@ impl Resistance<3> {
 }
 
 impl Resistance<2> {
+    /// What a layer dissipates that bears the part `bond` of the soil's shear strength at each normal stress, likewise. With `t`
+    /// the greatest tension, it opens by at least `bond |slip| tan(phi)`, and the greatest power of what it bears is found where the normal
+    /// stress is `t`, at most `t opening + bond max(0, c - t tan(phi)) |slip|`; without a limit `t` is `c cot(phi)`.
+    pub(super) fn of_bond(&self, bond: Interval, opening: [Interval; 3], slip: [Interval; 3]) -> Resisted {
+        let mean = means::over_edge;
+        let one = [Interval::ONE; 2];
+        let sliding = slip.map(Interval::abs);
+        let tan = self.friction.tan();
+        let water = mean(self.pore_pressure, opening);
+        let beyond = |t: Interval| self.cohesion.map(|c| bond * (c - t * tan).or_zero());
+        let cut = self.cut_off().map(|t| t * mean(one, opening) + mean(beyond(t), sliding));
+        let apex = (!self.is_frictionless()).then(|| mean(self.apex(), opening));
+        let strength = match (apex, cut) {
+            (Some(a), Some(b)) => a.or_lesser(b),
+            (Some(a), None) | (None, Some(a)) => a,
+            (None, None) => Interval::ZERO,
+        };
+        Resisted { strength, water }
+    }
+
     /// What a layer dissipates, from opening and slip at the control points, times the length. The flow rule holds, and
     /// without friction nor a limit to tension the opening is zero. The dilation of a layer is its opening, its shear rate
     /// the length of the vector of opening and slip.

@@ -133,6 +133,24 @@ impl Words for check::Answer {
             rows.push(vec![number(r.area_m2), number(r.phi_deg), c, number(r.unit_weight_kn_m3), u]);
         }
         text += &columns(&rows);
+        if !self.members.is_empty() {
+            let header = ["member", "length m", "tension kN/m", "compression kN/m", "bond", "attached"]
+                .map(str::to_owned);
+            let mut rows = vec![header.to_vec()];
+            for m in &self.members {
+                let attached = match m.attached {
+                    [false, false] => "-",
+                    [true, false] => "start",
+                    [false, true] => "end",
+                    [true, true] => "start, end",
+                };
+                let numbers =
+                    [m.length_m, m.tensile_kn_per_m, m.compressive_kn_per_m, m.bond_factor].map(number);
+                rows.push([&[m.name.clone()][..], &numbers, &[attached.to_owned()]].concat());
+            }
+            text += "\n";
+            text += &columns(&rows);
+        }
         for case in &self.cases {
             text += &format!("\ncase {}", case.name);
             for (name, factor) in &case.factors {

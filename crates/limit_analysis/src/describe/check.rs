@@ -41,6 +41,10 @@ impl Description {
         title("structure", index, &self.structures[index].name)
     }
 
+    pub(super) fn member_title(&self, index: usize) -> String {
+        title("member", index, &self.members[index].name)
+    }
+
     /// Index of a soil by its name.
     pub(super) fn soil_index(&self, entry: &str, name: &str) -> Result<usize, DescriptionError> {
         self.soils.iter().position(|s| s.name == name).ok_or_else(|| DescriptionError::Unknown {
@@ -68,6 +72,7 @@ impl Description {
             check_line(&entry, "polygon", &region.polygon, 3)?;
         }
         self.check_structures()?;
+        self.check_members()?;
         self.check_boundaries()?;
         self.check_water()?;
         if let Some(seismic) = self.seismic {
@@ -89,6 +94,7 @@ impl Description {
             ("boundaries", self.boundaries.len()),
             ("plates", self.plates.len()),
             ("structures", self.structures.len()),
+            ("members", self.members.len()),
         ];
         for (what, count) in counts {
             if count > MAX_ENTRIES {
@@ -105,6 +111,7 @@ impl Description {
             + self.boundaries.iter().map(|b| b.line.len()).sum::<usize>()
             + self.plates.iter().map(|p| p.line.len()).sum::<usize>()
             + self.structures.iter().map(|s| s.polygon.len() + s.edge.len()).sum::<usize>()
+            + self.members.iter().map(|m| m.line.len()).sum::<usize>()
             + self.water.iter().map(|w| w.table.len()).sum::<usize>();
         if points > MAX_POINTS {
             return Err(DescriptionError::TooMuch { what: "points", count: points, limit: MAX_POINTS });
@@ -131,6 +138,28 @@ impl Description {
             }
             check_interface(&entry, Interface { delta_deg: s.delta_deg, adhesion_kpa: s.adhesion_kpa })?;
             self.check_in_soil(&entry, &s.in_soil)?;
+        }
+        Ok(())
+    }
+
+    fn check_members(&self) -> Result<(), DescriptionError> {
+        for (i, member) in self.members.iter().enumerate() {
+            let entry = self.member_title(i);
+            check_line(&entry, "line", &member.line, 2)?;
+            if member.line.len() > 2 {
+                let problem =
+                    "a member is straight: its line has a start and an end; make one of each straight part";
+                return Err(DescriptionError::entry(entry, problem));
+            }
+            number(&entry, "tensile_kn_per_m", member.tensile_kn_per_m, FORCE)?;
+            number(&entry, "compressive_kn_per_m", member.compressive_kn_per_m, FORCE)?;
+            number(&entry, "bond_factor", member.bond_factor, BOND)?;
+            if self.members[..i].iter().any(|m| m.name == member.name) {
+                return Err(DescriptionError::entry(
+                    entry,
+                    "an earlier member has the same name; rename one",
+                ));
+            }
         }
         Ok(())
     }
@@ -301,6 +330,8 @@ const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 const ANGLE: Range = Range { low: 0.0, high: 90.0 * BELOW_ONE, words: "0 up to, but not including, 90 deg" };
 const STRESS: Range =
     Range { low: 0.0, high: LARGEST, words: "a finite number, at least 0 and at most 1e9 kPa" };
+const FORCE: Range = Range { low: 0.0, high: 1e6, words: "0 to 1e6 kN/m" };
+const BOND: Range = Range { low: 1e-3, high: 1.0, words: "0.001 to 1" };
 const COORDINATE: Range =
     Range { low: -LARGEST, high: LARGEST, words: "a finite number of metres up to 1e9" };
 

@@ -35,6 +35,7 @@ impl Description {
         self.check()?;
         let plan = self.plan()?;
         self.check_covered(&plan)?;
+        self.check_placed(&plan)?;
         let at_far = self.far_pressure(&plan)?;
         let units = units(self, &plan, at_far)?;
         let statement = self.statement(&plan, &units, at_far)?;
@@ -61,6 +62,7 @@ impl Description {
             let mut faces = map.faces();
             let holder = Holder { description: self, drawing: &drawing, segments: &segments, map: &map };
             let holds: BTreeMap<LineUse, Holds> = holder.all()?.into_iter().collect();
+            let members = self.paths(&drawing, &map, &segments)?;
             self.top_first(&map, &mut faces);
             let Some(first) = faces.first() else {
                 return Err(DescriptionError::entry("the problem", "its regions enclose no soil"));
@@ -68,7 +70,7 @@ impl Description {
             let base = self.soils[self.soil_of(first.region)].unit_weight_kn_m3;
             let cuts = weight_cuts(self, &map, &faces, &holds, base);
             if cuts.is_empty() {
-                return Ok(Plan { drawing, map, faces, holds });
+                return Ok(Plan { drawing, map, faces, holds, members });
             }
             segments.extend(cuts);
             map = Map::new(self, &drawing, &segments)?;
@@ -170,6 +172,7 @@ impl Description {
             surcharge: units.stress(at_far),
             objective,
             width: None,
+            members: self.statement_members(plan, units),
             boundaries: plan.holds.iter().map(boundary).collect(),
         })
     }

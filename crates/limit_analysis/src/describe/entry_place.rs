@@ -18,6 +18,8 @@ pub enum Section {
     Plate,
     /// `[[structure]]`
     Structure,
+    /// `[[member]]`
+    Member,
     /// `[[case]]`
     Case,
     /// `[[sweep]]`
@@ -33,12 +35,13 @@ pub enum Section {
 }
 
 impl Section {
-    const ALL: [(Self, &'static str); 11] = [
+    const ALL: [(Self, &'static str); 12] = [
         (Self::Soil, "soil"),
         (Self::Region, "region"),
         (Self::Boundary, "boundary"),
         (Self::Plate, "plate"),
         (Self::Structure, "structure"),
+        (Self::Member, "member"),
         (Self::Case, "case"),
         (Self::Sweep, "sweep"),
         (Self::Water, "water"),

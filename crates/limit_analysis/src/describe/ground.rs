@@ -81,7 +81,8 @@ impl Map {
         };
         let kept = |edge: usize| {
             let [left, right] = sides[edge];
-            let matters = left != right || is(edge, |o| matches!(o, Owner::Plate(_))) || cut(edge, left);
+            let is_line = is(edge, |o| matches!(o, Owner::Plate(_) | Owner::Member(_)));
+            let matters = left != right || is_line || cut(edge, left);
             matters && (left.is_soil() || right.is_soil())
         };
         let kept: Vec<bool> = (0..sides.len()).map(kept).collect();
@@ -154,6 +155,7 @@ pub(super) fn owner_title(description: &Description, owner: Owner) -> String {
         Owner::Structure(i) | Owner::Edge(i) => description.structure_title(i),
         Owner::Plate(i) => description.plate_title(i),
         Owner::Boundary(i) => description.boundary_title(i),
+        Owner::Member(i) => description.member_title(i),
         Owner::Water => "the water table".into(),
         Owner::Cut(Cut::Water) => "the vertical below a point of the water table".into(),
         Owner::Cut(Cut::Ratio) => "the vertical through a corner, needed for pore_pressure_ratio".into(),

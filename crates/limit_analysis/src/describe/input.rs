@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cases::{CaseEntry, SweepEntry};
-use super::parts::{Action, BoundaryEntry, Kind, PlateEntry, StructureEntry, is_zero};
+use super::parts::{Action, BoundaryEntry, Kind, MemberEntry, PlateEntry, StructureEntry, is_zero};
 
 /// A plane-strain collapse problem in metres, kPa, kN/m3 and degrees: what a problem file says.
 ///
@@ -50,6 +50,9 @@ pub struct Description {
     /// Rigid bodies.
     #[serde(default, rename = "structure", skip_serializing_if = "Vec::is_empty")]
     pub structures: Vec<StructureEntry>,
+    /// Bars and sheets inside the soil.
+    #[serde(default, rename = "member", skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<MemberEntry>,
     /// Load cases.
     #[serde(default, rename = "case", skip_serializing_if = "Vec::is_empty")]
     pub cases: Vec<CaseEntry>,

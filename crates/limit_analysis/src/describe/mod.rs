@@ -8,7 +8,7 @@
 //! 2. `ground.rs` finds what is on either side of each piece and drops what bounds nothing; `faces.rs` walks around what is
 //!    left. So T-junctions, plates and bodies cut out of the soil need no case of their own.
 //! 3. `columns.rs` adds the vertical cuts that proofs need; `holds.rs` finds the condition on each boundary side.
-//! 4. `size.rs` chooses units, `fill.rs` and `convert.rs` write the statement.
+//! 4. `size.rs` chooses units, `fill.rs`, `members.rs` and `convert.rs` write the statement.
 //!
 //! A description with load cases or sweeps stands for several: `cases/` makes them.
 
@@ -26,6 +26,7 @@ mod fill;
 mod ground;
 mod holds;
 mod input;
+mod members;
 mod parts;
 mod plan;
 mod ready;
@@ -40,5 +41,6 @@ pub use error::DescriptionError;
 pub use file::PROBLEM_SCHEMA;
 pub use input::{Aim, Description, RegionEntry, Seismic, SoilEntry, Water};
 pub use parts::{
-    Action, BoundaryEntry, Hold, Interface, Kind, PlateEntry, Profile, Side, SoilInterface, StructureEntry,
+    Action, BoundaryEntry, Hold, Interface, Kind, MemberEnd, MemberEntry, PlateEntry, Profile, Side,
+    SoilInterface, StructureEntry,
 };

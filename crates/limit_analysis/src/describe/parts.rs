@@ -210,6 +210,61 @@ pub struct StructureEntry {
     pub held: Option<Hold>,
 }
 
+/// A straight bar or sheet inside the soil, thin and perfectly flexible: a geogrid, a nail, a strip. It bears an axial force and
+/// takes the soil along. Forces are per metre of width.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MemberEntry {
+    /// Its name.
+    pub name: String,
+    /// Its start and its end.
+    pub line: Vec<[f64; 2]>,
+    /// Greatest tension.
+    pub tensile_kn_per_m: f64,
+    /// Greatest compression; a sheet bears none.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub compressive_kn_per_m: f64,
+    /// Shear stress that each face bears, over what the soil beside it bears at the same effective normal stress; above 0, at
+    /// most 1.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub bond_factor: f64,
+    /// Ends that are attached to the boundary or structure there: they bear a force, others do not.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub attached: Vec<MemberEnd>,
+}
+
+impl Default for MemberEntry {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            line: Vec::new(),
+            tensile_kn_per_m: 0.0,
+            compressive_kn_per_m: 0.0,
+            bond_factor: 1.0,
+            attached: Vec::new(),
+        }
+    }
+}
+
+/// An end of a member.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MemberEnd {
+    /// The first point of its line.
+    Start,
+    /// The last one.
+    End,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_one(value: &f64) -> bool {
+    *value == 1.0
+}
+
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 pub(super) fn is_zero(value: &f64) -> bool {
     *value == 0.0

@@ -17,6 +17,8 @@ pub(super) struct Plan {
     pub(super) map: Map,
     pub(super) faces: Vec<Face>,
     pub(super) holds: BTreeMap<LineUse, Holds>,
+    /// For each member, the edges along it, walked from its start to its end.
+    pub(super) members: Vec<Vec<LineUse>>,
 }
 
 impl Plan {

@@ -19,6 +19,7 @@ pub(super) enum Owner {
     Edge(usize),
     Plate(usize),
     Boundary(usize),
+    Member(usize),
     Water,
     Cut(Cut),
 }
@@ -51,6 +52,7 @@ pub(super) struct Drawing {
     edges: Vec<Vec<Point>>,
     pub(super) plates: Vec<Vec<Point>>,
     pub(super) lines: Vec<Vec<Point>>,
+    pub(super) members: Vec<Vec<Point>>,
     pub(super) water: Vec<Point>,
     /// Least and greatest coordinates of all soil.
     pub(super) low: Point,
@@ -75,6 +77,7 @@ impl Drawing {
             edges: description.structures.iter().map(|s| s.edge.clone()).collect(),
             plates: description.plates.iter().map(|p| p.line.clone()).collect(),
             lines: description.boundaries.iter().map(|b| b.line.clone()).collect(),
+            members: description.members.iter().map(|m| m.line.clone()).collect(),
             water: description.water.iter().flat_map(Water::levels).collect(),
             low,
             high,
@@ -101,8 +104,14 @@ impl Drawing {
     }
 
     fn points(&mut self) -> impl Iterator<Item = &mut Point> {
-        let lines =
-            [&mut self.regions, &mut self.structures, &mut self.edges, &mut self.plates, &mut self.lines];
+        let lines = [
+            &mut self.regions,
+            &mut self.structures,
+            &mut self.edges,
+            &mut self.plates,
+            &mut self.lines,
+            &mut self.members,
+        ];
         lines.into_iter().flatten().flatten().chain(&mut self.water)
     }
 
@@ -123,6 +132,9 @@ impl Drawing {
         }
         for (i, line) in self.lines.iter().enumerate() {
             add(&mut all, line, false, Owner::Boundary(i), || description.boundary_title(i))?;
+        }
+        for (i, line) in self.members.iter().enumerate() {
+            add(&mut all, line, false, Owner::Member(i), || description.member_title(i))?;
         }
         if let (Some(first), Some(last)) = (self.water.first(), self.water.last()) {
             let mut table = self.water.clone();

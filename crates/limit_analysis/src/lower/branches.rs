@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use soilctl_certificate::{Condition, LineUse, Side};
 
+use crate::members::member_edges;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
@@ -89,9 +90,17 @@ impl BranchCuts {
                 neighbours[b].insert(a);
             }
         }
-        let mut taken: BTreeSet<usize> = BTreeSet::new();
+        // What a member does to the function has nothing to do with branches: cuts keep away from it.
+        let edges = member_edges(problem, mesh, topology);
+        let on_members = edges.iter().flat_map(|e| {
+            let corners = mesh.triangles[e.side.triangle].corners;
+            [1, 2].map(|i| corners[(e.side.corner + i) % 3])
+        });
+        let mut taken: BTreeSet<usize> = on_members.collect();
         for body in bodies {
+            let is_free = |v: &usize| !taken.contains(v);
             let starts = rim.part.iter().filter(|(v, p)| **p == body && rim.may_end(**v)).map(|(v, _)| *v);
+            let starts = starts.filter(is_free);
             let ends = |v: usize| rim.part.get(&v) == Some(&outer) && rim.may_end(v);
             let passes = |v: usize| !rim.part.contains_key(&v);
             let Some(cut) = shortest(&neighbours, starts, |v| taken.contains(&v), ends, passes) else {

@@ -1,6 +1,6 @@
 //! The Airy stress function of a problem on a mesh: its unknowns, with the static boundary conditions built in.
 
-use soilctl_certificate::{Condition, Gauge, Gradient, LowerField, VertexCopy};
+use soilctl_certificate::{Condition, Gauge, Gradient, LowerField, Side, VertexCopy};
 use soilctl_conic::{Form, Program};
 
 use super::given::{Across, Touching, slopes_across};
@@ -9,6 +9,7 @@ use super::reference::ReferenceStress;
 use super::split_vertices::{Meeting, SplitVertices};
 use super::surfaces::Surfaces;
 use super::unknown_jet::UnknownJet;
+use crate::members::MemberEdge;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
@@ -115,6 +116,10 @@ fn slopes(
             Some(_) => (0, own()),
             None => {
                 let Some(other) = topology.across[s.triangle][s.corner] else { continue };
+                if topology.line[s.triangle][s.corner].is_some_and(|l| copies.is_kinked_along(l.line)) {
+                    slopes[s.triangle][s.corner] = (0, own());
+                    continue;
+                }
                 let base = copies.cut(s).unwrap_or(0);
                 if (other.triangle, other.corner) < (s.triangle, s.corner) {
                     let (_, form) = &slopes[other.triangle][other.corner];
@@ -171,6 +176,29 @@ impl StressFunction {
             far_stress,
             multiplier: reference.multiplier,
         }
+    }
+
+    /// The axial force of a member at the start, in the middle and at the end of an edge: what the slope to its left is more on its
+    /// left. Both sides are relative to the same gauges.
+    pub(crate) fn axial_force(&self, edge: &MemberEdge) -> [Form; 3] {
+        let corner = |side: Side, i: usize| self.corners[side.triangle][(side.corner + i) % 3];
+        let at = |left: usize, right: usize| {
+            let [a, b] = [left, right].map(|copy| &self.jets[copy]);
+            let t = edge.along();
+            if left == right {
+                return Form::default();
+            }
+            let difference = |i: usize| a[i].clone().plus(-1.0, &b[i]);
+            let force = Form::default().plus(-t[1], &difference(1)).plus(t[0], &difference(2));
+            // What is the same on both sides leaves nothing behind.
+            let terms = force.terms.into_iter().filter(|(_, c)| c.abs() > 0.0).collect();
+            Form { terms, ..force }
+        };
+        let slope = |side: Side| &self.slopes[side.triangle][side.corner].1;
+        let by = 1.0 / edge.length();
+        let middle = Form::default().plus(by, slope(edge.side)).plus(by, slope(edge.other));
+        let (side, other) = (edge.side, edge.other);
+        [at(corner(side, 1), corner(other, 2)), middle, at(corner(side, 2), corner(other, 1))]
     }
 
     /// The affine function of a gauge at a point: value and slopes.

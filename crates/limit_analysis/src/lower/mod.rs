@@ -10,6 +10,7 @@ mod far;
 mod given;
 mod loads;
 pub(crate) mod macro_element;
+mod members;
 mod reference;
 mod splice;
 mod split_vertices;
@@ -27,6 +28,7 @@ use macro_element::{Curvature, curvatures};
 use reference::ReferenceStress;
 use splice::Splice;
 
+use crate::members::{MemberEdge, member_edges};
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
 use crate::topology::Topology;
@@ -48,6 +50,8 @@ pub(crate) struct Lower {
     pub(crate) force: Form,
     /// The unknown part of cohesion, adhesion and tension that is enough for everything that acts, if that is bounded.
     part: Option<usize>,
+    /// The edges of members.
+    pub(crate) members: Vec<MemberEdge>,
     /// What follows from the ends of the structure, if the bound shall hold for every width.
     splice: Option<Splice>,
 }
@@ -139,10 +143,12 @@ impl Lower {
             program.non_negative(Form::unknown(part, 1.0).plus(-LEAST_PART, &Form::constant(1.0)));
         }
         let splice = problem.is_spliced().then(|| Splice::new(problem));
-        let mut lower = Self { program, function, reference, force, part, splice };
+        let members = member_edges(problem, mesh, topology);
+        let mut lower = Self { program, function, reference, force, part, members, splice };
         for triangle in 0..mesh.triangles.len() {
             lower.add_triangle(problem, mesh, topology, triangle);
         }
+        lower.add_members(problem, mesh);
         lower.program.tighten(tighten);
         for &(index, coefficient) in &lower.force.terms {
             lower.program.objective.push((index, -coefficient));
@@ -171,6 +177,9 @@ impl Lower {
         }
         for (k, part) in stresses.iter().enumerate() {
             let Some(side) = topology.line[triangle][k] else { continue };
+            if let Some(member) = problem.member_on(side.line) {
+                self.add_bond(&problem.members()[member], soil, part, &v, k, &scale);
+            }
             let Some(condition) = problem.condition(side) else { continue };
             let ends = [(k + 1) % 3, (k + 2) % 3];
             let along = between(v[ends[0]], v[ends[1]]);

@@ -98,7 +98,10 @@ fn tops(problem: &Problem, region: usize) -> Vec<(usize, Option<usize>)> {
         let run = if side.forward { q[0] - p[0] } else { p[0] - q[0] };
         if run < 0.0 {
             let above = problem.owner(side.reversed()).filter(|_| problem.condition(*side).is_none());
-            tops.push((side.line, above));
+            // A line through one region has the same reference on both sides.
+            if above != Some(region) {
+                tops.push((side.line, above));
+            }
         }
     }
     tops

@@ -9,6 +9,7 @@ use super::loads::Loads;
 use super::reference::ReferenceStress;
 use super::surfaces::{AT_REST, Surfaces, is_bare, numbers};
 use super::unknown_jet::{Turn, Unknown, UnknownJet};
+use crate::members::{bears_force, member_edges};
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
@@ -51,8 +52,21 @@ pub(super) struct SplitVertices<'a> {
     pub(super) branch_of: Vec<Option<usize>>,
     /// For one of the two copies at each vertex of a cut, the other one, which has the same unknowns.
     pub(super) twin_of: Vec<Option<usize>>,
+    /// For one of the two copies at each vertex of a member, how it depends on the other one.
+    kink_of: Vec<Option<Kink>>,
+    /// Copies on both sides of a member next to apexes, where it bears no force.
+    is_flat: Vec<bool>,
     /// What the stress function is known to be at surfaces of soil without cohesion.
     pub(super) surfaces: Surfaces,
+}
+
+/// How a copy at a member depends on that on the other side.
+#[derive(Debug, Clone, Copy)]
+struct Kink {
+    copy: usize,
+    line: usize,
+    /// Whether the member may bear a force there.
+    bears: bool,
 }
 
 impl<'a> SplitVertices<'a> {
@@ -65,7 +79,10 @@ impl<'a> SplitVertices<'a> {
         let cuts = BranchCuts::new(problem, mesh, topology);
         let cut = |s: Side| {
             let line = topology.line[s.triangle][s.corner];
-            line.is_some_and(|l| problem.condition(l).is_some()) || cuts.holds(mesh, s)
+            let bears = |member: usize| bears_force(&problem.members()[member]);
+            line.is_some_and(|l| {
+                problem.condition(l).is_some() || problem.member_on(l.line).is_some_and(bears)
+            }) || cuts.holds(mesh, s)
         };
         let (corners, vertex_of) = topology.split(mesh, cut);
         let count = vertex_of.len();
@@ -94,6 +111,8 @@ impl<'a> SplitVertices<'a> {
             branches: Branches::default(),
             branch_of: vec![None; count],
             twin_of: vec![None; count],
+            kink_of: vec![None; count],
+            is_flat: vec![false; count],
         };
         copies.find_branches(&cuts);
         copies.find_gauges();
@@ -101,7 +120,37 @@ impl<'a> SplitVertices<'a> {
         copies.find_neighbours();
         copies.find_surfaces(reference);
         copies.find_given();
+        copies.find_kinks();
         copies
+    }
+
+    /// Finds which copies depend on those across members.
+    fn find_kinks(&mut self) {
+        for e in member_edges(self.problem, self.mesh, self.topology) {
+            let m = &self.problem.members()[e.member];
+            let ((a, b), (d, c)) = (self.ends(e.side), self.ends(e.other));
+            for (end, (left, right)) in [(a, c), (b, d)].into_iter().enumerate() {
+                let is_done = [left, right].iter().any(|copy| self.kink_of[*copy].is_some());
+                let are_given = self.gauge_of[left].is_some() && self.gauge_of[right].is_some();
+                if left == right || is_done || are_given {
+                    continue;
+                }
+                if [left, right].iter().all(|copy| !self.apexes[*copy].is_empty()) {
+                    (self.is_flat[left], self.is_flat[right]) = (true, true);
+                    continue;
+                }
+                let is_known = |copy: usize| {
+                    self.gauge_of[copy].is_some()
+                        || !self.apexes[copy].is_empty()
+                        || !self.given[copy].is_empty()
+                };
+                let (copy, own) =
+                    if is_known(right) && !is_known(left) { (right, left) } else { (left, right) };
+                let bears = !e.is_end[end] || m.attached[end];
+                self.kink_of[own] = Some(Kink { copy, line: e.line, bears });
+                self.surfaces.of_copy[own] = self.surfaces.of_copy[copy];
+            }
+        }
     }
 
     pub(super) fn sides(&self) -> impl Iterator<Item = Side> + use<> {
@@ -284,10 +333,20 @@ impl<'a> SplitVertices<'a> {
     ) -> Vec<UnknownJet> {
         let mut shapes: Vec<UnknownJet> = (0..self.vertex_of.len())
             .map(|copy| match self.twin_of[copy] {
-                None => self.shape(copy, across, gauges, program),
-                Some(_) => UnknownJet::Zero { base: 0 },
+                None if self.kink_of[copy].is_none() => self.shape(copy, across, gauges, program),
+                _ => UnknownJet::Zero { base: 0 },
             })
             .collect();
+        for (own, kink) in self.kink_of.iter().enumerate() {
+            let Some(Kink { copy, line, bears }) = *kink else { continue };
+            let n = turned(self.along_line(line));
+            let h = self.length[own];
+            let stress = self.problem.stress_scale(self.region[own], self.position(own), h);
+            let unit = h * stress / n[0].hypot(n[1]);
+            let jump = bears.then(|| Unknown { index: program.unknown(), unit });
+            let (base, beyond) = (shapes[copy].base(), shapes[copy].jet());
+            shapes[own] = UnknownJet::Kinked { copy, base, beyond, line, n, jump };
+        }
         for (copy, twin) in self.twin_of.iter().enumerate() {
             let (Some(twin), Some(base)) = (*twin, self.branch_of[copy]) else { continue };
             let vertex = |apex: usize| self.vertex_of[apex];
@@ -296,6 +355,16 @@ impl<'a> SplitVertices<'a> {
             shapes[copy] = shapes[twin].on(base, same);
         }
         shapes
+    }
+
+    /// Whether the slope across a line may jump.
+    pub(super) fn is_kinked_along(&self, line: usize) -> bool {
+        self.problem.member_on(line).is_some_and(|member| bears_force(&self.problem.members()[member]))
+    }
+
+    fn along_line(&self, line: usize) -> Point {
+        let [p, q] = self.problem.ends(line);
+        between(p, q)
     }
 
     /// The gauge that values along an edge of a cut are relative to.
@@ -326,6 +395,9 @@ impl<'a> SplitVertices<'a> {
         lines.dedup_by_key(|l| l.0.group);
         if let Some(&apex) = self.apexes[copy].first() {
             let base = self.gauge_of[apex].as_ref().map_or(0, |c| c.0);
+            if self.is_flat[copy] {
+                return UnknownJet::Zero { base };
+            }
             if self.apexes[copy].len() > 1 {
                 let upright = lines.iter().all(|(a, ..)| a.n[1] == 0.0);
                 let up = ([0.0, 1.0], p[1] - self.problem.statement().datum);

@@ -39,6 +39,9 @@ pub(crate) enum UnknownJet {
     OneLine { line: usize, n: [f64; 2], across: Form, f: Unknown, along: Unknown },
     /// On two lines.
     TwoLines { normals: [[f64; 2]; 2], across: [Form; 2], f: Unknown },
+    /// On a member with normal `n`, on the other side of which a copy has the jet `beyond`: there is a jump if the member bears a force
+    /// there.
+    Kinked { copy: usize, base: usize, beyond: [Form; 3], line: usize, n: [f64; 2], jump: Option<Unknown> },
 }
 
 /// The free slope next to an apex.
@@ -56,6 +59,7 @@ impl UnknownJet {
             Self::Zero { base }
             | Self::OneApex { base, .. }
             | Self::ManyApexes { base, .. }
+            | Self::Kinked { base, .. }
             | Self::Free { base, .. } => *base,
             Self::OneLine { .. } | Self::TwoLines { .. } => 0,
         }
@@ -70,7 +74,7 @@ impl UnknownJet {
             | Self::ManyApexes { base: b, .. }
             | Self::Free { base: b, .. } => *b = base,
             Self::OneApex { base: b, apex, .. } => (*b, *apex) = (base, same(*apex).unwrap_or(*apex)),
-            Self::OneLine { .. } | Self::TwoLines { .. } => {}
+            Self::OneLine { .. } | Self::TwoLines { .. } | Self::Kinked { .. } => {}
         }
         shape
     }
@@ -98,6 +102,13 @@ impl UnknownJet {
                 let slope = |i: usize| zero().plus(3.0 * n[i] / away, &f);
                 [f.clone(), slope(0), slope(1)]
             }
+            Self::Kinked { beyond: [f, fx, fy], n, jump, .. } => match jump {
+                None => [f.clone(), fx.clone(), fy.clone()],
+                Some(jump) => {
+                    let jump = jump.form();
+                    [f.clone(), fx.clone().plus(n[0], &jump), fy.clone().plus(n[1], &jump)]
+                }
+            },
             Self::OneLine { n, across, f, along, .. } => {
                 let nn = n[0] * n[0] + n[1] * n[1];
                 let along = along.form();
@@ -140,6 +151,9 @@ impl UnknownJet {
                 Jet::OneLine { line: *line, f: f.value(x), along: along.value(x) }
             }
             Self::TwoLines { f, .. } => Jet::TwoLines { f: f.value(x) },
+            Self::Kinked { copy, line, jump, .. } => {
+                Jet::Kinked { copy: *copy, line: *line, jump: jump.map_or(0.0, |jump| jump.value(x)) }
+            }
         }
     }
 }

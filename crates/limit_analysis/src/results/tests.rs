@@ -32,6 +32,7 @@ fn wall(objective: Objective) -> Statement {
         surcharge: 0.0,
         objective,
         width: None,
+        members: Vec::new(),
         boundaries: (0..4)
             .map(|line| Boundary { line, forward: true, condition: conditions[line] })
             .collect(),
@@ -61,6 +62,7 @@ fn wedge() -> UpperField {
         velocities: [vec![Velocity::Free { x: 1.0, y: 3.0_f64.sqrt() }; 6], vec![Velocity::Zero]].concat(),
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     }
 }
 

@@ -26,7 +26,8 @@ struct Layer {
 impl Builder<'_> {
     pub(super) fn add_edge(&mut self, side: Side) {
         match self.meshed.edge(side) {
-            Edge::Glued => {}
+            // Members are looked at from end to end.
+            Edge::Glued | Edge::Member { .. } => {}
             Edge::Jump { other, .. } if other.triangle < side.triangle => {}
             Edge::Jump { other, region } => self.add_jump(side, other, region),
             Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
@@ -59,7 +60,7 @@ impl Builder<'_> {
     }
 
     /// Velocity of a triangle along its edge.
-    fn slide(&self, side: Side) -> EdgeVelocity {
+    pub(super) fn slide(&self, side: Side) -> EdgeVelocity {
         let (d, length) = self.vector(side);
         match self.elements[side.triangle] {
             Element::Quadratic(nodes) => {

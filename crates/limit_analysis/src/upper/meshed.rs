@@ -26,6 +26,10 @@ pub(crate) enum Edge {
         other: Side,
         region: usize,
     },
+    /// A member, in which either soil may slide.
+    Member {
+        other: Side,
+    },
 }
 
 impl<'a> MeshedProblem<'a> {
@@ -55,6 +59,9 @@ impl<'a> MeshedProblem<'a> {
             return Edge::Boundary(condition);
         }
         let Some(other) = self.topology.across[triangle][corner] else { return Edge::Glued };
+        if self.topology.line[triangle][corner].is_some_and(|l| self.problem.member_on(l.line).is_some()) {
+            return Edge::Member { other };
+        }
         let [here, there] = [triangle, other.triangle].map(|t| self.mesh.triangles[t].region);
         let jump = |region| Edge::Jump { other, region };
         match [triangle, other.triangle].map(|t| self.is_isochoric(t)) {

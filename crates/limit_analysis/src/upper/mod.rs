@@ -8,6 +8,7 @@ mod edge_velocity;
 mod edges;
 mod freedom;
 mod isochoric;
+mod members;
 mod meshed;
 mod nodes;
 mod power;
@@ -22,6 +23,7 @@ use soilctl_certificate::{Flow, Objective, Side, UpperField, Velocity as Saved};
 use soilctl_conic::{Cone, Form, Program};
 
 pub(crate) use isochoric::shear_rates;
+pub(crate) use members::{MemberPiece, bond};
 pub(crate) use meshed::{Edge, MeshedProblem};
 pub(crate) use nodes::Element;
 pub(crate) use quadratic::gradients;
@@ -50,6 +52,8 @@ pub(crate) struct Upper {
     freedoms: Vec<Freedom>,
     pub(crate) velocities: Vec<Velocity>,
     stream: StreamFunction,
+    /// How members move.
+    pub(crate) members: Vec<MemberPiece>,
     /// Velocities of the control points of the triangles that have a stream function, which are exact along the edges.
     pub(crate) control: Vec<Option<[Velocity; 6]>>,
     pub(crate) corners: Vec<[Point; 3]>,
@@ -82,10 +86,10 @@ impl Upper {
     ) -> Self {
         let meshed = MeshedProblem { problem, mesh, topology };
         let mut program = Program::default();
-        let Elements { of: elements, control_points, copies } = Elements::new(&meshed, still);
+        let Elements { of: elements, control_points, copies, kinks } = Elements::new(&meshed, still);
         let freedoms = freedoms(&meshed, &elements, control_points, still, &mut program);
         let velocities: Vec<Velocity> = freedoms.iter().map(|m| m.velocity(problem)).collect();
-        let stream = StreamFunction::new(&meshed, &elements, copies, &mut program);
+        let stream = StreamFunction::new(&meshed, &elements, copies, &kinks, &mut program);
         let power = Power::default();
         let all = problem.statement().objective == Objective::Everything;
         let mut builder = Builder { meshed, elements, velocities, stream, program, power, tighten, all };
@@ -95,6 +99,7 @@ impl Upper {
                 builder.add_edge(Side { triangle, corner });
             }
         }
+        let members = builder.add_members();
         let control = (0..mesh.triangles.len()).map(|t| builder.stream_control(t)).collect();
         let live = live_size(problem);
         let force = builder.power.bound(live);
@@ -114,6 +119,7 @@ impl Upper {
             freedoms,
             velocities,
             stream,
+            members,
             control,
             corners,
             live,
@@ -157,7 +163,8 @@ impl Upper {
         };
         let (stream, walls) = self.stream.saved(x);
         let flows = self.elements.iter().enumerate().map(flow).collect();
-        UpperField { mesh: mesh.saved(), flows, velocities, stream, walls }
+        let members = self.members.iter().map(|piece| piece.saved(x)).collect();
+        UpperField { mesh: mesh.saved(), flows, velocities, stream, walls, members }
     }
 }
 

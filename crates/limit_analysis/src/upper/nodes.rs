@@ -1,8 +1,11 @@
 //! Control points of quadratic velocities and vertex copies of stream functions: which triangles share them.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use soilctl_certificate::{Condition, Side};
 
 use super::meshed::{Edge, MeshedProblem};
+use crate::members::member_edges;
 
 /// What the flow on a triangle is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,6 +23,8 @@ pub(super) struct Elements {
     pub(super) of: Vec<Element>,
     pub(super) control_points: usize,
     pub(super) copies: Vec<usize>,
+    /// Copies on one side of a member that depend on others on the other side, with these and the line.
+    pub(super) kinks: BTreeMap<usize, (usize, usize)>,
 }
 
 impl Elements {
@@ -27,6 +32,7 @@ impl Elements {
         let rest = enclosed(meshed, still);
         let is_cut = |s: Side| !matches!(meshed.edge(s), Edge::Glued);
         let (mut corners, vertex_of) = meshed.topology.split(meshed.mesh, is_cut);
+        weld_at_walls(meshed, &mut corners);
         // Soil with friction and soil without do not share any.
         let mut is_isochoric = vec![false; vertex_of.len()];
         let mut rests = vec![false; vertex_of.len()];
@@ -82,8 +88,71 @@ impl Elements {
                 control_points += 1;
             }
         }
-        Self { of: elements, control_points, copies }
+        let kinks = kinks(meshed, &elements);
+        Self { of: elements, control_points, copies, kinks }
     }
+}
+
+/// Vertex copies of triangles of soil without friction at both ends of the edges of members, on the left and on the right.
+fn across_members(
+    meshed: &MeshedProblem,
+    corners: impl Fn(usize) -> Option<[usize; 3]>,
+) -> Vec<([usize; 2], usize)> {
+    let mut pairs = Vec::new();
+    for e in member_edges(meshed.problem, meshed.mesh, meshed.topology) {
+        let (Some(left), Some(right)) = (corners(e.side.triangle), corners(e.other.triangle)) else {
+            continue;
+        };
+        for (i, j) in [(1, 2), (2, 1)] {
+            pairs.push(([left[(e.side.corner + i) % 3], right[(e.other.corner + j) % 3]], e.line));
+        }
+    }
+    pairs
+}
+
+/// Joins both sides of members where they meet walls of soil without friction, which say how it moves.
+fn weld_at_walls(meshed: &MeshedProblem, corners: &mut [[usize; 3]]) {
+    if meshed.problem.members().is_empty() {
+        return;
+    }
+    let count = corners.iter().flatten().max().map_or(0, |most| most + 1);
+    let mut on_wall = vec![false; count];
+    for (triangle, copies) in corners.iter().enumerate().filter(|c| meshed.is_isochoric(c.0)) {
+        for corner in 0..3 {
+            if matches!(meshed.edge(Side { triangle, corner }), Edge::Boundary(c) if c.is_wall()) {
+                [1, 2].into_iter().for_each(|i| on_wall[copies[(corner + i) % 3]] = true);
+            }
+        }
+    }
+    let copies = |triangle: usize| meshed.is_isochoric(triangle).then(|| corners[triangle]);
+    let mut join: Vec<usize> = (0..count).collect();
+    for ([left, right], _) in across_members(meshed, copies) {
+        if on_wall[left] || on_wall[right] {
+            let (from, to) = (join[left].max(join[right]), join[left].min(join[right]));
+            join.iter_mut().filter(|j| **j == from).for_each(|j| *j = to);
+        }
+    }
+    corners.iter_mut().for_each(|copies| *copies = copies.map(|c| join[c]));
+}
+
+/// Which vertex copies depend on others across members.
+fn kinks(meshed: &MeshedProblem, elements: &[Element]) -> BTreeMap<usize, (usize, usize)> {
+    let copies = |triangle: usize| match elements[triangle] {
+        Element::Stream(copies) => Some(copies),
+        Element::Quadratic(_) | Element::Rest => None,
+    };
+    let mut kinks: BTreeMap<usize, (usize, usize)> = BTreeMap::new();
+    let mut firsts: BTreeSet<usize> = BTreeSet::new();
+    for ([left, right], line) in across_members(meshed, copies) {
+        let pair =
+            if kinks.contains_key(&left) || firsts.contains(&right) { [right, left] } else { [left, right] };
+        let [first, own] = pair;
+        if first != own && !kinks.contains_key(&own) && !kinks.contains_key(&first) {
+            firsts.insert(first);
+            kinks.insert(own, (first, line));
+        }
+    }
+    kinks
 }
 
 /// Triangles of soil without friction around which all is held: it could not make way for what must open there.
@@ -108,7 +177,11 @@ fn enclosed(meshed: &MeshedProblem, still: &[bool]) -> Vec<bool> {
                         touches_dilatant = true;
                         is_held &= is_still(other.triangle);
                     }
-                    Edge::Glued => {
+                    Edge::Member { other } if !meshed.is_isochoric(other.triangle) => {
+                        touches_dilatant = true;
+                        is_held &= is_still(other.triangle);
+                    }
+                    Edge::Glued | Edge::Member { .. } => {
                         for next in meshed.topology.across[triangle][corner].iter().map(|o| o.triangle) {
                             if !done[next] {
                                 done[next] = true;
@@ -139,12 +212,14 @@ fn weld_sharp_bends(meshed: &MeshedProblem, corners: &mut [[usize; 3]], count: u
             notch[copy] = 2.0 * meshed.soil(triangle).tan.atan() + 0.1;
             for edge in [(k + 1) % 3, (k + 2) % 3] {
                 match meshed.edge(Side { triangle, corner: edge }) {
-                    Edge::Jump { other, .. } if !meshed.is_isochoric(other.triangle) => {
+                    Edge::Jump { other, .. } | Edge::Member { other }
+                        if !meshed.is_isochoric(other.triangle) =>
+                    {
                         // Corner k lies at the other end of the neighbour's sense of the edge.
                         let at = if edge == (k + 2) % 3 { other.corner + 2 } else { other.corner + 1 } % 3;
                         jumps[copy].push(corners[other.triangle][at]);
                     }
-                    Edge::Jump { .. } | Edge::Boundary(_) => other_rim[copy] = true,
+                    Edge::Jump { .. } | Edge::Member { .. } | Edge::Boundary(_) => other_rim[copy] = true,
                     Edge::Glued => {}
                 }
             }

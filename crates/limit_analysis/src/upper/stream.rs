@@ -1,6 +1,8 @@
 //! The stream function of soil without friction: `v = (s_y, -s_x)`, on the same element as the stress function of the
 //! lower bound. No volume changes and nothing jumps, whatever the unknowns are.
 
+use std::collections::BTreeMap;
+
 use soilctl_certificate::{LineUse, Place, Side, StreamCopy, StreamJet};
 use soilctl_conic::{Form, Program};
 
@@ -15,6 +17,7 @@ enum UnknownJet {
     Free,
     Wall { wall: usize, line: usize, across: Form },
     Corner { wall: usize },
+    Kinked { copy: usize, line: usize, jump: Form },
 }
 
 #[derive(Debug, Default)]
@@ -35,6 +38,7 @@ impl StreamFunction {
         meshed: &MeshedProblem,
         elements: &[Element],
         vertices: Vec<usize>,
+        kinks: &BTreeMap<usize, (usize, usize)>,
         program: &mut Program,
     ) -> Self {
         if vertices.is_empty() {
@@ -42,7 +46,7 @@ impl StreamFunction {
         }
         let (sides, walls) = wall_sides(meshed.problem);
         let on = sides_at(meshed, elements, &sides, vertices.len());
-        let (gauge_walls, gauge_copies) = gauges(elements, &on, walls);
+        let (gauge_walls, gauge_copies) = gauges(elements, &on, walls, kinks);
         let size = sizes(meshed, elements, vertices.len());
         let mut wall_size = vec![0.0_f64; walls];
         for (copy, sides) in on.iter().enumerate() {
@@ -58,6 +62,10 @@ impl StreamFunction {
         let mut stream = Self { vertices, walls: constants, ..Self::default() };
         for (copy, sides) in on.iter().enumerate() {
             let (shape, jet) = match sides.as_slice() {
+                // Once all others are known.
+                [] if kinks.contains_key(&copy) => {
+                    (UnknownJet::Free, [Form::default(), Form::default(), Form::default()])
+                }
                 [] => {
                     let s = if gauge_copies[copy] { Form::default() } else { unknown(size[copy]) };
                     (UnknownJet::Free, [s, unknown(1.0), unknown(1.0)])
@@ -73,6 +81,14 @@ impl StreamFunction {
             };
             stream.shapes.push(shape);
             stream.jets.push(jet);
+        }
+        for (&own, &(copy, line)) in kinks {
+            let [p, q] = meshed.problem.ends(line);
+            let n = [p[1] - q[1], q[0] - p[0]];
+            let jump = unknown(1.0 / n[0].hypot(n[1]));
+            let [s, sx, sy] = stream.jets[copy].clone();
+            stream.jets[own] = [s, sx.plus(n[0], &jump), sy.plus(n[1], &jump)];
+            stream.shapes[own] = UnknownJet::Kinked { copy, line, jump };
         }
         stream.slopes = vec![[Form::default(), Form::default(), Form::default()]; elements.len()];
         for (triangle, element) in elements.iter().enumerate() {
@@ -116,6 +132,9 @@ impl StreamFunction {
                     StreamJet::Wall { wall: *wall, line: *line, across: across.value(x) }
                 }
                 UnknownJet::Corner { wall } => StreamJet::Corner { wall: *wall },
+                UnknownJet::Kinked { copy, line, jump } => {
+                    StreamJet::Kinked { copy: *copy, line: *line, jump: jump.value(x) }
+                }
             };
             StreamCopy { vertex: *vertex, jet }
         });
@@ -181,7 +200,7 @@ fn corner(a: &WallSide, b: &WallSide) -> [f64; 2] {
 fn sides_at(
     meshed: &MeshedProblem,
     elements: &[Element],
-    sides: &std::collections::BTreeMap<LineUse, WallSide>,
+    sides: &BTreeMap<LineUse, WallSide>,
     copies: usize,
 ) -> Vec<Vec<WallSide>> {
     let mut on: Vec<Vec<WallSide>> = vec![Vec::new(); copies];
@@ -220,7 +239,12 @@ fn sizes(meshed: &MeshedProblem, elements: &[Element], copies: usize) -> Vec<f64
 
 /// The value of one wall, or else of one copy, in each part of the soil that hangs together: the function is only known
 /// up to a constant.
-fn gauges(elements: &[Element], on: &[Vec<WallSide>], walls: usize) -> (Vec<bool>, Vec<bool>) {
+fn gauges(
+    elements: &[Element],
+    on: &[Vec<WallSide>],
+    walls: usize,
+    kinks: &BTreeMap<usize, (usize, usize)>,
+) -> (Vec<bool>, Vec<bool>) {
     // Walls come first, so the root of a part is its first wall if it has one.
     let mut root: Vec<usize> = (0..walls + on.len()).collect();
     fn find(root: &mut [usize], mut i: usize) -> usize {
@@ -242,6 +266,15 @@ fn gauges(elements: &[Element], on: &[Vec<WallSide>], walls: usize) -> (Vec<bool
     for (copy, sides) in on.iter().enumerate() {
         sides.iter().for_each(|s| join(walls + copy, s.wall));
     }
-    let is_root: Vec<bool> = (0..root.len()).map(|i| root[i] == i).collect();
+    for (own, (copy, _)) in kinks {
+        join(walls + own, walls + copy);
+    }
+    let mut is_root: Vec<bool> = (0..root.len()).map(|i| root[i] == i).collect();
+    for (own, (copy, _)) in kinks {
+        // What depends on another has no value of its own.
+        if std::mem::replace(&mut is_root[walls + own], false) {
+            is_root[walls + copy] = true;
+        }
+    }
     (is_root[..walls].to_vec(), is_root[walls..].to_vec())
 }

@@ -55,6 +55,7 @@ pub(crate) fn statement(
         surcharge: 0.0,
         objective,
         width: None,
+        members: Vec::new(),
         boundaries,
     }
 }

@@ -21,6 +21,7 @@ pub(crate) fn refusals(statement: &Statement) -> Vec<CertificateError> {
         velocities: Vec::new(),
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     };
     let lower = LowerField {
         mesh,

@@ -29,6 +29,7 @@ pub(crate) fn statement(points: Vec<[f64; 2]>, lines: Vec<Line>, regions: Vec<Re
         surcharge: 0.0,
         objective: Objective::Loads,
         width: None,
+        members: Vec::new(),
         boundaries: Vec::new(),
     }
 }

@@ -220,7 +220,8 @@ fn alterations_are_refused_or_still_balance(found: &SafetyBounds) {
                 | Jet::OneLine { f, .. } => {
                     *f += by * f.abs().max(1e-3);
                 }
-                other @ (Jet::Gauge { .. } | Jet::Zero { .. } | Jet::TwoLines { .. }) => {
+                other
+                @ (Jet::Gauge { .. } | Jet::Zero { .. } | Jet::TwoLines { .. } | Jet::Kinked { .. }) => {
                     *other = Jet::Free { base: 0, f: by, fx: 0.0, fy: by };
                 }
             }

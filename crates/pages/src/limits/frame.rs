@@ -1,9 +1,9 @@
 //! What part of the soil figures show, and what they all show: ground and structures.
 
 use soilctl_app::limits::Fields;
-use soilctl_certificate::{Condition, Statement};
+use soilctl_certificate::{Condition, LineUse, Statement};
 use soilctl_figure::{Axis, Figure, Paths, Size};
-use soilctl_limit_analysis::results::{MOVING, Point};
+use soilctl_limit_analysis::results::{FlowResults, MOVING, Point};
 
 use super::interfaces::{between_soils, water_table};
 use crate::PageError;
@@ -12,6 +12,10 @@ use crate::PageError;
 pub(super) const INK: usize = 6;
 /// Light blue.
 const WATER: usize = 5;
+
+/// Green, and vermilion.
+const MEMBER: usize = 2;
+const YIELDING: usize = 1;
 
 /// Soil round what moves, over the size of what moves.
 const MARGIN: f64 = 0.12;
@@ -116,7 +120,7 @@ pub(super) fn drawn(fields: &Fields, lines: Vec<Vec<Point>>) -> Vec<Vec<(f64, f6
     lines.into_iter().map(|line| line.into_iter().map(place).collect()).collect()
 }
 
-/// Adds ground, where soils meet, the water table, and structures.
+/// Adds ground, where soils meet, the water table, bars and sheets, and structures.
 pub(super) fn add_outline(figure: &mut Figure, fields: &Fields, window: &Window) -> Result<(), PageError> {
     let statement = fields.statement()?;
     let ground = |c| !matches!(c, Condition::Far | Condition::Face { .. });
@@ -129,6 +133,15 @@ pub(super) fn add_outline(figure: &mut Figure, fields: &Fields, window: &Window)
     let water = water_table(statement).into_iter().map(Vec::from).collect();
     add(window.shown(between_soils(statement)), "where soils meet", 1.0, INK)?;
     add(window.shown(water), "water table", 1.8, WATER)?;
+    let member = |side: &LineUse| {
+        let line = statement.lines[side.line];
+        vec![statement.points[line.from], statement.points[line.to]]
+    };
+    let members = statement.members.iter().flat_map(|m| m.path.iter().map(member)).collect();
+    add(window.shown(members), "bars and sheets", 2.0, MEMBER)?;
+    let yielding = fields.flow.as_ref().map_or_else(Vec::new, FlowResults::yielding);
+    let yielding = yielding.into_iter().map(Vec::from).collect();
+    add(window.shown(yielding), "where these yield", 4.5, YIELDING)?;
     add(on_lines(statement, ground), "", 1.4, INK)?;
     add(on_lines(statement, |c| matches!(c, Condition::Face { .. })), "structure", 3.5, INK)
 }

@@ -7,6 +7,7 @@ mod field;
 mod frame;
 mod interfaces;
 mod mechanism;
+mod members;
 mod page;
 mod plot;
 mod trails;

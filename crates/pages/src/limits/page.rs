@@ -113,6 +113,7 @@ pub(crate) fn page(
         }
         contacts(&mut page, results)?;
     }
+    members(&mut page, fields, results)?;
     if !content.given.is_empty() {
         page.heading("What was given").definitions(content.given);
     }
@@ -142,6 +143,46 @@ fn moving_ground(page: &mut HtmlReport, results: &ResultsAnswer) {
     if !stretches.is_empty() {
         page.paragraph(format!("The ground moves at {}.", stretches.join(", and at ")));
     }
+}
+
+fn members(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> Result<(), PageError> {
+    let (length, stress) = (&results.length_unit, &results.stress_unit);
+    if results.members.is_empty() {
+        return Ok(());
+    }
+    page.heading("Bars and sheets");
+    plot::add(page, fields, Kind::Members)?;
+    let columns = [
+        ("member".to_owned(), Align::Left),
+        (format!("bears in tension ({stress}·{length})"), Align::Right),
+        (format!("greatest tension ({stress}·{length})"), Align::Right),
+        (format!("where, from its start ({length})"), Align::Right),
+        ("used (%)".to_owned(), Align::Right),
+        ("yields".to_owned(), Align::Left),
+    ];
+    let mut table = Table::new("Axial forces in the field of the lower bound, per unit width", columns);
+    let cell = |x: f64| number(round(x));
+    let known = |x: Option<f64>| x.map_or_else(|| "–".into(), cell);
+    for m in &results.members {
+        let yields = match m.gets_longer.zip(m.gets_shorter) {
+            Some((longer, shorter)) if longer + shorter > 0.0 => "yes",
+            Some(_) => "no",
+            None => "–",
+        };
+        table.row([
+            m.name.clone(),
+            cell(m.tensile_strength),
+            known(m.greatest_tension),
+            known(m.greatest_tension_at),
+            known(m.utilisation.map(|used| 100.0 * used)),
+            yields.to_owned(),
+        ])?;
+    }
+    page.table(table).paragraph(
+        "A member yields where the flow of the upper bound stretches it. The forces are those of one field that proves the lower bound; \
+         others may prove it too.",
+    );
+    Ok(())
 }
 
 fn contacts(page: &mut HtmlReport, results: &ResultsAnswer) -> Result<(), PageError> {

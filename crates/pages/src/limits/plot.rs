@@ -10,7 +10,7 @@ use soilctl_figure::{Figure, FigureGrid, HtmlReport, Motion, Size};
 use super::blocks::blocks;
 use super::frame::Window;
 use super::mechanism::mechanism;
-use super::{contact, end, field};
+use super::{contact, end, field, members};
 use crate::PageError;
 
 /// What to draw of a solution.
@@ -28,6 +28,8 @@ pub enum Kind {
     Stress,
     /// Stresses between structure and soil, of the lower bound
     Contact,
+    /// Axial forces of bars and sheets, of the lower bound
+    Members,
     /// Pressure on a plate near its end, of a lower bound in space
     End,
     /// All of these, in one .html, .svg or .png
@@ -46,6 +48,7 @@ impl Kind {
                     Self::Dissipation,
                     Self::Stress,
                     Self::Contact,
+                    Self::Members,
                     Self::End,
                 ]
             }
@@ -75,6 +78,9 @@ impl Kind {
                 "Principal stresses of the lower bound's stress field, as crosses whose arms are as long as the stresses are great."
             }
             Self::Contact => "Stresses between structure and soil in the lower bound's stress field.",
+            Self::Members => {
+                "Axial forces along bars and sheets in the lower bound's stress field, tension upwards, with the tension that each bears."
+            }
             Self::End => {
                 "What presses on the plate near its end in the stress field in space that bounds its force from below. Towards the middle \
                  the field goes on as it is at the left."
@@ -105,6 +111,7 @@ fn draw(fields: &Fields, kind: Kind) -> Result<Option<(Drawn, Size)>, PageError>
         Kind::Mechanism => return Ok(mechanism(fields, &window)?.map(|m| (Drawn::Moving(m), window.size))),
         Kind::Blocks => return Ok(blocks(fields)?.map(|(motion, size)| (Drawn::Moving(motion), size))),
         Kind::Contact => return Ok(contact::figure(fields)?.map(|f| (Drawn::Still(f), Size::default()))),
+        Kind::Members => return Ok(members::figure(fields)?.map(|f| (Drawn::Still(f), Size::default()))),
         Kind::End => return Ok(end::figure(fields)?.map(|(figure, size)| (Drawn::Still(figure), size))),
         Kind::Velocity | Kind::All => field::velocity(fields, &window)?,
         Kind::Dissipation => field::dissipation(fields, &window)?,
@@ -128,7 +135,7 @@ pub fn check(path: &Path, kind: Kind) -> Result<(), PageError> {
             path.display()
         ))),
         Some("csv") if kind == Kind::All => Err(PageError::Nothing(
-            "a .csv file holds one figure; give --plot-kind velocity, mechanism, blocks, dissipation, stress, contact or end".into(),
+            "a .csv file holds one figure; give --plot-kind velocity, mechanism, blocks, dissipation, stress, contact, members or end".into(),
         )),
         Some(_) => Ok(()),
     }
@@ -196,6 +203,7 @@ fn image(form: Option<&str>, kind: Kind, fields: &Fields) -> Result<Vec<u8>, Pag
 fn nothing(kind: Kind) -> PageError {
     let needs = match kind {
         Kind::Contact => "contact stresses need a lower bound and a structure",
+        Kind::Members => "axial forces need a lower bound and a bar or sheet",
         Kind::Stress => "stresses need a lower bound",
         Kind::Blocks => "blocks in space need the upper bound of a plate with ends",
         Kind::End => "the pressure near an end needs a lower bound in space",

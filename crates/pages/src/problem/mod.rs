@@ -27,6 +27,9 @@ const INK: usize = 6;
 /// Those of soils, in order: not that whose hatch is level, which would look like strata.
 const SOILS: [usize; 5] = [7, 2, 3, 5, 1];
 
+/// Those of bars and sheets.
+const MEMBERS: [usize; 3] = [1, 2, 3];
+
 /// What there is to draw, in the coordinates of the axes. Sides are walked with the soil on the left.
 pub(crate) struct Scene {
     title: String,
@@ -40,6 +43,8 @@ pub(crate) struct Scene {
     bodies: Vec<(String, Vec<Point>)>,
     /// Plates and faces without a body: names, empty if unknown, and their points.
     faces: Vec<(String, Vec<Point>)>,
+    /// Bars and sheets: names with what they bear, and their ends.
+    members: Vec<(String, [Point; 2])>,
     sides: Vec<([Point; 2], BoundaryKind)>,
     /// Pieces of the water table, and what stands above the ground.
     table: Vec<Vec<Point>>,
@@ -83,12 +88,29 @@ impl Scene {
             let lines: Vec<_> = self.interfaces.iter().map(|line| ring(line)).collect();
             figure.push(Paths::new("", lines).width(1.0).color(INK))?;
         }
+        self.add_members(&mut figure)?;
         self.add_structures(&mut figure)?;
         supports::add(&mut figure, &self.sides, &scale)?;
         water::add(&mut figure, &self.table, &scale)?;
         acting::add(&mut figure, self, &scale)?;
         let entries = figure.layers().iter().filter(|layer| !layer.name().is_empty()).count();
         Ok((figure, scale.size(entries)?))
+    }
+
+    /// Thick lines, alike where they bear alike.
+    fn add_members(&self, figure: &mut Figure) -> Result<(), PageError> {
+        let mut kinds: Vec<(&str, Vec<&[Point; 2]>)> = Vec::new();
+        for (words, ends) in &self.members {
+            match kinds.iter_mut().find(|(known, _)| known == words) {
+                Some((_, all)) => all.push(ends),
+                None => kinds.push((words, vec![ends])),
+            }
+        }
+        for (i, (words, all)) in kinds.into_iter().enumerate() {
+            let parts: Vec<_> = all.into_iter().map(|ends| ring(ends)).collect();
+            figure.push(Paths::new(words, parts).width(3.0).color(MEMBERS[i % MEMBERS.len()]))?;
+        }
+        Ok(())
     }
 
     /// Bodies filled, faces as thick lines, and their names beside them.

@@ -2,7 +2,7 @@
 
 use soilctl_app::solve::BoundaryKind;
 use soilctl_app::text::number;
-use soilctl_certificate::{Boundary, Condition, Material, Objective, Statement};
+use soilctl_certificate::{Boundary, Condition, LineUse, Material, Member, Objective, Statement};
 use soilctl_figure::Polygon;
 use soilctl_limit_analysis::results::{Point, Units};
 
@@ -44,6 +44,7 @@ impl Scene {
                 .collect(),
             bodies: Vec::new(),
             faces: faces.iter().map(|ends| (String::new(), ends.to_vec())).collect(),
+            members: members(statement, units, place),
             table: water_table(statement).into_iter().map(|line| line.map(place).to_vec()).collect(),
             ponds: Vec::new(),
             loads: loads(statement, units, place),
@@ -53,6 +54,33 @@ impl Scene {
             sides,
         }
     }
+}
+
+/// Members, in words, and their ends.
+fn members(
+    statement: &Statement,
+    units: &Units,
+    place: impl Fn(Point) -> Point,
+) -> Vec<(String, [Point; 2])> {
+    let force = |x: f64| number(round(units.length * units.stress * x));
+    let unit = match (units.stress_name.as_str(), units.length_name.as_str()) {
+        ("kPa", "m") => "kN/m".to_owned(),
+        (stress, length) => format!("{stress}·{length}"),
+    };
+    let of = |m: &Member| {
+        let corner = |side: &LineUse, i: usize| {
+            place(statement.points[statement.lines[side.line].walked(side.forward)[i]])
+        };
+        let ends = [corner(m.path.first()?, 0), corner(m.path.last()?, 1)];
+        let compression = if m.compression > 0.0 {
+            format!(", {} in compression", force(m.compression))
+        } else {
+            String::new()
+        };
+        let bond = if m.bond < 1.0 { format!(", bond {}", number(m.bond)) } else { String::new() };
+        Some((format!("member: {} {unit}{compression}{bond}", force(m.tension)), ends))
+    };
+    statement.members.iter().filter_map(of).collect()
 }
 
 /// Soils in the order of their regions, each with all of these.

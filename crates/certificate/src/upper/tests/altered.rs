@@ -53,6 +53,7 @@ proptest! {
             match &mut copy.jet {
                 StreamJet::Free { s, sx, sy } => [s, sx, sy].into_iter().for_each(&mut add),
                 StreamJet::Wall { across, .. } => add(across),
+                StreamJet::Kinked { jump, .. } => add(jump),
                 StreamJet::Corner { .. } => {}
             }
         }

@@ -128,6 +128,7 @@ fn what_flowing_soil_dissipates_is_proven() {
         velocities: vec![Velocity::Zero, Velocity::Free { x: 1.0, y: 0.0 }],
         stream: Vec::new(),
         walls: Vec::new(),
+        members: Vec::new(),
     };
     // The integral of x over the triangle is 1/6, that of x^2 is 1/12.
     let expected = 0.3 * 3.0_f64.sqrt() / 3.0 - 0.5 / 12.0 + 0.7 / 3.0;

@@ -137,7 +137,8 @@ fn crack(tension: Option<f64>, slip: f64) -> f64 {
     let moves = |t: &crate::Triangle| t.corners.iter().any(|v| mesh.vertices[*v].position[0] == 0.0);
     let flows = mesh.triangles.iter().map(|t| Flow::Quadratic([usize::from(moves(t)); 6])).collect();
     let velocities = vec![Velocity::Zero, Velocity::Free { x: -1.0, y: slip }];
-    let field = UpperField { mesh, flows, velocities, stream: Vec::new(), walls: Vec::new() };
+    let field =
+        UpperField { mesh, flows, velocities, stream: Vec::new(), walls: Vec::new(), members: Vec::new() };
     prove_upper(&statement, &field).unwrap()
 }
 

@@ -43,7 +43,8 @@ fn check_with(statement: &Statement, of: impl Fn([f64; 2]) -> [f64; 3]) {
     let (coarse, across) = mesh(&problem, 0.8, &[]);
     let corners: Vec<[[f64; 2]; 3]> =
         coarse.triangles.iter().map(|t| t.corners.map(|c| coarse.vertices[c].position)).collect();
-    let mut stress = StressField { corners, across: across.across.clone(), parts: Vec::new(), part: 1.0 };
+    let (across, members) = (across.across.clone(), Vec::new());
+    let mut stress = StressField { corners, across, parts: Vec::new(), part: 1.0, members };
     stress.parts = (0..coarse.triangles.len())
         .map(|t| {
             let (v, c) = (stress.corners[t], stress.centre(t));

@@ -37,6 +37,7 @@ pub(super) fn region(
         surcharge: 0.0,
         objective,
         width: None,
+        members: Vec::new(),
         boundaries: around.iter().enumerate().map(on).collect(),
     }
 }
@@ -114,6 +115,7 @@ pub(super) fn layered(
         surcharge: 0.0,
         objective: Objective::Loads,
         width: None,
+        members: Vec::new(),
         boundaries: on.map(|(line, condition)| Boundary { line, forward: true, condition }).to_vec(),
     }
 }

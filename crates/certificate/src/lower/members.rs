@@ -1,0 +1,206 @@
+//! Members: lines along which the slope of the stress function across may jump, by the axial force.
+//!
+//! Let `t` point along a member and `n` to its left. The function is the same on both sides, and so is its slope along `t`; the
+//! slope along `n` is more on the left than on the right by the axial force `N`: what the stress along `t` adds up to across the
+//! member. The tractions of the function on the soil on both sides then add up to `t dN/ds`, which the member takes from there
+//! along itself, and nothing across.
+//! The slope across an edge is quadratic, and so is `N`: it is within its limits if its three Bernstein coefficients are.
+//! An end that is not attached has `N = 0`; one that is attached to the structure hands `N` to it.
+
+use super::{StressFunction, ends};
+use crate::CertificateError;
+use crate::fields::{Jet, LowerField};
+use crate::interval::{Interval, Vector};
+use crate::mesh::Side;
+use crate::problem::{Problem, Stress};
+use crate::tiling::{OnMember, after};
+
+use super::loads::Station;
+
+/// What the slope across, to the left of the member, is more on the left than on the right: at a copy on its left and one on its right,
+/// over the length of the line's vector, with that vector; nothing if that is not known to be all by which the jets there differ.
+pub(super) struct Kink {
+    jump: Interval,
+    line: Option<usize>,
+}
+
+/// The kink between two copies of a vertex on a member, if their jets differ by no more than such a jump.
+pub(super) fn kink(
+    problem: &Problem,
+    field: &LowerField,
+    stations: &[Option<Station>],
+    on: &OnMember,
+    [left, right]: [usize; 2],
+) -> Option<Kink> {
+    let none = Kink { jump: Interval::ZERO, line: None };
+    if left == right {
+        return Some(none);
+    }
+    let [l, r] = [left, right].map(|copy| field.copies[copy]);
+    if l.vertex != r.vertex {
+        return None;
+    }
+    // The line's own normal may point to the right of the member.
+    let of = |line: usize, jump: f64, sign: f64| {
+        let piece = problem.piece(line).filter(|p| p.member == on.piece.member)?;
+        let sense = if piece.left.forward { sign } else { -sign };
+        Some(Kink { jump: Interval::point(sense * jump), line: Some(line) })
+    };
+    match (l.jet, r.jet) {
+        (Jet::Kinked { copy, line, jump }, _) if copy == right => of(line, jump, 1.0),
+        (_, Jet::Kinked { copy, line, jump }) if copy == left => of(line, jump, -1.0),
+        (Jet::Gauge { gauge: a }, Jet::Gauge { gauge: b }) => {
+            (a == b && stations[left].is_some() && stations[left] == stations[right]).then_some(none)
+        }
+        // Beyond one and the same polynomial, which is checked where surfaces are known.
+        (Jet::Zero { base: a }, Jet::Zero { base: b }) => (a == b).then_some(none),
+        _ => None,
+    }
+}
+
+impl StressFunction<'_> {
+    /// Checks the axial forces of all members and what their faces bear, given the stresses of each triangle. Returns the power of what
+    /// is attached to the structure.
+    pub(super) fn check_members(
+        &self,
+        stresses: impl Fn(usize) -> [[Stress; 3]; 3],
+    ) -> Result<Interval, CertificateError> {
+        let mut power = Interval::ZERO;
+        let edges = self.tiling.along_members();
+        for (i, (side, other, on)) in edges.iter().enumerate() {
+            let member = on.piece.member;
+            let [a, m, b] = self.axial_force(*side, *other, on)?;
+            self.check_force(*side, member, [a, m, b])?;
+            for (side, edge) in [(*side, 0), (*other, 1)] {
+                self.check_bond(side, &stresses(side.triangle)[side.corner], member, edge)?;
+            }
+            let is_other = |j: Option<usize>| {
+                j.and_then(|j| edges.get(j)).is_none_or(|(.., next)| next.piece.member != member)
+            };
+            for (end, is_end, force) in
+                [(false, is_other(i.checked_sub(1)), a), (true, is_other(Some(i + 1)), b)]
+            {
+                if !is_end {
+                    continue;
+                }
+                match self.problem.velocity_at_end(member, end)? {
+                    // The structure pulls the start backwards.
+                    Some(velocity) => {
+                        power = power + if end { force * velocity } else { -(force * velocity) }
+                    }
+                    None if force.is_zero() => {}
+                    None => {
+                        let place = format!("member {member}");
+                        let problem = "an end that is attached to nothing must bear no force";
+                        return Err(CertificateError::BadField { place, problem });
+                    }
+                }
+            }
+        }
+        Ok(power)
+    }
+
+    /// The axial forces of all members, edge by edge.
+    pub(super) fn axial_forces(&self) -> Result<Vec<[Interval; 3]>, CertificateError> {
+        let edges = self.tiling.along_members();
+        edges.iter().map(|(side, other, on)| self.axial_force(*side, *other, on)).collect()
+    }
+
+    /// The axial force of a member along an edge on its left: its Bernstein coefficients.
+    fn axial_force(&self, side: Side, other: Side, on: &OnMember) -> Result<[Interval; 3], CertificateError> {
+        let [start, end] = ends(self.field, side);
+        let [other_end, other_start] = ends(self.field, other);
+        let at = |left: usize, right: usize| {
+            let found = kink(self.problem, self.field, &self.stations, on, [left, right]);
+            let same_surface = self.jets[left].surface == self.jets[right].surface;
+            let Some(kink) = found.filter(|_| same_surface) else {
+                let problem = "the stress function is not proven to be the same on both sides of the member";
+                return Err(CertificateError::BadField { place: side.to_string(), problem });
+            };
+            let length =
+                kink.line.map_or(Interval::ZERO, |line| self.problem.direction(line).square().sqrt());
+            Ok(kink.jump * length)
+        };
+        let [a, b] = [at(start, other_start)?, at(end, other_end)?];
+        let corners = self.tiling.corners(side.triangle);
+        let edge = corners[after(side.corner, 2)] - corners[after(side.corner, 1)];
+        let slope = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
+        let apex = |copy: usize| self.apexes[copy];
+        if [start, end].map(apex) != [other_start, other_end].map(apex) {
+            let what = "a member that meets free ground without cohesion on one side only";
+            return Err(CertificateError::NotCovered { place: side.to_string(), what });
+        }
+        if apex(start) || apex(end) {
+            // Next to an apex stored slopes are not used. Those across, beyond a cubic that is known to second order at the apex, grow
+            // with the square of the distance from it, up to that at the other end, which is one on both sides.
+            return Ok([a, Interval::ZERO, b]);
+        }
+        // That on the right is along the vector turned right.
+        let middle = (slope(side) + slope(other)) / edge.square().sqrt();
+        Ok([a, Interval::point(2.0) * middle - (a + b).half(), b])
+    }
+
+    fn check_force(
+        &self,
+        side: Side,
+        member: usize,
+        coefficients: [Interval; 3],
+    ) -> Result<(), CertificateError> {
+        let m = &self.problem.statement.members[member];
+        let [tension, compression] =
+            [m.tension, m.compression].map(|force| self.divisor.part(Interval::point(force)));
+        for (i, force) in coefficients.into_iter().enumerate() {
+            for (quantity, spare) in [
+                ("tension of the member to spare", tension - force),
+                ("compression of the member to spare", compression + force),
+            ] {
+                if !spare.is_at_least_zero() {
+                    let place = format!("member {member}, {side}, control point {i} of 3");
+                    return Err(CertificateError::NotProven {
+                        quantity,
+                        place,
+                        low: spare.lo(),
+                        unit: "force",
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that the traction of the soil on a member's face is one that the face can bear; it is linear along the edge, and so are
+    /// cohesion and pore pressure. What bears as much as the soil needs no check.
+    fn check_bond(
+        &self,
+        side: Side,
+        part: &[Stress; 3],
+        member: usize,
+        face: usize,
+    ) -> Result<(), CertificateError> {
+        let bond = self.problem.statement.members[member].bond;
+        if bond == 1.0 {
+            return Ok(());
+        }
+        let corners = self.tiling.corners(side.triangle);
+        let [start, end] = [1, 2].map(|i| corners[after(side.corner, i)]);
+        let t: Vector = end - start;
+        for (node, (stress, p)) in part.iter().zip([start, end]).enumerate() {
+            let limit = self.limit(side.triangle, p);
+            let effective = stress.with_mean(limit.pore_pressure);
+            // Times the square of the edge's length.
+            let normal = effective.between(t.turned(), t.turned());
+            let shear = stress.between(t, t.turned());
+            let hold = Interval::point(bond) * limit.shear_strength(normal, t.square());
+            if let Some(spare) = [hold - shear, hold + shear].into_iter().find(|s| !s.is_at_least_zero()) {
+                let (face, node) = (["left", "right"][face], ["its start", "its end"][node]);
+                return Err(CertificateError::NotProven {
+                    quantity: "grip of the member to spare, times the square of the edge's length,",
+                    place: format!("member {member}, {face} face, {side}, {node}"),
+                    low: spare.lo(),
+                    unit: "force",
+                });
+            }
+        }
+        Ok(())
+    }
+}

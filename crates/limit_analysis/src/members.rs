@@ -1,0 +1,90 @@
+//! Members on a mesh: their edges, from start to end.
+
+use soilctl_certificate::{Member, Side};
+
+use crate::mesh::Mesh;
+use crate::problem::Problem;
+use crate::topology::Topology;
+use crate::vector::{Point, between, dot, length};
+
+/// A triangle edge on a member.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct MemberEdge {
+    pub(crate) member: usize,
+    /// The edge as the triangle on the member's left sees it, and as that on its right does.
+    pub(crate) side: Side,
+    pub(crate) other: Side,
+    /// The line, and whether the member goes along it from its first point to its last.
+    pub(crate) line: usize,
+    pub(crate) is_forward: bool,
+    /// Start and end, as the member goes.
+    pub(crate) ends: [Point; 2],
+    /// How far along the member they are.
+    pub(crate) place: [f64; 2],
+    /// Whether they are the member's own ends.
+    pub(crate) is_end: [bool; 2],
+}
+
+impl MemberEdge {
+    /// Unit vector along the member.
+    pub(crate) fn along(&self) -> Point {
+        let d = between(self.ends[0], self.ends[1]);
+        d.map(|x| x / length(d))
+    }
+
+    pub(crate) fn length(&self) -> f64 {
+        length(between(self.ends[0], self.ends[1]))
+    }
+}
+
+/// All edges of all members, one member after the other.
+pub(crate) fn member_edges(problem: &Problem, mesh: &Mesh, topology: &Topology) -> Vec<MemberEdge> {
+    let mut edges = Vec::new();
+    if problem.members().is_empty() {
+        return edges;
+    }
+    for triangle in 0..mesh.triangles.len() {
+        for corner in 0..3 {
+            let (Some(on), Some(other)) =
+                (topology.line[triangle][corner], topology.across[triangle][corner])
+            else {
+                continue;
+            };
+            let Some(member) = problem.member_whose_left_is(on) else { continue };
+            let [start, end] = problem.member_ends(member);
+            let corners = mesh.triangles[triangle].corners;
+            let ends = [1, 2].map(|i| mesh.vertices[corners[(corner + i) % 3]].position);
+            let d = between(start, end);
+            let place = ends.map(|p| dot(between(start, p), d) / length(d));
+            let is_end = [ends[0] == start, ends[1] == end];
+            let side = Side { triangle, corner };
+            let (line, is_forward) = (on.line, on.forward);
+            edges.push(MemberEdge { member, side, other, line, is_forward, ends, place, is_end });
+        }
+    }
+    edges.sort_by(|a, b| a.member.cmp(&b.member).then(a.place[0].total_cmp(&b.place[0])));
+    edges
+}
+
+/// Whether it bears any axial force.
+pub(crate) fn bears_force(member: &Member) -> bool {
+    member.tension > 0.0 || member.compression > 0.0
+}
+
+/// Velocity of what an end of a member is attached to, along the member; nothing if it is attached to nothing.
+pub(crate) fn velocity_at_end(problem: &Problem, member: usize, end: usize) -> Option<f64> {
+    use soilctl_certificate::Condition::Face;
+    let statement = problem.statement();
+    let m = &statement.members[member];
+    if !m.attached[end] {
+        return None;
+    }
+    let point = problem.member_end_point(member, end);
+    let meets_structure = statement
+        .boundaries
+        .iter()
+        .any(|b| matches!(b.condition, Face { .. }) && statement.lines[b.line].touches(point));
+    let [a, b] = problem.member_ends(member);
+    let d = between(a, b);
+    Some(if meets_structure { dot(problem.velocity(), d) / length(d) } else { 0.0 })
+}
