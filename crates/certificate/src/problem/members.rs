@@ -114,7 +114,7 @@ impl Problem<'_> {
         let mut found = Attached::Nothing;
         for (line, condition) in self.boundaries_at(point) {
             let here = match condition {
-                Condition::Free | Condition::Loaded { .. } => continue,
+                Condition::Free | Condition::Loaded { .. } | Condition::Submerged => continue,
                 Condition::Face { .. } => Attached::Structure,
                 Condition::Fixed | Condition::Smooth => Attached::Ground,
                 Condition::Far => return Err(not_covered(member, "an end attached to a far line")),
