@@ -63,8 +63,8 @@ pub use use_cases::UseCase;
 use use_cases::use_case;
 pub use watch::{Interrupted, Proven, Unwatched, Watch};
 
-#[cfg(not(target_family = "wasm"))]
 /// All use cases, from which schemas, documentation and Python's functions follow.
+#[cfg(not(target_family = "wasm"))]
 pub const USE_CASES: &[UseCase] = &[
     use_case!("predict", predict, predict::run),
     use_case!("bound", bound, |request, watch| bound::run(request, watch)?.complete()),

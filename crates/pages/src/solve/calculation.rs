@@ -60,6 +60,10 @@ fn assumptions(found: &Solved) -> Vec<(&'static str, String)> {
         None => "none: pore pressures are zero".to_owned(),
     }));
     all.push(("Structures", "rigid; what they bear themselves is not examined".to_owned()));
+    if !description.members.is_empty() {
+        all.push(("Bars and sheets", "bear forces along themselves alone, up to the given strengths, which are design values: no factor divides \
+                                      them".to_owned()));
+    }
     all.push(("Safety", match (found.cases.is_empty(), found.answer.quantity) {
         (false, _) => "partial factors are those of the load cases above, and no others".to_owned(),
         (true, Asked::FactorOfSafety) => {
