@@ -26,6 +26,7 @@ __all__ = [
     "BoundEnd",
     "BoundInputs",
     "BoundLevel",
+    "BoundMember",
     "BoundResults",
     "BoundSolve",
     "BoundStretch",
@@ -125,9 +126,11 @@ __all__ = [
     "SolveCheckAnswer",
     "SolveCheckCheckedBoundary",
     "SolveCheckCheckedCase",
+    "SolveCheckCheckedMember",
     "SolveCheckCheckedRegion",
     "SolveContact",
     "SolveLevel",
+    "SolveMember",
     "SolveResults",
     "SolveStretch",
     "SolveTrial",
@@ -498,6 +501,50 @@ class BoundLevel(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class BoundMember(Record):
+    """A bar or a sheet. Forces are per unit width, tension positive; for a factor of safety those of soil whose
+    strength is divided by its lower bound.
+
+    Attributes:
+        axial_force: The axial force along it: distances from its start, and the force there.
+        compressive_strength: Greatest compression that it bears.
+        gets_longer: What it gets longer in the flow of the upper bound, over the speed that others are compared
+            with; null if there is no flow. Not zero where it yields.
+        gets_shorter: What it gets shorter, likewise.
+        greatest_compression: Greatest compression likewise, as a positive number.
+        greatest_tension: Greatest tension in the field of the lower bound; zero if there is none, null if there is
+            no field.
+        greatest_tension_at: Distance of that from its start.
+        name: Its name.
+        tensile_strength: Greatest tension that it bears.
+        utilisation: The greater of both over the strength for it: how far it is used.
+    """
+
+    axial_force: list[list[float]]
+    """The axial force along it: distances from its start, and the force there."""
+    compressive_strength: float
+    """Greatest compression that it bears."""
+    gets_longer: float | None
+    """What it gets longer in the flow of the upper bound, over the speed that others are compared with; null if
+    there is no flow. Not zero where it yields.
+    """
+    gets_shorter: float | None
+    """What it gets shorter, likewise."""
+    greatest_compression: float | None
+    """Greatest compression likewise, as a positive number."""
+    greatest_tension: float | None
+    """Greatest tension in the field of the lower bound; zero if there is none, null if there is no field."""
+    greatest_tension_at: float | None
+    """Distance of that from its start."""
+    name: str
+    """Its name."""
+    tensile_strength: float
+    """Greatest tension that it bears."""
+    utilisation: float | None
+    """The greater of both over the strength for it: how far it is used."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class BoundResults(Record):
     """What the fields behind the bounds show.
 
@@ -505,6 +552,8 @@ class BoundResults(Record):
         contacts: The faces of structures, with the resultants of the lower bound's contact stresses.
         files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
         length_unit: Unit of lengths: ``m``, or ``L`` for slant lengths of the plate.
+        members: Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper
+            bound's flow.
         moving: The fraction of the speed from which on soil is said to move.
         moving_ground: Stretches of the ground that move in the upper bound's flow, by ascending x: at least at
             ``moving`` times the speed of the structure, or, if none moves, the greatest speed.
@@ -518,6 +567,9 @@ class BoundResults(Record):
     """Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given."""
     length_unit: str
     """Unit of lengths: ``m``, or ``L`` for slant lengths of the plate."""
+    members: list[BoundMember]
+    """Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper bound's flow.
+    """
     moving: float
     """The fraction of the speed from which on soil is said to move."""
     moving_ground: list[BoundStretch]
@@ -793,6 +845,50 @@ class SolveLevel(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class SolveMember(Record):
+    """A bar or a sheet. Forces are per unit width, tension positive; for a factor of safety those of soil whose
+    strength is divided by its lower bound.
+
+    Attributes:
+        axial_force: The axial force along it: distances from its start, and the force there.
+        compressive_strength: Greatest compression that it bears.
+        gets_longer: What it gets longer in the flow of the upper bound, over the speed that others are compared
+            with; null if there is no flow. Not zero where it yields.
+        gets_shorter: What it gets shorter, likewise.
+        greatest_compression: Greatest compression likewise, as a positive number.
+        greatest_tension: Greatest tension in the field of the lower bound; zero if there is none, null if there is
+            no field.
+        greatest_tension_at: Distance of that from its start.
+        name: Its name.
+        tensile_strength: Greatest tension that it bears.
+        utilisation: The greater of both over the strength for it: how far it is used.
+    """
+
+    axial_force: list[list[float]]
+    """The axial force along it: distances from its start, and the force there."""
+    compressive_strength: float
+    """Greatest compression that it bears."""
+    gets_longer: float | None
+    """What it gets longer in the flow of the upper bound, over the speed that others are compared with; null if
+    there is no flow. Not zero where it yields.
+    """
+    gets_shorter: float | None
+    """What it gets shorter, likewise."""
+    greatest_compression: float | None
+    """Greatest compression likewise, as a positive number."""
+    greatest_tension: float | None
+    """Greatest tension in the field of the lower bound; zero if there is none, null if there is no field."""
+    greatest_tension_at: float | None
+    """Distance of that from its start."""
+    name: str
+    """Its name."""
+    tensile_strength: float
+    """Greatest tension that it bears."""
+    utilisation: float | None
+    """The greater of both over the strength for it: how far it is used."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class SolveResults(Record):
     """What the fields behind the bounds show.
 
@@ -800,6 +896,8 @@ class SolveResults(Record):
         contacts: The faces of structures, with the resultants of the lower bound's contact stresses.
         files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
         length_unit: Unit of lengths: ``m``, or ``L`` for slant lengths of the plate.
+        members: Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper
+            bound's flow.
         moving: The fraction of the speed from which on soil is said to move.
         moving_ground: Stretches of the ground that move in the upper bound's flow, by ascending x: at least at
             ``moving`` times the speed of the structure, or, if none moves, the greatest speed.
@@ -813,6 +911,9 @@ class SolveResults(Record):
     """Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given."""
     length_unit: str
     """Unit of lengths: ``m``, or ``L`` for slant lengths of the plate."""
+    members: list[SolveMember]
+    """Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper bound's flow.
+    """
     moving: float
     """The fraction of the speed from which on soil is said to move."""
     moving_ground: list[SolveStretch]
@@ -1006,6 +1107,33 @@ class SolveCheckCheckedCase(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class SolveCheckCheckedMember(Record):
+    """A bar or a sheet.
+
+    Attributes:
+        attached: Whether its start and its end are attached to what is there, and so may bear a force.
+        bond_factor: What each face bears of the shear strength of the soil beside it.
+        compressive_kn_per_m: Greatest compression that it bears.
+        length_m: Its length.
+        name: Its name.
+        tensile_kn_per_m: Greatest tension that it bears.
+    """
+
+    attached: list[bool]
+    """Whether its start and its end are attached to what is there, and so may bear a force."""
+    bond_factor: float
+    """What each face bears of the shear strength of the soil beside it."""
+    compressive_kn_per_m: float
+    """Greatest compression that it bears."""
+    length_m: float
+    """Its length."""
+    name: str
+    """Its name."""
+    tensile_kn_per_m: float
+    """Greatest tension that it bears."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class SolveCheckCheckedRegion(Record):
     """A region after cutting.
 
@@ -1039,6 +1167,7 @@ class SolveCheckAnswer(Answer):
         boundaries: Total length of boundary with each condition.
         cases: Cases, with the values of sweeps; empty if there are none.
         length_m: Unit of length of the solver in m.
+        members: Bars and sheets.
         notes: Values that are possible but unusual, with what is usual and a likely cause.
         quantity: What ``solve`` would bound.
         regions: Regions of one soil after cutting.
@@ -1056,6 +1185,8 @@ class SolveCheckAnswer(Answer):
     """Cases, with the values of sweeps; empty if there are none."""
     length_m: float
     """Unit of length of the solver in m."""
+    members: list[SolveCheckCheckedMember]
+    """Bars and sheets."""
     notes: list[str]
     """Values that are possible but unusual, with what is usual and a likely cause."""
     quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
@@ -1227,12 +1358,12 @@ class CertifySaid(Record):
     """One thing that a statement says.
 
     Attributes:
-        of: What of: ``soil``, ``gravity``, ``surface``, ``line``, ``width``, ``bounded``, ``units``.
+        of: What of: ``soil``, ``gravity``, ``surface``, ``line``, ``member``, ``width``, ``bounded``, ``units``.
         says: What it says.
     """
 
     of: str
-    """What of: ``soil``, ``gravity``, ``surface``, ``line``, ``width``, ``bounded``, ``units``."""
+    """What of: ``soil``, ``gravity``, ``surface``, ``line``, ``member``, ``width``, ``bounded``, ``units``."""
     says: str
     """What it says."""
 
@@ -3418,9 +3549,11 @@ class DiagnoseAnswer(Answer):
         model: The force model without effects.
         model_file: The model file that the campaign was held against; null without one.
         next_experiment: The follow-up that would tell most; null if nothing on the menu would.
+        not_resimulated_because: Why logs that are there cannot be simulated again; null otherwise.
         patch: Model file for ``--model-file``.
         phi_deg: Recalibrated friction angle with the effects, deg.
         report: HTML page; null if none was made.
+        resimulated: Whether they were, or why not.
         scatter: Scatter of ln force of one stroke about the baseline.
         signals: The gap of each signal to the same strokes on the simulated arm; empty if they were not simulated.
         status: none, named, ambiguous, provisional, unknown or not_testable; only ``named`` is firm.
@@ -3458,12 +3591,16 @@ class DiagnoseAnswer(Answer):
     """The model file that the campaign was held against; null without one."""
     next_experiment: DiagnoseNext | None
     """The follow-up that would tell most; null if nothing on the menu would."""
+    not_resimulated_because: str | None
+    """Why logs that are there cannot be simulated again; null otherwise."""
     patch: str
     """Model file for ``--model-file``."""
     phi_deg: float
     """Recalibrated friction angle with the effects, deg."""
     report: str | None
     """HTML page; null if none was made."""
+    resimulated: Literal["compared", "no_logs", "not_wanted", "not_possible", "stopped"]
+    """Whether they were, or why not."""
     scatter: float
     """Scatter of ln force of one stroke about the baseline."""
     signals: list[DiagnoseSignal]
@@ -4918,7 +5055,8 @@ def diagnose(
     model: str = "table",
     model_file: PathLike | None = None,
     traces: PathLike | None = None,
-    resimulate: PathLike | None = None,
+    logs: PathLike | None = None,
+    no_resimulate: bool = False,
     out: PathLike | None = None,
     progress: Progress = None,
 ) -> DiagnoseAnswer:
@@ -4930,8 +5068,9 @@ def diagnose(
         model_file: A model file instead, such as the patch of an earlier diagnosis: its force model, and its
             effects as known ones.
         traces: Traces of the strokes.
-        resimulate: Run the campaign again on the simulated arm, without and with what is found, and compare the
-            traces; LOGS is the folder of its logs.
+        logs: Folder of the campaign's logs, if they are soilctl's: the same commands are run on the simulated arm,
+            without and with what is found, and signals are compared.
+        no_resimulate: Diagnose the table alone: nothing is simulated, also where logs are there.
         out: Folder to write to.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
