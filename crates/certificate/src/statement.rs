@@ -287,6 +287,16 @@ impl Statement {
 }
 
 impl Condition {
+    /// Whether nothing acts on the grains there, with this surcharge on free lines: no load, or no more than the pore water bears.
+    #[must_use]
+    pub fn leaves_bare(self, surcharge: f64) -> bool {
+        match self {
+            Self::Free => surcharge == 0.0,
+            Self::Submerged => true,
+            Self::Loaded { .. } | Self::Fixed | Self::Smooth | Self::Far | Self::Face { .. } => false,
+        }
+    }
+
     /// Whether it says what the shear stress along the line is: on smooth lines, frictionless faces without adhesion, and
     /// far lines.
     #[must_use]

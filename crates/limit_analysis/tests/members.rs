@@ -231,6 +231,11 @@ fn members_that_no_proof_covers_are_refused() {
     refused(&|it| it.members[0].bond_factor = 0.0, "bond_factor");
     refused(&|it| it.members[0].tensile_kn_per_m = -1.0, "tensile_kn_per_m");
     refused(&|it| it.soils[0].cohesion_kpa = 0.0, "without cohesion");
+    let drown = |it: &mut Description| {
+        it.soils[0].cohesion_kpa = 0.0;
+        it.water = Some(serde_json::from_value(serde_json::json!({"table": [[0.0, 50.0]]})).unwrap());
+    };
+    refused(&drown, "without cohesion");
     let crossing = MemberEntry { name: "nail".into(), ..sheet([[3.0, 1.0], [3.0, 3.0]], 5.0, 1.0) };
     let mut it = cut(20.0, 1.0);
     it.members.push(crossing);

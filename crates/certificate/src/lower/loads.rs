@@ -216,14 +216,6 @@ fn tractions(
 /// strength without a load.
 pub(super) fn is_bare(problem: &Problem, boundary: &Boundary) -> bool {
     let region = problem.owner(boundary.side()).and_then(|r| problem.statement.regions.get(r));
-    let nothing_acts = match boundary.condition {
-        Condition::Free => problem.statement.surcharge == 0.0,
-        Condition::Submerged => true,
-        Condition::Loaded { .. }
-        | Condition::Fixed
-        | Condition::Smooth
-        | Condition::Far
-        | Condition::Face { .. } => false,
-    };
-    nothing_acts && region.is_some_and(|r| r.material.cohesion.is_zero())
+    boundary.condition.leaves_bare(problem.statement.surcharge)
+        && region.is_some_and(|r| r.material.cohesion.is_zero())
 }

@@ -157,7 +157,7 @@ impl StressFunction<'_> {
 
     /// Whether the effective stress at a corner is exactly zero, which arithmetic would not show: the stress there is the pressure of the
     /// water on the surface, and that is the pore pressure of the same soil.
-    fn is_weightless(&self, triangle: usize, corner: usize) -> bool {
+    fn bears_nothing(&self, triangle: usize, corner: usize) -> bool {
         let surface = self.surfaces.of_triangle(triangle);
         let strength = &self.problem.strengths[self.tiling.region(triangle)];
         let is_apex = self.apexes[self.field.corners[triangle][corner]];
@@ -178,7 +178,7 @@ impl StressFunction<'_> {
                     format!("triangle {triangle}, part at edge {k}, {node}")
                 };
                 let limit = self.limit(triangle, p);
-                if node < 2 && self.is_weightless(triangle, after(k, 1 + node)) {
+                if node < 2 && self.bears_nothing(triangle, after(k, 1 + node)) {
                     let dry = Limit { pore_pressure: Interval::ZERO, ..limit };
                     dry.check(&Stress::ZERO, "strength to spare", place)?;
                 } else {

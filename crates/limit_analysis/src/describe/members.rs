@@ -154,9 +154,7 @@ impl Description {
         for (walk, holds) in holds {
             match holds {
                 Holds::Far => return Err("is on a far side, which no proof covers; let it end before"),
-                Holds::Free
-                    if self.surcharge_kpa == 0.0 && plan.is_bare(self, walk) && self.is_dry(plan, walk) =>
-                {
+                Holds::Free if self.surcharge_kpa == 0.0 && plan.is_bare(self, walk) => {
                     return Err(
                         "is on free ground without cohesion, which no proof covers: it bears nothing there; let the \
                          member end a little below, or give the soil some cohesion",
@@ -189,12 +187,6 @@ impl Description {
             (true, true, true) => Err("is attached both to a structure that moves and to what is at rest"),
             _ => Ok(()),
         }
-    }
-
-    /// Whether no open water presses on a side.
-    fn is_dry(&self, plan: &Plan, walk: &LineUse) -> bool {
-        let above = |p: [f64; 2]| plan.drawing.table(p[0]).is_some_and(|y| y > p[1]);
-        !plan.map.walked_points(*walk).into_iter().any(above)
     }
 
     /// The members of the statement.

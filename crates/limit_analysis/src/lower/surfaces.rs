@@ -18,20 +18,8 @@ const WEAK: f64 = 0.05;
 
 fn bare(problem: &Problem, side: LineUse, condition: Condition) -> bool {
     let region = problem.owner(side);
-    nothing_acts(problem, condition) && region.is_some_and(|r| problem.soils[r].cohesion.is_zero())
-}
-
-/// Whether nothing acts on a side of this condition, or no more than the pore water bears.
-fn nothing_acts(problem: &Problem, condition: Condition) -> bool {
-    match condition {
-        Condition::Free => problem.statement().surcharge == 0.0,
-        Condition::Submerged => true,
-        Condition::Loaded { .. }
-        | Condition::Fixed
-        | Condition::Smooth
-        | Condition::Far
-        | Condition::Face { .. } => false,
-    }
+    condition.leaves_bare(problem.statement().surcharge)
+        && region.is_some_and(|r| problem.soils[r].cohesion.is_zero())
 }
 
 /// Whether the effective stress must vanish on a side.
@@ -46,7 +34,7 @@ pub(crate) fn is_weak(problem: &Problem, side: LineUse) -> bool {
     let [p, q] = problem.ends(side.line);
     let weight = soil.unit_weight * statement.gravity[0].hypot(statement.gravity[1]) * distance(p, q);
     let cohesion = soil.cohesion.at(p).max(soil.cohesion.at(q));
-    let is_free = problem.condition(side).is_some_and(|condition| nothing_acts(problem, condition));
+    let is_free = problem.condition(side).is_some_and(|condition| condition.leaves_bare(statement.surcharge));
     is_free && soil.tan > 0.0 && cohesion <= WEAK * weight
 }
 

@@ -99,7 +99,11 @@ impl FlowResults {
         let (pressure, shear, live) = match condition {
             Condition::Free => ([self.statement.surcharge; 2], [0.0; 2], false),
             Condition::Loaded { pressure, shear, live } => (pressure, shear, live),
-            Condition::Submerged => (self.statement.pore_pressure(side), [0.0; 2], false),
+            Condition::Submerged => {
+                let (line, water) = (self.statement.lines[side.line], self.material(triangle).pore_pressure);
+                let pressure = [line.from, line.to].map(|point| water.at(self.statement.points[point]));
+                (pressure, [0.0; 2], false)
+            }
             Condition::Fixed | Condition::Smooth | Condition::Far | Condition::Face { .. } => return,
         };
         let [a, b] = self.ends(triangle, corner);

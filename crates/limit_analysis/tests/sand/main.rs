@@ -6,7 +6,7 @@ mod balance;
 
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use soilctl_certificate::{Jet, prove_lower, prove_upper};
+use soilctl_certificate::{Condition, Jet, prove_lower, prove_upper};
 use soilctl_limit_analysis::{Description, Options, SafetyBounds, bound, factor_of_safety};
 
 /// What lies under a slope.
@@ -250,6 +250,11 @@ fn alterations_are_refused_or_still_balance(found: &SafetyBounds) {
     let foot = foot.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap().0;
     steeper.points[foot][0] -= 0.01;
     assert!(prove_lower(&steeper, field).is_err());
+    // So is one from which the open water is gone, but not the pore water.
+    let mut drained = statement.clone();
+    let wet = drained.boundaries.iter_mut().filter(|b| b.condition == Condition::Submerged);
+    let count = wet.map(|b| b.condition = Condition::Free).count();
+    assert!(count == 0 || prove_lower(&drained, field).is_err());
 }
 
 /// With friction that differs, whatever lies below: no proof says more than sliding along the slope allows.
