@@ -1,0 +1,167 @@
+#![doc = include_str!("../README.md")]
+
+mod chain;
+mod dxf;
+mod error;
+mod geo;
+mod table;
+mod unit;
+
+use std::path::Path;
+
+use serde::Serialize;
+
+pub use error::DrawingError;
+pub use unit::Unit;
+
+/// A point in metres: x to the right, y upwards.
+pub type Point = [f64; 2];
+
+/// Longest file, in bytes.
+pub const MOST_BYTES: usize = 64 << 20;
+/// Most corners of all shapes together.
+pub const MOST_CORNERS: usize = 100_000;
+/// No coordinate is further away, in metres.
+const FARTHEST_M: f64 = 1e6;
+
+/// What a drawing is written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Drawing Exchange Format, as text.
+    Dxf,
+    /// GeoJSON (RFC 7946), with plane coordinates in metres instead of degrees.
+    GeoJson,
+    /// A table of corners: `layer`, `x_m`, `y_m`, and optionally `part`.
+    Csv,
+}
+
+impl Format {
+    /// The format that an ending stands for: `.dxf`, `.geojson`, `.csv`.
+    #[must_use]
+    pub fn of(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "dxf" => Some(Self::Dxf),
+            "geojson" => Some(Self::GeoJson),
+            "csv" => Some(Self::Csv),
+            _ => None,
+        }
+    }
+}
+
+/// Whether a shape is an area.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outline {
+    /// The last corner is joined to the first.
+    Closed,
+    /// A line.
+    Open,
+    /// The file does not say.
+    Unsaid,
+}
+
+/// A polygon or a line on a layer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    /// Name of its layer.
+    pub layer: String,
+    /// Corners; the first is not repeated at the end.
+    pub corners: Vec<Point>,
+    /// Whether it is an area.
+    pub outline: Outline,
+}
+
+/// What of a file is not in the drawing.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct LeftOut {
+    /// Name of its layer.
+    pub layer: String,
+    /// What it is, as the file calls it.
+    pub what: String,
+    /// Why.
+    pub why: String,
+}
+
+/// A cross-section.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Drawing {
+    /// Polygons and lines, in the order of the file; those that were joined follow.
+    pub shapes: Vec<Shape>,
+    /// What of the file is not in it, and how often.
+    pub left_out: Vec<(LeftOut, usize)>,
+    /// The unit of the file's coordinates; `None` if it did not say.
+    pub unit: Option<Unit>,
+    /// Whether arcs became chords.
+    pub has_chords: bool,
+}
+
+/// How a drawing is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// The unit of its coordinates, whatever it says itself.
+    pub unit: Option<Unit>,
+    /// Ends of lines that are as near as this are one (m).
+    pub join_m: f64,
+    /// Chords are as near as this to their arcs (m).
+    pub chord_m: f64,
+}
+
+impl Default for Reading {
+    fn default() -> Self {
+        Self { unit: None, join_m: 1e-3, chord_m: 0.01 }
+    }
+}
+
+impl Drawing {
+    /// Reads a file's bytes.
+    ///
+    /// # Errors
+    /// [`DrawingError`] if they are no such drawing, or are beyond the limits.
+    pub fn from_bytes(bytes: &[u8], format: Format, reading: &Reading) -> Result<Self, DrawingError> {
+        if bytes.len() > MOST_BYTES {
+            return Err(DrawingError::TooLarge { what: "bytes", count: bytes.len(), limit: MOST_BYTES });
+        }
+        let drawing = match format {
+            Format::Dxf => dxf::read(bytes, reading)?,
+            Format::GeoJson => geo::read(bytes, reading)?,
+            Format::Csv => table::read(bytes, reading)?,
+        };
+        drawing.check()?;
+        Ok(drawing)
+    }
+
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// [`DrawingError`] if a coordinate is not finite, or JSON cannot be made of it.
+    pub fn to_text(&self, format: Format) -> Result<String, DrawingError> {
+        self.check()?;
+        match format {
+            Format::Dxf => Ok(dxf::write(&self.shapes)),
+            Format::GeoJson => geo::write(&self.shapes),
+            Format::Csv => table::write(&self.shapes),
+        }
+    }
+
+    fn check(&self) -> Result<(), DrawingError> {
+        let count = self.shapes.iter().map(|shape| shape.corners.len()).sum();
+        if count > MOST_CORNERS {
+            return Err(DrawingError::TooLarge { what: "corners", count, limit: MOST_CORNERS });
+        }
+        for shape in &self.shapes {
+            let odd = shape.corners.iter().flatten().find(|x| !x.is_finite() || x.abs() > FARTHEST_M);
+            if let Some(&value) = odd {
+                return Err(DrawingError::Coordinate { layer: shape.layer.clone(), value });
+            }
+        }
+        Ok(())
+    }
+
+    /// Counts something that is not read.
+    fn leave_out(&mut self, layer: &str, what: &str, why: &str) {
+        let it = LeftOut { layer: layer.to_owned(), what: what.to_owned(), why: why.to_owned() };
+        match self.left_out.iter_mut().find(|(other, _)| *other == it) {
+            Some((_, count)) => *count += 1,
+            None => self.left_out.push((it, 1)),
+        }
+    }
+}
