@@ -4,6 +4,7 @@ use soilctl_certificate::CertificateError;
 use soilctl_controller::ControllerError;
 use soilctl_diagnosis::DiagnosisError;
 use soilctl_direct_shear::DirectShearError;
+use soilctl_drawing::DrawingError;
 use soilctl_earth_pressure::EarthPressureError;
 use soilctl_effects::EffectsError;
 use soilctl_estimator::EstimatorError;
@@ -58,6 +59,14 @@ pub enum AppError {
     /// Direct shear.
     #[error(transparent)]
     DirectShear(#[from] DirectShearError),
+    /// A drawing.
+    #[error("{file}: {problem}")]
+    Drawing {
+        /// Name of the file.
+        file: String,
+        /// What is wrong with it.
+        problem: DrawingError,
+    },
     /// An estimate.
     #[error(transparent)]
     Estimator(#[from] EstimatorError),

@@ -15,6 +15,7 @@ mod answer;
 pub mod arm;
 pub mod bound;
 pub mod certify;
+pub mod convert;
 #[cfg(not(target_family = "wasm"))]
 pub mod demo;
 #[cfg(not(target_family = "wasm"))]
@@ -41,6 +42,7 @@ pub mod request;
 pub mod shear;
 #[cfg(not(target_family = "wasm"))]
 pub mod simulate;
+pub mod soils;
 pub mod solve;
 pub mod stability;
 pub mod table;
@@ -72,7 +74,9 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("solve check", solve::check, |request, watch| {
         Ok(solve::check::run(request, watch)?.answer)
     }),
+    use_case!("convert", convert, convert::run),
     use_case!("stability", stability, stability::run),
+    use_case!("soils", soils, soils::run),
     use_case!("certify", certify, |request, watch| Ok(certify::run(request, watch)?.answer)),
     use_case!("table show", table::show, table::show::run),
     use_case!("table build", table::build, table::build::run),

@@ -6,6 +6,7 @@ mod bound;
 mod certify;
 mod completions;
 mod console;
+mod convert;
 mod demo;
 mod diagnose;
 mod doctor;
@@ -24,6 +25,7 @@ mod schemas;
 mod serve;
 mod shear;
 mod simulate;
+mod soils;
 mod solve;
 mod stability;
 mod table;
@@ -45,8 +47,12 @@ pub(crate) enum Verb {
     Bound(bound::Args),
     /// Proven bounds for any plane-strain collapse problem described in a file
     Solve(solve::Args),
-    /// Tells whether a slope, footing or wall stands for every soil that explains the strokes
+    /// Tells whether a slope, footing or wall stands for every soil that explains the strokes, or that was published
     Stability(stability::Args),
+    /// Soils of the Moon and Mars with strength and density as published
+    Soils(soils::Args),
+    /// Makes a problem file of a drawing (DXF, GeoJSON, CSV), or a drawing of a problem file
+    Convert(convert::Args),
     /// Draws, checks, solves and saves problem files on a page in the browser
     Workbench(workbench::Args),
     /// Proves the bounds of a saved solution anew
@@ -104,6 +110,8 @@ impl Verb {
             Self::Bound(args) => bound::run(&args, output),
             Self::Solve(args) => solve::run(&args, output),
             Self::Stability(args) => stability::run(&args, output),
+            Self::Soils(args) => soils::run(&args, output),
+            Self::Convert(args) => convert::run(&args, output),
             Self::Workbench(args) => workbench::run(&args, output),
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
