@@ -78,7 +78,7 @@ def test_files_that_make_no_sense_are_refused(soilctl, regions, tmp_path):
     good = json.loads(regions["constant"].read_text(encoding="utf-8"))
     bad = tmp_path / "bad.json"
     for change, words in [
-        ({"schema": "soilctl.bound/1"}, "soilctl.estimate/1"),
+        ({"schema": "soilctl.bound/1"}, "soilctl estimate"),
         ({"consistent": False}, "no soil explains"),
         ({"phi_deg": [40.0, 30.0]}, "phi_deg is 40 to 30"),
         ({"density_kg_m3": [-1.0, 1600.0]}, "density_kg_m3"),
@@ -158,3 +158,76 @@ def test_a_law_of_stress_makes_deep_slides_decide(soilctl, regions, tmp_path):
     mars = soilctl.json("stability", regions["law"], problem, *coarse, "--gravity", 3.71)
     assert mars["lower"] > earth["lower"]
     assert any("gravity of 3.71" in warning for warning in mars["warnings"])
+
+
+def test_published_soils_bring_cohesion_and_gravity(soilctl, validate, tmp_path):
+    """Weightless soil under a strip load: Prandtl's c N_c is exact, and the corners of the published ranges bound it."""
+    published = soilctl.json("soils", "mars_viking_drift")
+    validate(published)
+    region = tmp_path / "mars.json"
+    region.write_text(json.dumps(published), encoding="utf-8")
+    problem = tmp_path / "strip.json"
+    loaded = {"kind": "load", "line": [[-1, 0], [1, 0]], "pressure_kpa": 10.0, "live": True}
+    text = {
+        "objective": {"kind": "load"},
+        "default_boundary": "free",
+        "soil": [{"name": "drift", "phi_deg": 30.0, "cohesion_kpa": 99.0, "unit_weight_kn_m3": 0.0}],
+        "region": [{"soil": "drift", "polygon": [[-10, -6], [10, -6], [10, 0], [-10, 0]]}],
+        "boundary": [{"kind": "fixed", "sides": ["left", "right", "bottom"]}, loaded],
+    }
+    problem.write_text(json.dumps(text), encoding="utf-8")
+    words = ["not published", "--constant-friction"]
+    soilctl.refuses("stability", region, problem, "--keep-weight", mentions=words)
+    options = ["--keep-weight", "--constant-friction", "--trials", 0, "--max-gap", 0.04]
+    found = soilctl.json("stability", region, problem, *options, code=3)
+    validate(found)
+    assert found["gravity_m_s2"] == 3.71
+    [soil] = published["soils"]
+    assert found["cohesion_pa"] == soil["cohesion_pa"] == [700, 3000]
+
+    def exact(phi_deg, cohesion_pa):
+        phi = math.radians(phi_deg)
+        n_q = math.exp(math.pi * math.tan(phi)) * math.tan(math.pi / 4 + phi / 2) ** 2
+        return 1e-3 * cohesion_pa * (n_q - 1) / math.tan(phi) / 10.0
+
+    low, high = (exact(*corner) for corner in zip(soil["phi_deg"], soil["cohesion_pa"], strict=True))
+    assert 0.95 < found["lower"] / low <= 1.0
+    assert 1.0 <= found["upper"] / high < 1.05
+    assert "cohesion 700 to 3000 Pa" in found["verdict"]
+
+
+def test_published_soils_are_listed_by_body_and_asked_for_by_name(soilctl, tmp_path):
+    every = soilctl.json("soils")["soils"]
+    moon = soilctl.json("soils", "--body", "moon")["soils"]
+    assert 0 < len(moon) < len(every) and all(soil["gravity_m_s2"] == 1.62 for soil in moon)
+    soilctl.refuses("soils", "cheese", mentions=["moon_0_15cm"])
+    soilctl.refuses("soils", "moon_0_15cm", "--body", "mars", mentions=["--body"])
+    several = tmp_path / "several.json"
+    several.write_text(json.dumps(soilctl.json("soils")), encoding="utf-8")
+    soilctl.refuses("stability", several, slope_file(tmp_path / "slope.json", 2.0), mentions=["soilctl soils NAME"])
+    text = soilctl("soils", "mars_rover_trenches", code=0).stdout
+    assert "Sullivan" in text and "0 to 2000 Pa" in text
+
+
+def test_a_footing_bears_a_force_on_every_sand_of_a_region(soilctl, tmp_path):
+    """Rough strip on sand without cohesion or surcharge: N_gamma is 14.7543 at 30 and 34.4761 at 35 degrees (Martin 2005)."""
+    region, problem = tmp_path / "region.json", tmp_path / "footing.json"
+    sand = {"phi_deg": [30, 35], "density_kg_m3": [1600, 1600], "slip_stress_pa": [300, 900]}
+    region.write_text(json.dumps({"schema": "soilctl.estimate/1", "consistent": True, **sand}), encoding="utf-8")
+    text = {
+        "objective": {"kind": "structure", "name": "footing", "direction": [0, -1]},
+        "default_boundary": "free",
+        "soil": [{"name": "sand", "phi_deg": 30.0, "unit_weight_kn_m3": 16.0}],
+        "region": [{"soil": "sand", "polygon": [[-9, -5], [9, -5], [9, 0], [-9, 0]]}],
+        "boundary": [{"kind": "fixed", "sides": ["left", "right", "bottom"]}],
+        "structure": [{"name": "footing", "edge": [[-1, 0], [1, 0]], "delta_deg": 30.0}],
+    }
+    problem.write_text(json.dumps(text), encoding="utf-8")
+    soilctl.refuses("stability", region, problem, "--constant-friction", mentions=["--required", "kN/m"])
+    options = ["--constant-friction", "--trials", 0, "--max-gap", 0.15, "--required", 300]
+    found = soilctl.json("stability", region, problem, *options, code=0)
+    force = 0.5 * 1.6 * 9.80665 * 2.0**2
+    assert 300 < found["lower"] <= force * 14.7543
+    # With 35 degrees in the sand the face has its 30 all the same, which can only take from what is borne.
+    assert found["upper"] < 1.2 * force * 34.4761
+    assert "kN/m is required" in found["verdict"]

@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::Outcome;
 use crate::solve::Asked;
 
-/// Whether something stands on, or in, every soil that explains the strokes.
+/// Whether something stands on, or in, every soil that explains the strokes, or that was published.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -24,9 +24,9 @@ pub enum Verdict {
 pub enum FrictionBasis {
     /// The law of stress, at the stresses of the problem.
     Law,
-    /// The strokes, whose stresses are those of the problem.
+    /// The strokes, or published tests, whose stresses are those of the problem.
     SameStress,
-    /// The strokes, taken to be the same at other stresses because the user said so.
+    /// The same, taken to hold at other stresses because the user said so.
     Constant,
 }
 
@@ -59,14 +59,14 @@ pub struct Answer {
     pub answer: Verdict,
     /// What is bounded.
     pub quantity: Asked,
-    /// Least factor with which it is said to stand.
+    /// Least factor with which it is said to stand, or least force (kN/m) that the soil must bear.
     pub required: f64,
-    /// Proven lower bound on the factor with every soil that explains the strokes; null if there is none.
+    /// Proven lower bound on the factor with every one of the soils; null if there is none.
     pub lower: Option<f64>,
-    /// Proven upper bound on the factor with every soil that explains the strokes; null if there is none.
+    /// Proven upper bound on the factor with every one of the soils; null if there is none.
     pub upper: Option<f64>,
     /// Whether both bounds are proven for soils of the friction and the densities told here. That the soil has this friction at the stresses of the problem is
-    /// what the strokes say, not part of the proof. With a law of stress the field behind the lower bound is proven with interval arithmetic for
+    /// what strokes or publications say, not part of the proof. With a law of stress the field behind the lower bound is proven with interval arithmetic for
     /// layers or one friction angle, and held against the law in floating point.
     pub certified: bool,
     /// The soil of the problem that was asked about.
@@ -75,6 +75,8 @@ pub struct Answer {
     pub phi_deg: [f64; 2],
     /// Where these come from.
     pub friction_basis: FrictionBasis,
+    /// Its cohesion (Pa), if it is published; null where that of the problem file is kept.
+    pub cohesion_pa: Option<[f64; 2]>,
     /// Its densities (kg/m3).
     pub density_kg_m3: [f64; 2],
     /// Gravity at the problem (m/s2).
@@ -83,8 +85,8 @@ pub struct Answer {
     pub slip_stress_pa: Option<[f64; 2]>,
     /// Mean stress (Pa) where the field behind the lower bound leaves least of the strength; null without a law of stress.
     pub decisive_stress_pa: Option<f64>,
-    /// Normal stresses at which the soil was tried by strokes and tests (Pa).
-    pub tried_stress_pa: [f64; 2],
+    /// Normal stresses at which the soil was tried by strokes and tests (Pa); null if they were not published.
+    pub tried_stress_pa: Option<[f64; 2]>,
     /// Least friction angle with which it is proven to stand (deg); null if none was found.
     pub stands_from_phi_deg: Option<f64>,
     /// Greatest friction angle with which it is proven to fail (deg); null if none was found.

@@ -1,7 +1,7 @@
 //! Proven bounds on the factor of a problem with one soil, or with soils of one friction angle and densities of an interval.
 //!
-//! To bear more is never harder with more friction, since every stress field that the weaker soil bears the stronger one bears too. So a lower bound
-//! at the least angle holds for all soils, and an upper bound at the greatest likewise.
+//! To bear more is never harder with more friction or cohesion, since every stress field that the weaker soil bears the stronger one bears too. So a lower
+//! bound at the least of both holds for all soils, and an upper bound at the greatest likewise.
 //!
 //! With the density it is otherwise: weight may help or harm. But a mixture of stress fields that two densities bear is borne by the mixed density, so the
 //! factor between two densities is at least the lesser of theirs. And a mechanism does work that is linear in the density, so one mechanism that is
@@ -20,7 +20,7 @@ use crate::AppError;
 /// Element steps for a proof that the ground falls before any load.
 const FALL_WORK: u64 = 300_000;
 
-/// Bounds on a factor with one soil.
+/// Bounds on a factor, or on a force in kN/m, with one soil.
 #[derive(Debug)]
 pub(super) struct Found {
     pub(super) lower: Option<f64>,
@@ -52,10 +52,11 @@ pub(super) fn of_description(
     options: &Options,
     say: &mut dyn FnMut(usize),
 ) -> Result<Found, AppError> {
-    let one_side = |error: LimitError| match error {
+    // A force has the units of the statement until it is told.
+    let one_side = |error: LimitError, told: &dyn Fn([f64; 2]) -> [f64; 2]| match error {
         LimitError::NothingProven { proven: Some(side), .. } => Ok(Found {
-            lower: if let OneSide::Lower(value) = side { Some(value) } else { None },
-            upper: if let OneSide::Upper(value) = side { Some(value) } else { None },
+            lower: if let OneSide::Lower(value) = side { Some(told([value; 2])[0]) } else { None },
+            upper: if let OneSide::Upper(value) = side { Some(told([value; 2])[1]) } else { None },
             mechanism: None,
             stress_pa: None,
             field: None,
@@ -67,7 +68,7 @@ pub(super) fn of_description(
         let safety =
             match factor_of_safety(description, options, &mut |_, level, _| say(level.upper.elements)) {
                 Ok(safety) => safety,
-                Err(error) => return one_side(error),
+                Err(error) => return one_side(error, &|bounds| bounds),
             };
         let (lower, upper) = (&safety.lower, &safety.upper);
         let flow = FlowResults::new(&upper.described.statement, &upper.bound.field)?;
@@ -83,10 +84,11 @@ pub(super) fn of_description(
     }
     let described = description.described()?;
     let problem = described.problem()?;
+    let is_force = matches!(description.objective, Aim::Structure { .. });
     let bounds = match bound(&problem, options, &mut |level, _| say(level.upper.elements)) {
         Ok(bounds) => bounds,
         // Ground that falls before any load carries none.
-        Err(_) if falls(&problem, options, FALL_WORK)?.is_some() => {
+        Err(_) if !is_force && falls(&problem, options, FALL_WORK)?.is_some() => {
             return Ok(Found {
                 lower: None,
                 upper: Some(0.0),
@@ -96,13 +98,14 @@ pub(super) fn of_description(
                 falls: true,
             });
         }
-        Err(error) => return one_side(error),
+        Err(error) => return one_side(error, &|bounds| described.in_units(bounds)),
     };
+    let [lower, upper] = described.in_units([bounds.lower.value, bounds.upper.value]);
     let flow = FlowResults::new(&described.statement, &bounds.upper.field)?;
     let stress = StressResults::new(&described.statement, &bounds.lower.field)?;
     Ok(Found {
-        lower: Some(bounds.lower.value),
-        upper: Some(bounds.upper.value),
+        lower: Some(lower),
+        upper: Some(upper),
         stress_pa: site.slip_stress_pa(&described, &flow, &stress),
         field: Some((described, stress)),
         mechanism: Some((1.0, bounds.upper.field)),
@@ -141,6 +144,6 @@ fn at(description: &Description, factor: f64, field: &UpperField) -> Result<Opti
         if is_safety { description.reduced(factor).described()? } else { description.described()? };
     Ok(match prove_upper(&described.statement, field).ok() {
         Some(upper) if is_safety => (upper < 1.0).then_some(factor),
-        upper => upper,
+        upper => upper.map(|upper| described.in_units([upper; 2])[1]),
     })
 }

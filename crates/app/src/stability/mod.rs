@@ -1,4 +1,4 @@
-//! Stability from the estimate: whether a slope, a footing or a wall stands for every soil that explains the strokes.
+//! Stability from the estimate, or on a soil as published: whether a slope, a footing or a wall stands for every such soil.
 
 mod answer;
 mod by_law;
@@ -28,7 +28,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     crate::request::check(request)?;
     let begun = Instant::now();
     let soils = Soils::read(&request.region)?;
-    let site = Site::read(request)?;
+    let site = Site::read(request, &soils)?;
     if soils.has_law() && site.is_wet() {
         return Err(AppError::Request(format!(
             "{}: it has water, and a law of stress is covered for dry soil only; estimate without --friction-law, in strokes or tests at the stresses of \
@@ -49,23 +49,24 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     watch.end();
     let found = found?;
     let answer = match (found.lower, found.upper) {
-        (Some(lower), _) if lower >= request.required => Verdict::Stands,
-        (_, Some(upper)) if upper < request.required => Verdict::Fails,
+        (Some(lower), _) if lower >= site.required() => Verdict::Stands,
+        (_, Some(upper)) if upper < site.required() => Verdict::Fails,
         _ => Verdict::Depends,
     };
     let mut answer = Answer {
         title: site.title(),
         answer,
         quantity: site.asked(),
-        required: request.required,
+        required: site.required(),
         lower: found.lower,
         upper: found.upper,
         certified: found.lower.is_some() && found.upper.is_some(),
         soil: site.soil_name().to_owned(),
         phi_deg: found.phi_deg,
         friction_basis: found.basis,
+        cohesion_pa: soils.cohesion_pa,
         density_kg_m3: soils.density_kg_m3,
-        gravity_m_s2: request.gravity_m_s2,
+        gravity_m_s2: site.gravity_m_s2(),
         slip_stress_pa: found.stress_pa,
         decisive_stress_pa: found.decisive_pa,
         tried_stress_pa: soils.tried_pa,
@@ -77,7 +78,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         warnings: site.kept().into_iter().collect(),
         seconds: begun.elapsed().as_secs_f64(),
     };
-    answer.verdict = words::verdict(&answer);
+    answer.verdict = words::verdict(&answer, soils.origin);
     answer.warnings.extend(words::warnings(&answer, request, &soils));
     Ok(answer)
 }

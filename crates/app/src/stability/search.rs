@@ -90,12 +90,7 @@ impl<'a> Search<'a> {
     }
 
     pub(super) fn run(&self) -> Result<Outcome, AppError> {
-        let guess = if self.soils.has_law() {
-            let [low, high] = self.soils.tried_pa;
-            [self.soils.weakest_deg(high), self.soils.strongest_deg(low)]
-        } else {
-            self.soils.of_strokes_deg()
-        };
+        let guess = self.soils.phi_deg();
         let phi_deg = f64::midpoint(guess[0], guess[1]).clamp(5.0, 60.0);
         let scouted = self.scout(phi_deg)?;
         let mut outcome = if self.soils.has_law() {
@@ -116,13 +111,14 @@ impl<'a> Search<'a> {
         basis: FrictionBasis,
     ) -> Result<Outcome, AppError> {
         let [weakest, strongest] = phi_deg;
-        let (lower, upper) = (self.lower(weakest)?, self.upper(strongest, 0.0)?);
+        let [_, cohesion_kpa] = self.soils.more_cohesion_kpa();
+        let (lower, upper) = (self.lower(weakest)?, self.upper(strongest, cohesion_kpa)?);
         let trials = vec![
             Trial { phi_deg: weakest, lower, upper: None },
             Trial { phi_deg: strongest, lower: None, upper },
         ];
         let mut outcome = Outcome::new(phi_deg, basis, stress_pa, self.cut(lower, upper), trials);
-        let required = self.request.required;
+        let required = self.site.required();
         if outcome.is_decided(required) {
             outcome.stands_from_deg = outcome.lower.filter(|l| *l >= required).map(|_| weakest);
             outcome.fails_to_deg = outcome.upper.filter(|u| *u < required).map(|_| strongest);
@@ -140,32 +136,17 @@ impl<'a> Search<'a> {
 
     /// Whether friction angles of the strokes may be taken for those of the problem: if its stresses are theirs, or the user says so.
     fn basis_without_law(&self, phi_deg: f64, scouted: &Found) -> Result<FrictionBasis, AppError> {
-        let stress_pa = scouted.stress_pa;
         match (self.is_at_same_stress(phi_deg, scouted), self.request.constant_friction) {
             (true, _) => Ok(FrictionBasis::SameStress),
             (false, true) => Ok(FrictionBasis::Constant),
-            (false, false) => {
-                let slips = stress_pa.map_or_else(
-                    || "where this soil slips in the problem could not be found".to_owned(),
-                    |stress| {
-                        format!(
-                            "in this problem it slips at {}, and deeper slides at more would decide if friction fell",
-                            words::stresses(stress)
-                        )
-                    },
-                );
-                Err(AppError::Request(format!(
-                    "the strokes tried the soil at {}; {slips}. Friction of sand falls by 3 to 6 deg with each factor of ten. Estimate with \
-                     `--friction-law`, or say with --constant-friction that it does not",
-                    words::stresses(self.soils.tried_pa)
-                )))
-            }
+            (false, false) => Err(AppError::Request(words::other_stresses(self.soils, scouted.stress_pa))),
         }
     }
 
-    /// Whether soil slips at the stresses of the strokes, and a field has nearly all its strength left if friction falls beyond these as it may.
+    /// Whether soil slips at the stresses at which it was tried, and a field has nearly all its strength left if friction falls beyond these as it may. Of
+    /// soil with cohesion that is not known: what a field leaves is looked at for friction alone.
     fn is_at_same_stress(&self, phi_deg: f64, scouted: &Found) -> bool {
-        let [low, high] = self.soils.tried_pa;
+        let Some([low, high]) = self.soils.tried_pa else { return false };
         let slips_there =
             scouted.stress_pa.is_some_and(|[l, h]| l >= low / SAME_STRESS && h <= high * SAME_STRESS);
         let (Some(of_field), Some((described, stress))) = (scouted.lower, &scouted.field) else {
@@ -188,10 +169,11 @@ impl<'a> Search<'a> {
         self.bounds("stresses", self.middle(phi_deg), &options)
     }
 
-    /// A soil of the middle density.
+    /// A soil of the middle density and cohesion.
     fn middle(&self, phi_deg: f64) -> Soil {
-        let [low, high] = self.soils.density_kg_m3;
-        Soil { phi_deg, density_kg_m3: f64::midpoint(low, high), cohesion_kpa: 0.0 }
+        let middle = |[low, high]: [f64; 2]| f64::midpoint(low, high);
+        let cohesion_kpa = middle(self.soils.more_cohesion_kpa());
+        Soil { phi_deg, density_kg_m3: middle(self.soils.density_kg_m3), cohesion_kpa }
     }
 
     pub(super) fn bounds(&self, what: &str, soil: Soil, options: &Options) -> Result<Found, AppError> {
@@ -225,11 +207,12 @@ impl<'a> Search<'a> {
         Options { max_seconds, ..self.options.clone() }
     }
 
-    /// A lower bound with a friction angle that holds for all densities.
+    /// A lower bound with a friction angle and the least cohesion that holds for all densities.
     fn lower(&self, phi_deg: f64) -> Result<Option<f64>, AppError> {
         let mut least = Some(f64::INFINITY);
+        let [cohesion_kpa, _] = self.soils.more_cohesion_kpa();
         for density_kg_m3 in self.densities() {
-            let soil = Soil { density_kg_m3, ..self.middle(phi_deg) };
+            let soil = Soil { phi_deg, density_kg_m3, cohesion_kpa };
             let found = self.bounds("weakest soil", soil, &self.part())?.lower;
             least = least.zip(found).map(|(a, b)| a.min(b));
         }
@@ -252,7 +235,7 @@ impl<'a> Search<'a> {
 
     /// Whether a lower bound is all that was asked for.
     pub(super) fn is_enough(&self, lower: Option<f64>) -> bool {
-        lower.is_some_and(|lower| lower >= self.request.required)
+        lower.is_some_and(|lower| lower >= self.site.required())
     }
 
     pub(super) fn is_stopped(&self) -> bool {
@@ -261,14 +244,15 @@ impl<'a> Search<'a> {
 
     /// Halves the friction angles until it is known where it begins to stand.
     fn bisect(&self, outcome: &mut Outcome) -> Result<(), AppError> {
-        let required = self.request.required;
+        let required = self.site.required();
         let [mut fails, mut stands] = outcome.phi_deg;
+        let [_, cohesion_kpa] = self.soils.more_cohesion_kpa();
         for _ in 0..self.request.trials {
             if stands - fails < NARROW_DEG || self.is_stopped() {
                 break;
             }
             let phi_deg = f64::midpoint(fails, stands);
-            let (lower, upper) = (self.lower(phi_deg)?, self.upper(phi_deg, 0.0)?);
+            let (lower, upper) = (self.lower(phi_deg)?, self.upper(phi_deg, cohesion_kpa)?);
             outcome.trials.push(Trial { phi_deg, lower, upper });
             if lower.is_some_and(|lower| lower >= required) {
                 stands = phi_deg;

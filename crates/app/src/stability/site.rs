@@ -1,4 +1,4 @@
-//! The problem, with the soil of the strokes in it.
+//! The problem, with one of the soils in it that are asked about.
 
 use soilctl_limit_analysis::describe::{Aim, Kind};
 use soilctl_limit_analysis::results::{
@@ -8,21 +8,24 @@ use soilctl_limit_analysis::{Described, Description, LimitError};
 
 use super::Request;
 use super::layers::layered;
+use super::region::Soils;
 use crate::AppError;
 use crate::solve::Asked;
 use crate::text::number;
 
 /// Least friction angle of a soil that is asked about, in degrees: weaker soil without cohesion carries nothing.
 const LEAST_DEG: f64 = 0.5;
+/// Least factor with which something stands, unless more is asked for.
+const FACTOR: f64 = 1.0;
 /// Greatest, in degrees: the solver's limit.
 const MOST_DEG: f64 = 69.0;
 
-/// One soil of the strokes.
+/// One of the soils that are asked about.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Soil {
     pub(super) phi_deg: f64,
     pub(super) density_kg_m3: f64,
-    /// What a straight line above a curved strength starts from; otherwise 0.
+    /// Beside that of the problem: what is published, or what a straight line above a curved strength starts from.
     pub(super) cohesion_kpa: f64,
 }
 
@@ -31,13 +34,14 @@ pub(super) struct Soil {
 pub(super) struct Site {
     description: Description,
     soil: usize,
+    required: f64,
     gravity_m_s2: f64,
     keep_weight: bool,
 }
 
 impl Site {
-    pub(super) fn read(request: &Request) -> Result<Self, AppError> {
-        let description = Description::read(&request.problem).map_err(LimitError::from)?;
+    pub(super) fn read(request: &Request, soils: &Soils) -> Result<Self, AppError> {
+        let mut description = Description::read(&request.problem).map_err(LimitError::from)?;
         let name = request.problem.display();
         let refused = |words: String| Err(AppError::Request(format!("{name}: {words}")));
         let soil = match (&request.soil, description.soils.len()) {
@@ -52,18 +56,31 @@ impl Site {
         if !description.cases().map_err(LimitError::from)?.is_empty() {
             return refused("it has cases or sweeps; ask about one problem at a time".into());
         }
-        match description.objective {
-            Aim::Load {} | Aim::UnitWeight {} | Aim::StrengthReduction {} => {}
-            Aim::Structure { .. } | Aim::Seismic { .. } => {
+        let required = match (&description.objective, request.required) {
+            (Aim::Load {} | Aim::UnitWeight {} | Aim::StrengthReduction {}, required) => {
+                required.unwrap_or(FACTOR)
+            }
+            (Aim::Structure { .. }, Some(required)) => required,
+            (Aim::Structure { .. }, None) => {
                 return refused(
-                    "it asks for a force or an acceleration; to stand is a matter of a factor: set the objective to strength-reduction, load or \
-                     unit-weight"
+                    "it asks for the force of a structure; say with --required which (kN/m) it must bear"
                         .into(),
                 );
             }
+            (Aim::Seismic { .. }, _) => {
+                return refused(
+                    "it asks for an acceleration; to stand is a matter of a factor or a force: set the objective to strength-reduction, load, \
+                     unit-weight or structure"
+                        .into(),
+                );
+            }
+        };
+        if soils.cohesion_pa.is_some() {
+            let soil = &mut description.soils[soil];
+            (soil.cohesion_kpa, soil.cohesion_gradient_kpa_per_m, soil.cohesion_level_m) = (0.0, 0.0, None);
         }
-        let site =
-            Self { description, soil, gravity_m_s2: request.gravity_m_s2, keep_weight: request.keep_weight };
+        let gravity_m_s2 = request.gravity_m_s2.unwrap_or(soils.gravity_m_s2);
+        let site = Self { description, soil, required, gravity_m_s2, keep_weight: request.keep_weight };
         if site.is_wet() && !request.keep_weight {
             return refused(
                 "it has water, and the density of the strokes is that of the soil as they found it; give the unit weight with water in the file, and \
@@ -83,6 +100,16 @@ impl Site {
     /// Whether there is water in the problem.
     pub(super) fn is_wet(&self) -> bool {
         self.description.water.is_some() || self.description.soils[self.soil].pore_pressure_ratio > 0.0
+    }
+
+    /// Least factor with which it stands, or least force (kN/m) that the soil must bear.
+    pub(super) const fn required(&self) -> f64 {
+        self.required
+    }
+
+    /// Gravity at the problem (m/s2).
+    pub(super) const fn gravity_m_s2(&self) -> f64 {
+        self.gravity_m_s2
     }
 
     /// Whether the density of the strokes matters.

@@ -1,8 +1,11 @@
 //! The answer in words.
 
+use soilctl_soil::STANDARD_GRAVITY_M_S2;
+
 use super::Request;
 use super::answer::{Answer, FrictionBasis, SlopeAnswer, Verdict};
-use super::region::Soils;
+use super::region::{Origin, Soils};
+use crate::solve::Asked;
 use crate::text::{number, to_two_digits};
 
 /// Two stresses, in Pa or kPa, with two digits each.
@@ -12,27 +15,56 @@ pub(super) fn stresses([low, high]: [f64; 2]) -> String {
     format!("{} to {} {unit}", digits(low), digits(high))
 }
 
+/// Why friction of the soils may not be taken for that of the problem, whose soil slips at these stresses.
+pub(super) fn other_stresses(soils: &Soils, slips_pa: Option<[f64; 2]>) -> String {
+    let slips = slips_pa.map_or_else(
+        || "where this soil slips in the problem could not be found".to_owned(),
+        |stress| {
+            format!(
+                "in this problem it slips at {}, and deeper slides at more would decide if friction fell",
+                stresses(stress)
+            )
+        },
+    );
+    let tried = soils.tried_pa.map_or_else(|| "stresses that were not published".into(), stresses);
+    let remedy = match soils.origin {
+        Origin::Strokes => "Estimate with `--friction-law`, or say with --constant-friction that it does not",
+        Origin::Published => "Say with --constant-friction that friction and cohesion are taken as published",
+    };
+    format!(
+        "{} tried the soil at {tried}; {slips}. Friction of sand falls by 3 to 6 deg with each factor of ten. {remedy}",
+        soils.origin.trials()
+    )
+}
+
 fn factor(value: Option<f64>) -> String {
     value.map_or_else(|| "unknown".into(), |value| format!("{value:.3}"))
 }
 
 /// The answer in a sentence or two.
-pub(super) fn verdict(answer: &Answer) -> String {
+pub(super) fn verdict(answer: &Answer, origin: Origin) -> String {
     // What it is, without the explanation behind the comma.
     let quantity = answer.quantity.words().split(',').next().unwrap_or_default();
-    let required = number(answer.required);
+    let unit = if answer.quantity == Asked::ForceKnPerM { " kN/m" } else { "" };
+    let required = number(answer.required) + unit;
     let [low, high] = answer.phi_deg;
-    let soils = match answer.friction_basis {
-        FrictionBasis::Law => "friction by the law of stress".to_owned(),
-        FrictionBasis::SameStress | FrictionBasis::Constant => format!("phi {low:.1} to {high:.1} deg"),
+    let soils = match (answer.friction_basis, answer.cohesion_pa) {
+        (FrictionBasis::Law, _) => "friction by the law of stress".to_owned(),
+        (FrictionBasis::SameStress | FrictionBasis::Constant, None) => {
+            format!("phi {low:.1} to {high:.1} deg")
+        }
+        (FrictionBasis::SameStress | FrictionBasis::Constant, Some([least, most])) => {
+            format!("phi {low:.1} to {high:.1} deg, cohesion {} to {} Pa", number(least), number(most))
+        }
     };
+    let every = origin.every_soil();
     match answer.answer {
         Verdict::Stands => format!(
-            "It stands for every soil that explains the strokes ({soils}): the {quantity} is at least {} ({required} is required).",
+            "It stands for {every} ({soils}): the {quantity} is at least {} ({required} is required).",
             factor(answer.lower)
         ),
         Verdict::Fails => format!(
-            "It fails for every soil that explains the strokes ({soils}): the {quantity} is at most {} ({required} is required).",
+            "It fails for {every} ({soils}): the {quantity} is at most {} ({required} is required).",
             factor(answer.upper)
         ),
         Verdict::Depends => {
@@ -83,24 +115,26 @@ pub(super) fn warnings(answer: &Answer, request: &Request, soils: &Soils) -> Vec
     let mut warnings = Vec::new();
     match answer.friction_basis {
         FrictionBasis::Law => {
-            let [low, high] = answer.tried_stress_pa;
             if let Some([least, most]) = decisive(answer)
+                && let Some([low, high]) = answer.tried_stress_pa
                 && (least < low || most > high)
             {
                 warnings.push(format!(
                     "the soil was tried at {}, and here {} decide: beyond what was tried the law of stress is carried on to the side that is not safe, and \
                      not to the other",
-                    stresses(answer.tried_stress_pa),
+                    stresses([low, high]),
                     stresses([least, most])
                 ));
             }
         }
         FrictionBasis::SameStress => {}
         FrictionBasis::Constant => warnings.push(format!(
-            "friction is taken to be the same at {} as in the strokes, at {}, because --constant-friction says so; sands lose 3 to 6 deg with each \
-             factor of ten",
+            "friction{} is taken to be the same at {} as in {}, at {}, because --constant-friction says so; sands lose 3 to 6 deg with each factor of \
+             ten",
+            if answer.cohesion_pa.is_some() { " and cohesion" } else { "" },
             answer.slip_stress_pa.map_or_else(|| "any stress".into(), stresses),
-            stresses(answer.tried_stress_pa)
+            soils.origin.trials(),
+            answer.tried_stress_pa.map_or_else(|| "stresses that were not published".into(), stresses)
         )),
     }
     let [weak, strong] = soils.cut;
@@ -114,10 +148,10 @@ pub(super) fn warnings(answer: &Answer, request: &Request, soils: &Soils) -> Vec
             "the search of the estimate ended before its region did: {which} soils may explain the strokes too, and nothing is said of them"
         ));
     }
-    if request.gravity_m_s2 != Request::default().gravity_m_s2 && !request.keep_weight {
+    if answer.gravity_m_s2 != STANDARD_GRAVITY_M_S2 && !request.keep_weight {
         warnings.push(format!(
             "gravity of {} m/s2 makes the weight of {}; all other weights and loads are those of the file",
-            number(request.gravity_m_s2),
+            number(answer.gravity_m_s2),
             answer.soil
         ));
     }

@@ -1,4 +1,4 @@
-//! `soilctl stability REGION PROBLEM`: whether a problem stands for every soil that explains the strokes.
+//! `soilctl stability REGION PROBLEM`: whether a problem stands for every soil that explains the strokes, or that was published.
 
 use soilctl_app::stability::{self, Answer, Request, Trial, Verdict};
 use soilctl_app::text::{columns, number};
@@ -9,9 +9,9 @@ use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "REGION is what `soilctl estimate STROKES --friction-law --format json` prints, PROBLEM a problem file (docs/problem-file.md) \
-    that asks for strength-reduction, load or unit-weight. The friction of the chosen soil is that of the strokes at the stresses of the problem, its \
-    weight that of the strokes under --gravity. Exit codes: 0 it stands for every such soil, 1 it fails for each, 3 it depends. Docs: docs/stability.md."
+    after_help = "REGION is what `soilctl estimate STROKES --friction-law --format json` or `soilctl soils NAME --format json` prints, PROBLEM a problem \
+    file (docs/problem-file.md) that asks for strength-reduction, load, unit-weight or structure. The friction of the chosen soil is that of the strokes at the stresses \
+    of the problem, its weight that of the strokes under --gravity; of a published soil cohesion too. Exit codes: 0 it stands for every such soil, 1 it fails for each, 3 it depends. Docs: docs/stability.md."
 )]
 pub(crate) struct Args {
     #[command(flatten)]
