@@ -8,6 +8,7 @@ import signal
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import ezdxf
 import pytest
 from monitor_page import LONG_S, until
 from workbench_page import Workbench, begin, click, open_page, save, serve, settled, solve
@@ -299,6 +300,36 @@ def test_files_go_in_and_out(serve, soilctl, tmp_path):
     got.value.save_as(picture)
     words = picture.read_text(encoding="utf-8")
     assert words.startswith("<?xml") and "pattern" in words and "blade" in words and "handle" not in words
+
+
+def test_drawings_go_in_and_out(serve, tmp_path):
+    doc = ezdxf.new("R2010", units=4)
+    space = doc.modelspace()
+    corners = {"clay": [(0, -6), (24, -6), (24, 0), (0, 0)], "Löß": [(0, 0), (14, 0), (6, 4), (0, 4)]}
+    for layer, points in corners.items():
+        space.add_lwpolyline([(1000 * x, 1000 * y) for x, y in points], close=True, dxfattribs={"layer": layer})
+    space.add_circle((3000, 8000), 500, dxfattribs={"layer": "water"})
+    doc.saveas(tmp_path / "in.dxf")
+    _, page = serve()
+    page.keyboard.press("Escape")
+    page.locator("#file").set_input_files(tmp_path / "in.dxf")
+    until(page, "document.getElementById('told').textContent.includes('was opened')")
+    told = page.locator("#told").text_content()
+    assert "put strength" in told and "on layer water" in told
+    problem = settled(page)
+    assert {region["soil"]: len(region["polygon"]) for region in problem["region"]} == {"clay": 5, "Löß": 4}
+    with page.expect_download() as got:
+        page.locator("#dxf").click()
+    got.value.save_as(tmp_path / "out.dxf")
+    back = ezdxf.readfile(tmp_path / "out.dxf")
+    assert not back.audit().errors
+    areas = [line.get_points("xy") for line in back.modelspace().query("LWPOLYLINE") if line.closed]
+    assert {(float(x), float(y)) for x, y in areas[0]} == {(float(x), float(y)) for x, y in [*corners["clay"], (14, 0)]}
+    # What is no drawing is refused, and the page keeps what it has.
+    (tmp_path / "bad.dxf").write_text("no\ndrawing", encoding="utf-8")
+    page.locator("#file").set_input_files(tmp_path / "bad.dxf")
+    until(page, "document.getElementById('told').dataset.tone === 'bad'")
+    assert len(settled(page)["region"]) == 2
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

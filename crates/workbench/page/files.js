@@ -2,6 +2,12 @@
 import {get, html, say, short, svg} from './dom.js';
 
 // What `soilctl solve --save` writes, and the page's own certificates.
+// Drawings before 2007 are not UTF-8; names of layers are all that this matters for.
+async function drawingText(file) {
+  const bytes = await file.arrayBuffer();
+  try { return new TextDecoder('utf-8', {fatal: true}).decode(bytes); } catch { return new TextDecoder('windows-1252').decode(bytes); }
+}
+
 const isCertificate = text => text.slice(0, 400).includes('"soilctl.solution/');
 
 const PICTURE_STYLE = `text{font:12px system-ui,sans-serif;fill:#1f2328}.grid path{stroke:#000;stroke-opacity:.075;fill:none}.grid text{fill:#5a626b;font-size:10px}
@@ -44,6 +50,7 @@ export class Files {
     get('save').addEventListener('click', () => this.save());
     get('download').addEventListener('click', () => this.download());
     get('picture').addEventListener('click', () => { download(fileName(store.problem, 'svg'), 'image/svg+xml', picture(section, view, flow)); });
+    get('dxf').addEventListener('click', () => this.drawing());
     get('open').addEventListener('click', () => get('file').click());
     get('file').addEventListener('change', () => this.open(get('file').files[0]));
   }
@@ -72,11 +79,27 @@ export class Files {
       else this.tell(`${file.name} has more than ${short(this.link.mostBytes / (1 << 20))} MiB; soilctl certify checks it`, 'bad');
       return;
     }
+    if (/\.(dxf|geojson|csv)$/i.test(file.name)) return this.draw(file);
     if (file.size > 1 << 20) { this.tell(`${file.name} has more than 1 MiB; a problem file has at most that`, 'bad'); return; }
     const text = await file.text(), answer = await this.link.ask({type: 'read', text}, 'read');
     if (!answer || answer.error) { this.tell(`${file.name}: ${answer?.error.words ?? 'there is no connection'}`, 'bad'); return; }
     this.take(text, answer.problem);
     this.tell(`${file.name} was opened; undo brings back what was here`, 'good');
+  }
+
+  // A drawing becomes a problem. Its strengths are still to be put in, and what was not read is told.
+  async draw(file) {
+    if (file.size > this.link.mostBytes) { this.tell(`${file.name} has more than ${short(this.link.mostBytes / (1 << 20))} MiB; soilctl convert reads it`, 'bad'); return; }
+    const answer = await this.link.ask({type: 'draw', name: file.name, text: await drawingText(file)}, 'drawn');
+    if (!answer || answer.error) { this.tell(answer?.error.words ?? `${file.name}: there is no connection`, 'bad'); return; }
+    this.take(null, answer.problem);
+    this.tell([`${file.name} was opened; undo brings back what was here`, ...answer.notes].join('. '), 'good');
+  }
+
+  async drawing() {
+    const answer = await this.link.ask({type: 'drawing', problem: this.store.problem}, 'drawing');
+    if (!answer?.dxf) { this.tell(answer?.error.words ?? 'there is no connection', 'bad'); return; }
+    download(fileName(this.store.problem, 'dxf'), 'image/vnd.dxf', answer.dxf);
   }
 
   tell(words, tone) { Object.assign(get('told'), {textContent: words}); get('told').dataset.tone = tone; say(words); }

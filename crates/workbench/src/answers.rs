@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use serde_json::Value;
+use soilctl_app::convert::{self, Format};
 use soilctl_app::solve::{self, Kept, Request, Solved, check};
 use soilctl_app::{AppError, Unwatched, Watch, certify};
 use soilctl_certificate::{CertificateError, Solution};
@@ -58,6 +59,38 @@ pub(crate) fn read(id: u64, text: &str) -> String {
     });
     let error = read.as_ref().err().map(Wrong::from);
     Told::Read { id, problem: read.ok().as_ref(), error }.text()
+}
+
+/// The text of a drawing as a problem.
+pub(crate) fn drawn(id: u64, name: &str, text: &str) -> String {
+    let request = convert::Request { file: name.into(), ..convert::Request::default() };
+    let found = match Format::of(&request.file) {
+        Some(format) => convert::problem(text.as_bytes(), format, &request).map_err(|error| (&error).into()),
+        None => {
+            Err(Wrong::words(format!("{name} is no drawing; its name must end in .dxf, .geojson or .csv")))
+        }
+    };
+    match found {
+        Ok((problem, answer)) => {
+            let left = answer.left_out.iter().filter(|it| it.is_shape);
+            let left = left
+                .map(|it| format!("left out: {} {} on layer {}: {}", it.count, it.what, it.layer, it.why));
+            let notes = left.chain(answer.notes.iter().cloned()).collect();
+            Told::Drawn { id, problem: Some(&problem), notes, error: None }.text()
+        }
+        Err(error) => Told::Drawn { id, problem: None, notes: Vec::new(), error: Some(error) }.text(),
+    }
+}
+
+/// A problem as a drawing.
+pub(crate) fn drawing(id: u64, value: Value) -> String {
+    let dxf = problem(value).and_then(|problem| {
+        convert::drawing(&problem).to_text(Format::Dxf).map_err(|error| Wrong::words(error.to_string()))
+    });
+    match dxf {
+        Ok(dxf) => Told::Drawing { id, dxf: Some(dxf), error: None }.text(),
+        Err(error) => Told::Drawing { id, dxf: None, error: Some(error) }.text(),
+    }
 }
 
 /// Bounds what a problem asks for: what is told at the end, and what was found.

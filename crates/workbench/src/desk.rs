@@ -33,6 +33,8 @@ impl Desk {
             }
             Ok(Request::Check { id, problem }) => tell(answers::checked(id, problem)),
             Ok(Request::Read { id, text }) => tell(answers::read(id, &text)),
+            Ok(Request::Draw { id, name, text }) => tell(answers::drawn(id, &name, &text)),
+            Ok(Request::Drawing { id, problem }) => tell(answers::drawing(id, problem)),
             Ok(Request::Solve { id, problem: value, budget }) => {
                 self.found = None;
                 let description = match problem(value) {

@@ -140,6 +140,8 @@ impl Feed for Page {
                 Heard::default()
             }
             Ok(Request::Read { id, text }) => said(answers::read(id, &text)),
+            Ok(Request::Draw { id, name, text }) => said(answers::drawn(id, &name, &text)),
+            Ok(Request::Drawing { id, problem }) => said(answers::drawing(id, problem)),
             Ok(Request::Solve { id, problem, budget }) => self.solve(id, problem, budget),
             Ok(Request::Stop {}) => {
                 self.run.iter().for_each(Run::stop);

@@ -21,6 +21,10 @@ pub(crate) enum Request {
     Check { id: u64, problem: Value },
     /// Converts the text of a problem file.
     Read { id: u64, text: String },
+    /// Makes a problem of the text of a drawing, whose ending is that of `name`.
+    Draw { id: u64, name: String, text: String },
+    /// Makes a drawing of a problem.
+    Drawing { id: u64, problem: Value },
     /// Bounds what a problem asks for.
     Solve { id: u64, problem: Value, budget: Spend },
     /// Ends the run with the best bounds so far.
@@ -107,6 +111,10 @@ pub(crate) enum Told<'a> {
     },
     /// The text as a problem, or what is wrong with it.
     Read { id: u64, problem: Option<&'a Description>, error: Option<Wrong> },
+    /// The problem that a drawing shows and what is to be said of it, or why it shows none.
+    Drawn { id: u64, problem: Option<&'a Description>, notes: Vec<String>, error: Option<Wrong> },
+    /// A problem as a drawing, DXF.
+    Drawing { id: u64, dxf: Option<String>, error: Option<Wrong> },
     /// A run began.
     Begun { id: u64 },
     /// More is proven.
