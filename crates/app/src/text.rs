@@ -55,6 +55,15 @@ fn towards(value: f64, sign: f64) -> String {
     number(next)
 }
 
+/// Name of the unit of a force for each unit of width, of those of stress and length.
+#[must_use]
+pub fn line_force_unit(stress: &str, length: &str) -> String {
+    match (stress, length) {
+        ("kPa", "m") => "kN/m".to_owned(),
+        (stress, length) => format!("{stress}·{length}"),
+    }
+}
+
 /// A number, or a dash where there is none.
 #[must_use]
 pub fn number_or_dash(value: Option<f64>) -> String {

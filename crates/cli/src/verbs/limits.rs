@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use soilctl_app::files::{can_be_written, save};
 use soilctl_app::limits::{Fields, LevelAnswer, ResultsAnswer, SolveAnswer};
-use soilctl_app::text::{columns, number, number_or_dash};
+use soilctl_app::text::{columns, line_force_unit, number, number_or_dash};
 use soilctl_app::{AppError, Outcome};
 use soilctl_figure::HtmlReport;
 use soilctl_pages::PageError;
@@ -176,19 +176,16 @@ fn cells(solve: &SolveAnswer) -> Vec<String> {
 
 /// What the fields show, in words.
 pub(crate) fn results_text(results: &ResultsAnswer) -> String {
-    let (unit, stress) = (&results.length_unit, &results.stress_unit);
+    let unit = &results.length_unit;
+    let force = line_force_unit(&results.stress_unit, unit);
     let mut text = String::new();
     for s in &results.moving_ground {
         let [a, b] = [s.from[0], s.to[0]].map(|x| number(rounded(x)));
         text += &format!("moving ground  x = {a} to {b} {unit}\n");
     }
     if !results.contacts.is_empty() {
-        let header = [
-            "face".to_owned(),
-            format!("pressure, {stress} {unit}"),
-            "shear".into(),
-            format!("centre, {unit}"),
-        ];
+        let header =
+            ["face".to_owned(), format!("pressure, {force}"), "shear".into(), format!("centre, {unit}")];
         let mut rows = vec![header.to_vec()];
         for c in &results.contacts {
             let forces = [c.normal_force, c.shear_force].map(|f| number(rounded(f)));
@@ -198,7 +195,6 @@ pub(crate) fn results_text(results: &ResultsAnswer) -> String {
         text += &columns(&rows);
     }
     if !results.members.is_empty() {
-        let force = format!("{stress} {unit}");
         let header = [
             "member".to_owned(),
             format!("bears, {force}"),

@@ -1,6 +1,7 @@
 //! Axial forces of bars and sheets.
 
 use soilctl_app::limits::Fields;
+use soilctl_app::text::line_force_unit;
 use soilctl_figure::{Axis, Dash, Figure, Legend, Line};
 
 use crate::PageError;
@@ -13,10 +14,7 @@ pub(super) fn figure(fields: &Fields) -> Result<Option<Figure>, PageError> {
         return Ok(None);
     }
     let (units, statement) = (&fields.units, fields.statement()?);
-    let force_name = match (units.stress_name.as_str(), units.length_name.as_str()) {
-        ("kPa", "m") => "kN/m".to_owned(),
-        (stress, length) => format!("{stress}·{length}"),
-    };
+    let force_name = line_force_unit(&units.stress_name, &units.length_name);
     let what = "Lower bound, axial forces";
     let title = if fields.title.is_empty() { what.to_owned() } else { format!("{what}: {}", fields.title) };
     let mut figure = Figure::new(

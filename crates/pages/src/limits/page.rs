@@ -1,7 +1,7 @@
 //! The page of a solution: bounds, the mechanism in motion, fields, contact stresses, and how it was computed.
 
 use soilctl_app::limits::{ContactAnswer, Fields, LevelAnswer, ResultsAnswer, SolveAnswer};
-use soilctl_app::text::{number, number_or_dash};
+use soilctl_app::text::{line_force_unit, number, number_or_dash};
 use soilctl_figure::{Align, CalloutKind, HtmlReport, RichText, Table};
 use soilctl_limit_analysis::Ended;
 
@@ -146,7 +146,8 @@ fn moving_ground(page: &mut HtmlReport, results: &ResultsAnswer) {
 }
 
 fn members(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> Result<(), PageError> {
-    let (length, stress) = (&results.length_unit, &results.stress_unit);
+    let length = &results.length_unit;
+    let force = line_force_unit(&results.stress_unit, length);
     if results.members.is_empty() {
         return Ok(());
     }
@@ -154,8 +155,8 @@ fn members(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> R
     plot::add(page, fields, Kind::Members)?;
     let columns = [
         ("member".to_owned(), Align::Left),
-        (format!("bears in tension ({stress}·{length})"), Align::Right),
-        (format!("greatest tension ({stress}·{length})"), Align::Right),
+        (format!("bears in tension ({force})"), Align::Right),
+        (format!("greatest tension ({force})"), Align::Right),
         (format!("where, from its start ({length})"), Align::Right),
         ("used (%)".to_owned(), Align::Right),
         ("yields".to_owned(), Align::Left),
@@ -187,14 +188,15 @@ fn members(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> R
 
 fn contacts(page: &mut HtmlReport, results: &ResultsAnswer) -> Result<(), PageError> {
     let (length, stress) = (&results.length_unit, &results.stress_unit);
+    let force = line_force_unit(stress, length);
     if results.contacts.is_empty() {
         return Ok(());
     }
     let columns = [
         ("face".to_owned(), Align::Left),
         (format!("length ({length})"), Align::Right),
-        (format!("pressure ({stress}·{length})"), Align::Right),
-        (format!("shear ({stress}·{length})"), Align::Right),
+        (format!("pressure ({force})"), Align::Right),
+        (format!("shear ({force})"), Align::Right),
         (format!("centre from the upper end ({length})"), Align::Right),
         (format!("greatest pressure ({stress})"), Align::Right),
     ];

@@ -1,7 +1,7 @@
 //! What a statement says, drawn: for saved solutions and plates, which have no problem file.
 
 use soilctl_app::solve::BoundaryKind;
-use soilctl_app::text::number;
+use soilctl_app::text::{line_force_unit, number};
 use soilctl_certificate::{Boundary, Condition, LineUse, Material, Member, Objective, Statement};
 use soilctl_figure::Polygon;
 use soilctl_limit_analysis::results::{Point, Units};
@@ -63,10 +63,7 @@ fn members(
     place: impl Fn(Point) -> Point,
 ) -> Vec<(String, [Point; 2])> {
     let force = |x: f64| number(round(units.length * units.stress * x));
-    let unit = match (units.stress_name.as_str(), units.length_name.as_str()) {
-        ("kPa", "m") => "kN/m".to_owned(),
-        (stress, length) => format!("{stress}·{length}"),
-    };
+    let unit = line_force_unit(&units.stress_name, &units.length_name);
     let of = |m: &Member| {
         let corner = |side: &LineUse, i: usize| {
             place(statement.points[statement.lines[side.line].walked(side.forward)[i]])
