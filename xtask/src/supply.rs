@@ -7,16 +7,29 @@ use crate::python::Environment;
 use crate::run::Step;
 use crate::workspace::Workspace;
 
+/// The workspace, and what is made of it with tools and locks of its own: what is fuzzed is handed to nobody.
+const LOCKED: [&str; 2] = ["Cargo.toml", "crates/wasm/bindgen/Cargo.toml"];
+
 /// Licences, sources and second versions need no network; advisories are fetched.
 pub(crate) fn deny(workspace: &Workspace) -> Result<(), XtaskError> {
     let deny = tool(workspace, "cargo-deny", "0.20.2")?;
     let step = |name: &str| Step::new(name, &deny).dir(workspace.root());
-    step("licences, sources, versions").args(["--locked", "check", "licenses", "sources", "bans"]).run()?;
+    for manifest in LOCKED {
+        step("licences, sources, versions")
+            .args(["--locked", "--manifest-path", manifest, "check"])
+            .args(["--config", "deny.toml", "licenses", "sources", "bans"])
+            .run()?;
+    }
     if !step("fetch advisories").args(["fetch", "db"]).attempt()? {
         eprintln!("== advisories were NOT checked: their database cannot be fetched from here");
         return Ok(());
     }
-    step("advisories").args(["--locked", "check", "advisories"]).run()
+    for manifest in LOCKED {
+        step("advisories")
+            .args(["--locked", "--manifest-path", manifest, "check", "--config", "deny.toml", "advisories"])
+            .run()?;
+    }
+    Ok(())
 }
 
 /// The pinned packages of both environments, against PyPI's advisories.

@@ -169,7 +169,11 @@ fn refine(
 fn no_field(status: Option<Status>) -> LimitError {
     let (why, advice) = match status {
         Some(Status::Stopped) => ("the run was stopped, or its time was up, too early", "allow more time"),
-        _ => ("the solver ended in numerical trouble", "try another width, or angles that differ a little"),
+        // Soil at rest has a field, and the force on the plate a limit: a program that denies either is rounding.
+        None
+        | Some(Status::Failed | Status::Infeasible | Status::Unbounded | Status::Solved | Status::Almost) => {
+            ("the solver ended in numerical trouble", "try another width, or angles that differ a little")
+        }
     };
     LimitError::NoField { why, advice }
 }
