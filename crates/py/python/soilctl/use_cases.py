@@ -34,6 +34,9 @@ __all__ = [
     "CertifyAnswer",
     "CertifyChecked",
     "CertifySaid",
+    "ConvertAnswer",
+    "ConvertLeftOut",
+    "ConvertSoil",
     "DemoAnswer",
     "DemoDelta",
     "DemoEachStroke",
@@ -120,6 +123,8 @@ __all__ = [
     "ShearStrokePoint",
     "SimulateAnswer",
     "SimulateBatchReport",
+    "SoilsAnswer",
+    "SoilsSoil",
     "Solve",
     "SolveAnswer",
     "SolveCase",
@@ -152,6 +157,7 @@ __all__ = [
     "arm_urdf",
     "bound",
     "certify",
+    "convert",
     "demo",
     "diagnose",
     "diagnose_self_test",
@@ -166,6 +172,7 @@ __all__ = [
     "replay",
     "shear",
     "simulate",
+    "soils",
     "solve",
     "solve_check",
     "stability",
@@ -1200,6 +1207,90 @@ class SolveCheckAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ConvertLeftOut(Record):
+    """What is not in the problem.
+
+    Attributes:
+        count: How often it is there.
+        is_shape: Whether it could have been ground: an area or a line.
+        layer: Its layer.
+        what: What it is, as the file calls it.
+        why: Why.
+    """
+
+    count: int
+    """How often it is there."""
+    is_shape: bool
+    """Whether it could have been ground: an area or a line."""
+    layer: str
+    """Its layer."""
+    what: str
+    """What it is, as the file calls it."""
+    why: str
+    """Why."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ConvertSoil(Record):
+    """A soil and its areas.
+
+    Attributes:
+        area_m2: Their sizes together (m2).
+        areas: How many areas it has.
+        has_strength: Whether its strength and weight are known; otherwise they are zero in the problem file.
+        name: Its name, that of its layer.
+    """
+
+    area_m2: float
+    """Their sizes together (m2)."""
+    areas: int
+    """How many areas it has."""
+    has_strength: bool
+    """Whether its strength and weight are known; otherwise they are zero in the problem file."""
+    name: str
+    """Its name, that of its layer."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ConvertAnswer(Answer):
+    """The answer of ``convert``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        extent_m: Least and greatest x and y (m).
+        has_water: Whether there is a water table.
+        is_complete: Whether nothing is to be put in before it can be solved.
+        joined: How many corners were moved onto others, or put into an edge that others are on.
+        left_out: What of the drawing is not in the problem.
+        notes: What to do, or to keep in mind.
+        soils: The soils, in the order in which they were found.
+        unit: Unit of the drawing's coordinates.
+    """
+
+    schema: Literal["soilctl.convert/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    extent_m: list[list[float]]
+    """Least and greatest x and y (m)."""
+    has_water: bool
+    """Whether there is a water table."""
+    is_complete: bool
+    """Whether nothing is to be put in before it can be solved."""
+    joined: int
+    """How many corners were moved onto others, or put into an edge that others are on."""
+    left_out: list[ConvertLeftOut]
+    """What of the drawing is not in the problem."""
+    notes: list[str]
+    """What to do, or to keep in mind."""
+    soils: list[ConvertSoil]
+    """The soils, in the order in which they were found."""
+    unit: str
+    """Unit of the drawing's coordinates."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class StabilitySlope(Record):
     """A lower bound with the soils of one slice of a law of stress.
 
@@ -1242,20 +1333,21 @@ class StabilityAnswer(Answer):
         answer: Whether it stands.
         by_slope: Lower bounds by slices of the law of stress; empty without a law.
         certified: Whether both bounds are proven for soils of the friction and the densities told here. That the
-            soil has this friction at the stresses of the problem is what the strokes say, not part of the proof.
-            With a law of stress the field behind the lower bound is proven with interval arithmetic for layers or
-            one friction angle, and held against the law in floating point.
+            soil has this friction at the stresses of the problem is what strokes or publications say, not part of
+            the proof. With a law of stress the field behind the lower bound is proven with interval arithmetic for
+            layers or one friction angle, and held against the law in floating point.
+        cohesion_pa: Its cohesion (Pa), if it is published; null where that of the problem file is kept.
         decisive_stress_pa: Mean stress (Pa) where the field behind the lower bound leaves least of the strength;
             null without a law of stress.
         density_kg_m3: Its densities (kg/m3).
         fails_to_phi_deg: Greatest friction angle with which it is proven to fail (deg); null if none was found.
         friction_basis: Where these come from.
         gravity_m_s2: Gravity at the problem (m/s2).
-        lower: Proven lower bound on the factor with every soil that explains the strokes; null if there is none.
+        lower: Proven lower bound on the factor with every one of the soils; null if there is none.
         phi_deg: Its friction angles (deg); with a law of stress those of the field behind the lower and of the
             mechanism behind the upper bound.
         quantity: What is bounded.
-        required: Least factor with which it is said to stand.
+        required: Least factor with which it is said to stand, or least force (kN/m) that the soil must bear.
         seconds: Time spent (s).
         slip_stress_pa: Normal stresses at which the soil slips in the problem (Pa), were its friction the same
             everywhere; null if that was not found.
@@ -1264,8 +1356,9 @@ class StabilityAnswer(Answer):
         title: Title of the problem; null if it has none.
         trials: The friction angles that were tried. With a law of stress a lower bound is what the field found for
             that angle proves of the law.
-        tried_stress_pa: Normal stresses at which the soil was tried by strokes and tests (Pa).
-        upper: Proven upper bound on the factor with every soil that explains the strokes; null if there is none.
+        tried_stress_pa: Normal stresses at which the soil was tried by strokes and tests (Pa); null if they were
+            not published.
+        upper: Proven upper bound on the factor with every one of the soils; null if there is none.
         verdict: The answer in words.
         warnings: What to keep in mind.
     """
@@ -1280,10 +1373,12 @@ class StabilityAnswer(Answer):
     """Lower bounds by slices of the law of stress; empty without a law."""
     certified: bool
     """Whether both bounds are proven for soils of the friction and the densities told here. That the soil has this
-    friction at the stresses of the problem is what the strokes say, not part of the proof. With a law of stress
-    the field behind the lower bound is proven with interval arithmetic for layers or one friction angle, and
-    held against the law in floating point.
+    friction at the stresses of the problem is what strokes or publications say, not part of the proof. With a
+    law of stress the field behind the lower bound is proven with interval arithmetic for layers or one friction
+    angle, and held against the law in floating point.
     """
+    cohesion_pa: list[float] | None
+    """Its cohesion (Pa), if it is published; null where that of the problem file is kept."""
     decisive_stress_pa: float | None
     """Mean stress (Pa) where the field behind the lower bound leaves least of the strength; null without a law of
     stress.
@@ -1297,7 +1392,7 @@ class StabilityAnswer(Answer):
     gravity_m_s2: float
     """Gravity at the problem (m/s2)."""
     lower: float | None
-    """Proven lower bound on the factor with every soil that explains the strokes; null if there is none."""
+    """Proven lower bound on the factor with every one of the soils; null if there is none."""
     phi_deg: list[float]
     """Its friction angles (deg); with a law of stress those of the field behind the lower and of the mechanism
     behind the upper bound.
@@ -1305,7 +1400,7 @@ class StabilityAnswer(Answer):
     quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
     """What is bounded."""
     required: float
-    """Least factor with which it is said to stand."""
+    """Least factor with which it is said to stand, or least force (kN/m) that the soil must bear."""
     seconds: float
     """Time spent (s)."""
     slip_stress_pa: list[float] | None
@@ -1322,14 +1417,75 @@ class StabilityAnswer(Answer):
     """The friction angles that were tried. With a law of stress a lower bound is what the field found for that
     angle proves of the law.
     """
-    tried_stress_pa: list[float]
-    """Normal stresses at which the soil was tried by strokes and tests (Pa)."""
+    tried_stress_pa: list[float] | None
+    """Normal stresses at which the soil was tried by strokes and tests (Pa); null if they were not published."""
     upper: float | None
-    """Proven upper bound on the factor with every soil that explains the strokes; null if there is none."""
+    """Proven upper bound on the factor with every one of the soils; null if there is none."""
     verdict: str
     """The answer in words."""
     warnings: list[str]
     """What to keep in mind."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SoilsSoil(Record):
+    """A soil, and who published what about it. Friction and cohesion are those of one straight line of strength,
+    fitted together.
+
+    Attributes:
+        body: Where it lies.
+        cohesion_pa: Least and greatest cohesion (Pa).
+        density_kg_m3: Least and greatest bulk density (kg/m3).
+        gravity_m_s2: Gravity there (m/s2).
+        method: How it was tested, or what it was concluded from.
+        name: Its name here.
+        note: What to keep in mind, such as what of it is not from this source.
+        phi_deg: Least and greatest friction angle (deg).
+        source: Where it was published.
+        stress_pa: Normal stresses of the tests (Pa); null if they were not published.
+        title: What it is.
+    """
+
+    body: Literal["earth", "moon", "mars"]
+    """Where it lies."""
+    cohesion_pa: list[float]
+    """Least and greatest cohesion (Pa)."""
+    density_kg_m3: list[float]
+    """Least and greatest bulk density (kg/m3)."""
+    gravity_m_s2: float
+    """Gravity there (m/s2)."""
+    method: str
+    """How it was tested, or what it was concluded from."""
+    name: str
+    """Its name here."""
+    note: str
+    """What to keep in mind, such as what of it is not from this source."""
+    phi_deg: list[float]
+    """Least and greatest friction angle (deg)."""
+    source: str
+    """Where it was published."""
+    stress_pa: list[float] | None
+    """Normal stresses of the tests (Pa); null if they were not published."""
+    title: str
+    """What it is."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SoilsAnswer(Answer):
+    """The answer of ``soils``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        soils: In the order of the file: by body, then by name.
+    """
+
+    schema: Literal["soilctl.soils/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    soils: list[SoilsSoil]
+    """In the order of the file: by body, then by name."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -4552,13 +4708,53 @@ def solve_check(
     return run("solve check", solve_check, locals(), SolveCheckAnswer)
 
 
+def convert(
+    file: str,
+    out: PathLike,
+    *,
+    replace: bool = False,
+    soils: str | None = None,
+    unit: str | None = None,
+    water: str | None = None,
+    leave_out: Sequence[str] = (),
+    join_m: float = 0.001,
+    chord_m: float = 0.01,
+    progress: Progress = None,
+) -> ConvertAnswer:
+    """Makes a problem file of a drawing, or a drawing of a problem file.
+
+    Args:
+        file: A drawing (.dxf, .geojson, .csv), or a problem file (.toml, .json).
+        out: What is written: a problem file of a drawing, a drawing of a problem file.
+        replace: Write over a file that is there.
+        soils: Strengths and weights (.csv) with the columns name, ``phi_deg``, ``unit_weight_kn_m3`` and, if
+            wanted, other keys of a problem's soil; a name is that of a layer.
+        unit: Unit of the drawing's coordinates, whatever it says itself: mm, cm, dm, m, km, in or ft.
+        water: Layer of the water table; by default one whose name says so, such as water, groundwater, phreatic or
+            gwl.
+        leave_out: Layers that are no part of the section (a list with commas).
+        join_m: Corners and ends of lines that are as near as this are one, and a corner that is as near to an edge
+            is on it (m). At least 0 and at most 1.
+        chord_m: How far chords may be from their arcs (m). At least 0.0001 and at most 10.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("convert", convert, locals(), ConvertAnswer)
+
+
 def stability(
     region: str,
     problem: str,
     *,
     soil: str | None = None,
-    required: float = 1.0,
-    gravity_m_s2: float = 9.80665,
+    required: float | None = None,
+    gravity_m_s2: float | None = None,
     keep_weight: bool = False,
     constant_friction: bool = False,
     trials: int = 4,
@@ -4573,20 +4769,22 @@ def stability(
     dump: PathLike | None = None,
     progress: Progress = None,
 ) -> StabilityAnswer:
-    """Whether what a problem file describes stands for every soil that explains the strokes.
+    """Whether what a problem file describes stands for every soil that explains the strokes, or that was published.
 
     Args:
-        region: The soils: the JSON answer of ``soilctl estimate``.
-        problem: The problem file, .toml or .json, which asks for a factor of safety, or a factor on live loads or
-            weights.
-        soil: Which soil of the problem is the one of the strokes; needed if it has several.
-        required: Least factor with which it is said to stand. Above 0.
+        region: The soils: the JSON answer of ``soilctl estimate``, or of ``soilctl soils NAME``.
+        problem: The problem file, .toml or .json, which asks for a factor of safety, a factor on live loads or
+            weights, or the force of a structure.
+        soil: Which soil of the problem is the one that is asked about; needed if it has several.
+        required: Least factor with which it is said to stand, 1 if not given; of a structure the least force (kN/m)
+            that the soil must bear, which has to be given. Above 0.
         gravity_m_s2: Gravity at the problem (m/s2), which makes the unit weight of the soil: 3.71 on Mars, 1.62 on
-            the Moon. Above 0 and at most 1000.
+            the Moon; by default that of the Earth, or of where the published soil is. Above 0 and at most 1000.
         keep_weight: Keep the unit weight of the problem file, as where the soil is wet there and the strokes were
             made in dry soil.
-        constant_friction: Take the friction angle of the strokes at any stress. Without a law of stress a problem
-            whose stresses are others is refused otherwise, since friction falls with stress.
+        constant_friction: Take the friction angle, and the cohesion if it is published, at any stress. Without a
+            law of stress a problem whose stresses are others is refused otherwise, since friction falls with
+            stress.
         trials: Further soils to try, between the weakest and the strongest, where the answer depends on the soil.
             At least 0 and at most 100.
         max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
@@ -4612,6 +4810,29 @@ def stability(
         FileError: If a file cannot be read or written.
     """
     return run("stability", stability, locals(), StabilityAnswer)
+
+
+def soils(
+    *,
+    name: str | None = None,
+    body: Literal["earth", "moon", "mars"] | None = None,
+    progress: Progress = None,
+) -> SoilsAnswer:
+    """Soils with strength and density as published.
+
+    Args:
+        name: One soil by its name; all of them if not given.
+        body: Those of one body only.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("soils", soils, locals(), SoilsAnswer)
 
 
 def certify(
