@@ -50,7 +50,11 @@ pub(crate) const PARTS: [(Part, &str, &str); 13] = [
     (Part::Exact, "exact", "known collapse loads on fine meshes"),
     (Part::Ends, "ends", "a thousand plates with ends: the order of their bounds, and proofs"),
     (Part::Arm, "arm", "millions of steps, and many killed processes"),
-    (Part::Mutants, "mutants", "every byte of a recording or a robot may be wrong: 2500 copies of each"),
+    (
+        Part::Mutants,
+        "mutants",
+        "every byte of a recording, a robot or a drawing may be wrong: 2500 copies of each",
+    ),
     (Part::Bags, "bags", "strokes in 60 bags of other arms"),
     (
         Part::Diagnosis,
@@ -97,11 +101,13 @@ impl Part {
             }
             Self::Ends => ignored(workspace, "a thousand plates with ends", &["ends"], "plates"),
             Self::Arm => ignored(workspace, "long tests of the arm", &["kill", "log", "no_allocation"], ""),
-            Self::Mutants => {
-                tests(workspace, "recordings made to do harm", &["mutants", "foreign", "monitor_others"])
-                    .env("SOILCTL_MUTANTS", MUTANTS)
-                    .run()
-            }
+            Self::Mutants => tests(
+                workspace,
+                "files made to do harm",
+                &["mutants", "foreign", "monitor_others", "formats"],
+            )
+            .env("SOILCTL_MUTANTS", MUTANTS)
+            .run(),
             Self::Bags => bags(workspace),
             Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates", "signals"], ""),
             Self::Soils => {

@@ -129,9 +129,9 @@ pub(super) fn warnings(answer: &Answer, request: &Request, soils: &Soils) -> Vec
         }
         FrictionBasis::SameStress => {}
         FrictionBasis::Constant => warnings.push(format!(
-            "friction{} is taken to be the same at {} as in {}, at {}, because --constant-friction says so; sands lose 3 to 6 deg with each factor of \
+            "{} taken to be the same at {} as in {}, at {}, because --constant-friction says so; sands lose 3 to 6 deg with each factor of \
              ten",
-            if answer.cohesion_pa.is_some() { " and cohesion" } else { "" },
+            if answer.cohesion_pa.is_some() { "friction and cohesion are" } else { "friction is" },
             answer.slip_stress_pa.map_or_else(|| "any stress".into(), stresses),
             soils.origin.trials(),
             answer.tried_stress_pa.map_or_else(|| "stresses that were not published".into(), stresses)
