@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use geojson::{Feature, FeatureCollection, GeoJson, Geometry, GeometryValue, JsonObject, Position};
 
-use crate::{Drawing, DrawingError, Outline, Point, Reading, Shape, Unit};
+use crate::{Drawing, DrawingError, Outline, Point, Reading, Shape, Unit, Why};
 
 /// Properties that may name a layer, best first.
 const NAMES: [&str; 3] = ["layer", "soil", "name"];
@@ -26,7 +26,7 @@ pub(crate) fn read(bytes: &[u8], reading: &Reading) -> Result<Drawing, DrawingEr
         let layer = layer(&feature);
         match &feature.geometry {
             Some(geometry) => add(&mut drawing, &layer, geometry, unit.metres(), 0),
-            None => drawing.leave_out(&layer, "Feature", "it has no geometry"),
+            None => drawing.leave_out(&layer, "Feature", Why::other("it has no geometry")),
         }
     }
     Ok(drawing)
@@ -42,7 +42,11 @@ fn add(drawing: &mut Drawing, layer: &str, geometry: &Geometry, metres: f64, dep
         line.iter().map(|p| Some([metres * p.as_slice().first()?, metres * p.as_slice().get(1)?])).collect()
     };
     let mut shape = |line: &[Position], outline: Outline| match points(line) {
-        None => drawing.leave_out(layer, geometry.value.type_name(), "a position must have two numbers"),
+        None => drawing.leave_out(
+            layer,
+            geometry.value.type_name(),
+            Why::shape("a position must have two numbers"),
+        ),
         Some(mut corners) => {
             if outline == Outline::Closed && corners.len() > 1 && corners.first() == corners.last() {
                 corners.pop();
@@ -50,7 +54,8 @@ fn add(drawing: &mut Drawing, layer: &str, geometry: &Geometry, metres: f64, dep
             drawing.shapes.push(Shape { layer: layer.to_owned(), corners, outline });
         }
     };
-    let hole = "it has a hole; draw what is in the hole, and the soil around it as areas without holes";
+    let hole =
+        Why::shape("it has a hole; draw what is in the hole, and the soil around it as areas without holes");
     let polygons: &[_] = match &geometry.value {
         GeometryValue::Polygon { coordinates } => std::slice::from_ref(coordinates),
         GeometryValue::MultiPolygon { coordinates } => coordinates,
@@ -64,7 +69,11 @@ fn add(drawing: &mut Drawing, layer: &str, geometry: &Geometry, metres: f64, dep
         GeometryValue::Point { .. }
         | GeometryValue::MultiPoint { .. }
         | GeometryValue::GeometryCollection { .. } => {
-            return drawing.leave_out(layer, geometry.value.type_name(), "it is neither an area nor a line");
+            return drawing.leave_out(
+                layer,
+                geometry.value.type_name(),
+                Why::other("it is neither an area nor a line"),
+            );
         }
     };
     for polygon in polygons {

@@ -79,6 +79,27 @@ pub struct LeftOut {
     pub what: String,
     /// Why.
     pub why: String,
+    /// Whether it could have been ground: an area, a line, or something that may hold them. Texts, hatches and what was hidden could not.
+    pub is_shape: bool,
+}
+
+/// Why something is not read.
+#[derive(Debug, Clone, Copy)]
+struct Why {
+    words: &'static str,
+    is_shape: bool,
+}
+
+impl Why {
+    /// Of something that could have been ground.
+    const fn shape(words: &'static str) -> Self {
+        Self { words, is_shape: true }
+    }
+
+    /// Of something that could not.
+    const fn other(words: &'static str) -> Self {
+        Self { words, is_shape: false }
+    }
 }
 
 /// A cross-section.
@@ -157,8 +178,8 @@ impl Drawing {
     }
 
     /// Counts something that is not read.
-    fn leave_out(&mut self, layer: &str, what: &str, why: &str) {
-        let it = LeftOut { layer: layer.to_owned(), what: what.to_owned(), why: why.to_owned() };
+    fn leave_out(&mut self, layer: &str, what: &str, Why { words, is_shape }: Why) {
+        let it = LeftOut { layer: layer.to_owned(), what: what.to_owned(), why: words.to_owned(), is_shape };
         match self.left_out.iter_mut().find(|(other, _)| *other == it) {
             Some((_, count)) => *count += 1,
             None => self.left_out.push((it, 1)),

@@ -25,10 +25,8 @@ const NARROW_M: f64 = 0.5;
 pub(super) fn problem(request: &Request, drawing: Drawing) -> Result<(Description, Answer), AppError> {
     let mut sorted = Sorted::default();
     for (it, count) in drawing.left_out {
-        let is_shape = ["LINE", "ARC", "CIRCLE", "POLYLINE", "SPLINE", "ELLIPSE", "Polygon", "INSERT"]
-            .iter()
-            .any(|kind| it.what.contains(kind));
-        sorted.left_out.push(LeftOut { layer: it.layer, what: it.what, why: it.why, count, is_shape });
+        let soilctl_drawing::LeftOut { layer, what, why, is_shape } = it;
+        sorted.left_out.push(LeftOut { layer, what, why, count, is_shape });
     }
     for shape in drawing.shapes {
         sorted.sort(request, shape);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::arc::{bulged, chords};
 use super::pairs::{Pair, unescaped};
-use crate::{DrawingError, Outline, Point, Shape};
+use crate::{DrawingError, Outline, Point, Shape, Why};
 
 /// An entity of the drawing.
 pub(super) struct Entity<'p, 'a> {
@@ -20,9 +20,6 @@ pub(super) struct Line {
     pub(super) shape: Shape,
     pub(super) has_arcs: bool,
 }
-
-/// Why it is left out.
-type Why = &'static str;
 
 /// Corners with their bulges, and whether the last is joined to the first.
 struct Bulges {
@@ -55,7 +52,7 @@ impl Entity<'_, '_> {
     /// If a number of it makes no sense.
     pub(super) fn line(&self, metres: f64, chord_m: f64) -> Result<Result<Line, Why>, DrawingError> {
         if first(self.pairs, 67).is_some_and(|pair| pair.flags() == 1) {
-            return Ok(Err("it is on a sheet, not in the model"));
+            return Ok(Err(Why::other("it is on a sheet, not in the model")));
         }
         if let Some(why) = self.plane()? {
             return Ok(Err(why));
@@ -64,16 +61,20 @@ impl Entity<'_, '_> {
         let found = match self.kind {
             "LINE" => Ok(self.straight()?),
             "LWPOLYLINE" => Ok(bent(&self.light()?, near)),
-            "POLYLINE" if flags(self.pairs) & (16 | 64) != 0 => Err("it is a mesh"),
+            "POLYLINE" if flags(self.pairs) & (16 | 64) != 0 => Err(Why::shape("it is a mesh")),
             "POLYLINE" => Ok(bent(&self.heavy()?, near)),
             "ARC" => Ok(self.arc(near)?),
             "CIRCLE" => Ok(self.circle(near)?),
-            "INSERT" => Err("it is a block; explode it"),
-            "HATCH" => Err("hatches are not read; their outline is"),
-            "SPLINE" | "ELLIPSE" => Err("curves other than arcs are not read; make it a polyline"),
-            "TEXT" | "MTEXT" | "DIMENSION" | "LEADER" | "MULTILEADER" => Err("texts are not read"),
-            "POINT" => Err("points are not read"),
-            _ => Err("it is none of LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE"),
+            "INSERT" => Err(Why::shape("it is a block; explode it")),
+            "HATCH" => Err(Why::other("hatches are not read; their outline is")),
+            "SPLINE" | "ELLIPSE" => {
+                Err(Why::shape("curves other than arcs are not read; make it a polyline"))
+            }
+            "TEXT" | "MTEXT" | "DIMENSION" | "LEADER" | "MULTILEADER" => {
+                Err(Why::other("texts are not read"))
+            }
+            "POINT" => Err(Why::other("points are not read")),
+            _ => Err(Why::shape("it is none of LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE")),
         };
         Ok(found.map(|(corners, outline, has_arcs)| {
             let corners = corners.into_iter().map(|[x, y]| [metres * x, metres * y]).collect();
@@ -87,7 +88,7 @@ impl Entity<'_, '_> {
             [(210, 0.0), (220, 0.0), (230, 1.0)].map(|(code, usual)| number(self.pairs, code, usual));
         let [x, y, z] = normal;
         let is_ours = x?.abs() < 1e-9 && y?.abs() < 1e-9 && z? > 0.0;
-        Ok((!is_ours).then_some("it is drawn in another plane than x and y"))
+        Ok((!is_ours).then_some(Why::shape("it is drawn in another plane than x and y")))
     }
 
     fn straight(&self) -> Result<(Vec<Point>, Outline, bool), DrawingError> {

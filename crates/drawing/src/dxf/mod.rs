@@ -12,7 +12,7 @@ pub(crate) use write::write;
 
 use self::pairs::{Pair, pairs, text_of};
 use crate::chain::join;
-use crate::{Drawing, DrawingError, Reading, Shape, Unit};
+use crate::{Drawing, DrawingError, Reading, Shape, Unit, Why};
 
 /// Reads polygons and lines of the model space.
 pub(crate) fn read(bytes: &[u8], reading: &Reading) -> Result<Drawing, DrawingError> {
@@ -28,7 +28,7 @@ pub(crate) fn read(bytes: &[u8], reading: &Reading) -> Result<Drawing, DrawingEr
     for entity in entities(&pairs)? {
         let layer = entity.layer();
         if hidden.contains(&layer) {
-            drawing.leave_out(&layer, entity.kind, "its layer is off or frozen");
+            drawing.leave_out(&layer, entity.kind, Why::other("its layer is off or frozen"));
             continue;
         }
         match entity.line(metres, reading.chord_m)? {
