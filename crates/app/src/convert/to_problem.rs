@@ -67,7 +67,7 @@ pub(super) fn problem(request: &Request, drawing: Drawing) -> Result<(Descriptio
         soils.iter().filter(|soil| !soil.has_strength).map(|soil| soil.name.as_str()).collect();
     if !lacking.is_empty() {
         notes.push(format!(
-            "put strength and weight of {} into the problem file, where they are zero; or give --soils",
+            "put strength and weight of {} into the problem file, where they are zero",
             lacking.join(", ")
         ));
     }
@@ -184,16 +184,22 @@ fn notes(unit: Option<Unit>, polygons: &[Vec<[f64; 2]>], has_chords: bool, reque
     let mut notes = Vec::new();
     if unit.is_none() {
         notes.push(
-            "the drawing does not say its unit, and metres were taken; give --unit if it is another".into(),
+            "the drawing does not say its unit, and metres were taken; `soilctl convert --unit` takes others"
+                .into(),
         );
     }
     let [[left, right], _] = extent(polygons.iter().flatten().copied());
     let width = right - left;
     if !(NARROW_M..=WIDE_M).contains(&width) {
-        notes.push(format!("the section is {width} m wide: is the unit right? Otherwise give --unit"));
+        notes.push(format!(
+            "the section is {width} m wide: is the unit right? `soilctl convert --unit` takes others"
+        ));
     }
     if has_chords {
-        notes.push(format!("arcs became chords that are within {} m of them; see --chord", request.chord_m));
+        notes.push(format!(
+            "arcs became chords that are within {} m of them; `soilctl convert --chord` says how near",
+            request.chord_m
+        ));
     }
     notes
 }
