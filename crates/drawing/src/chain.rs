@@ -1,9 +1,8 @@
 //! Lines of one layer that meet at their ends: the areas that they bound, and what is left of them joined to longer lines.
 
-use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::{Outline, Point, Shape};
+use crate::{Outline, Point, Shape, signed_area_m2};
 
 /// Areas and lines, by layers in the order in which they first are there.
 ///
@@ -25,24 +24,6 @@ pub(crate) fn join(lines: Vec<Shape>, join_m: f64) -> Vec<Shape> {
         shapes.extend(graph.rest().into_iter().map(|corners| shape(corners, Outline::Open)));
     }
     shapes
-}
-
-/// A number by which is sorted.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Key(f64);
-
-impl Eq for Key {}
-
-impl PartialOrd for Key {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Key {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.0.total_cmp(&other.0)
-    }
 }
 
 /// A line between two nodes, walked one way.
@@ -107,9 +88,11 @@ impl Graph {
             leaving[*from].push(Way { line, forward: true });
             leaving[*to].push(Way { line, forward: false });
         }
-        let turned = |mut ways: Vec<Way>| {
-            ways.sort_by_cached_key(|way| (Key(self.direction(*way)), *way));
-            ways
+        let turned = |ways: Vec<Way>| {
+            let mut turned: Vec<(f64, Way)> =
+                ways.into_iter().map(|way| (self.direction(way), way)).collect();
+            turned.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            turned.into_iter().map(|(_, way)| way).collect()
         };
         self.leaving = leaving.into_iter().map(turned).collect();
     }
@@ -167,7 +150,7 @@ impl Graph {
             }
             corners
         };
-        self.walks().into_iter().map(outline).filter(|corners| double_area(corners) > 0.0).collect()
+        self.walks().into_iter().map(outline).filter(|corners| signed_area_m2(corners) > 0.0).collect()
     }
 
     /// Lines that bound nothing, joined where exactly two of them meet and no other line does.
@@ -210,27 +193,22 @@ fn same_either_way(line: &[Point]) -> Vec<[u64; 2]> {
     there.min(back)
 }
 
-fn double_area(corners: &[Point]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum()
-}
-
 /// Points that are near to each other are one node, found by the square of a grid that they are in.
 struct Nodes {
     join_m: f64,
+    /// Side of a square (m), not less than what coordinates are told by.
+    side_m: f64,
     points: Vec<Point>,
     squares: BTreeMap<[i64; 2], Vec<usize>>,
 }
 
 impl Nodes {
     fn new(join_m: f64) -> Self {
-        // Without a tolerance points that are the same meet still.
-        Self { join_m: join_m.max(f64::EPSILON), points: Vec::new(), squares: BTreeMap::new() }
+        Self { join_m, side_m: join_m.max(1e-9), points: Vec::new(), squares: BTreeMap::new() }
     }
 
     fn at(&mut self, p: Point) -> usize {
-        // Beyond the limits of coordinates squares become one; that is slow and not wrong.
-        let [i, j] = p.map(|x| (x / self.join_m).floor() as i64);
+        let [i, j] = p.map(|x| (x / self.side_m).floor() as i64);
         let near = |node: &&usize| {
             let q = self.points[**node];
             (q[0] - p[0]).hypot(q[1] - p[1]) <= self.join_m

@@ -7,6 +7,7 @@ mod geo;
 mod table;
 mod unit;
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Serialize;
@@ -46,6 +47,13 @@ impl Format {
             _ => None,
         }
     }
+}
+
+/// The area of a polygon, positive if its corners go round counter-clockwise.
+#[must_use]
+pub fn signed_area_m2(corners: &[Point]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    0.5 * corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>()
 }
 
 /// Whether a shape is an area.
@@ -108,7 +116,7 @@ pub struct Drawing {
     /// Polygons and lines, in the order of the file; those that were joined follow.
     pub shapes: Vec<Shape>,
     /// What of the file is not in it, and how often.
-    pub left_out: Vec<(LeftOut, usize)>,
+    pub left_out: BTreeMap<LeftOut, usize>,
     /// The unit of the file's coordinates; `None` if it did not say.
     pub unit: Option<Unit>,
     /// Whether arcs became chords.
@@ -180,9 +188,6 @@ impl Drawing {
     /// Counts something that is not read.
     fn leave_out(&mut self, layer: &str, what: &str, Why { words, is_shape }: Why) {
         let it = LeftOut { layer: layer.to_owned(), what: what.to_owned(), why: words.to_owned(), is_shape };
-        match self.left_out.iter_mut().find(|(other, _)| *other == it) {
-            Some((_, count)) => *count += 1,
-            None => self.left_out.push((it, 1)),
-        }
+        *self.left_out.entry(it).or_default() += 1;
     }
 }

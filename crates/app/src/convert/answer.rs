@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_drawing::{Drawing, Outline, Unit};
+use soilctl_drawing::{Drawing, Outline, Unit, signed_area_m2};
 use soilctl_limit_analysis::Description;
 
 use crate::Outcome;
@@ -72,7 +72,7 @@ impl Answer {
         let names = description.regions.iter().map(|region| region.soil.as_str());
         let areas = drawing.shapes.iter().filter(|shape| shape.outline == Outline::Closed);
         for (name, shape) in names.zip(areas) {
-            add(&mut soils, name, area(&shape.corners), true);
+            add(&mut soils, name, signed_area_m2(&shape.corners).abs(), true);
         }
         Self {
             is_complete: true,
@@ -96,12 +96,6 @@ pub(super) fn add(soils: &mut Vec<SoilAnswer>, name: &str, area_m2: f64, has_str
         }
         None => soils.push(SoilAnswer { name: name.to_owned(), areas: 1, area_m2, has_strength }),
     }
-}
-
-/// The area of a polygon.
-pub(super) fn area(corners: &[[f64; 2]]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    0.5 * corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs()
 }
 
 /// Least and greatest x and y; zero without points.

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use soilctl_drawing::{Drawing, Outline, Shape, Unit};
+use soilctl_drawing::{Drawing, Outline, Shape, Unit, signed_area_m2};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::{Aim, BoundaryEntry, Kind, RegionEntry, Side, SoilEntry, Water};
 
-use super::answer::{Answer, LeftOut, add, area, extent};
+use super::answer::{Answer, LeftOut, add, extent};
 use super::conform::conform;
 use super::{Request, read};
 use crate::AppError;
@@ -26,6 +26,8 @@ pub(super) fn problem(request: &Request, drawing: Drawing) -> Result<(Descriptio
     let mut sorted = Sorted::default();
     for (it, count) in drawing.left_out {
         let soilctl_drawing::LeftOut { layer, what, why, is_shape } = it;
+        // What was asked for lacks nothing.
+        let is_shape = is_shape && !request.leave_out.contains(&layer);
         sorted.left_out.push(LeftOut { layer, what, why, count, is_shape });
     }
     for shape in drawing.shapes {
@@ -54,7 +56,7 @@ pub(super) fn problem(request: &Request, drawing: Drawing) -> Result<(Descriptio
     let known = request.soils.as_deref().map_or_else(|| Ok(Vec::new()), strengths)?;
     let mut soils = Vec::new();
     for (layer, polygon) in layers.iter().zip(&polygons) {
-        add(&mut soils, layer, area(polygon), known.iter().any(|soil| soil.name == *layer));
+        add(&mut soils, layer, signed_area_m2(polygon).abs(), known.iter().any(|soil| soil.name == *layer));
     }
     let mut notes = notes(drawing.unit, &polygons, drawing.has_chords, request);
     for unused in known.iter().filter(|soil| !layers.contains(&soil.name)) {
@@ -162,7 +164,7 @@ fn water(lines: &[Shape]) -> Result<Option<Water>, String> {
             line.layer
         ));
     }
-    Ok(Some(Water { table, rise_m: 0.0, unit_weight_kn_m3: 9.81 }))
+    Ok(Some(Water::fresh(table)))
 }
 
 /// Strengths of a table.

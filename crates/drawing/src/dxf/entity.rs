@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::arc::{bulged, chords};
 use super::pairs::{Pair, unescaped};
-use crate::{DrawingError, Outline, Point, Shape, Why};
+use crate::{DrawingError, MOST_CORNERS, Outline, Point, Shape, Why};
 
 /// An entity of the drawing.
 pub(super) struct Entity<'p, 'a> {
@@ -150,6 +150,10 @@ fn bent(line: &Bulges, near: f64) -> (Vec<Point>, Outline, bool) {
     let Bulges { corners, is_closed } = line;
     let mut points: Vec<Point> = corners.iter().take(1).map(|(point, _)| *point).collect();
     for two in corners.windows(2) {
+        // Refused by whoever counts them, before arcs make more of it than there is memory.
+        if points.len() > MOST_CORNERS {
+            break;
+        }
         points.extend(bulged(two[0].0, two[1].0, two[0].1, near));
     }
     if let (true, [(start, _), .., (end, bulge)]) = (is_closed, &corners[..]) {

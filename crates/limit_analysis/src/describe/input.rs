@@ -116,6 +116,12 @@ pub struct Water {
 }
 
 impl Water {
+    /// Fresh water with a table through these points.
+    #[must_use]
+    pub fn fresh(table: Vec<[f64; 2]>) -> Self {
+        Self { table, rise_m: 0.0, unit_weight_kn_m3: fresh_water() }
+    }
+
     /// Points of the water table where it is.
     #[must_use]
     pub fn levels(&self) -> Vec<[f64; 2]> {
