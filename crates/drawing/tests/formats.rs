@@ -84,6 +84,6 @@ fn geojson_of_others_is_read_by_its_properties() {
         found.shapes.iter().map(|s| (s.layer.as_str(), s.corners.len(), s.outline)).collect();
     let wanted = [("clay", 3, Outline::Closed), ("clay", 3, Outline::Closed), ("gwl", 2, Outline::Open)];
     assert_eq!(layers, wanted);
-    let left: Vec<_> = found.left_out.iter().map(|(it, _)| (it.layer.as_str(), it.what.as_str())).collect();
+    let left: Vec<_> = found.left_out.keys().map(|it| (it.layer.as_str(), it.what.as_str())).collect();
     assert_eq!(left, [("0", "Point"), ("hollow", "Polygon")]);
 }
