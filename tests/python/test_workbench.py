@@ -93,6 +93,49 @@ def test_a_strip_load_is_drawn_from_nothing(serve, soilctl, tmp_path):
     assert solved(soilctl, file) == bounds
 
 
+def test_sheets_and_heads_are_drawn_and_their_flow_is_shown(serve, soilctl, tmp_path):
+    file = tmp_path / "dam.toml"
+    _, page = serve(file)
+    page.locator("[data-template=empty]").click()
+    page.locator("#section").focus()
+
+    def draw(key, points):
+        page.keyboard.press(key)
+        for point in points:
+            page.locator("#exact-point").fill(point)
+            page.keyboard.press("Enter")
+        page.locator("#section").focus()
+
+    draw("r", ["0, 0", "24, 0", "14, 5", "10, 5", "0, 0"])
+    draw("k", ["12, 1", "20, 1"])
+    draw("h", ["0, 0", "10, 5"])
+    # A head may have more points than two: Enter on the last one again ends it.
+    page.locator("#exact-point").fill("10, 5")
+    page.keyboard.press("Enter")
+    page.locator("#objective\\.kind").select_option("strength-reduction")
+    page.locator("#add-sides").click()
+    problem = settled(page)
+    assert problem["member"] == [{"name": "sheet", "line": [[12, 1], [20, 1]], "tensile_kn_per_m": 50}]
+    assert problem["head"] == [{"line": [[0, 0], [10, 5]], "head_m": 5}]
+    page.locator("[data-entry='head.0'] button").click()
+    page.locator("[id='head.0.head_m']").fill("4")
+    page.locator("[data-entry='member.0'] button").click()
+    page.locator("[id='member.0.attached.start']").check()
+    settled(page)
+    assert "attached" in page.locator("#messages").text_content()
+    page.locator("[id='member.0.attached.start']").uncheck()
+    assert settled(page)["head"][0]["head_m"] == 4
+    assert page.locator("#messages").text_content() == "The problem is understood."
+    understood = page.evaluate("workbench.state.understood")
+    highest = max(y for piece in understood["free_surface"] for _, y in piece)
+    assert len(understood["free_surface"]) > 20 and 3.5 < highest < 4.1
+    assert page.locator("#section .member").count() == 1
+    assert page.locator("#section .water .table").count() > 1
+    assert solve(page)[0] > 1
+    save(page)
+    assert soilctl.json("solve", file, "--check")["seepage"]["triangles"] > 50
+
+
 def test_keys_alone_draw_and_move(serve):
     _, page = serve()
     page.keyboard.press("Escape")

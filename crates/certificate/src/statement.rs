@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 pub struct Statement {
     /// Corner points, x and y.
     pub points: Vec<[f64; 2]>,
-    /// Straight lines between points. Two lines may meet at a common point and nowhere else. At most 256.
+    /// Straight lines between points. Two lines may meet at a common point and nowhere else. At most 1024.
     pub lines: Vec<Line>,
     /// Soil. Regions do not overlap.
     pub regions: Vec<Region>,

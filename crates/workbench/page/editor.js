@@ -15,6 +15,8 @@ export const TOOLS = {
   structure: {key: 's', name: 'Body', closed: true, least: 3},
   edge: {key: 'e', name: 'Footing', least: 2, most: 2},
   plate: {key: 'p', name: 'Plate', least: 2},
+  member: {key: 'k', name: 'Sheet', least: 2, most: 2},
+  head: {key: 'h', name: 'Head', least: 2},
 };
 const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 // Fewer pixels of travel are no drag.

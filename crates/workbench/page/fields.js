@@ -23,6 +23,8 @@ export const SOIL_MORE = [
   number('cohesion_level_m', 'below y', 'm', {optional}),
   number('tension_kpa', 'Tension at most', 'kPa', {optional}),
   number('pore_pressure_ratio', 'Pore pressure ratio', '', {zero: true}),
+  number('permeability_m_per_s', 'Permeability', 'm/s', {optional, title: 'downwards, where water flows between heads'}),
+  number('permeability_ratio', 'k along x over that', '', {optional, title: 'permeability along x over that downwards; 1 if not said'}),
 ];
 
 export const ENTRY = {
@@ -30,7 +32,7 @@ export const ENTRY = {
   boundary: [
     text('name', 'Name', {optional}),
     choice('kind', 'What holds', KINDS),
-    {key: 'sides', label: 'On whole sides', kind: 'sides', only: of => !of.line?.length},
+    {key: 'sides', label: 'On whole sides', kind: 'words', options: SIDES, only: of => !of.line?.length},
     {key: 'pressure_kpa', label: 'Pressure', unit: 'kPa', kind: 'profile', only: of => of.kind === 'load'},
     {key: 'shear_kpa', label: 'Shear stress along the line', unit: 'kPa', kind: 'profile', only: of => of.kind === 'load'},
     {key: 'live', label: 'Live: its factor is bounded', kind: 'flag', only: of => of.kind === 'load'},
@@ -38,6 +40,12 @@ export const ENTRY = {
   ],
   structure: [text('name', 'Name'), ...FACES, HELD],
   plate: [text('name', 'Name'), ...FACES, HELD],
+  member: [
+    text('name', 'Name'), number('tensile_kn_per_m', 'Tension at most', 'kN/m'), number('compressive_kn_per_m', 'Compression at most', 'kN/m', {zero: true}),
+    number('bond_factor', 'Bond over strength of soil', '', {optional, help: '1 if not said'}),
+    {key: 'attached', label: 'Attached ends', kind: 'words', options: ['start', 'end']},
+  ],
+  head: [text('name', 'Name', {optional}), number('head_m', 'Total head: y of the water in a standpipe', 'm')],
   water: [number('unit_weight_kn_m3', 'Unit weight of water', 'kN/m³'), number('rise_m', 'Higher than its points by', 'm', {zero: true})],
 };
 

@@ -14,7 +14,7 @@ const PICTURE_STYLE = `text{font:12px system-ui,sans-serif;fill:#1f2328}.grid pa
 .region{stroke:#444;stroke-width:1.2}.region.unknown{stroke:#b3261e;stroke-dasharray:4 3}.hatch{stroke:#0006;stroke-width:1;fill:none}.dot{stroke-width:2;stroke-linecap:round}
 .side{fill:none;stroke:#1f2328;stroke-width:2}.side.far{stroke-dasharray:7 5;stroke-width:1.4}.side.smooth{stroke-width:1.2}.thin{stroke:#1f2328;stroke-width:.8;fill:none}.roller{fill:none;stroke:#1f2328;stroke-width:.8}
 .acting .shaft{stroke:#c25400;fill:none;stroke-width:1.3}.acting .head{fill:#c25400}.live .shaft{stroke-width:2.2}.motion .shaft{stroke:#1f2328;stroke-width:3;fill:none}.motion .head{fill:#1f2328}
-.pond{fill:#0072b233}.table{stroke:#0072b2;fill:none;stroke-width:1.5}.mark{fill:#0072b2}.body{fill:#8a8f96;stroke:#1f2328;stroke-width:1.5}.plate{fill:none;stroke:#1f2328;stroke-width:5}
+.pond{fill:#0072b233}.table{stroke:#0072b2;fill:none;stroke-width:1.5}.mark{fill:#0072b2}.body{fill:#8a8f96;stroke:#1f2328;stroke-width:1.5}.plate{fill:none;stroke:#1f2328;stroke-width:5}.member{fill:none;stroke:#b4470f;stroke-width:3}
 .entry{fill:none;stroke:none}.name text{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round;font-weight:600}.name .small{font-weight:400}.value{paint-order:stroke;stroke:#fff;stroke-width:4px;stroke-linejoin:round}
 ${['#f3e2b3', '#d9e8d2', '#d6e4f2', '#eedbd3', '#e6dcef', '#dde3dd', '#f6e7ee', '#e3e0d2'].map((tint, k) => `.tint-${k}{fill:${tint}}`).join('')}`;
 

@@ -1,6 +1,5 @@
 // Fields of an entry: each writes what is typed into the document, and shows what is wrong with it.
 import {html} from './dom.js';
-import {SIDES} from './fields.js';
 import {list} from './model.js';
 
 // A number as people type it; null if it is none.
@@ -25,7 +24,7 @@ export class Form {
 
   row(field) {
     const id = `${this.path}.${field.key}`, control = this[field.kind](field, id);
-    if (field.kind === 'sides') return control;
+    if (field.kind === 'words') return control;
     const label = html('label', {for: id, title: field.title}, field.label);
     const unit = field.unit ? html('span', {class: 'unit'}, field.unit) : null;
     return html('div', {class: `field ${field.kind}`, 'data-path': id, title: field.help}, label, html('span', {class: 'control'}, control, unit), html('p', {class: 'wrong', id: `${id}.wrong`, hidden: true}));
@@ -70,15 +69,16 @@ export class Form {
     return input;
   }
 
-  sides({key, label}, id) {
-    const boxes = SIDES.map(side => {
+  // Any of some words.
+  words({key, label, options}, id) {
+    const boxes = options.map(side => {
       const input = html('input', {type: 'checkbox', id: `${id}.${side}`, checked: (this.of[key] ?? []).includes(side), change: () => {
-        const now = SIDES.filter(one => document.getElementById(`${id}.${one}`).checked);
+        const now = options.filter(one => document.getElementById(`${id}.${one}`).checked);
         this.set(key, now.length ? now : undefined, false);
       }});
       return html('label', {for: `${id}.${side}`}, input, ` ${side}`);
     });
-    return html('fieldset', {class: 'field sides', 'data-path': id}, html('legend', null, label), ...boxes, html('p', {class: 'wrong', id: `${id}.wrong`, hidden: true}));
+    return html('fieldset', {class: 'field words', 'data-path': id}, html('legend', null, label), ...boxes, html('p', {class: 'wrong', id: `${id}.wrong`, hidden: true}));
   }
 
   // One value, or one at each end of the line.

@@ -1,7 +1,7 @@
 // What can be done to a document. Its keys are those of the problem file; functions that end a document's draft change it in place.
 import {box, distance, same} from './geometry.js';
 
-export const SECTIONS = ['region', 'boundary', 'structure', 'plate', 'water'];
+export const SECTIONS = ['region', 'boundary', 'structure', 'plate', 'member', 'head', 'water'];
 
 export const empty = () => ({
   title: 'new problem', default_boundary: 'free', objective: {kind: 'load'},
@@ -22,7 +22,7 @@ function pointsKey(section, of) {
 // All that has points: {section, index, key, points, closed}. The water table has no index.
 export function shapes(problem) {
   const all = [];
-  for (const section of ['region', 'boundary', 'structure', 'plate']) {
+  for (const section of SECTIONS.filter(section => section !== 'water')) {
     list(problem, section).forEach((of, index) => {
       const key = pointsKey(section, of), points = key && of[key];
       if (points?.length) all.push({section, index, key, points, closed: key === 'polygon'});
@@ -36,7 +36,7 @@ export const isSame = (a, b) => Boolean(a && b && a.section === b.section && (a.
 export const shapeOf = (problem, chosen) => chosen && shapes(problem).find(shape => isSame(shape, chosen));
 export const allPoints = problem => shapes(problem).flatMap(shape => shape.points);
 
-const KINDS = {region: 'Region', boundary: 'Boundary', structure: 'Structure', plate: 'Plate', water: 'Water table', soil: 'Soil'};
+const KINDS = {region: 'Region', boundary: 'Boundary', structure: 'Structure', plate: 'Plate', member: 'Bar or sheet', head: 'Head', water: 'Water table', soil: 'Soil'};
 const HOLDS = {free: 'free', load: 'load', fixed: 'fixed', smooth: 'smooth', symmetric: 'symmetric', far: 'far'};
 
 // An entry in a few words.
@@ -48,6 +48,7 @@ export function label(problem, {section, index}) {
     const where = of.sides?.length ? of.sides.join(', ') : `${of.line?.length ?? 0} points`;
     return `${of.name ? `${of.name}: ` : ''}${HOLDS[of.kind] ?? of.kind}, ${where}`;
   }
+  if (section === 'head') return `${of.name ? `${of.name}: ` : ''}head ${of.head_m} m`;
   if (section === 'region') return of.name ? `${of.name} (${of.soil})` : of.soil;
   return of.name || `${KINDS[section]} ${index + 1}`;
 }
@@ -67,6 +68,9 @@ export function add(draft, tool, points, {soil = 0, kind = 'fixed'} = {}) {
     }
     case 'load': return push('boundary', {kind: 'load', line: points, pressure_kpa: 10, ...(draft.objective.kind === 'load' ? {live: true} : {})});
     case 'line': return push('boundary', {kind, line: points});
+    case 'member': return push('member', {name: freshName(list(draft, 'member').map(of => of.name), 'sheet'), line: points, tensile_kn_per_m: 50});
+    // Water at the highest of its points, until somebody says otherwise.
+    case 'head': return push('head', {line: points, head_m: tidy(Math.max(...points.map(p => p[1])))});
     case 'water': {
       const table = [...points].sort((a, b) => a[0] - b[0]);
       draft.water = {unit_weight_kn_m3: 9.81, ...draft.water, table};
@@ -135,6 +139,7 @@ export function duplicate(draft, of) {
   const {low, high} = box(shape.points);
   const copy = structuredClone(draft[of.section][of.index]);
   copy[shape.key] = shape.points.map(([x, y]) => [tidy(x + (high[0] - low[0] || high[1] - low[1])), y]);
+  if (of.section === 'member') copy.name = freshName(list(draft, 'member').map(its => its.name), copy.name);
   draft[of.section].push(copy);
   return {section: of.section, index: draft[of.section].length - 1};
 }

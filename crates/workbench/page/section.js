@@ -44,8 +44,8 @@ function names(view, problem) {
 }
 
 function bodies(view, problem) {
-  return shapes(problem).filter(({section}) => section === 'structure' || section === 'plate').flatMap(shape => {
-    const {points, closed} = shape, line = svg('path', {d: path(view, points, closed), class: closed ? 'body' : 'plate'});
+  return shapes(problem).filter(({section}) => ['structure', 'plate', 'member'].includes(section)).flatMap(shape => {
+    const {points, closed} = shape, line = svg('path', {d: path(view, points, closed), class: closed ? 'body' : shape.section === 'member' ? 'member' : 'plate'});
     const top = points.reduce((best, p) => p[1] > best[1] ? p : best, points[0]), [, y] = view.px(top), [x] = view.px(closed ? middle(points) : top);
     return [line, svg('text', {x: closed ? x : x + 8, y: y - 8, 'text-anchor': closed ? 'middle' : 'start', class: 'value'}, label(problem, shape))];
   });
@@ -53,7 +53,7 @@ function bodies(view, problem) {
 
 // The lines of boundaries and the water table as they are in the document; what they mean is drawn by symbols.
 function lines(view, problem) {
-  return shapes(problem).filter(({section}) => section === 'boundary' || section === 'water')
+  return shapes(problem).filter(({section}) => ['boundary', 'head', 'water'].includes(section))
     .map(({section, points}) => svg('path', {d: path(view, points, false), class: `entry ${section}`}));
 }
 

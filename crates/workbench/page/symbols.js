@@ -81,8 +81,9 @@ function surcharge(view, sides, value) {
 }
 
 // The water table with its triangle, and open water.
-function water(view, {table, ponds}) {
+function water(view, {table, ponds, surface}) {
   const parts = ponds.map(corners => svg('path', {d: `M${corners.map(p => view.px(p)).join('L')}Z`, class: 'pond'}));
+  parts.push(path(surface.map(line => line.map(p => view.px(p))), {class: 'table'}));
   for (const line of table) {
     const px = line.map(p => view.px(p));
     parts.push(path([px], {class: 'table'}));
@@ -93,9 +94,9 @@ function water(view, {table, ponds}) {
 }
 
 // All symbols of what was understood.
-export function symbols(view, {sides, loads, surcharge: pressure, table, ponds, motion, shaking}) {
+export function symbols(view, {sides, loads, surcharge: pressure, table, ponds, free_surface: surface, motion, shaking}) {
   const most = Math.max(0, ...loads.flatMap(one => one.pressure).map(Math.abs));
-  const parts = [water(view, {table, ponds}), ...sides.filter(side => side.kind !== 'load').flatMap(side => support(view, side))];
+  const parts = [water(view, {table, ponds, surface}), ...sides.filter(side => side.kind !== 'load').flatMap(side => support(view, side))];
   if (pressure) parts.push(surcharge(view, sides, pressure));
   parts.push(...loads.map(one => load(view, one, most)));
   if (motion) {

@@ -23,8 +23,14 @@ function things(problem) {
     if (of.kind !== 'load' || Array.isArray(of.pressure_kpa) || of.live && problem.objective.kind === 'load') return;
     all.push({id: `boundary.${k}`, name: `load ${of.name ?? k + 1}`, find: draft => draft.boundary[k], sliders: [slider('pressure_kpa', 'pressure', 'kPa', 0, upTo(of.pressure_kpa, 20), .5)]});
   });
+  const ys = shapes(problem).flatMap(shape => shape.points.map(p => p[1])), tall = Math.max(.5, Math.ceil(Math.max(...ys) - Math.min(...ys)));
+  list(problem, 'member').forEach((of, k) => {
+    all.push({id: `member.${k}`, name: `sheet ${of.name}`, find: draft => draft.member[k], sliders: [slider('tensile_kn_per_m', 'tension at most', 'kN/m', 0, upTo(of.tensile_kn_per_m, 20), 1)]});
+  });
+  list(problem, 'head').forEach((of, k) => {
+    all.push({id: `head.${k}`, name: `head ${of.name ?? k + 1}`, find: draft => draft.head[k], sliders: [slider('head_m', 'total head', 'm', Math.min(...ys), Math.max(...ys) + tall, .05)]});
+  });
   if (problem.water) {
-    const ys = shapes(problem).flatMap(shape => shape.points.map(p => p[1])), tall = Math.max(.5, Math.ceil(Math.max(...ys) - Math.min(...ys)));
     all.push({id: 'water', name: 'water table', find: draft => draft.water, sliders: [slider('rise_m', 'higher by', 'm', -tall, tall, .05)]});
   }
   all.push({id: 'surcharge', name: 'surcharge', find: draft => draft, sliders: [slider('surcharge_kpa', 'on free ground', 'kPa', 0, upTo(problem.surcharge_kpa, 20), .5)]});

@@ -15,6 +15,8 @@ const MEMBER_KN_PER_M: f64 = 5000.0;
 const LEAST_GROUND_M: f64 = 0.02;
 /// How much larger than a structure the ground usually is at most.
 const RATIO: f64 = 2000.0;
+/// Permeabilities from tight clay to gravel, m/s.
+const PERMEABILITY: std::ops::RangeInclusive<f64> = 1e-12..=0.1;
 /// Unit weights of water with what is dissolved in it, kN/m3.
 const WATER: [f64; 2] = [9.0, 13.0];
 
@@ -74,6 +76,7 @@ fn of_one(d: &Description) -> Vec<String> {
         }
     }
     all.extend(water(d));
+    all.extend(heads(d));
     if let Some(seismic) = d.seismic {
         for (key, value) in [("kh", seismic.kh), ("kv", seismic.kv)] {
             all.push((value.abs() > 1.0).then(|| {
@@ -119,6 +122,41 @@ fn extent(m: f64) -> Option<String> {
     };
     let [m, low, high] = [m, LEAST_GROUND_M, GROUND_M].map(number);
     Some(format!("the regions: the ground is {m} m large; it usually has {low} to {high} m: {cause}"))
+}
+
+/// Heads that give no water, and soil that water hardly ever has.
+fn heads(d: &Description) -> Vec<Option<String>> {
+    let heights = || d.regions.iter().flat_map(|r| &r.polygon).map(|p| p[1]);
+    let most = heights().fold(f64::NEG_INFINITY, f64::max);
+    let of_head = d.heads.iter().enumerate().map(|(i, head)| {
+        let entry = match &head.name {
+            Some(name) => format!("head {} ({name:?})", i + 1),
+            None => format!("head {}", i + 1),
+        };
+        let lowest = head.line.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
+        let (level, tall) = (head.head_m, size(d.regions.iter().flat_map(|r| &r.polygon)));
+        if level < lowest {
+            let [level, lowest] = [level, lowest].map(number);
+            return Some(format!(
+                "{entry}: head_m is {level}, and its line begins at y = {lowest} m, above it, so no water is given there: is it a height of y, \
+                 not a depth?"
+            ));
+        }
+        (level > most + tall).then(|| {
+            let [level, most] = [level, most].map(number);
+            format!(
+                "{entry}: head_m is {level}, and the ground ends at y = {most} m; it is rarely that far under water: is it a pressure?"
+            )
+        })
+    });
+    let of_soil = d.soils.iter().enumerate().map(|(i, soil)| {
+        let value = soil.permeability_m_per_s.filter(|k| !PERMEABILITY.contains(k))?;
+        let (entry, [low, high]) = (format!("soil {} ({:?})", i + 1, soil.name), [PERMEABILITY.start(), PERMEABILITY.end()]);
+        Some(format!(
+            "{entry}: permeability_m_per_s is {value:e}; soils have {low:e} to {high:e} m/s: is it in m/day, or an intrinsic one in m2?"
+        ))
+    });
+    of_head.chain(of_soil).collect()
 }
 
 fn water(d: &Description) -> Vec<Option<String>> {
@@ -167,11 +205,28 @@ mod tests {
     use super::*;
 
     fn notes_of(change: impl Fn(&str) -> String) -> Vec<String> {
-        let text = include_str!("../../../../data/problems/plate_layers.toml");
+        notes_of_text(&change(include_str!("../../../../data/problems/plate_layers.toml")))
+    }
+
+    fn notes_of_text(text: &str) -> Vec<String> {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("a.toml");
-        std::fs::write(&path, change(text)).unwrap();
+        std::fs::write(&path, text).unwrap();
         notes(&Description::read(&path).unwrap(), &[])
+    }
+
+    #[test]
+    fn heads_that_give_no_water_are_told() {
+        let dam = include_str!("../../../../data/problems/dam_seepage.toml");
+        assert_eq!(notes_of_text(dam), Vec::<String>::new());
+        for (old, new, words) in [
+            ("head_m = 4", "head_m = -1", "no water is given there"),
+            ("head_m = 4", "head_m = 40", "is it a pressure?"),
+            ("= 1e-6", "= 9", "is it in m/day"),
+        ] {
+            let found = notes_of_text(&dam.replacen(old, new, 1));
+            assert!(found.len() == 1 && found[0].contains(words), "{new}: {found:?}");
+        }
     }
 
     #[test]

@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_limit_analysis::describe::Quantity;
 use soilctl_limit_analysis::{Bounds, Described, Ended, Factorisation, SafetyBounds, StoppedBy};
 
-use super::{Asked, CaseAnswer};
+use super::{Asked, CaseAnswer, SeepageAnswer};
 use crate::Outcome;
 use crate::limits::{LevelAnswer, ResultsAnswer};
 
@@ -51,6 +51,8 @@ pub struct Answer {
     /// What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety are of soil whose
     /// strength is divided by its bounds.
     pub results: ResultsAnswer,
+    /// How ground water flows between given heads, of cases in the governing one; null if it does not.
+    pub seepage: Option<SeepageAnswer>,
     /// Values of the file that are possible but unusual, with what is usual and a likely cause.
     pub notes: Vec<String>,
     /// The gap asked for.
@@ -101,6 +103,7 @@ impl Answer {
             levels: bounds.levels.iter().map(|level| LevelAnswer::new(level, unit)).collect(),
             trials: Vec::new(),
             results,
+            seepage: None,
             notes: Vec::new(),
             max_gap,
         }
@@ -138,6 +141,7 @@ impl Answer {
             levels: Vec::new(),
             trials: trials.collect(),
             results,
+            seepage: None,
             notes: Vec::new(),
             max_gap,
         }

@@ -9,7 +9,7 @@ use soilctl_certificate::Linear;
 use soilctl_limit_analysis::describe::{Case, MemberEnd, MemberEntry};
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
-use super::{Asked, BoundaryKind};
+use super::{Asked, BoundaryKind, SeepageAnswer};
 use crate::{AppError, Watch, plausible};
 
 /// Reads a problem file and says what it was understood to mean.
@@ -68,12 +68,14 @@ pub struct Answer {
     pub length_m: f64,
     /// Unit of stress of the solver in kPa.
     pub stress_kpa: f64,
-    /// Regions of one soil after cutting.
+    /// Regions of one soil after cutting; all of one soil as one where ground water flows.
     pub regions: Vec<CheckedRegion>,
     /// Total length of boundary with each condition.
     pub boundaries: Vec<CheckedBoundary>,
     /// Bars and sheets.
     pub members: Vec<CheckedMember>,
+    /// How ground water flows between given heads; null if it does not.
+    pub seepage: Option<SeepageAnswer>,
     /// Values that are possible but unusual, with what is usual and a likely cause.
     pub notes: Vec<String>,
     /// Cases, with the values of sweeps; empty if there are none.
@@ -169,7 +171,9 @@ impl Answer {
                 area += 0.5 * (a[0] * b[1] - a[1] * b[0]) * long * long;
                 let at = |l: &Linear| stress * (l.at_origin + l.gradient[0] * a[0] + l.gradient[1] * a[1]);
                 cohesion.add(at(&r.material.cohesion));
-                pore.add(at(&r.material.pore_pressure));
+                // Of a plane through dry points only its rounding is left there.
+                let water = at(&r.material.pore_pressure);
+                pore.add(if water.abs() > 1e-9 * stress { water } else { 0.0 });
             }
             CheckedRegion {
                 area_m2: area,
@@ -193,13 +197,36 @@ impl Answer {
             quantity: Asked::of(description, described),
             length_m: long,
             stress_kpa: stress,
-            regions: regions.collect(),
+            regions: if described.flowed.is_some() { merged(regions) } else { regions.collect() },
             boundaries: boundaries.into_iter().filter(|b| b.length_m > 0.0).collect(),
             members: description.members.iter().map(CheckedMember::new).collect(),
             cases: Vec::new(),
+            seepage: SeepageAnswer::of(described),
             notes,
         }
     }
+}
+
+/// Regions of like soil as one: where water flows there are many.
+fn merged(regions: impl Iterator<Item = CheckedRegion>) -> Vec<CheckedRegion> {
+    let mut all: Vec<CheckedRegion> = Vec::new();
+    for region in regions {
+        let is_like = |other: &CheckedRegion| {
+            other.phi_deg == region.phi_deg && other.unit_weight_kn_m3 == region.unit_weight_kn_m3
+        };
+        let Some(one) = all.iter_mut().find(|other| is_like(other)) else {
+            all.push(region);
+            continue;
+        };
+        one.area_m2 += region.area_m2;
+        for (span, other) in [
+            (&mut one.cohesion_kpa, region.cohesion_kpa),
+            (&mut one.pore_pressure_kpa, region.pore_pressure_kpa),
+        ] {
+            *span = [span[0].min(other[0]), span[1].max(other[1])];
+        }
+    }
+    all
 }
 
 /// Least and greatest of some values.

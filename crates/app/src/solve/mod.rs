@@ -8,6 +8,7 @@ pub mod check;
 mod one_side;
 mod safety;
 mod save;
+mod seepage;
 
 use std::path::{Path, PathBuf};
 
@@ -17,6 +18,7 @@ pub use boundary::BoundaryKind;
 pub use cases::CaseAnswer;
 pub use save::Kept;
 use schemars::JsonSchema;
+pub use seepage::{HeadAnswer, SeepageAnswer};
 use serde::{Deserialize, Serialize};
 use soilctl_limit_analysis::describe::{Aim, Case, Quantity};
 use soilctl_limit_analysis::results::problem_units;
@@ -100,6 +102,7 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
         cases::run(request, &cases, watch)?
     };
     solved.answer.notes = notes;
+    solved.answer.seepage = SeepageAnswer::of(&solved.described);
     solved.given = given;
     solved.cases = cases;
     Ok(solved)

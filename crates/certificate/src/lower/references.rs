@@ -155,14 +155,22 @@ fn column(
     if unit_weight == base_weight && tops.iter().all(|top| above(top).layers.is_empty()) {
         return Ok(zero);
     }
-    let one_line = |first: &Top| {
-        let like = |top: &Top| {
-            let level = top.is_level() && first.is_level() && top.ends[0][1] == first.ends[0][1];
-            level && above(top).layers == above(first).layers
-        };
-        tops.len() == 1 || tops.iter().all(like)
+    // The layers that follow from one top: those above it go on, if they are as heavy, or a new one starts there.
+    let layers = |top: &Top| {
+        let mut layers = above(top).layers.clone();
+        if layers.last().map_or(base_weight, |last| last.unit_weight) != unit_weight {
+            let ends = if top.is_level() { [[0.0, top.ends[0][1]]; 2] } else { top.ends };
+            layers.push(Layer { unit_weight, top: ends });
+        }
+        layers
     };
-    let first = tops.first().filter(|first| one_line(first));
+    let first =
+        tops.first().filter(|first| tops.len() == 1 || tops.iter().all(|top| layers(top) == layers(first)));
+    if let Some(first) = first
+        && layers(first) == above(first).layers
+    {
+        return Ok(above(first).clone());
+    }
     let (ends, above) = match first {
         Some(first) => (first.ends, above(first)),
         // Nothing adjoins that it would have to fit.

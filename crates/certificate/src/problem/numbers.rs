@@ -3,7 +3,7 @@ use crate::interval::Vector;
 use crate::statement::{Condition, Linear, Objective, Statement};
 
 /// Most lines of a statement: some checks compare all pairs.
-const MAX_LINES: usize = 256;
+const MAX_LINES: usize = 1024;
 
 /// Checks that every number of a statement is in its range and every index points at something.
 pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
@@ -17,7 +17,7 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
         let count = lines.len();
         return Err(CertificateError::NotCovered {
             place: format!("{count} lines"),
-            what: "a statement has at most 256 lines",
+            what: "a statement has at most 1024 lines",
         });
     }
     for (i, line) in lines.iter().enumerate() {

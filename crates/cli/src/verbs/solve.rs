@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use soilctl_app::solve::{self, Answer, Asked, Request, check};
+use soilctl_app::solve::{self, Answer, Asked, Request, SeepageAnswer, check};
 use soilctl_app::text::{columns, number, number_or_dash};
 use soilctl_app::{Answer as _, Outcome};
 use soilctl_pages::save_figure;
@@ -75,6 +75,12 @@ impl Words for Answer {
             let [least, most] = [number(-self.upper), number(-self.lower)];
             text += &format!("the soil pushes the structure on, with {least} to {most} kN/m\n");
         }
+        if let Some(seepage) = &self.seepage {
+            text += &format!(
+                "for pore pressures within {} kPa of the flow: see --check\n",
+                number(seepage.kept_within_kpa)
+            );
+        }
         if let Some(governing) = &self.governing {
             return text + &cases_text(self, governing) + &results_text(&self.results);
         }
@@ -89,6 +95,33 @@ impl Words for Answer {
         }
         text + &columns(&rows) + "\n" + &results_text(&self.results)
     }
+}
+
+/// How ground water flows.
+fn seepage_text(seepage: &SeepageAnswer) -> String {
+    let unit = if seepage.in_m2_per_s { "m3/s per m" } else { "over permeability, m" };
+    let mut rows = vec![vec!["head".to_owned(), "m".into(), format!("flows in, {unit}")]];
+    for head in &seepage.heads {
+        let name = head.name.clone().unwrap_or_else(|| "-".into());
+        rows.push(vec![name, number(head.head_m), number(head.inflow)]);
+    }
+    rows.push(vec!["out in air".into(), "-".into(), number(-seepage.out_in_air)]);
+    let mut text = format!("\n{}", columns(&rows));
+    if let (Some(gradient), Some([x, y])) = (seepage.exit_gradient, seepage.exit_at_m) {
+        text += &format!(
+            "greatest gradient where water comes out: {}, at ({}, {})\n",
+            number(gradient),
+            number(x),
+            number(y)
+        );
+    }
+    text + &format!(
+        "pore pressures up to {} kPa, linear in {} triangles: within {} kPa of a flow on smaller ones, and that within {} kPa\n",
+        number(seepage.greatest_kpa),
+        seepage.triangles,
+        number(seepage.kept_within_kpa),
+        number(seepage.found_within_kpa)
+    )
 }
 
 /// All cases as a table, and which governs.
@@ -150,6 +183,9 @@ impl Words for check::Answer {
             }
             text += "\n";
             text += &columns(&rows);
+        }
+        if let Some(seepage) = &self.seepage {
+            text += &seepage_text(seepage);
         }
         for case in &self.cases {
             text += &format!("\ncase {}", case.name);

@@ -41,6 +41,10 @@ impl Description {
         title("structure", index, &self.structures[index].name)
     }
 
+    pub(super) fn head_title(&self, index: usize) -> String {
+        title("head", index, self.heads[index].name.as_deref().unwrap_or(""))
+    }
+
     pub(super) fn member_title(&self, index: usize) -> String {
         title("member", index, &self.members[index].name)
     }
@@ -75,6 +79,7 @@ impl Description {
         self.check_members()?;
         self.check_boundaries()?;
         self.check_water()?;
+        self.check_seepage()?;
         if let Some(seismic) = self.seismic {
             number("seismic", "kh", seismic.kh, Range { low: -10.0, high: 10.0, words: "-10 to 10" })?;
             number(
@@ -95,6 +100,7 @@ impl Description {
             ("plates", self.plates.len()),
             ("structures", self.structures.len()),
             ("members", self.members.len()),
+            ("heads", self.heads.len()),
         ];
         for (what, count) in counts {
             if count > MAX_ENTRIES {
@@ -112,6 +118,7 @@ impl Description {
             + self.plates.iter().map(|p| p.line.len()).sum::<usize>()
             + self.structures.iter().map(|s| s.polygon.len() + s.edge.len()).sum::<usize>()
             + self.members.iter().map(|m| m.line.len()).sum::<usize>()
+            + self.heads.iter().map(|h| h.line.len()).sum::<usize>()
             + self.water.iter().map(|w| w.table.len()).sum::<usize>();
         if points > MAX_POINTS {
             return Err(DescriptionError::TooMuch { what: "points", count: points, limit: MAX_POINTS });
@@ -220,8 +227,7 @@ impl Description {
         let Some(water) = &self.water else { return Ok(()) };
         check_line("water", "table", &water.table, 1)?;
         number("water", "rise_m", water.rise_m, COORDINATE)?;
-        let weight = Range { low: f64::MIN_POSITIVE, high: 100.0, words: "above 0, at most 100 kN/m3" };
-        number("water", "unit_weight_kn_m3", water.unit_weight_kn_m3, weight)?;
+        number("water", "unit_weight_kn_m3", water.unit_weight_kn_m3, WATER)?;
         if water.table.windows(2).any(|w| w[1][0] <= w[0][0]) {
             return Err(DescriptionError::entry(
                 "water",
@@ -235,6 +241,39 @@ impl Description {
             }
             None => Ok(()),
         }
+    }
+
+    fn check_seepage(&self) -> Result<(), DescriptionError> {
+        let wrong = |entry: String, problem: &str| Err(DescriptionError::entry(entry, problem));
+        if self.heads.is_empty() {
+            return match self.seepage {
+                Some(_) => wrong("seepage".into(), "no head is given; add [[head]] with line and head_m"),
+                None => Ok(()),
+            };
+        }
+        number("seepage", "unit_weight_kn_m3", self.seepage.unwrap_or_default().unit_weight_kn_m3, WATER)?;
+        if self.water.is_some() {
+            let problem = "a water table is ground water at rest, and [[head]] is water that flows; keep one";
+            return wrong("water".into(), problem);
+        }
+        for (i, head) in self.heads.iter().enumerate() {
+            let entry = self.head_title(i);
+            check_line(&entry, "line", &head.line, 2)?;
+            number(&entry, "head_m", head.head_m, COORDINATE)?;
+        }
+        let used = |soil: &SoilEntry| self.regions.iter().any(|r| r.soil == soil.name);
+        let several = self.soils.iter().filter(|s| used(s)).count() > 1;
+        for (i, soil) in self.soils.iter().enumerate() {
+            if soil.pore_pressure_ratio > 0.0 {
+                let problem = "pore_pressure_ratio and water that flows exclude each other; keep one";
+                return wrong(self.soil_title(i), problem);
+            }
+            if several && used(soil) && soil.permeability_m_per_s.is_none() {
+                let problem = "water flows through several soils, so each needs permeability_m_per_s";
+                return wrong(self.soil_title(i), problem);
+            }
+        }
+        Ok(())
     }
 
     fn check_aim(&self) -> Result<(), DescriptionError> {
@@ -292,6 +331,8 @@ fn check_soil(entry: &str, soil: &SoilEntry) -> Result<(), DescriptionError> {
     number(entry, "unit_weight_kn_m3", soil.unit_weight_kn_m3, weight)?;
     number(entry, "tension_kpa", soil.tension_kpa.unwrap_or(0.0), STRESS)?;
     number(entry, "pore_pressure_ratio", soil.pore_pressure_ratio, ratio)?;
+    number(entry, "permeability_m_per_s", soil.permeability_m_per_s.unwrap_or(1.0), PERMEABILITY)?;
+    number(entry, "permeability_ratio", soil.permeability_ratio.unwrap_or(1.0), RATIO)?;
     number(entry, "cohesion_level_m", soil.cohesion_level_m.unwrap_or(0.0), COORDINATE)?;
     if gradient.1 != 0.0 && soil.cohesion_level_m.is_none() {
         let problem =
@@ -331,6 +372,9 @@ const ANGLE: Range = Range { low: 0.0, high: 90.0 * BELOW_ONE, words: "0 up to, 
 const STRESS: Range =
     Range { low: 0.0, high: LARGEST, words: "a finite number, at least 0 and at most 1e9 kPa" };
 const FORCE: Range = Range { low: 0.0, high: 1e6, words: "0 to 1e6 kN/m" };
+const WATER: Range = Range { low: f64::MIN_POSITIVE, high: 100.0, words: "above 0, at most 100 kN/m3" };
+const PERMEABILITY: Range = Range { low: 1e-15, high: 1e3, words: "1e-15 to 1e3 m/s" };
+const RATIO: Range = Range { low: 1e-3, high: 1e3, words: "0.001 to 1000" };
 const BOND: Range = Range { low: 1e-3, high: 1.0, words: "0.001 to 1" };
 const COORDINATE: Range =
     Range { low: -LARGEST, high: LARGEST, words: "a finite number of metres up to 1e9" };

@@ -68,24 +68,28 @@ pub(super) fn weight_cuts(
                 layers[index] = Some(Vec::new());
                 continue;
             }
-            let is_like = |first: &Top, top: &Top| {
-                let level = |([a, b], _): &Top| a[1] == b[1] && a[1] == first.0[0][1];
-                level(first) && level(top) && above(first) == above(top)
+            // The layers that follow from one top: those above it go on, if they are as heavy, or a new one starts there.
+            let followed = |top: &Top| {
+                let (own, ends) = (weight(face), top.0);
+                let mut layers = above(top);
+                if layers.last().map_or(base.to_bits(), |last| last.0) != own.to_bits() {
+                    layers.push((
+                        own.to_bits(),
+                        if ends[0][1] == ends[1][1] { [[0.0, ends[0][1]]; 2] } else { ends },
+                    ));
+                }
+                layers
             };
-            let first = tops.first().filter(|f| tops.len() == 1 || tops.iter().all(|top| is_like(f, top)));
+            let first = tops.first().filter(|f| tops.iter().all(|top| followed(top) == followed(f)));
             if first.is_none() && tops.iter().any(|top| top.1.is_some()) {
                 let corners = tops.iter().flat_map(|(ends, _)| *ends);
                 cuts.extend(corners.filter_map(|p| downwards(map, face, p)));
             }
-            let mut own = tops.first().map(above).unwrap_or_default();
-            let top = match first {
-                Some((ends, _)) if ends[0][1] == ends[1][1] => [[0.0, ends[0][1]]; 2],
-                Some((ends, _)) => *ends,
+            layers[index] = Some(match first {
+                Some(top) => followed(top),
                 // From zero at the datum.
-                None => [[f64::INFINITY; 2]; 2],
-            };
-            own.push((weight(face).to_bits(), top));
-            layers[index] = Some(own);
+                None => vec![(weight(face).to_bits(), [[f64::INFINITY; 2]; 2])],
+            });
         }
     }
     cuts

@@ -13,13 +13,14 @@ use super::ground::{Map, Occupant};
 use super::holds::{Holder, Holds};
 use super::input::{Aim, Description};
 use super::plan::Plan;
-use super::segments::Drawing;
+use super::seepage::{PoreField, Uncut};
+use super::segments::{Drawing, Segment};
 use super::size::units;
 use crate::error::LimitError;
 use crate::vector::{Point, length};
 
 /// Most lines of a statement that the checker takes.
-const MAX_LINES: usize = 256;
+const MAX_LINES: usize = 1024;
 
 /// Cutting a region may bend the top of the one below, once for each layer.
 const MAX_ROUNDS: usize = 64;
@@ -33,7 +34,28 @@ impl Description {
     /// covers.
     pub fn described(&self) -> Result<Described, LimitError> {
         self.check()?;
-        let plan = self.plan()?;
+        self.described_under(self.pore_field()?.as_ref())
+    }
+
+    /// The flow of ground water, if heads are given. It does not depend on strength, so it can be kept for weaker soil.
+    pub(crate) fn pore_field(&self) -> Result<Option<PoreField>, LimitError> {
+        if self.heads.is_empty() {
+            return Ok(None);
+        }
+        self.check()?;
+        let (drawing, segments, map) = self.uncut()?;
+        let faces = map.faces();
+        let holder = Holder { description: self, drawing: &drawing, segments: &segments, map: &map };
+        let holds: BTreeMap<LineUse, Holds> = holder.all()?.into_iter().collect();
+        let heads = holder.heads(&holds)?;
+        let uncut = Uncut { description: self, map: &map, faces: &faces, holds: &holds, heads: &heads };
+        uncut.pore_field().map(Some)
+    }
+
+    /// The problem with pore pressures that were found before.
+    pub(crate) fn described_under(&self, pores: Option<&PoreField>) -> Result<Described, LimitError> {
+        self.check()?;
+        let plan = self.plan(pores)?;
         self.check_covered(&plan)?;
         self.check_placed(&plan)?;
         let at_far = self.far_pressure(&plan)?;
@@ -46,13 +68,24 @@ impl Description {
             Aim::Seismic { .. } => Quantity::Acceleration,
         };
         let Units { length_m, stress_kpa, .. } = units;
-        Ok(Described { statement, length_m, stress_kpa, quantity, title: self.title.clone() })
+        let flowed = pores.map(|pores| pores.flowed.clone());
+        Ok(Described { statement, length_m, stress_kpa, quantity, title: self.title.clone(), flowed })
     }
 
-    fn plan(&self) -> Result<Plan, DescriptionError> {
+    /// The lines that are named, before any cuts that proofs need.
+    fn uncut(&self) -> Result<(Drawing, Vec<Segment>, Map), DescriptionError> {
         let drawing = Drawing::new(self);
-        let mut segments = drawing.segments(self)?;
-        let mut map = Map::new(self, &drawing, &segments)?;
+        let segments = drawing.segments(self)?;
+        let map = Map::new(self, &drawing, &segments)?;
+        Ok((drawing, segments, map))
+    }
+
+    fn plan<'a>(&self, pores: Option<&'a PoreField>) -> Result<Plan<'a>, DescriptionError> {
+        let (drawing, mut segments, mut map) = self.uncut()?;
+        if let Some(pores) = pores {
+            segments.extend(pores.cuts());
+            map = Map::new(self, &drawing, &segments)?;
+        }
         let ratio = ratio_cuts(self, &drawing, &map);
         if !ratio.is_empty() {
             segments.extend(ratio);
@@ -70,7 +103,9 @@ impl Description {
             let base = self.soils[self.soil_of(first.region)].unit_weight_kn_m3;
             let cuts = weight_cuts(self, &map, &faces, &holds, base);
             if cuts.is_empty() {
-                return Ok(Plan { drawing, map, faces, holds, members });
+                let heads = holder.heads(&holds)?;
+                let heads = heads.into_iter().map(|(walk, entry)| (walk, self.heads[entry].head_m)).collect();
+                return Ok(Plan { drawing, map, faces, holds, members, heads, pores });
             }
             segments.extend(cuts);
             map = Map::new(self, &drawing, &segments)?;
@@ -108,24 +143,29 @@ impl Description {
         Ok(())
     }
 
-    /// Pressure of open water above a point.
-    fn water_pressure(&self, plan: &Plan, p: Point) -> f64 {
-        let depth = plan.drawing.table(p[0]).map_or(0.0, |y| (y - p[1]).max(0.0));
-        self.water.as_ref().map_or(0.0, |w| w.unit_weight_kn_m3 * depth)
+    /// Pressure of open water on a side at a point.
+    fn water_pressure(&self, plan: &Plan, walk: LineUse, p: Point) -> f64 {
+        let depth = plan.open_water(walk, p);
+        let at_rest = self.water.as_ref().map(|w| w.unit_weight_kn_m3);
+        depth * at_rest.unwrap_or_else(|| self.seepage.unwrap_or_default().unit_weight_kn_m3)
     }
 
     /// Pressure on the ground beyond far sides in kPa.
     fn far_pressure(&self, plan: &Plan) -> Result<f64, DescriptionError> {
-        let far =
-            plan.holds.iter().filter(|(_, h)| **h == Holds::Far).map(|(w, _)| plan.map.walked_points(*w));
-        let mut tops: BTreeMap<bool, Point> = BTreeMap::new();
-        for p in far.filter(|[a, b]| a[0] == b[0]).flatten() {
-            let top = tops.entry(p[0] == plan.drawing.low[0]).or_insert(p);
-            if p[1] > top[1] {
-                *top = p;
+        let far = plan.holds.iter().filter(|(_, h)| **h == Holds::Far);
+        let mut tops: BTreeMap<bool, (LineUse, Point)> = BTreeMap::new();
+        for (walk, ends) in
+            far.map(|(w, _)| (*w, plan.map.walked_points(*w))).filter(|(_, [a, b])| a[0] == b[0])
+        {
+            for p in ends {
+                let top = tops.entry(p[0] == plan.drawing.low[0]).or_insert((walk, p));
+                if p[1] > top.1[1] {
+                    *top = (walk, p);
+                }
             }
         }
-        let mut pressures = tops.values().map(|p| self.surcharge_kpa + self.water_pressure(plan, *p));
+        let mut pressures =
+            tops.values().map(|(walk, p)| self.surcharge_kpa + self.water_pressure(plan, *walk, *p));
         let first = pressures.next().unwrap_or(self.surcharge_kpa);
         match pressures.find(|p| (p - first).abs() > 1e-12 * first.abs()) {
             Some(other) => {
@@ -153,7 +193,7 @@ impl Description {
             map.arrangement.edges.iter().map(|e| Line { from: number(e.ends[0]), to: number(e.ends[1]) });
         let lines = lines.collect();
         let region = |face: &Face| {
-            let material = material(self, &plan.drawing, map, face, units)?;
+            let material = material(self, plan, face, units)?;
             Ok(Region { loops: face.loops.clone(), material })
         };
         let boundary = |(walk, holds): (&LineUse, &Holds)| Boundary {
@@ -191,7 +231,7 @@ impl Description {
             }
             Holds::Free => {
                 let ends = plan.map.arrangement.ends(walk.line);
-                let pressure = ends.map(|p| self.surcharge_kpa + self.water_pressure(plan, p));
+                let pressure = ends.map(|p| self.surcharge_kpa + self.water_pressure(plan, walk, p));
                 if pressure.iter().all(|p| (p - at_far).abs() <= 1e-12 * at_far.abs()) {
                     return Condition::Free;
                 }
@@ -206,7 +246,8 @@ impl Description {
 
     /// Whether a free side is of soil without cohesion, below open water and nothing else.
     fn is_under_water_alone(&self, plan: &Plan, at_far: f64, walk: LineUse) -> bool {
-        let is_wet = matches!(plan.map.left_of(walk), Occupant::Soil { submerged: true, .. });
+        let is_wet =
+            plan.is_drowned(walk) || matches!(plan.map.left_of(walk), Occupant::Soil { submerged: true, .. });
         is_wet && at_far == 0.0 && self.surcharge_kpa == 0.0 && plan.is_bare(self, &walk)
     }
 

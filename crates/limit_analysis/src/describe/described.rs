@@ -2,6 +2,7 @@
 
 use soilctl_certificate::{Scale, Statement};
 
+use super::seepage::Flowed;
 use crate::error::LimitError;
 use crate::problem::Problem;
 
@@ -32,6 +33,8 @@ pub struct Described {
     pub quantity: Quantity,
     /// The problem in words.
     pub title: Option<String>,
+    /// How ground water flows, where heads are given.
+    pub flowed: Option<Flowed>,
 }
 
 impl Described {

@@ -24,8 +24,12 @@ pub enum Section {
     Case,
     /// `[[sweep]]`
     Sweep,
+    /// `[[head]]`
+    Head,
     /// `[water]`
     Water,
+    /// `[seepage]`
+    Seepage,
     /// `[seismic]`
     Seismic,
     /// `[objective]`
@@ -35,7 +39,7 @@ pub enum Section {
 }
 
 impl Section {
-    const ALL: [(Self, &'static str); 12] = [
+    const ALL: [(Self, &'static str); 14] = [
         (Self::Soil, "soil"),
         (Self::Region, "region"),
         (Self::Boundary, "boundary"),
@@ -44,7 +48,9 @@ impl Section {
         (Self::Member, "member"),
         (Self::Case, "case"),
         (Self::Sweep, "sweep"),
+        (Self::Head, "head"),
         (Self::Water, "water"),
+        (Self::Seepage, "seepage"),
         (Self::Seismic, "seismic"),
         (Self::Objective, "objective"),
         (Self::Problem, "the problem"),

@@ -1,12 +1,12 @@
 //! The material of each piece of soil, in the units of the statement.
 
-use soilctl_certificate::{Linear, Material};
+use soilctl_certificate::{LineUse, Linear, Material};
 
 use super::columns::overburden;
 use super::error::DescriptionError;
 use super::faces::Face;
-use super::ground::Map;
 use super::input::{Description, SoilEntry};
+use super::plan::Plan;
 use super::segments::Drawing;
 use crate::vector::Point;
 
@@ -41,13 +41,14 @@ const ROUNDING: f64 = 1e-12;
 /// The material of a face.
 pub(super) fn material(
     description: &Description,
-    drawing: &Drawing,
-    map: &Map,
+    plan: &Plan,
     face: &Face,
     units: &Units,
 ) -> Result<Material, DescriptionError> {
     let soil = &description.soils[description.soil_of(face.region)];
-    let corners: Vec<Point> = face.loops.iter().flatten().map(|w| map.walked_points(*w)[0]).collect();
+    let ring = |ring: &Vec<LineUse>| ring.iter().map(|w| plan.map.walked_points(*w)[0]).collect();
+    let loops: Vec<Vec<Point>> = face.loops.iter().map(ring).collect();
+    let corners = loops.concat();
     let level = [0.0, soil.cohesion_level_m.unwrap_or(0.0)];
     let mut cohesion = units.linear(level, soil.cohesion_kpa, [0.0, -soil.cohesion_gradient_kpa_per_m]);
     let least = corners.iter().map(|p| cohesion.at(units.place(*p))).fold(f64::INFINITY, f64::min);
@@ -64,7 +65,13 @@ pub(super) fn material(
         phi_deg: soil.phi_deg,
         cohesion,
         unit_weight: units.stress(soil.unit_weight_kn_m3 * units.length_m),
-        pore_pressure: pore_pressure(description, drawing, face, &corners, units),
+        pore_pressure: match plan.pores {
+            Some(pores) => pores.within(&loops).map_or_else(Linear::default, |plane| {
+                let pressure = units.linear(plane.at, plane.kpa, plane.gradient);
+                not_above_zero_at_surfaces(pressure, soil, &corners, units)
+            }),
+            None => pore_pressure(description, &plan.drawing, face, &corners, units),
+        },
         tension: soil.tension_kpa.map(|t| units.stress(t)),
     })
 }

@@ -75,7 +75,7 @@ impl Map {
             arrangement.edges[edge].uses.iter().any(|(s, _)| match segments[*s].owner {
                 Owner::Cut(Cut::Water) => submerged,
                 Owner::Cut(Cut::Ratio) => description.ratio(region) > 0.0,
-                Owner::Cut(Cut::Weight) => true,
+                Owner::Cut(Cut::Weight | Cut::Flow) => true,
                 _ => false,
             })
         };
@@ -156,9 +156,11 @@ pub(super) fn owner_title(description: &Description, owner: Owner) -> String {
         Owner::Plate(i) => description.plate_title(i),
         Owner::Boundary(i) => description.boundary_title(i),
         Owner::Member(i) => description.member_title(i),
+        Owner::Head(i) => description.head_title(i),
         Owner::Water => "the water table".into(),
         Owner::Cut(Cut::Water) => "the vertical below a point of the water table".into(),
         Owner::Cut(Cut::Ratio) => "the vertical through a corner, needed for pore_pressure_ratio".into(),
+        Owner::Cut(Cut::Flow) => "a line along which the pressure of flowing water changes".into(),
         Owner::Cut(Cut::Weight) => "the vertical below a corner, needed where unit weights differ".into(),
     }
 }

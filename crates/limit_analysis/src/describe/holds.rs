@@ -59,7 +59,11 @@ impl Holder<'_> {
     }
 
     /// Segments of the given kind on an edge, and whether they run as it is walked.
-    fn uses<T>(&self, walk: LineUse, wanted: impl Fn(Owner) -> Option<T>) -> Vec<(T, usize, bool)> {
+    pub(super) fn uses<T>(
+        &self,
+        walk: LineUse,
+        wanted: impl Fn(Owner) -> Option<T>,
+    ) -> Vec<(T, usize, bool)> {
         let uses = &self.map.arrangement.edges[walk.line].uses;
         let with =
             |(s, same): &(usize, bool)| Some((wanted(self.segments[*s].owner)?, *s, *same == walk.forward));

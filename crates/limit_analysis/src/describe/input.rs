@@ -35,6 +35,12 @@ pub struct Description {
     /// Ground water.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub water: Option<Water>,
+    /// Places with a given head: ground water flows between them.
+    #[serde(default, rename = "head", skip_serializing_if = "Vec::is_empty")]
+    pub heads: Vec<HeadEntry>,
+    /// Water that flows between the given heads.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seepage: Option<Seepage>,
     /// Soils.
     #[serde(default, rename = "soil")]
     pub soils: Vec<SoilEntry>,
@@ -86,6 +92,12 @@ pub struct SoilEntry {
     /// Pore pressure over the weight of the soil vertically above, 0 to 1.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub pore_pressure_ratio: f64,
+    /// Permeability to water, downwards, 1e-15 to 1e3; needed where water flows through several soils.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub permeability_m_per_s: Option<f64>,
+    /// Permeability along x over that downwards, 1e-3 to 1e3; 1 if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub permeability_ratio: Option<f64>,
 }
 
 /// An area of one soil.
@@ -131,6 +143,34 @@ impl Water {
 
 fn fresh_water() -> f64 {
     9.81
+}
+
+/// Ground at which the head of the water is given, and open water where that is above the ground.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HeadEntry {
+    /// Its name, for messages, cases and sweeps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Points along the outline of the soil.
+    pub line: Vec<[f64; 2]>,
+    /// The total head: the y up to which water would rise in a standpipe there.
+    pub head_m: f64,
+}
+
+/// Ground water that flows between given heads.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Seepage {
+    /// Unit weight of water.
+    #[serde(default = "fresh_water")]
+    pub unit_weight_kn_m3: f64,
+}
+
+impl Default for Seepage {
+    fn default() -> Self {
+        Self { unit_weight_kn_m3: fresh_water() }
+    }
 }
 
 /// Earthquake as a steady acceleration, in units of gravity.

@@ -8,7 +8,9 @@
 //! 2. `ground.rs` finds what is on either side of each piece and drops what bounds nothing; `faces.rs` walks around what is
 //!    left. So T-junctions, plates and bodies cut out of the soil need no case of their own.
 //! 3. `columns.rs` adds the vertical cuts that proofs need; `holds.rs` finds the condition on each boundary side.
-//! 4. `size.rs` chooses units, `fill.rs`, `members.rs` and `convert.rs` write the statement.
+//! 4. Where heads are given, `seepage/` finds how the water flows, and regions are cut so that its pressure is linear in each; `heads.rs`
+//!    tells where open water stands.
+//! 5. `size.rs` chooses units, `fill.rs`, `members.rs` and `convert.rs` write the statement.
 //!
 //! A description with load cases or sweeps stands for several: `cases/` makes them.
 
@@ -24,6 +26,7 @@ mod faces;
 mod file;
 mod fill;
 mod ground;
+mod heads;
 mod holds;
 mod input;
 mod members;
@@ -31,6 +34,7 @@ mod parts;
 mod plan;
 mod ready;
 mod reduce;
+mod seepage;
 mod segments;
 mod size;
 
@@ -39,8 +43,10 @@ pub use described::{Described, Quantity};
 pub use entry_place::{Entry, Place, Section};
 pub use error::DescriptionError;
 pub use file::PROBLEM_SCHEMA;
-pub use input::{Aim, Description, RegionEntry, Seismic, SoilEntry, Water};
+pub use input::{Aim, Description, HeadEntry, RegionEntry, Seepage, Seismic, SoilEntry, Water};
 pub use parts::{
     Action, BoundaryEntry, Hold, Interface, Kind, MemberEnd, MemberEntry, PlateEntry, Profile, Side,
     SoilInterface, StructureEntry,
 };
+pub(crate) use seepage::PoreField;
+pub use seepage::{FlowUnit, Flowed, HeadFlow};

@@ -8,20 +8,25 @@ use super::faces::Face;
 use super::ground::{Map, Occupant};
 use super::holds::Holds;
 use super::input::Description;
+use super::seepage::PoreField;
 use super::segments::Drawing;
 use crate::vector::{Point, between, length};
 
 /// Soil and what holds on its sides, in the units of the description.
-pub(super) struct Plan {
+pub(super) struct Plan<'a> {
     pub(super) drawing: Drawing,
     pub(super) map: Map,
     pub(super) faces: Vec<Face>,
     pub(super) holds: BTreeMap<LineUse, Holds>,
     /// For each member, the edges along it, walked from its start to its end.
     pub(super) members: Vec<Vec<LineUse>>,
+    /// The head at the sides where one is given, in m.
+    pub(super) heads: BTreeMap<LineUse, f64>,
+    /// Pore pressures of flowing water.
+    pub(super) pores: Option<&'a PoreField>,
 }
 
-impl Plan {
+impl Plan<'_> {
     /// Both ends of all sides on which something holds.
     pub(super) fn where_holds(&self, wanted: impl Fn(&LineUse, &Holds) -> bool) -> Vec<[Point; 2]> {
         let found = self.holds.iter().filter(|(w, h)| wanted(w, h));

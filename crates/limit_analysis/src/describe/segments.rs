@@ -20,6 +20,7 @@ pub(super) enum Owner {
     Plate(usize),
     Boundary(usize),
     Member(usize),
+    Head(usize),
     Water,
     Cut(Cut),
 }
@@ -33,6 +34,8 @@ pub(super) enum Cut {
     Ratio,
     /// The tops of a region of other unit weight must be straight.
     Weight,
+    /// The pressure of flowing water changes its gradient.
+    Flow,
 }
 
 /// A segment.
@@ -53,6 +56,8 @@ pub(super) struct Drawing {
     pub(super) plates: Vec<Vec<Point>>,
     pub(super) lines: Vec<Vec<Point>>,
     pub(super) members: Vec<Vec<Point>>,
+    /// Where heads are given, with points at the level of the open water.
+    pub(super) heads: Vec<Vec<Point>>,
     pub(super) water: Vec<Point>,
     /// Least and greatest coordinates of all soil.
     pub(super) low: Point,
@@ -78,6 +83,7 @@ impl Drawing {
             plates: description.plates.iter().map(|p| p.line.clone()).collect(),
             lines: description.boundaries.iter().map(|b| b.line.clone()).collect(),
             members: description.members.iter().map(|m| m.line.clone()).collect(),
+            heads: description.heads.iter().map(|h| h.line.clone()).collect(),
             water: description.water.iter().flat_map(Water::levels).collect(),
             low,
             high,
@@ -100,6 +106,9 @@ impl Drawing {
             (low[axis], high[axis]) = (snapped(low[axis]), snapped(high[axis]));
         }
         (drawing.low, drawing.high) = (low, high);
+        for (line, entry) in drawing.heads.iter_mut().zip(&description.heads) {
+            *line = with_level(line, entry.head_m, drawing.snap);
+        }
         drawing
     }
 
@@ -111,6 +120,7 @@ impl Drawing {
             &mut self.plates,
             &mut self.lines,
             &mut self.members,
+            &mut self.heads,
         ];
         lines.into_iter().flatten().flatten().chain(&mut self.water)
     }
@@ -135,6 +145,9 @@ impl Drawing {
         }
         for (i, line) in self.members.iter().enumerate() {
             add(&mut all, line, false, Owner::Member(i), || description.member_title(i))?;
+        }
+        for (i, line) in self.heads.iter().enumerate() {
+            add(&mut all, line, false, Owner::Head(i), || description.head_title(i))?;
         }
         if let (Some(first), Some(last)) = (self.water.first(), self.water.last()) {
             let mut table = self.water.clone();
@@ -184,6 +197,21 @@ impl Drawing {
             None => (last, 0.0),
         })
     }
+}
+
+/// A line with further points where it crosses a level.
+fn with_level(line: &[Point], level: f64, snap: f64) -> Vec<Point> {
+    let mut points = Vec::with_capacity(line.len());
+    for (i, b) in line.iter().enumerate() {
+        let before = i.checked_sub(1).map(|before| line[before]);
+        if let Some(a) = before.filter(|a| (a[1] - level).min(b[1] - level) < -snap)
+            && (a[1] - level).max(b[1] - level) > snap
+        {
+            points.push([a[0] + (b[0] - a[0]) * (level - a[1]) / (b[1] - a[1]), level]);
+        }
+        points.push(*b);
+    }
+    points
 }
 
 fn add(

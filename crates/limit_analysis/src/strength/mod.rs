@@ -8,7 +8,7 @@ use std::sync::atomic::Ordering;
 use soilctl_certificate::{LowerField, UpperField};
 
 use crate::bound::{Bound, Clock, Ended, Level, Options, Sides, is_decided, sides};
-use crate::describe::{Described, Description};
+use crate::describe::{Described, Description, PoreField};
 use crate::error::{LimitError, OneSide};
 use guess::guess;
 use search::Search;
@@ -79,13 +79,16 @@ pub fn factor_of_safety(
     options: &Options,
     progress: &mut dyn FnMut(f64, &Level, Option<f64>),
 ) -> Result<SafetyBounds, LimitError> {
+    let pores = description.pore_field()?;
+    let first = description.reduced(1.0).described_under(pores.as_ref())?;
     let mut run = Run {
         description,
         options,
         clock: Clock::start(options.max_seconds),
         spent: 0,
         is_cut: false,
-        search: Search::new(options.max_gap, guess(&description.reduced(1.0).described()?.problem()?)),
+        search: Search::new(options.max_gap, guess(&first.problem()?)),
+        pores,
         found: Found::default(),
         limit: Ended::Elements,
     };
@@ -131,6 +134,8 @@ struct Run<'a> {
     /// Whether the clock ended any trial.
     is_cut: bool,
     search: Search,
+    /// Ground water that flows, the same whatever the strength.
+    pores: Option<PoreField>,
     found: Found,
     /// What kept the last trial that was left open from getting sharper.
     limit: Ended,
@@ -156,7 +161,7 @@ impl Run<'_> {
         factor: f64,
         progress: &mut dyn FnMut(f64, &Level, Option<f64>),
     ) -> Result<Option<Ended>, LimitError> {
-        let described = self.description.reduced(factor).described()?;
+        let described = self.description.reduced(factor).described_under(self.pores.as_ref())?;
         let options = Options {
             max_gap: self.search.trial_gap,
             max_work: (SHARE * self.remaining() as f64) as u64,

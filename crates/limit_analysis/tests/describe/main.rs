@@ -8,5 +8,6 @@ mod files;
 mod geometry;
 mod random;
 mod refusals;
+mod seepage;
 mod water;
 mod weights;

@@ -176,9 +176,9 @@ fn too_much_of_anything_is_refused_at_once() {
             d.plates.push(plate(&[[-15.0, -0.1 - 0.12 * f64::from(i)], [15.0, -0.1 - 0.12 * f64::from(i)]]));
         }
     });
-    refused("lines after cutting, at most 256", |d| {
-        let point = |i: i32| [4.0 + 0.01 * f64::from(i), -2.0 + 0.1 * f64::from(i % 2)];
-        d.plates.push(plate(&(0..400).map(point).collect::<Vec<_>>()));
+    refused("lines after cutting, at most 1024", |d| {
+        let point = |i: i32| [4.0 + 0.008 * f64::from(i), -2.0 + 0.1 * f64::from(i % 2)];
+        d.plates.push(plate(&(0..1300).map(point).collect::<Vec<_>>()));
     });
 }
 

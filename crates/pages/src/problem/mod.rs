@@ -4,6 +4,7 @@
 //! on the page whatever the size of the problem.
 
 mod acting;
+mod heads;
 mod of_file;
 mod of_statement;
 mod place;
@@ -49,6 +50,10 @@ pub(crate) struct Scene {
     /// Pieces of the water table, and what stands above the ground.
     table: Vec<Vec<Point>>,
     ponds: Vec<Vec<Point>>,
+    /// Of water that flows: its free surface and lines of equal head in pieces, and where which head is given.
+    free_surface: Vec<Vec<Point>>,
+    equipotentials: Vec<Vec<Point>>,
+    heads: Vec<(String, Point)>,
     loads: Vec<Load>,
     /// Pressure on all free sides.
     surcharge: f64,
@@ -92,6 +97,7 @@ impl Scene {
         self.add_structures(&mut figure)?;
         supports::add(&mut figure, &self.sides, &scale)?;
         water::add(&mut figure, &self.table, &scale)?;
+        heads::add(&mut figure, self)?;
         acting::add(&mut figure, self, &scale)?;
         let entries = figure.layers().iter().filter(|layer| !layer.name().is_empty()).count();
         Ok((figure, scale.size(entries)?))

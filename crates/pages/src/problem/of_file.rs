@@ -24,6 +24,10 @@ impl Scene {
         if let Some(water) = &description.water {
             scene.water(water);
         }
+        if let Some(flowed) = &described.flowed {
+            let weight = description.seepage.unwrap_or_default().unit_weight_kn_m3;
+            scene.flow(&description.heads, weight, flowed);
+        }
         scene.shaking = shaking(description);
         scene
     }

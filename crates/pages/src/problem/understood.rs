@@ -15,8 +15,10 @@ pub struct Understood {
     pub loads: Vec<UnderstoodLoad>,
     /// Pressure on all free sides.
     pub surcharge: f64,
-    /// The water table over the whole width.
+    /// The water table over the whole width, or the level of open water.
     pub table: Vec<Vec<Point>>,
+    /// The free surface of water that flows, in pieces.
+    pub free_surface: Vec<Vec<Point>>,
     /// Open water above the ground.
     pub ponds: Vec<Vec<Point>>,
     /// From where the structure moves whose force is bounded, and in which direction, of length one.
@@ -56,6 +58,7 @@ impl Scene {
             loads: self.loads.into_iter().map(load).collect(),
             surcharge: self.surcharge,
             table: self.table,
+            free_surface: self.free_surface,
             ponds: self.ponds,
             motion: self.motion.map(|(_, from, to)| [from, to]),
             shaking: self.shaking,

@@ -54,6 +54,10 @@ fn assumptions(found: &Solved) -> Vec<(&'static str, String)> {
     }
     all.push(("Water", match &description.water {
         Some(_) => "at rest below the given table, no suction above it; pore pressures do not change as the soil fails".to_owned(),
+        None if !description.heads.is_empty() => {
+            "flows steadily between the given heads, by Darcy's law; pore pressures are linear in the triangles of its mesh, no suction above \
+             its phreatic surface, and do not change as the soil fails".to_owned()
+        }
         None if soils.iter().any(|soil| soil.pore_pressure_ratio != 0.0) => {
             "pore pressures are the given part of the weight above".to_owned()
         }

@@ -82,6 +82,18 @@ fn acting(found: &Solved) -> Result<Option<Table>, PageError> {
         let much = format!("hydrostatic, {} kN/m³", number(water.unit_weight_kn_m3));
         rows.push(["ground water".into(), format!("below {} m", levels.join(", ")), much]);
     }
+    for head in &found.description.heads {
+        let name = head
+            .name
+            .as_ref()
+            .map_or_else(|| "ground water".to_owned(), |name| format!("ground water, {name}"));
+        let points: Vec<String> = head.line.iter().copied().map(point).collect();
+        rows.push([
+            name,
+            format!("along {} m", points.join(", ")),
+            format!("head {} m", number(head.head_m)),
+        ]);
+    }
     for (words, _) in &understood.shaking {
         rows.push([words.clone(), "all soil".into(), "steady, times the weight".into()]);
     }

@@ -121,6 +121,8 @@ impl Factors {
         }
         if let Some(water) = &mut problem.water {
             water.unit_weight_kn_m3 *= one(self.water);
+        } else if !problem.heads.is_empty() {
+            problem.seepage.get_or_insert_default().unit_weight_kn_m3 *= one(self.water);
         } else if one(self.water) != one(self.weight)
             && problem.soils.iter().any(|s| s.pore_pressure_ratio > 0.0)
         {
