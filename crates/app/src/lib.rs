@@ -19,6 +19,8 @@ pub mod convert;
 #[cfg(not(target_family = "wasm"))]
 pub mod demo;
 #[cfg(not(target_family = "wasm"))]
+pub mod design;
+#[cfg(not(target_family = "wasm"))]
 pub mod diagnose;
 #[cfg(not(target_family = "wasm"))]
 pub mod doctor;
@@ -75,6 +77,7 @@ pub const USE_CASES: &[UseCase] = &[
         Ok(solve::check::run(request, watch)?.answer)
     }),
     use_case!("convert", convert, convert::run),
+    use_case!("design", design, design::run),
     use_case!("stability", stability, stability::run),
     use_case!("soils", soils, soils::run),
     use_case!("certify", certify, |request, watch| Ok(certify::run(request, watch)?.answer)),

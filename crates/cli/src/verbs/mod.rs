@@ -8,6 +8,7 @@ mod completions;
 mod console;
 mod convert;
 mod demo;
+mod design;
 mod diagnose;
 mod doctor;
 mod estimate;
@@ -47,6 +48,8 @@ pub(crate) enum Verb {
     Bound(bound::Args),
     /// Proven bounds for any plane-strain collapse problem described in a file
     Solve(solve::Args),
+    /// The least of something that is enough, by proven bounds: a strength, a length, a slope, a water level
+    Design(design::Args),
     /// Tells whether a slope, footing or wall stands for every soil that explains the strokes, or that was published
     Stability(stability::Args),
     /// Soils of the Moon and Mars with strength and density as published
@@ -109,6 +112,7 @@ impl Verb {
             Self::Predict(args) => predict::run(&args, output),
             Self::Bound(args) => bound::run(&args, output),
             Self::Solve(args) => solve::run(&args, output),
+            Self::Design(args) => design::run(&args, output),
             Self::Stability(args) => stability::run(&args, output),
             Self::Soils(args) => soils::run(&args, output),
             Self::Convert(args) => convert::run(&args, output),

@@ -1,0 +1,181 @@
+//! The least of something that is enough: an anchor's strength, a water level, or how far from one drawing towards another.
+//!
+//! One value is tried after another, each with proven bounds: it is enough if the lower bound reaches what is wanted, and not enough if the upper
+//! bound does not. Between the two answers there may be values whose bounds lie on both sides; sharper bounds make their range smaller.
+
+mod answer;
+mod between;
+mod request;
+mod search;
+
+use std::path::Path;
+use std::sync::atomic::Ordering;
+
+use soilctl_limit_analysis::describe::SweepEntry;
+use soilctl_limit_analysis::{Description, LimitError};
+use web_time::Instant;
+
+pub use answer::{Answer, Found, Tried, Verdict};
+pub use request::Request;
+
+use crate::files::{can_be_written, save};
+use crate::limits::Budget;
+use crate::solve::{self, Asked};
+use crate::{AppError, Interrupted, Watch};
+use between::Between;
+use search::Search;
+
+/// Values that share the time that is left.
+const AT_ONCE: usize = 5;
+
+/// What changes from one value to the next.
+enum Changes {
+    Parameter { file: Box<Description>, name: String },
+    Drawings(Between),
+}
+
+/// Searches the least value that is enough.
+///
+/// # Errors
+/// [`AppError`] if the request or a file makes no sense, or the problem does not at a value that is tried.
+pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
+    crate::request::check(request)?;
+    if let Some(out) = &request.out {
+        can_be_written(out)?;
+        if out.exists() && !request.replace {
+            let problem = format!("{} is there; choose another name, or --replace it", out.display());
+            return Err(AppError::Request(problem));
+        }
+    }
+    let (changes, [from, to]) = changes(request)?;
+    let place = |part: f64| if part == 1.0 { to } else { from + (to - from) * part };
+    let begun = Instant::now();
+    let stop = watch.stop(Interrupted::KeepsResults);
+    let within = request.within.unwrap_or(0.01 * (to - from).abs()) / (to - from).abs();
+    let mut search = Search::new(within.clamp(1e-9, 1.0), request.most as usize);
+    let mut tried: Vec<Tried> = Vec::new();
+    let mut about = None;
+    let mut is_stopped = false;
+    while let Some(part) = search.next() {
+        let value = place(part);
+        let left_s = request.budget.max_seconds.map(|all| all - begun.elapsed().as_secs_f64());
+        if stop.load(Ordering::Relaxed) || left_s.is_some_and(|left| left <= 0.0) {
+            is_stopped = true;
+            break;
+        }
+        // How many more there will be is not known; each may take a part of what is left.
+        let max_seconds = left_s.map(|left| left / (request.most as usize - tried.len()).min(AT_ONCE) as f64);
+        let budget = Budget { max_seconds, ..request.budget.clone() };
+        let one = at(&changes, value, request.wanted, budget, watch, &mut about)?;
+        search.add(part, one.verdict);
+        tried.push(one);
+    }
+    tried.sort_by(|a, b| a.value.total_cmp(&b.value));
+    let (title, quantity) = about.unwrap_or((None, None));
+    let mut answer = Answer {
+        title,
+        quantity,
+        parameter: request.parameter.clone(),
+        wanted: request.wanted,
+        found: search.found(is_stopped),
+        enough_at: None,
+        not_enough_at: None,
+        tried,
+        seconds: begun.elapsed().as_secs_f64(),
+        verdict: String::new(),
+    };
+    answer.enough_at = search.enough().map(place);
+    answer.not_enough_at = search.not_enough().map(place);
+    answer.verdict = answer.words();
+    if let Some(out) = &request.out {
+        write(&changes, &answer, out)?;
+    }
+    Ok(answer)
+}
+
+/// What changes, and between which values.
+fn changes(request: &Request) -> Result<(Changes, [f64; 2]), AppError> {
+    let wrong = |words: &str| Err(AppError::Request(words.into()));
+    match (&request.other, &request.parameter, request.from, request.to) {
+        (Some(other), None, None, None) => {
+            Ok((Changes::Drawings(Between::read(&request.file, other)?), [0.0, 1.0]))
+        }
+        (Some(_), _, _, _) => wrong(
+            "a second problem file goes without --parameter, --from and --to: all numbers go from one file to the other",
+        ),
+        (None, Some(name), Some(from), Some(to)) if from != to => {
+            let file = Box::new(Description::read(&request.file).map_err(LimitError::from)?);
+            Ok((Changes::Parameter { file, name: name.clone() }, [from, to]))
+        }
+        (None, Some(_), Some(_), Some(_)) => {
+            wrong("--from and --to are one value; nothing changes between them")
+        }
+        (None, _, _, _) => {
+            wrong("give --parameter with --from and --to, or a second problem file to go towards")
+        }
+    }
+}
+
+fn description(changes: &Changes, value: f64) -> Result<Description, AppError> {
+    match changes {
+        Changes::Parameter { file, name } => {
+            let mut description = (**file).clone();
+            let sweep = SweepEntry { parameter: name.clone(), values: vec![value], ..SweepEntry::default() };
+            description.sweeps.push(sweep);
+            Ok(description)
+        }
+        Changes::Drawings(between) => between.at(value),
+    }
+}
+
+/// What is proven at a value, over all cases of the file.
+fn at(
+    changes: &Changes,
+    value: f64,
+    wanted: f64,
+    budget: Budget,
+    watch: &dyn Watch,
+    about: &mut Option<(Option<String>, Option<Asked>)>,
+) -> Result<Tried, AppError> {
+    let request = solve::Request { budget, ..solve::Request::default() };
+    let found = match solve::of(description(changes, value)?, &request, watch) {
+        Ok(found) => found.answer,
+        // The problem itself makes no sense with this value.
+        Err(AppError::Limit(
+            problem @ (LimitError::Description(_) | LimitError::NotCovered { .. } | LimitError::Mesh(_)),
+        )) => {
+            return Err(AppError::Request(format!("at {value}: {problem}")));
+        }
+        Err(problem) => {
+            let why = Some(problem.to_string());
+            return Ok(Tried { value, lower: None, upper: None, case: None, verdict: Verdict::Open, why });
+        }
+    };
+    about.get_or_insert_with(|| (found.title.clone(), Some(found.quantity)));
+    let why =
+        found.cases.iter().find_map(|case| case.problem.as_ref().map(|why| format!("{}: {why}", case.name)));
+    // Of cases without bounds nothing is known from below.
+    let lower = found.certified.then_some(found.lower);
+    let verdict = match lower {
+        Some(lower) if lower >= wanted => Verdict::Enough,
+        _ if found.upper < wanted => Verdict::NotEnough,
+        _ => Verdict::Open,
+    };
+    Ok(Tried { value, lower, upper: Some(found.upper), case: found.governing, verdict, why })
+}
+
+/// The problem file with the value that is enough.
+fn write(changes: &Changes, answer: &Answer, out: &Path) -> Result<(), AppError> {
+    let Some(value) = answer.enough_at else { return Ok(()) };
+    let mut description = description(changes, value)?;
+    if let Changes::Parameter { file, .. } = changes {
+        // Cases and sweeps stay, and the value is set as a case would set it.
+        description.cases.clear();
+        description.sweeps.drain(..file.sweeps.len());
+        let set = description.cases().map_err(LimitError::from)?.into_iter().next();
+        description = set.map_or_else(|| (**file).clone(), |case| case.description);
+        description.cases.clone_from(&file.cases);
+        description.sweeps.clone_from(&file.sweeps);
+    }
+    save(out, description.to_toml().map_err(LimitError::from)?.as_bytes())
+}
