@@ -20,8 +20,9 @@ use crate::vector::{Point, between, centroid, cross, dot, length, midpoint, twic
 /// Meshes that are made one after another.
 const ROUNDS: usize = 3;
 
-/// How often triangles are cut into four for the flow that sizes the next mesh, and for the one that is kept.
-const CUTS: [u32; 2] = [2, 3];
+/// How often triangles are cut into four for the flow that is kept, and where there are more than so many: it takes seconds then.
+const CUTS: u32 = 3;
+const MANY: usize = 400;
 
 /// What may be missed of the pressure in any triangle, as a part of the greatest one.
 const LEAST: f64 = 5e-3;
@@ -65,9 +66,10 @@ impl Uncut<'_> {
         let (mut mesh_now, mut round) = (coarse, 1);
         loop {
             let ground = self.ground(&mesh_now);
-            let found = self.found(&ground, CUTS[0])?;
+            let cuts = if ground.triangles.len() > MANY { CUTS - 1 } else { CUTS };
+            let found = self.found(&ground, cuts - 1)?;
             if round == ROUNDS {
-                return Ok(self.kept(&mesh_now, &self.found(&ground, CUTS[1])?, &found));
+                return Ok(self.kept(&mesh_now, &self.found(&ground, cuts)?, &found));
             }
             let triangles = (0..mesh_now.triangles.len()).map(|t| mesh_now.corners(t)).collect();
             let least = LEAST * found.greatest();
