@@ -10,7 +10,7 @@ use crate::text::number;
 /// The least that is enough, by proven bounds.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Answer {
-    /// Title of the problem; null if it has none, or nothing was proven.
+    /// Title of the problem; null if it has none.
     pub title: Option<String>,
     /// What is bounded; null if nothing was proven.
     pub quantity: Option<Asked>,

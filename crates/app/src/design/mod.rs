@@ -21,7 +21,7 @@ pub use request::Request;
 use crate::files::{can_be_written, save};
 use crate::limits::Budget;
 use crate::solve::{self, Asked};
-use crate::{AppError, Interrupted, Watch};
+use crate::{AppError, Interrupted, Unwatched, Watch};
 use between::Between;
 use search::Search;
 
@@ -54,7 +54,13 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let within = request.within.unwrap_or(0.01 * (to - from).abs()) / (to - from).abs();
     let mut search = Search::new(within.clamp(1e-9, 1.0), request.most as usize);
     let mut tried: Vec<Tried> = Vec::new();
-    let mut about = None;
+    let title = description(&changes, from)?.title;
+    // Before the first proof, which may take minutes.
+    for end in [from, to] {
+        solve::check::of(description(&changes, end)?, &Unwatched)
+            .map_err(|problem| AppError::Request(format!("at {end}: {problem}")))?;
+    }
+    let mut quantity = None;
     let mut is_stopped = false;
     while let Some(part) = search.next() {
         let value = place(part);
@@ -66,12 +72,11 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         // How many more there will be is not known; each may take a part of what is left.
         let max_seconds = left_s.map(|left| left / (request.most as usize - tried.len()).min(AT_ONCE) as f64);
         let budget = Budget { max_seconds, ..request.budget.clone() };
-        let one = at(&changes, value, request.wanted, budget, watch, &mut about)?;
+        let one = at(&changes, value, request.wanted, budget, watch, &mut quantity)?;
         search.add(part, one.verdict);
         tried.push(one);
     }
     tried.sort_by(|a, b| a.value.total_cmp(&b.value));
-    let (title, quantity) = about.unwrap_or((None, None));
     let mut answer = Answer {
         title,
         quantity,
@@ -135,10 +140,12 @@ fn at(
     wanted: f64,
     budget: Budget,
     watch: &dyn Watch,
-    about: &mut Option<(Option<String>, Option<Asked>)>,
+    quantity: &mut Option<Asked>,
 ) -> Result<Tried, AppError> {
     let request = solve::Request { budget, ..solve::Request::default() };
-    let found = match solve::of(description(changes, value)?, &request, watch) {
+    let description = description(changes, value)?;
+    let has_cases = !description.cases.is_empty();
+    let found = match solve::of(description, &request, watch) {
         Ok(found) => found.answer,
         // The problem itself makes no sense with this value.
         Err(AppError::Limit(
@@ -151,7 +158,7 @@ fn at(
             return Ok(Tried { value, lower: None, upper: None, case: None, verdict: Verdict::Open, why });
         }
     };
-    about.get_or_insert_with(|| (found.title.clone(), Some(found.quantity)));
+    *quantity = Some(found.quantity);
     let why =
         found.cases.iter().find_map(|case| case.problem.as_ref().map(|why| format!("{}: {why}", case.name)));
     // Of cases without bounds nothing is known from below.
@@ -161,7 +168,8 @@ fn at(
         _ if found.upper < wanted => Verdict::NotEnough,
         _ => Verdict::Open,
     };
-    Ok(Tried { value, lower, upper: Some(found.upper), case: found.governing, verdict, why })
+    let case = found.governing.filter(|_| has_cases);
+    Ok(Tried { value, lower, upper: Some(found.upper), case, verdict, why })
 }
 
 /// The problem file with the value that is enough.

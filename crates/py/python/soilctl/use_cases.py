@@ -45,6 +45,8 @@ __all__ = [
     "DemoRegion",
     "DemoStrokeCount",
     "DemoTruth",
+    "DesignAnswer",
+    "DesignTried",
     "DiagnoseAnswer",
     "DiagnoseChannelGap",
     "DiagnoseEffect",
@@ -133,10 +135,14 @@ __all__ = [
     "SolveCheckCheckedCase",
     "SolveCheckCheckedMember",
     "SolveCheckCheckedRegion",
+    "SolveCheckHead",
+    "SolveCheckSeepage",
     "SolveContact",
+    "SolveHead",
     "SolveLevel",
     "SolveMember",
     "SolveResults",
+    "SolveSeepage",
     "SolveStretch",
     "SolveTrial",
     "StabilityAnswer",
@@ -159,6 +165,7 @@ __all__ = [
     "certify",
     "convert",
     "demo",
+    "design",
     "diagnose",
     "diagnose_self_test",
     "doctor",
@@ -831,6 +838,24 @@ class SolveContact(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class SolveHead(Record):
+    """What flows in at a given head.
+
+    Attributes:
+        head_m: The total head.
+        inflow: What flows into the soil; negative where it flows out.
+        name: Name of the entry; null if it has none.
+    """
+
+    head_m: float
+    """The total head."""
+    inflow: float
+    """What flows into the soil; negative where it flows out."""
+    name: str | None
+    """Name of the entry; null if it has none."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class SolveLevel(Record):
     """One level of meshes.
 
@@ -934,6 +959,54 @@ class SolveResults(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class SolveSeepage(Record):
+    """A steady flow of ground water between given heads.
+
+    Attributes:
+        exit_at_m: Where that is in m.
+        exit_gradient: Greatest loss of head over the way where water comes out; null if none does. At a sharp
+            corner it grows without limit on finer triangles.
+        found_within_kpa: Greatest difference of these, at the corners of the large triangles, from those of
+            triangles four times as large.
+        greatest_kpa: Greatest pore pressure at their corners.
+        heads: What flows in at each given head.
+        in_m2_per_s: Whether flows are in m3/s for a metre of width. If not, they are that over the permeability,
+            which is not given: m.
+        kept_within_kpa: Greatest difference between the pore pressures for which bounds are proven and those of
+            triangles a sixty-fourth as large.
+        out_in_air: What comes out of ground in air, in the unit of the others.
+        triangles: Triangles with water in their pores, in each of which the pore pressure is linear.
+    """
+
+    exit_at_m: list[float] | None
+    """Where that is in m."""
+    exit_gradient: float | None
+    """Greatest loss of head over the way where water comes out; null if none does. At a sharp corner it grows
+    without limit on finer triangles.
+    """
+    found_within_kpa: float
+    """Greatest difference of these, at the corners of the large triangles, from those of triangles four times as
+    large.
+    """
+    greatest_kpa: float
+    """Greatest pore pressure at their corners."""
+    heads: list[SolveHead]
+    """What flows in at each given head."""
+    in_m2_per_s: bool
+    """Whether flows are in m3/s for a metre of width. If not, they are that over the permeability, which is not
+    given: m.
+    """
+    kept_within_kpa: float
+    """Greatest difference between the pore pressures for which bounds are proven and those of triangles a
+    sixty-fourth as large.
+    """
+    out_in_air: float
+    """What comes out of ground in air, in the unit of the others."""
+    triangles: int
+    """Triangles with water in their pores, in each of which the pore pressure is linear."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Solve(Record):
     """One solve.
 
@@ -1016,6 +1089,7 @@ class SolveAnswer(Answer):
         results: What the fields behind the bounds show, in the coordinates of the file. Those of a factor of safety
             are of soil whose strength is divided by its bounds.
         seconds: Time spent in s.
+        seepage: How ground water flows between given heads, of cases in the governing one; null if it does not.
         stopped_by: What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end
             elsewhere another time.
         title: Title of the problem; null if it has none.
@@ -1062,6 +1136,8 @@ class SolveAnswer(Answer):
     """
     seconds: float
     """Time spent in s."""
+    seepage: SolveSeepage | None
+    """How ground water flows between given heads, of cases in the governing one; null if it does not."""
     stopped_by: Literal["goal", "work", "memory", "seconds", "user"]
     """What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end elsewhere another
     time.
@@ -1165,6 +1241,72 @@ class SolveCheckCheckedRegion(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class SolveCheckHead(Record):
+    """What flows in at a given head.
+
+    Attributes:
+        head_m: The total head.
+        inflow: What flows into the soil; negative where it flows out.
+        name: Name of the entry; null if it has none.
+    """
+
+    head_m: float
+    """The total head."""
+    inflow: float
+    """What flows into the soil; negative where it flows out."""
+    name: str | None
+    """Name of the entry; null if it has none."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SolveCheckSeepage(Record):
+    """A steady flow of ground water between given heads.
+
+    Attributes:
+        exit_at_m: Where that is in m.
+        exit_gradient: Greatest loss of head over the way where water comes out; null if none does. At a sharp
+            corner it grows without limit on finer triangles.
+        found_within_kpa: Greatest difference of these, at the corners of the large triangles, from those of
+            triangles four times as large.
+        greatest_kpa: Greatest pore pressure at their corners.
+        heads: What flows in at each given head.
+        in_m2_per_s: Whether flows are in m3/s for a metre of width. If not, they are that over the permeability,
+            which is not given: m.
+        kept_within_kpa: Greatest difference between the pore pressures for which bounds are proven and those of
+            triangles a sixty-fourth as large.
+        out_in_air: What comes out of ground in air, in the unit of the others.
+        triangles: Triangles with water in their pores, in each of which the pore pressure is linear.
+    """
+
+    exit_at_m: list[float] | None
+    """Where that is in m."""
+    exit_gradient: float | None
+    """Greatest loss of head over the way where water comes out; null if none does. At a sharp corner it grows
+    without limit on finer triangles.
+    """
+    found_within_kpa: float
+    """Greatest difference of these, at the corners of the large triangles, from those of triangles four times as
+    large.
+    """
+    greatest_kpa: float
+    """Greatest pore pressure at their corners."""
+    heads: list[SolveCheckHead]
+    """What flows in at each given head."""
+    in_m2_per_s: bool
+    """Whether flows are in m3/s for a metre of width. If not, they are that over the permeability, which is not
+    given: m.
+    """
+    kept_within_kpa: float
+    """Greatest difference between the pore pressures for which bounds are proven and those of triangles a
+    sixty-fourth as large.
+    """
+    out_in_air: float
+    """What comes out of ground in air, in the unit of the others."""
+    triangles: int
+    """Triangles with water in their pores, in each of which the pore pressure is linear."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class SolveCheckAnswer(Answer):
     """The answer of ``solve_check``.
 
@@ -1177,7 +1319,8 @@ class SolveCheckAnswer(Answer):
         members: Bars and sheets.
         notes: Values that are possible but unusual, with what is usual and a likely cause.
         quantity: What ``solve`` would bound.
-        regions: Regions of one soil after cutting.
+        regions: Regions of one soil after cutting; all of one soil as one where ground water flows.
+        seepage: How ground water flows between given heads; null if it does not.
         stress_kpa: Unit of stress of the solver in kPa.
         title: Title of the problem; null if it has none.
     """
@@ -1199,7 +1342,9 @@ class SolveCheckAnswer(Answer):
     quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
     """What ``solve`` would bound."""
     regions: list[SolveCheckCheckedRegion]
-    """Regions of one soil after cutting."""
+    """Regions of one soil after cutting; all of one soil as one where ground water flows."""
+    seepage: SolveCheckSeepage | None
+    """How ground water flows between given heads; null if it does not."""
     stress_kpa: float
     """Unit of stress of the solver in kPa."""
     title: str | None
@@ -1288,6 +1433,78 @@ class ConvertAnswer(Answer):
     """The soils, in the order in which they were found."""
     unit: str
     """Unit of the drawing's coordinates."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DesignTried(Record):
+    """A value that was tried.
+
+    Attributes:
+        case: The case of the file that decides; null if it has none.
+        lower: Proven lower bound, of cases the least; null if there is none.
+        upper: Proven upper bound, likewise.
+        value: The value, or the part of the way between two files.
+        verdict: What follows.
+        why: Why a bound is missing; null if none is.
+    """
+
+    case: str | None
+    """The case of the file that decides; null if it has none."""
+    lower: float | None
+    """Proven lower bound, of cases the least; null if there is none."""
+    upper: float | None
+    """Proven upper bound, likewise."""
+    value: float
+    """The value, or the part of the way between two files."""
+    verdict: Literal["enough", "not_enough", "open"]
+    """What follows."""
+    why: str | None
+    """Why a bound is missing; null if none is."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DesignAnswer(Answer):
+    """The answer of ``design``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        enough_at: The value that is proven to be enough and nearest to those that are not; null if none is.
+        found: How the search ended.
+        not_enough_at: The value that is proven not to be enough and nearest to that; null if none is.
+        parameter: What changes; null if all numbers go from one file to another, and values are parts of that way.
+        quantity: What is bounded; null if nothing was proven.
+        seconds: Time spent in s.
+        title: Title of the problem; null if it has none.
+        tried: All values that were tried, in ascending order.
+        verdict: The answer in a sentence.
+        wanted: What the quantity must reach.
+    """
+
+    schema: Literal["soilctl.design/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    enough_at: float | None
+    """The value that is proven to be enough and nearest to those that are not; null if none is."""
+    found: Literal["within", "open", "both_enough", "neither_enough", "not_in_order", "undecided"]
+    """How the search ended."""
+    not_enough_at: float | None
+    """The value that is proven not to be enough and nearest to that; null if none is."""
+    parameter: str | None
+    """What changes; null if all numbers go from one file to another, and values are parts of that way."""
+    quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"] | None
+    """What is bounded; null if nothing was proven."""
+    seconds: float
+    """Time spent in s."""
+    title: str | None
+    """Title of the problem; null if it has none."""
+    tried: list[DesignTried]
+    """All values that were tried, in ascending order."""
+    verdict: str
+    """The answer in a sentence."""
+    wanted: float
+    """What the quantity must reach."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -4746,6 +4963,71 @@ def convert(
         FileError: If a file cannot be read or written.
     """
     return run("convert", convert, locals(), ConvertAnswer)
+
+
+def design(
+    file: str,
+    *,
+    other: str | None = None,
+    parameter: str | None = None,
+    from: float | None = None,
+    to: float | None = None,
+    wanted: float = 1.0,
+    within: float | None = None,
+    most: int = 12,
+    out: str | None = None,
+    replace: bool = False,
+    max_gap: float = 0.01,
+    max_elements: int = 20000,
+    max_work: int = 3000000,
+    max_seconds: float | None = None,
+    max_memory_mb: int | None = None,
+    threads: int = 1,
+    factorisation: Literal["auto", "qdldl", "faer"] = "auto",
+    segments: int | None = None,
+    dump: PathLike | None = None,
+    progress: Progress = None,
+) -> DesignAnswer:
+    """The least of something that is enough, by proven bounds: an anchor's strength, a length, a slope, a water
+    level.
+
+    Args:
+        file: The problem file, .toml or .json.
+        other: A second problem file with the same entries, to go towards: all numbers go from the first to this one
+            at once, as of a steeper slope or a longer wall, and values are parts of that way.
+        parameter: What changes, instead of a second file: a parameter as in ``[[sweep]]``, such as
+            ``member.nail.tensile_kn_per_m`` or ``head.reservoir.head_m``.
+        from: One end of the values of the parameter.
+        to: The other end.
+        wanted: What the bounded quantity must reach in all cases of the file: a factor, a force in kN/m, or an
+            acceleration over gravity.
+        within: How near to each other a value that is enough and one that is not shall be. Above 0.
+        most: Most values to try. At least 2 and at most 100.
+        out: Writes the problem file with the value that is enough (.toml).
+        replace: Write over a file that is there.
+        max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
+        max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
+        max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+            machine. At least 1.
+        max_seconds: Time that may be spent (s); where the run ends then depends on the machine, and the answer says
+            so. Above 0.
+        max_memory_mb: Memory that may be used (MB): a mesh whose programs may need more is not made. At least 100.
+        threads: Threads; the bounds are the same for any number. At least 1 and at most 1024.
+        factorisation: What factorises the systems of the solver's steps: bounds differ in their last digits;
+            ``auto`` goes by the size of the programs.
+        segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
+            slower and wider. At least 3 and at most 1000.
+        dump: Existing folder for programs on which the solver failed, to reproduce that from.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("design", design, locals(), DesignAnswer)
 
 
 def stability(
