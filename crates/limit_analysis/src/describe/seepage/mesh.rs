@@ -47,7 +47,7 @@ pub(super) fn outline(map: &Map, faces: &[Face]) -> Statement {
         pore_pressure: Linear::default(),
         tension: None,
     };
-    let region = |face: &Face| Region { loops: face.loops.clone(), material: material.clone() };
+    let region = |face: &Face| Region { loops: face.loops.clone(), material };
     Statement {
         points,
         lines,
