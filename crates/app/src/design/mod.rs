@@ -101,7 +101,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
 /// What changes, and between which values.
 fn changes(request: &Request) -> Result<(Changes, [f64; 2]), AppError> {
     let wrong = |words: &str| Err(AppError::Request(words.into()));
-    match (&request.other, &request.parameter, request.from, request.to) {
+    match (&request.other, &request.parameter, request.from_value, request.to_value) {
         (Some(other), None, None, None) => {
             Ok((Changes::Drawings(Between::read(&request.file, other)?), [0.0, 1.0]))
         }

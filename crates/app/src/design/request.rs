@@ -13,12 +13,12 @@ use crate::request::finite;
 #[serde(default)]
 pub struct Request {
     /// The problem file, .toml or .json
-    #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    #[arg(value_name = "FILE")]
     pub file: PathBuf,
 
     /// A second problem file with the same entries, to go towards: all numbers go from the first to this one at once, as of a steeper slope or a longer
     /// wall, and values are parts of that way
-    #[arg(value_name = "OTHER", value_hint = clap::ValueHint::FilePath)]
+    #[arg(value_name = "OTHER")]
     pub other: Option<PathBuf>,
 
     /// What changes, instead of a second file: a parameter as in `[[sweep]]`, such as `member.nail.tensile_kn_per_m` or `head.reservoir.head_m`
@@ -26,12 +26,12 @@ pub struct Request {
     pub parameter: Option<String>,
 
     /// One end of the values of the parameter
-    #[arg(long, value_name = "VALUE", value_parser = finite, allow_negative_numbers = true)]
-    pub from: Option<f64>,
+    #[arg(long = "from", value_name = "VALUE", value_parser = finite, allow_negative_numbers = true)]
+    pub from_value: Option<f64>,
 
     /// The other end
-    #[arg(long, value_name = "VALUE", value_parser = finite, allow_negative_numbers = true)]
-    pub to: Option<f64>,
+    #[arg(long = "to", value_name = "VALUE", value_parser = finite, allow_negative_numbers = true)]
+    pub to_value: Option<f64>,
 
     /// What the bounded quantity must reach in all cases of the file: a factor, a force in kN/m, or an acceleration over gravity
     #[arg(long, value_name = "VALUE", value_parser = finite, allow_negative_numbers = true, default_value_t = Request::default().wanted)]
@@ -48,7 +48,7 @@ pub struct Request {
     pub most: u32,
 
     /// Writes the problem file with the value that is enough (.toml)
-    #[arg(long, value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
+    #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 
     /// Write over a file that is there
@@ -67,14 +67,14 @@ impl Default for Request {
             file: PathBuf::new(),
             other: None,
             parameter: None,
-            from: None,
-            to: None,
+            from_value: None,
+            to_value: None,
             wanted: 1.0,
             within: None,
             most: 12,
             out: None,
             replace: false,
-            budget: Budget { max_gap: 0.03, ..Budget::default() },
+            budget: Budget::default(),
         }
     }
 }

@@ -4966,16 +4966,16 @@ def convert(
 
 
 def design(
-    file: str,
+    file: PathLike,
     *,
-    other: str | None = None,
+    other: PathLike | None = None,
     parameter: str | None = None,
-    from: float | None = None,
-    to: float | None = None,
+    from_value: float | None = None,
+    to_value: float | None = None,
     wanted: float = 1.0,
     within: float | None = None,
     most: int = 12,
-    out: str | None = None,
+    out: PathLike | None = None,
     replace: bool = False,
     max_gap: float = 0.01,
     max_elements: int = 20000,
@@ -4997,8 +4997,8 @@ def design(
             at once, as of a steeper slope or a longer wall, and values are parts of that way.
         parameter: What changes, instead of a second file: a parameter as in ``[[sweep]]``, such as
             ``member.nail.tensile_kn_per_m`` or ``head.reservoir.head_m``.
-        from: One end of the values of the parameter.
-        to: The other end.
+        from_value: One end of the values of the parameter.
+        to_value: The other end.
         wanted: What the bounded quantity must reach in all cases of the file: a factor, a force in kN/m, or an
             acceleration over gravity.
         within: How near to each other a value that is enough and one that is not shall be. Above 0.
