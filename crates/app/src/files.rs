@@ -26,6 +26,17 @@ pub fn save(path: &Path, bytes: &[u8]) -> Result<(), AppError> {
     soilctl_jobs::write_atomically(path, bytes).map_err(failed(path))
 }
 
+/// Refuses to write over a file that is there, for those who were not told to.
+///
+/// # Errors
+/// [`AppError::Request`] if it is there.
+pub fn refuse_over(path: &Path, replace: bool) -> Result<(), AppError> {
+    if replace || !path.exists() {
+        return Ok(());
+    }
+    Err(AppError::Request(format!("{} is there; choose another name, or --replace it", path.display())))
+}
+
 /// Refuses a name under which no file can be written, for those who work long before they write.
 ///
 /// # Errors

@@ -15,7 +15,7 @@ pub use soilctl_drawing::Format;
 use soilctl_drawing::{Drawing, DrawingError, Reading};
 use soilctl_limit_analysis::{Description, LimitError};
 
-use crate::files::{failed, save};
+use crate::files::{failed, refuse_over, save};
 use crate::{AppError, Watch};
 
 /// Reads one, writes the other; which, the endings of the files say.
@@ -89,12 +89,6 @@ fn read(path: &Path) -> Result<Vec<u8>, AppError> {
 
 /// Writes the file, not over one that is there: somebody may have put strengths into it.
 fn write(request: &Request, text: &str) -> Result<(), AppError> {
-    let out = &request.out;
-    if out.exists() && !request.replace {
-        return Err(AppError::Request(format!(
-            "{} is there; choose another name, or --replace it",
-            out.display()
-        )));
-    }
-    save(out, text.as_bytes())
+    refuse_over(&request.out, request.replace)?;
+    save(&request.out, text.as_bytes())
 }

@@ -6,6 +6,7 @@ use serde_json::Value;
 use soilctl_limit_analysis::{Description, LimitError};
 
 use crate::AppError;
+use crate::files::read_text;
 
 /// Two files of the same entries.
 pub(super) struct Between {
@@ -40,8 +41,7 @@ impl Between {
 /// The keys as they stand in the file, also those whose value is the default.
 fn raw(path: &Path) -> Result<Value, AppError> {
     Description::read(path).map_err(LimitError::from)?;
-    let text = std::fs::read_to_string(path)
-        .map_err(|problem| AppError::Request(format!("{}: {problem}", path.display())))?;
+    let text = read_text(path)?;
     let is_json = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let value = if is_json { serde_json::from_str(&text).ok() } else { toml::from_str(&text).ok() };
     value.ok_or_else(|| {

@@ -18,7 +18,7 @@ use web_time::Instant;
 pub use answer::{Answer, Found, Tried, Verdict};
 pub use request::Request;
 
-use crate::files::{can_be_written, save};
+use crate::files::{can_be_written, refuse_over, save};
 use crate::limits::Budget;
 use crate::solve::{self, Asked};
 use crate::{AppError, Interrupted, Unwatched, Watch};
@@ -42,10 +42,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     crate::request::check(request)?;
     if let Some(out) = &request.out {
         can_be_written(out)?;
-        if out.exists() && !request.replace {
-            let problem = format!("{} is there; choose another name, or --replace it", out.display());
-            return Err(AppError::Request(problem));
-        }
+        refuse_over(out, request.replace)?;
     }
     let (changes, [from, to]) = changes(request)?;
     let place = |part: f64| if part == 1.0 { to } else { from + (to - from) * part };

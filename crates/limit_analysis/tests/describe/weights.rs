@@ -1,7 +1,7 @@
 use soilctl_limit_analysis::Description;
-use soilctl_limit_analysis::describe::SoilEntry;
+use soilctl_limit_analysis::describe::{Aim, BoundaryEntry, Kind, Side, SoilEntry};
 
-use crate::common::{area, described, region, soil};
+use crate::common::{area, described, refusals, region, soil};
 
 fn heavy(name: &str, unit_weight_kn_m3: f64) -> SoilEntry {
     SoilEntry { unit_weight_kn_m3, ..soil(name, 30.0, 5.0) }
@@ -98,5 +98,39 @@ fn strength_that_grows_with_depth_is_linear() {
     for depth in [0.0, 1.0, 10.0] {
         let kpa = cohesion.at([0.0, -depth / found.length_m]) * found.stress_kpa;
         assert!((kpa - (8.0 + 2.0 * depth)).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn soil_goes_on_below_soil_of_its_weight_only_where_all_above_it_weighs_alike() {
+    // A layer at the bottom, below two columns of its own weight: on the left there is something heavier in the column above, or on both sides.
+    for (right, taken) in [("right", false), ("heavy", true)] {
+        let mut d = Description::level_ground(soil("top", 20.0, 5.0), 2.0, 4.0);
+        d.boundaries[0].kind = Kind::Smooth;
+        d.boundaries[0].sides.pop();
+        d.boundaries.push(BoundaryEntry::on_sides(Kind::Fixed, &[Side::Bottom]));
+        d.objective = Aim::StrengthReduction {};
+        let column = |x: f64, y: f64| vec![[x, y - 1.0], [x + 2.0, y - 1.0], [x + 2.0, y], [x, y]];
+        d.regions[0].polygon = vec![[-2.0, -1.0], [2.0, -1.0], [2.0, 0.0], [-2.0, 0.0]];
+        d.regions.push(region("heavy", &column(-2.0, -1.0)));
+        d.regions.push(region(right, &column(0.0, -1.0)));
+        d.regions.push(region("left", &column(-2.0, -2.0)));
+        d.regions.push(region("right", &column(0.0, -2.0)));
+        d.regions.push(region("below", &[[-2.0, -4.0], [2.0, -4.0], [2.0, -3.0], [-2.0, -3.0]]));
+        for (name, phi) in [("heavy", 21.0), ("right", 22.0), ("left", 23.0), ("below", 24.0)] {
+            d.soils.push(soil(name, phi, 5.0));
+        }
+        // Of one weight nothing is cut; then what is known by its friction gets its weight.
+        let mut statement = described(&d).statement;
+        for region in &mut statement.regions {
+            region.material.unit_weight *= match region.material.phi_deg {
+                20.0 => 1.0,
+                21.0 => 3.0,
+                _ => 2.0,
+            };
+        }
+        let refusals = refusals(&statement);
+        let bent = refusals.iter().any(|e| e.to_string().contains("one straight top"));
+        assert_eq!((refusals.is_empty(), bent), (taken, !taken), "{refusals:?}");
     }
 }

@@ -15,7 +15,7 @@ use super::flowed::{FlowUnit, Flowed, HeadFlow};
 use super::mesh::{Sizes, mesh, outline, sides};
 use crate::error::LimitError;
 use crate::mesh::Mesh;
-use crate::vector::{Point, between, centroid, cross, dot, length, midpoint, twice_area};
+use crate::vector::{Point, between, centroid, cross, dot, length, midpoint};
 
 /// Meshes that are made one after another.
 const ROUNDS: usize = 3;
@@ -60,10 +60,8 @@ impl Uncut<'_> {
     /// Finds the flow.
     pub(in crate::describe) fn pore_field(&self) -> Result<PoreField, LimitError> {
         let outline = outline(self.map, self.faces);
-        let area_of =
-            |mesh: &Mesh| (0..mesh.triangles.len()).map(|t| 0.5 * twice_area(mesh.corners(t))).sum::<f64>();
-        let coarse = mesh(&outline, &Sizes::uniform(self.area()))?;
-        let (mut mesh_now, mut round) = (coarse, 1);
+        let area = self.area();
+        let (mut mesh_now, mut round) = (mesh(&outline, &Sizes::uniform(area))?, 1);
         loop {
             let ground = self.ground(&mesh_now);
             let cuts = if ground.triangles.len() > MANY { CUTS - 1 } else { CUTS };
@@ -73,7 +71,7 @@ impl Uncut<'_> {
             }
             let triangles = (0..mesh_now.triangles.len()).map(|t| mesh_now.corners(t)).collect();
             let least = LEAST * found.greatest();
-            let sizes = Sizes::of_missed(triangles, &found.missed, least, area_of(&mesh_now));
+            let sizes = Sizes::of_missed(triangles, &found.missed, least, area);
             (mesh_now, round) = (mesh(&outline, &sizes)?, round + 1);
         }
     }
