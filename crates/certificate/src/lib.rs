@@ -215,7 +215,7 @@
 //! # Members
 //!
 //! A [`Member`] goes along lines inside the soil that are in one line: level, upright, or one only. It bears an axial force `-compression <= N <=
-//! tension`, no moment and no force across. With `t` along it and `n` to its left, let `T` be the tractions on the soil at both faces; then
+//! tension`, and if it is no beam no moment and no force across. With `t` along it and `n` to its left, let `T` be the tractions on the soil at both faces; then
 //!
 //! ```text
 //! balance             T(left) + T(right) = t dN/ds,    |T . t| <= bond (c - (normal + u) tan(phi))  on each face,
@@ -236,6 +236,24 @@
 //! rise and fall are no more than those of its Bernstein coefficients, one after the other. The velocity across has no part in the power, so it need not be
 //! continuous. Beside soil that keeps its volume it is that soil's: the stream functions of both sides have one value and one slope along
 //! `t` there ([`StreamJet::Kinked`]).
+//!
+//! A *beam* is a member with [`Bending`]. It bears a moment and a shear force besides, `|M| <= moment`, `|V| <= shear`, whatever its other
+//! forces are, and is stiff across itself. With `T` as above, `u` its velocity to its left, and the load on its other side in place of
+//! `T` where it [lines](Condition::Lined) the soil,
+//!
+//! ```text
+//! balance             (T(left) + T(right)) . n = -dV/ds,    V = dM/ds;    M = V = N = 0 at ends that are not clamped
+//! virtual work        int M d(u') + sum V [u]  over the jumps of u  =  what the tractions of the soil and the loads do
+//! dissipation         int moment |d(u')| + sum shear |[u]|
+//! ```
+//!
+//! *Lower.* `f` and its slopes are independent on both sides: `M`, `V` and `N` are the jumps of `f`, of its slope along `t` and of that along
+//! `n`. Where the beam lines the soil, the function beyond is that of the loads on its run, which goes on past the beam; an end is free if
+//! both sides have one copy there, or the run's. `M` is cubic on an edge. Another member may be attached to the beam: its force is the kink
+//! of `f`, by which `V` and `N` jump. Without branches, so without bodies in the soil.
+//!
+//! *Upper.* `u` is quadratic on an edge; `u'` changes by the difference of its values at the ends there, and what `u` and `u'` jump by from one
+//! edge to the next, and to what clamps an end, counts in full.
 //!
 //! # Structures with ends
 //!
@@ -280,7 +298,8 @@
 //! - adhesion without friction on soil with friction, and interface friction on soil without;
 //! - more than two lines of given shear, or parallel ones that are not joined, that meet; sloping ones between soils of
 //!   different unit weight;
-//! - members that meet, that go through points of boundaries, that are attached to far lines, or to lines of given shear other than at right angles;
+//! - members that meet, other than with an end at a beam; that go through points of boundaries, where a beam may if these are free or loaded; that
+//!   are attached to far lines, or to lines of given shear other than at right angles; beams attached to anything but fixed lines, or beside bodies;
 //! - far lines other than a frame of the mesh, different unit weights beyond the one below, and pore pressure that varies
 //!   along x beside vertical ones.
 //!
@@ -328,9 +347,11 @@ pub use lower::prove_lower;
 pub use mesh::{Mesh, Place, Side, Triangle, Vertex};
 pub use proof::{Bound, Checked, Proof, check, check_lower, check_upper, prove};
 pub use runs::Run;
-pub use shown::{Adjoins, FlowPiece, ShownFlow, ShownMember, ShownStress, show_flow, show_stress};
+pub use shown::{
+    Adjoins, FlowPiece, ShownAcross, ShownFlow, ShownMember, ShownStress, show_flow, show_stress,
+};
 pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
 pub use statement::{
-    Boundary, Condition, Line, LineUse, Linear, Material, Member, Objective, Region, Statement,
+    Bending, Boundary, Condition, Line, LineUse, Linear, Material, Member, Objective, Region, Statement,
 };
 pub use upper::prove_upper;

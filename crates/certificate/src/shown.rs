@@ -4,11 +4,11 @@ use crate::CertificateError;
 use crate::fields::{LowerField, UpperField};
 use crate::interval::{Interval, Vector};
 use crate::lower::element::NodeStresses;
-use crate::lower::node_stresses;
+use crate::lower::{SectionForces, node_stresses};
 use crate::mesh::Side;
 use crate::problem::finite;
 use crate::statement::{Condition, LineUse, Statement};
-use crate::tiling::{Beyond, Tiling, after};
+use crate::tiling::{Beyond, Tiling};
 use crate::upper::piece_velocities;
 
 /// What an edge of a triangle adjoins.
@@ -50,6 +50,22 @@ pub struct ShownMember {
     pub ends: [[f64; 2]; 2],
     /// A quadratic polynomial along it, as Bernstein coefficients: of the axial force, or of the member's velocity along itself.
     pub along: [f64; 3],
+    /// What a beam does across itself.
+    pub across: Option<ShownAcross>,
+}
+
+/// What a beam does across itself along a triangle edge: Bernstein coefficients.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ShownAcross {
+    /// In a stress field: cubic and quadratic.
+    Forces {
+        /// Bending moment.
+        moment: [f64; 4],
+        /// Shear force.
+        shear: [f64; 3],
+    },
+    /// In a flow, its velocity to its left: quadratic. The beam yields where the slope of this changes.
+    Velocity([f64; 3]),
 }
 
 /// A flow in plain numbers. Edge `k` of a triangle lies opposite to corner `k`.
@@ -83,7 +99,7 @@ pub struct FlowPiece {
 /// [`CertificateError`] if the statement is not a problem, if the field is not built as it must be, or if a stress is
 /// too large for a number. Whether the soil bears the stresses is not checked.
 pub fn show_stress(statement: &Statement, field: &LowerField) -> Result<ShownStress, CertificateError> {
-    node_stresses(statement, field, |tiling, stresses, forces| {
+    node_stresses(statement, field, |tiling, stresses, of_members| {
         let plain = |triangle: usize, nodes: NodeStresses| -> Result<_, CertificateError> {
             let parts = nodes.map(|part| part.map(|s| [s.xx, s.yy, s.xy].map(|x| x.middle())));
             for x in parts.iter().flatten().flatten() {
@@ -96,7 +112,12 @@ pub fn show_stress(statement: &Statement, field: &LowerField) -> Result<ShownStr
             corners: corners(tiling),
             adjoins: adjoins(tiling),
             parts: parts.collect::<Result<_, _>>()?,
-            members: members(tiling, forces?, "axial force", "force")?,
+            members: members(
+                tiling,
+                of_members?.into_iter().map(forces).collect(),
+                "force in a member",
+                "force",
+            )?,
         })
     })?
 }
@@ -121,7 +142,11 @@ pub fn show_flow(statement: &Statement, field: &UpperField) -> Result<ShownFlow,
             }
             pieces.push(found);
         }
-        let members = members(tiling, along?, "velocity of a member", "velocity")?;
+        let velocities = along?.into_iter().zip(tiling.along_members()).map(|([along, across], edge)| {
+            let bends = statement.members[edge.member()].bending.is_some();
+            (along, bends.then(|| ShownAcross::Velocity(across.map(Interval::middle))))
+        });
+        let members = members(tiling, velocities.collect(), "velocity of a member", "velocity")?;
         Ok(ShownFlow { corners: corners(tiling), adjoins: adjoins(tiling), pieces, members })
     })?
 }
@@ -129,21 +154,33 @@ pub fn show_flow(statement: &Statement, field: &UpperField) -> Result<ShownFlow,
 /// What there is on the edges of members, given for each.
 fn members(
     tiling: &Tiling,
-    along: Vec<[Interval; 3]>,
+    all: Vec<([Interval; 3], Option<ShownAcross>)>,
     quantity: &'static str,
     unit: &'static str,
 ) -> Result<Vec<ShownMember>, CertificateError> {
-    let mut all = Vec::with_capacity(along.len());
-    for ((side, _, on), along) in tiling.along_members().into_iter().zip(along) {
-        let corners = tiling.corners(side.triangle);
-        let ends = [1, 2].map(|i| plain(corners[after(side.corner, i)]));
+    let mut shown = Vec::with_capacity(all.len());
+    for (edge, (along, across)) in tiling.along_members().into_iter().zip(all) {
+        let ends = tiling.ends_on_member(&edge).map(plain);
         let along = along.map(Interval::middle);
-        for x in along {
-            finite(quantity, || side.to_string(), x, unit)?;
+        let numbers = match across {
+            None => Vec::new(),
+            Some(ShownAcross::Forces { moment, shear }) => moment.into_iter().chain(shear).collect(),
+            Some(ShownAcross::Velocity(velocity)) => velocity.to_vec(),
+        };
+        for x in along.into_iter().chain(numbers) {
+            finite(quantity, || format!("member {}", edge.member()), x, unit)?;
         }
-        all.push(ShownMember { member: on.piece.member, ends, along });
+        shown.push(ShownMember { member: edge.member(), ends, along, across });
     }
-    Ok(all)
+    Ok(shown)
+}
+
+fn forces(forces: SectionForces) -> ([Interval; 3], Option<ShownAcross>) {
+    let across = forces.bent.map(|bent| ShownAcross::Forces {
+        moment: bent.moment.map(Interval::middle),
+        shear: bent.shear.map(Interval::middle),
+    });
+    (forces.axial, across)
 }
 
 fn plain(v: Vector) -> [f64; 2] {

@@ -29,13 +29,14 @@ pub struct Statement {
     /// those of a body in space, per unit width of the structure. Plane strain if it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<f64>,
-    /// Bars and sheets inside the soil. No line and no point belongs to two of them.
+    /// Bars, sheets and beams in the soil. No line belongs to two of them, and no point, but where an end of one is attached to a beam.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub members: Vec<Member>,
 }
 
-/// A straight member inside the soil, thin and perfectly flexible: a bar, a sheet, a tie. It carries an axial force and takes
-/// the soil along up to what its two faces bear. Forces are per unit width.
+/// A straight member in the soil, thin: a bar, a sheet, a tie, all perfectly flexible, or a beam, which bends. It carries an axial force
+/// and takes the soil along up to what its faces bear; a beam carries a moment and a shear force besides, and may have soil on one of
+/// its sides only, which is [`Lined`](Condition::Lined) then. Forces are per unit width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Member {
@@ -53,10 +54,24 @@ pub struct Member {
     /// Shear traction that each face bears over that which the soil beside it bears at the same effective normal stress: above
     /// zero, at most one.
     pub bond: f64,
-    /// Whether its start and its end are attached to the boundary there, which then takes any force along the member: a face of
-    /// the structure, a fixed side, or a smooth one at right angles. Ends that are not bear no force.
+    /// Whether its start and its end are attached to what is there, which then takes any force along the member: a face of the
+    /// structure, a fixed side, a smooth one at right angles, or a beam. Ends that are not bear no force. An end of a beam can be
+    /// attached to a fixed side, which takes its shear force and its moment too.
     #[serde(default, skip_serializing_if = "is_loose")]
     pub attached: [bool; 2],
+    /// What a beam bears by bending; a member without it is flexible.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bending: Option<Bending>,
+}
+
+/// What a beam bears across itself. Its greatest forces do not depend on each other.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Bending {
+    /// Greatest bending moment (force times length over width, so a force), above zero.
+    pub moment: f64,
+    /// Greatest shear force (force), above zero.
+    pub shear: f64,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
@@ -252,6 +267,16 @@ pub enum Condition {
         /// like all loads.
         live: bool,
     },
+    /// A beam lies along the soil, loaded from outside by tractions that are linear along the line. It must be a piece of a
+    /// [member](Member) that bends.
+    Lined {
+        /// Pressure on the beam at the start and the end of the line itself, whichever side this is.
+        pressure: [f64; 2],
+        /// Shear traction on the beam at the same two ends, along the side walked with the soil on the left.
+        shear: [f64; 2],
+        /// As that of [loaded](Condition::Loaded) sides.
+        live: bool,
+    },
     /// Under open water that is one with the water in the pores: the load is a pressure, the soil's pore pressure along the line.
     Submerged,
     /// No velocity; any traction.
@@ -293,8 +318,19 @@ impl Condition {
         match self {
             Self::Free => surcharge == 0.0,
             Self::Submerged => true,
-            Self::Loaded { .. } | Self::Fixed | Self::Smooth | Self::Far | Self::Face { .. } => false,
+            Self::Loaded { .. }
+            | Self::Lined { .. }
+            | Self::Fixed
+            | Self::Smooth
+            | Self::Far
+            | Self::Face { .. } => false,
         }
+    }
+
+    /// Whether it says what acts from outside: on the soil, or on a beam along it.
+    #[must_use]
+    pub fn is_loaded(self) -> bool {
+        self.traction_is_given() || matches!(self, Self::Lined { .. })
     }
 
     /// Whether it says what the shear stress along the line is: on smooth lines, frictionless faces without adhesion, and
@@ -304,16 +340,16 @@ impl Condition {
         match self {
             Self::Smooth | Self::Far => true,
             Self::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion == 0.0,
-            Self::Free | Self::Loaded { .. } | Self::Submerged | Self::Fixed => false,
+            Self::Free | Self::Loaded { .. } | Self::Lined { .. } | Self::Submerged | Self::Fixed => false,
         }
     }
 
-    /// Whether it says what the tractions are: on free, loaded and submerged lines.
+    /// Whether it says what the tractions on the soil are: on free, loaded and submerged lines.
     #[must_use]
     pub fn traction_is_given(self) -> bool {
         match self {
             Self::Free | Self::Loaded { .. } | Self::Submerged => true,
-            Self::Fixed | Self::Smooth | Self::Far | Self::Face { .. } => false,
+            Self::Lined { .. } | Self::Fixed | Self::Smooth | Self::Far | Self::Face { .. } => false,
         }
     }
 
@@ -323,7 +359,7 @@ impl Condition {
         match self {
             Self::Fixed | Self::Far | Self::Smooth => true,
             Self::Face { delta_deg, adhesion } => delta_deg == 0.0 && adhesion > 0.0,
-            Self::Free | Self::Loaded { .. } | Self::Submerged => false,
+            Self::Free | Self::Loaded { .. } | Self::Lined { .. } | Self::Submerged => false,
         }
     }
 }

@@ -4,9 +4,10 @@ use soilctl_certificate::Side;
 use soilctl_conic::Form;
 
 use crate::lower::macro_element::{Curvature, curvatures};
-use crate::lower::{Lower, node_stresses};
+use crate::lower::{Lower, SectionForces, node_stresses};
 use crate::members::MemberEdge;
 use crate::mesh::Mesh;
+use crate::problem::Problem;
 use crate::topology::Topology;
 use crate::upper::{Element, Limit, Upper, Velocity, gradients, shear_rates};
 use crate::vector::{Point, centroid, twice_area};
@@ -19,8 +20,25 @@ pub(crate) struct StressField {
     pub(crate) parts: Vec<[[[f64; 3]; 3]; 3]>,
     /// The part of cohesion, adhesion and tension that it needs; one unless that is what is bounded.
     pub(crate) part: f64,
-    /// Axial forces of members, at the start, in the middle and at the end of each edge.
-    pub(crate) members: Vec<(MemberEdge, [f64; 3])>,
+    /// What members bear along each edge.
+    pub(crate) members: Vec<(MemberEdge, Forces)>,
+}
+
+/// What a member bears along an edge: Bernstein coefficients.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Forces {
+    pub(crate) axial: [f64; 3],
+    /// Of a beam: moment and shear force.
+    pub(crate) bent: Option<([f64; 4], [f64; 3])>,
+}
+
+impl Forces {
+    fn new(forces: &SectionForces, x: &[f64]) -> Self {
+        let bent = forces.bent.as_ref().map(|bent| {
+            (bent.moment.each_ref().map(|f| f.value(x)), bent.shear.each_ref().map(|f| f.value(x)))
+        });
+        Self { axial: forces.axial.each_ref().map(|f| f.value(x)), bent }
+    }
 }
 
 /// A velocity field.
@@ -47,7 +65,7 @@ pub(crate) struct Piece {
 }
 
 impl StressField {
-    pub(crate) fn new(mesh: &Mesh, topology: &Topology, lower: &Lower, x: &[f64]) -> Self {
+    pub(crate) fn new(problem: &Problem, mesh: &Mesh, topology: &Topology, lower: &Lower, x: &[f64]) -> Self {
         let corners = (0..mesh.triangles.len()).map(|t| mesh.corners(t)).collect();
         let parts = (0..mesh.triangles.len())
             .map(|t| {
@@ -55,8 +73,9 @@ impl StressField {
                     .map(|part| part.map(|s| s.map_or([0.0; 3], |s| s.map(|f| f.value(x)))))
             })
             .collect();
-        let force = |edge: MemberEdge| (edge, lower.function.axial_force(&edge).map(|f| f.value(x)));
-        let members = lower.members.iter().copied().map(force).collect();
+        let members =
+            lower.members.iter().map(|edge| (*edge, Forces::new(&lower.section_forces(problem, edge), x)));
+        let members = members.collect();
         Self { corners, across: topology.across.clone(), parts, part: lower.part(x), members }
     }
 

@@ -1,6 +1,6 @@
 //! Members on a mesh: their edges, from start to end.
 
-use soilctl_certificate::{Member, Side};
+use soilctl_certificate::{LineUse, Member, Side};
 
 use crate::mesh::Mesh;
 use crate::problem::Problem;
@@ -11,9 +11,8 @@ use crate::vector::{Point, between, dot, length};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MemberEdge {
     pub(crate) member: usize,
-    /// The edge as the triangle on the member's left sees it, and as that on its right does.
-    pub(crate) side: Side,
-    pub(crate) other: Side,
+    /// The edge as the triangle on the member's left sees it, and as that on its right does: where a beam lines the soil there is one only.
+    pub(crate) sides: [Option<Side>; 2],
     /// The line, and whether the member goes along it from its first point to its last.
     pub(crate) line: usize,
     pub(crate) is_forward: bool,
@@ -35,6 +34,21 @@ impl MemberEdge {
     pub(crate) fn length(&self) -> f64 {
         length(between(self.ends[0], self.ends[1]))
     }
+
+    /// The triangles' edges, the left one first.
+    pub(crate) fn faces(&self) -> impl Iterator<Item = Side> + use<> {
+        self.sides.into_iter().flatten()
+    }
+
+    /// The triangle edge that stands for it.
+    pub(crate) fn first(&self) -> Side {
+        self.faces().next().unwrap_or(Side { triangle: 0, corner: 0 })
+    }
+
+    /// Both, if there is soil on both sides.
+    pub(crate) fn both(&self) -> Option<[Side; 2]> {
+        Some([self.sides[0]?, self.sides[1]?])
+    }
 }
 
 /// All edges of all members, one member after the other.
@@ -45,38 +59,57 @@ pub(crate) fn member_edges(problem: &Problem, mesh: &Mesh, topology: &Topology) 
     }
     for triangle in 0..mesh.triangles.len() {
         for corner in 0..3 {
-            let (Some(on), Some(other)) =
-                (topology.line[triangle][corner], topology.across[triangle][corner])
-            else {
-                continue;
+            let side = Side { triangle, corner };
+            let Some(on) = topology.line[triangle][corner] else { continue };
+            let other = topology.across[triangle][corner].filter(|_| problem.condition(on).is_none());
+            let (left, sides) = match problem.member_whose_left_is(on) {
+                Some(_) => (on, [Some(side), other]),
+                // That on the left stands for both.
+                None if other.is_some() => continue,
+                None => (on.reversed(), [None, Some(side)]),
             };
-            let Some(member) = problem.member_whose_left_is(on) else { continue };
+            let Some(member) = problem.member_whose_left_is(left) else { continue };
             let [start, end] = problem.member_ends(member);
             let corners = mesh.triangles[triangle].corners;
-            let ends = [1, 2].map(|i| mesh.vertices[corners[(corner + i) % 3]].position);
+            let mut ends = [1, 2].map(|i| mesh.vertices[corners[(corner + i) % 3]].position);
+            if left != on {
+                ends.reverse();
+            }
             let d = between(start, end);
             let place = ends.map(|p| dot(between(start, p), d) / length(d));
             let is_end = [ends[0] == start, ends[1] == end];
-            let side = Side { triangle, corner };
-            let (line, is_forward) = (on.line, on.forward);
-            edges.push(MemberEdge { member, side, other, line, is_forward, ends, place, is_end });
+            let (line, is_forward) = (left.line, left.forward);
+            edges.push(MemberEdge { member, sides, line, is_forward, ends, place, is_end });
         }
     }
     edges.sort_by(|a, b| a.member.cmp(&b.member).then(a.place[0].total_cmp(&b.place[0])));
     edges
 }
 
-/// Whether it bears any axial force.
+/// Whether it bears any force.
 pub(crate) fn bears_force(member: &Member) -> bool {
-    member.tension > 0.0 || member.compression > 0.0
+    member.tension > 0.0 || member.compression > 0.0 || member.bending.is_some()
 }
 
-/// Velocity of what an end of a member is attached to, along the member; nothing if it is attached to nothing.
+/// The beam that an end of a flexible member is attached to.
+pub(crate) fn beam_at_end(problem: &Problem, member: usize, end: usize) -> Option<usize> {
+    let (statement, m) = (problem.statement(), &problem.members()[member]);
+    let point = problem.member_end_point(member, end);
+    let touches = |side: &LineUse| statement.lines[side.line].touches(point);
+    let is_loose = m.bending.is_some() || !m.attached[end];
+    if is_loose {
+        None
+    } else {
+        statement.members.iter().position(|m| m.bending.is_some() && m.path.iter().any(touches))
+    }
+}
+
+/// Velocity of what an end of a member is attached to, along the member; nothing if it is attached to nothing, or to a beam.
 pub(crate) fn velocity_at_end(problem: &Problem, member: usize, end: usize) -> Option<f64> {
     use soilctl_certificate::Condition::Face;
     let statement = problem.statement();
     let m = &statement.members[member];
-    if !m.attached[end] {
+    if !m.attached[end] || beam_at_end(problem, member, end).is_some() {
         return None;
     }
     let point = problem.member_end_point(member, end);

@@ -120,7 +120,9 @@ impl Problem {
         let conditions = statement.boundaries.iter().map(|b| (b.side(), b.condition)).collect();
         let top = statement.points.iter().map(|p| p[1]).fold(f64::NEG_INFINITY, f64::max);
         let loads = statement.boundaries.iter().flat_map(|b| match b.condition {
-            Condition::Loaded { pressure, shear, .. } => [pressure[0], pressure[1], shear[0], shear[1]],
+            Condition::Loaded { pressure, shear, .. } | Condition::Lined { pressure, shear, .. } => {
+                [pressure[0], pressure[1], shear[0], shear[1]]
+            }
             Condition::Submerged => {
                 let [a, b] = statement.pore_pressure(b.side());
                 [a, b, 0.0, 0.0]
@@ -142,6 +144,11 @@ impl Problem {
                 ("the compression of a member", member.compression),
             ] {
                 in_range(quantity, force, 0.0, f64::INFINITY, "")?;
+            }
+            for (quantity, most) in member.bending.iter().flat_map(|b| {
+                [("the greatest moment of a beam", b.moment), ("the greatest shear force of a beam", b.shear)]
+            }) {
+                in_range(quantity, most, f64::MIN_POSITIVE, f64::INFINITY, "")?;
             }
             in_range("the bond of a member", member.bond, f64::MIN_POSITIVE, 1.0_f64.next_up(), "")?;
         }
@@ -210,6 +217,11 @@ impl Problem {
     pub(crate) fn member_on(&self, line: usize) -> Option<usize> {
         let of = |forward| self.members.get(&LineUse { line, forward });
         of(true).or_else(|| of(false)).copied()
+    }
+
+    /// Whether a member is a beam.
+    pub(crate) fn bends(&self, member: usize) -> bool {
+        self.statement.members[member].bending.is_some()
     }
 
     /// Index of the point at the start (0) or the end (1) of a member.

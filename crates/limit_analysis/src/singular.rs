@@ -16,11 +16,15 @@ pub(crate) fn open_height(problem: &Problem) -> f64 {
     let open: Vec<[f64; 2]> = statement
         .boundaries
         .iter()
-        .filter(|b| b.condition.traction_is_given())
+        .filter(|b| b.condition.is_loaded())
         .flat_map(|b| problem.ends(b.line))
         .collect();
     let height = of(&open);
     if height > 0.0 { height } else { of(&statement.points) }
+}
+
+fn is_live(condition: Condition) -> bool {
+    matches!(condition, Condition::Loaded { live: true, .. } | Condition::Lined { live: true, .. })
 }
 
 /// Length of the live loads, height of a slope; one for structures.
@@ -30,7 +34,6 @@ pub(crate) fn typical_length(problem: &Problem) -> f64 {
         Objective::Structure { .. } => 1.0,
         Objective::Body { .. } | Objective::Everything => open_height(problem),
         Objective::Loads => {
-            let is_live = |c: Condition| matches!(c, Condition::Loaded { live: true, .. });
             let live = statement.boundaries.iter().filter(|b| is_live(b.condition));
             let ends = live.map(|b| problem.ends(b.line));
             let length: f64 = ends.map(|[p, q]| distance(p, q)).sum();
@@ -62,10 +65,10 @@ fn is_sheared(problem: &Problem, point: usize) -> bool {
 }
 
 /// Points at which two sides that are free, loaded or faces meet in a notch of the soil's rim, or in line with different
-/// loads; and those that need elements of their own.
+/// loads; ends of beams; and those that need elements of their own.
 pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
     let statement = problem.statement();
-    let is_open = |c: Condition| c.traction_is_given() || matches!(c, Condition::Face { .. });
+    let is_open = |c: Condition| c.is_loaded() || matches!(c, Condition::Face { .. });
     // As they are walked with the soil on the left: start, end, and condition there.
     let sides: Vec<(usize, usize, Condition, bool)> = statement
         .boundaries
@@ -84,14 +87,13 @@ pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
         })
         .collect();
     let at_end = |(_, _, condition, forward): &(usize, usize, Condition, bool), end: bool| match *condition {
-        Condition::Loaded { pressure, shear, .. } => {
+        Condition::Loaded { pressure, shear, .. } | Condition::Lined { pressure, shear, .. } => {
             let i = usize::from(*forward == end);
             Some([pressure[i], shear[i]])
         }
         Condition::Free => Some([statement.surcharge, 0.0]),
         _ => None,
     };
-    let is_live = |c: Condition| matches!(c, Condition::Loaded { live: true, .. });
     let is_singular = |point: &usize| {
         let [into, out] = [true, false].map(|ends| {
             let mut there = sides.iter().filter(|s| if ends { s.1 == *point } else { s.0 == *point });
@@ -101,8 +103,16 @@ pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
         let [p, q, r] = [a.0, *point, b.1].map(|i| statement.points[i]);
         let turn = (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0]);
         let straight = 1e-6 * distance(q, p) * distance(r, q);
-        let differ = at_end(a, true) != at_end(b, false) || is_live(a.2) != is_live(b.2);
+        let is_lined = |c: Condition| matches!(c, Condition::Lined { .. });
+        let differ = at_end(a, true) != at_end(b, false)
+            || is_live(a.2) != is_live(b.2)
+            || is_lined(a.2) != is_lined(b.2);
         turn < -straight || (turn <= straight && differ)
     };
-    (0..statement.points.len()).filter(|p| is_singular(p) || is_sheared(problem, *p)).collect()
+    let is_tip = |point: usize| {
+        let ends = |member: usize| [0, 1].map(|end| problem.member_end_point(member, end));
+        (0..statement.members.len()).any(|member| problem.bends(member) && ends(member).contains(&point))
+    };
+    let is_one = |p: &usize| is_singular(p) || is_sheared(problem, *p) || is_tip(*p);
+    (0..statement.points.len()).filter(is_one).collect()
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_certificate::{
-    Condition, LineUse, Linear, Material, Member, Objective, Region, Scale, Statement,
+    Bending, Condition, LineUse, Linear, Material, Member, Objective, Region, Scale, Statement,
 };
 
 /// Most lines of one kind; of the others their number is told.
@@ -128,7 +128,7 @@ fn side(statement: &Statement, side: LineUse) -> String {
 
 /// From where to where a member goes, and what it bears.
 fn member(statement: &Statement, member: &Member) -> String {
-    let Member { path, tension, compression, bond, attached, .. } = member;
+    let Member { path, tension, compression, bond, attached, bending, name: _ } = member;
     let end = |side: Option<&LineUse>, i: usize| {
         let line = side.and_then(|side| Some(statement.lines.get(side.line)?.walked(side.forward)[i]));
         line.map_or_else(|| "a line that is missing".to_owned(), |point| place(statement, point))
@@ -139,9 +139,15 @@ fn member(statement: &Statement, member: &Member) -> String {
         [false, true] => "attached at its end",
         [true, true] => "attached at both ends",
     };
+    let bending = match bending {
+        Some(Bending { moment, shear }) => {
+            format!(", a beam: bending moment up to {moment}, shear force up to {shear}")
+        }
+        None => String::new(),
+    };
     format!(
-        "from {} to {}: tension up to {tension}, compression up to {compression}, faces bear {bond} times the shear strength of the \
-         soil beside them, {attached}",
+        "from {} to {}: tension up to {tension}, compression up to {compression}{bending}, faces bear {bond} times the shear strength of \
+         the soil beside them, {attached}",
         end(path.first(), 0),
         end(path.last(), 1)
     )
@@ -156,11 +162,14 @@ fn linear(value: Linear) -> String {
 fn held(condition: Condition, objective: Objective) -> String {
     match condition {
         Condition::Free => "free, with the pressure on the surface".to_owned(),
-        Condition::Loaded { pressure: [a, b], shear: [s, t], live } => {
+        Condition::Loaded { pressure: [a, b], shear: [s, t], live }
+        | Condition::Lined { pressure: [a, b], shear: [s, t], live } => {
             // Whatever the mark says, only one objective multiplies loads that have it.
             let bounded = live && objective == Objective::Loads;
             let kind = if bounded { "the load that is bounded" } else { "loaded" };
             let [a, b, s, t] = [a, b, s, t].map(plain);
+            let lined = matches!(condition, Condition::Lined { .. });
+            let kind = if lined { format!("{kind} beyond a beam") } else { kind.to_owned() };
             format!("{kind}: pressure {a} to {b}, shear {s} to {t}")
         }
         Condition::Submerged => {

@@ -44,7 +44,7 @@ impl From<&Condition> for BoundaryKind {
     fn from(condition: &Condition) -> Self {
         match condition {
             Condition::Free => Self::Free,
-            Condition::Loaded { .. } | Condition::Submerged => Self::Load,
+            Condition::Loaded { .. } | Condition::Lined { .. } | Condition::Submerged => Self::Load,
             Condition::Fixed => Self::Fixed,
             Condition::Smooth => Self::Smooth,
             Condition::Far => Self::Far,

@@ -33,7 +33,9 @@ pub(super) fn check(
         match tiling.beyond(side) {
             Beyond::Soil(other) => {
                 let [end, start] = ends(field, other);
-                if let Some(on) = tiling.member(side) {
+                if tiling.member(side).is_some_and(|on| problem.bends(on.piece.member)) {
+                    // A beam bears whatever it is by which they differ.
+                } else if let Some(on) = tiling.member(side) {
                     // Its two sides are checked with its force.
                     let pairs = if on.is_left { here } else { [start, end] };
                     let others = if on.is_left { [start, end] } else { here };

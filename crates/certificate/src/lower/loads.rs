@@ -1,4 +1,5 @@
 //! Free and loaded boundary: the tractions there, and the stress function that goes with them.
+//! Where a beam lines the soil they act on that, and the function is the one beyond the beam.
 //!
 //! Tractions of a stress function on a boundary walked with the soil on the left add up to the change of `(f_y, -f_x)`. So
 //! along a run of sides with given tractions `f` is an affine function plus one that follows from the loads: with `T(s)`
@@ -75,7 +76,7 @@ impl Loads {
         field: &LowerField,
     ) -> Result<Self, CertificateError> {
         let (mut runs, mut numbers) = (Vec::new(), BTreeMap::new());
-        for run in problem.statement.runs(|b| b.condition.traction_is_given()) {
+        for run in problem.statement.runs(|b| b.condition.is_loaded()) {
             let place = |side: Option<&LineUse>| format!("line {}", side.map_or(0, |s| s.line));
             if run.closed {
                 let what = "free or loaded sides all around";
@@ -135,14 +136,8 @@ impl Loads {
         let mut stations: Vec<Option<Station>> = vec![None; field.copies.len()];
         for side in tiling.sides() {
             let Beyond::Boundary(on, _) = tiling.beyond(side) else { continue };
-            let Some((run, number)) = self.numbers.get(&on.side).copied() else { continue };
-            for (copy, s) in ends(field, side).into_iter().zip([on.start, on.end]) {
-                let [start, end] = if on.side.forward { [0.0, 1.0] } else { [1.0, 0.0] };
-                let station = match s {
-                    s if s == start => Station { run, number, s: None },
-                    s if s == end => Station { run, number: number + 1, s: None },
-                    s => Station { run, number, s: Some(s) },
-                };
+            let Some(places) = self.ends(on) else { continue };
+            for (copy, station) in ends(field, side).into_iter().zip(places) {
                 if *stations[copy].get_or_insert(station) != station {
                     let problem =
                         "it is at two places of free or loaded boundary that do not follow each other";
@@ -151,6 +146,17 @@ impl Loads {
             }
         }
         Ok(stations)
+    }
+
+    /// Where the start and the end of an edge are on its run.
+    pub(super) fn ends(&self, on: OnLine) -> Option<[Station; 2]> {
+        let (run, number) = self.numbers.get(&on.side).copied()?;
+        let [start, end] = if on.side.forward { [0.0, 1.0] } else { [1.0, 0.0] };
+        Some([on.start, on.end].map(|s| match s {
+            s if s == start => Station { run, number, s: None },
+            s if s == end => Station { run, number: number + 1, s: None },
+            s => Station { run, number, s: Some(s) },
+        }))
     }
 
     /// Value and slopes of the particular function.
@@ -186,7 +192,7 @@ fn tractions(
     let statement = problem.statement;
     let surcharge = Interval::point(statement.surcharge);
     let mut loads = match problem.condition(side) {
-        Some(Condition::Loaded { pressure, shear, live }) => {
+        Some(Condition::Loaded { pressure, shear, live } | Condition::Lined { pressure, shear, live }) => {
             let factor = if live && statement.objective == Objective::Loads {
                 Interval::point(field.multiplier)
             } else {

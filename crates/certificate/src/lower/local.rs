@@ -53,7 +53,7 @@ impl StressFunction<'_> {
     }
 
     /// The slope across the middle of an edge, along its vector turned left, beyond that of the gauge `frame`.
-    fn slope(&self, side: Side, frame: usize, turned: Vector) -> Interval {
+    pub(super) fn slope(&self, side: Side, frame: usize, turned: Vector) -> Interval {
         let stored = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
         let absolute = |slope: Interval| slope + self.gauges.gradient(0, frame).dot(turned);
         match self.tiling.beyond(side) {

@@ -12,8 +12,8 @@ use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::mesh::Side;
-use crate::problem::{Problem, Stress};
-use crate::tiling::{OnMember, after};
+use crate::problem::{Attached, Problem, Stress};
+use crate::tiling::{MemberEdge, OnMember, after};
 
 use super::loads::Station;
 
@@ -58,8 +58,30 @@ pub(super) fn kink(
     }
 }
 
+/// An edge of a member in words.
+pub(super) fn place(edge: &MemberEdge) -> String {
+    let side = edge.first().map_or_else(String::new, |side| format!(", {side}"));
+    format!("member {}{side}", edge.member())
+}
+
+/// What a member bears along an edge.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SectionForces {
+    /// The axial force: its Bernstein coefficients.
+    pub(crate) axial: [Interval; 3],
+    /// Of a beam, what it bears by bending.
+    pub(crate) bent: Option<Bent>,
+}
+
+/// Bernstein coefficients of what a beam bears by bending.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bent {
+    pub(crate) moment: [Interval; 4],
+    pub(crate) shear: [Interval; 3],
+}
+
 impl StressFunction<'_> {
-    /// Checks the axial forces of all members and what their faces bear, given the stresses of each triangle. Returns the power of what
+    /// Checks the forces in all members and what their faces bear, given the stresses of each triangle. Returns the power of what
     /// is attached to the structure.
     pub(super) fn check_members(
         &self,
@@ -67,43 +89,70 @@ impl StressFunction<'_> {
     ) -> Result<Interval, CertificateError> {
         let mut power = Interval::ZERO;
         let edges = self.tiling.along_members();
-        for (i, (side, other, on)) in edges.iter().enumerate() {
-            let member = on.piece.member;
-            let [a, m, b] = self.axial_force(*side, *other, on)?;
-            self.check_force(*side, member, [a, m, b])?;
-            for (side, edge) in [(*side, 0), (*other, 1)] {
-                self.check_bond(side, &stresses(side.triangle)[side.corner], member, edge)?;
+        for (i, edge) in edges.iter().enumerate() {
+            let member = edge.member();
+            let forces = self.section_forces(edge)?;
+            self.check_force(edge, forces.axial)?;
+            if let Some(bent) = forces.bent {
+                self.check_bending(edge, bent)?;
             }
-            let is_other = |j: Option<usize>| {
-                j.and_then(|j| edges.get(j)).is_none_or(|(.., next)| next.piece.member != member)
-            };
+            for (face, side) in edge.sides.into_iter().enumerate() {
+                let Some(side) = side else { continue };
+                self.check_bond(side, &stresses(side.triangle)[side.corner], member, face)?;
+            }
+            let is_other =
+                |j: Option<usize>| j.and_then(|j| edges.get(j)).is_none_or(|next| next.member() != member);
+            let [a, _, b] = forces.axial;
             for (end, is_end, force) in
                 [(false, is_other(i.checked_sub(1)), a), (true, is_other(Some(i + 1)), b)]
             {
-                if !is_end {
-                    continue;
-                }
-                match self.problem.velocity_at_end(member, end)? {
-                    // The structure pulls the start backwards.
-                    Some(velocity) => {
-                        power = power + if end { force * velocity } else { -(force * velocity) }
-                    }
-                    None if force.is_zero() => {}
-                    None => {
-                        let place = format!("member {member}");
-                        let problem = "an end that is attached to nothing must bear no force";
-                        return Err(CertificateError::BadField { place, problem });
-                    }
+                if is_end {
+                    power = power + self.check_end(edge, end, force)?;
                 }
             }
         }
         Ok(power)
     }
 
-    /// The axial forces of all members, edge by edge.
-    pub(super) fn axial_forces(&self) -> Result<Vec<[Interval; 3]>, CertificateError> {
-        let edges = self.tiling.along_members();
-        edges.iter().map(|(side, other, on)| self.axial_force(*side, *other, on)).collect()
+    /// What the start or the end of a member does on what it is attached to.
+    fn check_end(&self, edge: &MemberEdge, end: bool, force: Interval) -> Result<Interval, CertificateError> {
+        let member = edge.member();
+        match self.problem.end_of(member, end)? {
+            Attached::Ground | Attached::Beam(_) => return Ok(Interval::ZERO),
+            Attached::Structure => {
+                let velocity = self.problem.velocity_at_end(member, end)?.unwrap_or(Interval::ZERO);
+                // The structure pulls the start backwards.
+                return Ok(if end { force * velocity } else { -(force * velocity) });
+            }
+            Attached::Nothing => {}
+        }
+        let is_free =
+            if self.problem.bends(member) { self.beam_edge(edge)?.ends_free(end) } else { force.is_zero() };
+        if is_free {
+            return Ok(Interval::ZERO);
+        }
+        let problem = "an end that is attached to nothing must bear no force";
+        Err(CertificateError::BadField { place: format!("member {member}"), problem })
+    }
+
+    /// The forces in all members, edge by edge.
+    pub(super) fn member_forces(&self) -> Result<Vec<SectionForces>, CertificateError> {
+        self.tiling.along_members().iter().map(|edge| self.section_forces(edge)).collect()
+    }
+
+    fn section_forces(&self, edge: &MemberEdge) -> Result<SectionForces, CertificateError> {
+        if self.problem.bends(edge.member()) {
+            return Ok(self.beam_edge(edge)?.forces());
+        }
+        match edge.both() {
+            Some([side, other]) => {
+                Ok(SectionForces { axial: self.axial_force(side, other, &edge.on)?, bent: None })
+            }
+            None => Err(CertificateError::BadField {
+                place: format!("member {}", edge.member()),
+                problem: "there must be soil on both sides of it",
+            }),
+        }
     }
 
     /// The axial force of a member along an edge on its left: its Bernstein coefficients.
@@ -140,12 +189,8 @@ impl StressFunction<'_> {
         Ok([a, Interval::point(2.0) * middle - (a + b).half(), b])
     }
 
-    fn check_force(
-        &self,
-        side: Side,
-        member: usize,
-        coefficients: [Interval; 3],
-    ) -> Result<(), CertificateError> {
+    fn check_force(&self, edge: &MemberEdge, coefficients: [Interval; 3]) -> Result<(), CertificateError> {
+        let member = edge.member();
         let m = &self.problem.statement.members[member];
         let [tension, compression] =
             [m.tension, m.compression].map(|force| self.divisor.part(Interval::point(force)));
@@ -155,13 +200,9 @@ impl StressFunction<'_> {
                 ("compression of the member to spare", compression + force),
             ] {
                 if !spare.is_at_least_zero() {
-                    let place = format!("member {member}, {side}, control point {i} of 3");
-                    return Err(CertificateError::NotProven {
-                        quantity,
-                        place,
-                        low: spare.lo(),
-                        unit: "force",
-                    });
+                    let place = format!("{}, control point {i} of 3", place(edge));
+                    let (low, unit) = (spare.lo(), "force");
+                    return Err(CertificateError::NotProven { quantity, place, low, unit });
                 }
             }
         }

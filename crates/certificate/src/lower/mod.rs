@@ -1,5 +1,6 @@
 //! The lower bound: a stress field is proven statically admissible, and the force or factor that goes with it is the bound.
 
+mod bending;
 mod body_force;
 mod covered;
 pub(crate) mod element;
@@ -34,6 +35,7 @@ use gauges::{Gauges, LocalJet};
 use given::GivenLines;
 use jets::Maker;
 use loads::{Loads, Station};
+pub(crate) use members::SectionForces;
 use overburden::Overburden;
 use references::ReferenceStresses;
 use strength::Divisor;
@@ -83,21 +85,21 @@ pub fn prove_lower(statement: &Statement, field: &LowerField) -> Result<f64, Cer
     }
 }
 
-/// Bernstein coefficients along the edges of all members, in the order of [`Tiling::along_members`].
-pub(crate) type AlongMembers = Result<Vec<[crate::interval::Interval; 3]>, CertificateError>;
+/// What members bear along their edges, in the order of [`Tiling::along_members`].
+pub(crate) type MemberForces = Result<Vec<SectionForces>, CertificateError>;
 
-/// Stresses at the nodes of the three parts of each triangle, and axial forces, on a checked mesh. No strength is checked.
+/// Stresses at the nodes of the three parts of each triangle, and what members bear, on a checked mesh. No strength is checked.
 pub(crate) fn node_stresses<T>(
     statement: &Statement,
     field: &LowerField,
-    with: impl FnOnce(&Tiling, Vec<element::NodeStresses>, AlongMembers) -> T,
+    with: impl FnOnce(&Tiling, Vec<element::NodeStresses>, MemberForces) -> T,
 ) -> Result<T, CertificateError> {
     let problem = Problem::new(statement)?;
     let setting = Setting::new(&problem, field)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;
     let function = StressFunction::new(&problem, &setting, &tiling, field)?;
     let stresses = (0..field.mesh.triangles.len()).map(|t| function.stresses(t)).collect();
-    Ok(with(&tiling, stresses, function.axial_forces()))
+    Ok(with(&tiling, stresses, function.member_forces()))
 }
 
 /// What follows from the statement and the factor that is to be proven, whatever the mesh.

@@ -12,7 +12,7 @@ use crate::interval::{Angle, Interval, Vector, angle};
 use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 
 pub(crate) use far::FarFrame;
-pub(crate) use members::Piece;
+pub(crate) use members::{Attached, Piece};
 pub(crate) use numbers::{exists, finite};
 pub(crate) use reference::{Column, ReferenceStress, Stress};
 

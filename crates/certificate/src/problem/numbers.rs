@@ -73,7 +73,9 @@ fn check_boundaries(statement: &Statement) -> Result<(), CertificateError> {
             check_angle("interface friction", place, delta_deg)?;
             at_least_zero("adhesion", place, adhesion, "stress")?;
         }
-        if let Condition::Loaded { pressure, shear, .. } = boundary.condition {
+        if let Condition::Loaded { pressure, shear, .. } | Condition::Lined { pressure, shear, .. } =
+            boundary.condition
+        {
             for x in pressure.into_iter().chain(shear) {
                 finite("load", place, x, "stress")?;
             }
@@ -92,6 +94,13 @@ fn check_members(statement: &Statement) -> Result<(), CertificateError> {
         at_least_zero("compression", place, member.compression, "force")?;
         let holds = member.bond > 0.0 && member.bond <= 1.0;
         within("bond", place, member.bond, "", "above 0 and at most 1", holds)?;
+        for (quantity, most) in member
+            .bending
+            .iter()
+            .flat_map(|b| [("greatest moment", b.moment), ("greatest shear force", b.shear)])
+        {
+            within(quantity, place, most, "force", "finite and above 0", most > 0.0)?;
+        }
     }
     if statement.width.is_some() && !statement.members.is_empty() {
         let (place, what) = ("the statement".into(), "members beside a structure with ends");

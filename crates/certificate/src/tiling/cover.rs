@@ -58,7 +58,7 @@ pub(super) fn beyond(
     Ok((beyond, members))
 }
 
-/// The place on a member of an edge of a line. Members have soil on both sides and no boundary, so the edge has soil beyond.
+/// The place on a member of an edge of a line.
 fn on_member(problem: &Problem, on: OnLine) -> Option<OnMember> {
     let piece = problem.piece(on.side.line)?;
     let is_left = piece.left == on.side;

@@ -41,6 +41,29 @@ pub(crate) struct OnMember {
     pub(crate) place: (usize, f64),
 }
 
+/// An edge along a member: the triangle edges on its left and on its right, at least one, both in soil unless a beam lines the soil.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MemberEdge {
+    pub(crate) on: OnMember,
+    pub(crate) sides: [Option<Side>; 2],
+}
+
+impl MemberEdge {
+    pub(crate) fn member(&self) -> usize {
+        self.on.piece.member
+    }
+
+    /// The edge that stands for both: that on the left, if there is soil.
+    pub(crate) fn first(&self) -> Option<Side> {
+        self.sides.into_iter().flatten().next()
+    }
+
+    /// Both, if there is soil on both sides.
+    pub(crate) fn both(&self) -> Option<[Side; 2]> {
+        Some([self.sides[0]?, self.sides[1]?])
+    }
+}
+
 /// A mesh that fits its problem.
 #[derive(Debug)]
 pub(crate) struct Tiling<'a> {
@@ -99,18 +122,36 @@ impl<'a> Tiling<'a> {
         self.members[side.triangle][side.corner]
     }
 
-    /// All edges on the left of members with those beyond, in the order of the members, from start to end.
-    pub(crate) fn along_members(&self) -> Vec<(Side, Side, OnMember)> {
-        let edge = |side: Side| match (self.member(side), self.beyond(side)) {
-            (Some(on), Beyond::Soil(other)) if on.is_left => Some((side, other, on)),
-            _ => None,
+    /// All edges along members, in the order of the members, from start to end.
+    pub(crate) fn along_members(&self) -> Vec<MemberEdge> {
+        let edge = |side: Side| {
+            let on = self.member(side)?;
+            match self.beyond(side) {
+                Beyond::Soil(other) => {
+                    on.is_left.then_some(MemberEdge { on, sides: [Some(side), Some(other)] })
+                }
+                Beyond::Boundary(..) if on.is_left => Some(MemberEdge { on, sides: [Some(side), None] }),
+                Beyond::Boundary(..) => Some(MemberEdge { on, sides: [None, Some(side)] }),
+            }
         };
         let mut edges: Vec<_> = self.sides().filter_map(edge).collect();
-        edges.sort_by(|(.., a), (.., b)| {
+        edges.sort_by(|MemberEdge { on: a, .. }, MemberEdge { on: b, .. }| {
             let key = |on: &OnMember| (on.piece.member, on.place.0);
             key(a).cmp(&key(b)).then(a.place.1.total_cmp(&b.place.1))
         });
         edges
+    }
+
+    /// Start and end of an edge along a member, as the member goes.
+    pub(crate) fn ends_on_member(&self, edge: &MemberEdge) -> [Vector; 2] {
+        let ends = |side: Side| [1, 2].map(|i| self.corners(side.triangle)[after(side.corner, i)]);
+        match edge.sides {
+            [Some(left), _] => ends(left),
+            [None, right] => {
+                let [end, start] = right.map_or([Vector::ZERO; 2], ends);
+                [start, end]
+            }
+        }
     }
 
     /// All edges of all triangles.

@@ -70,6 +70,8 @@ impl VelocityField<'_> {
             }
             Condition::Fixed | Condition::Far | Condition::Smooth => Ok(Power::ZERO),
             Condition::Face { delta_deg, adhesion } => self.face(side, delta_deg, adhesion),
+            // Beams are looked at from end to end.
+            Condition::Lined { .. } => Ok(Power::ZERO),
         }
     }
 
@@ -83,7 +85,17 @@ impl VelocityField<'_> {
         shear: [Interval; 2],
         live: bool,
     ) -> Power {
-        let slide = self.slide(side);
+        Self::load_on(self.slide(side), on, pressure, shear, live)
+    }
+
+    /// The same, of what moves like this along the edge.
+    pub(super) fn load_on(
+        slide: EdgeVelocity,
+        on: OnLine,
+        pressure: [Interval; 2],
+        shear: [Interval; 2],
+        live: bool,
+    ) -> Power {
         let at_ends =
             |[from, to]: [Interval; 2]| [on.start, on.end].map(|s| from + (to - from) * Interval::point(s));
         let pushed = means::over_edge(at_ends(pressure), slide.opening);

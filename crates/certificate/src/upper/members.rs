@@ -5,7 +5,9 @@
 //! Bernstein coefficients do, one after the other. Jumps between edges, and to what an end is attached to, count alike.
 //!
 //! The soil slides past each face under a flow rule of its own, that of a layer which bears a part of the soil's shear strength. Across,
-//! a member is as flexible as can be, so its velocity across need not be continuous: it has no part in `w`.
+//! a flexible member's velocity need not be continuous: it has no part in `w`. With `u` the velocity across of a beam, virtual work
+//! demands `int M d(u') + int V [u]`, at most the greatest moment times all changes of `u'` and the greatest shear force times all jumps of
+//! `u`. Along an edge `u` is quadratic, so `u'` changes there by the difference of its values at the ends.
 
 use std::collections::BTreeMap;
 
@@ -15,13 +17,33 @@ use super::power::Power;
 use super::resistance::Resistance;
 use crate::CertificateError;
 use crate::fields::{Flow, MemberFlow, MemberMotion, StreamJet};
-use crate::interval::Interval;
+use crate::interval::{Interval, Vector};
 use crate::mesh::Side;
-use crate::problem::Strength;
-use crate::tiling::{OnMember, after};
+use crate::problem::{Attached, Strength};
+use crate::statement::{Bending, Condition, Objective};
+use crate::tiling::{Beyond, MemberEdge, after};
 
-/// A member, Bernstein coefficients of its velocity along itself on an edge, and what soil that slides past there dissipates.
-type PieceFlow = (usize, ([Interval; 3], Power));
+/// How a member moves along an edge.
+#[derive(Debug, Clone, Copy)]
+struct PieceFlow {
+    member: usize,
+    /// Start and end.
+    ends: [Vector; 2],
+    /// Velocities along itself and across, to its left: Bernstein coefficients.
+    along: [Interval; 3],
+    across: [Interval; 3],
+    /// What soil dissipates that slides past there, less the power of loads on the other side of a beam.
+    beside: Power,
+}
+
+impl PieceFlow {
+    /// How fast a beam turns at the start and the end of the edge.
+    fn turns(&self) -> [Interval; 2] {
+        let [a, b, c] = self.across;
+        let half = (self.ends[1] - self.ends[0]).square().sqrt().half();
+        [(b - a) / half, (c - b) / half]
+    }
+}
 
 fn bad(side: Side, problem: &'static str) -> CertificateError {
     CertificateError::BadField { place: side.to_string(), problem }
@@ -32,24 +54,74 @@ impl VelocityField<'_> {
     pub(super) fn members(&self) -> Result<Power, CertificateError> {
         let pieces = self.pieces_of_members()?;
         let mut power = Power::ZERO;
-        for (i, (member, (along, slid))) in pieces.iter().enumerate() {
-            let [a, b, c] = *along;
-            let member = *member;
-            power = power + *slid + self.stretched(member, a, b) + self.stretched(member, b, c);
-            let is_first = i.checked_sub(1).is_none_or(|i| pieces[i].0 != member);
-            if is_first && let Some(velocity) = self.problem.velocity_at_end(member, false)? {
-                power = power + self.stretched(member, velocity, a);
+        for (i, piece) in pieces.iter().enumerate() {
+            let [a, b, c] = piece.along;
+            let member = piece.member;
+            power = power + piece.beside + self.stretched(member, a, b) + self.stretched(member, b, c);
+            let [turns, turned] = piece.turns();
+            power = power + self.bent(member, turned - turns, Interval::ZERO);
+            let is_first = i.checked_sub(1).is_none_or(|i| pieces[i].member != member);
+            if is_first {
+                let at_end = self.end_of_member(&pieces, member, false)?;
+                power = power + at_end.map_or(Power::ZERO, |v| self.stretched(member, v, a));
             }
-            match pieces.get(i + 1).filter(|(next, _)| *next == member) {
-                Some((_, ([start, ..], _))) => power = power + self.stretched(member, c, *start),
+            match pieces.get(i + 1).filter(|next| next.member == member) {
+                Some(next) => {
+                    let step = next.across[0] - piece.across[2];
+                    power = power + self.stretched(member, c, next.along[0]);
+                    power = power + self.bent(member, next.turns()[0] - turned, step);
+                }
                 None => {
-                    if let Some(velocity) = self.problem.velocity_at_end(member, true)? {
-                        power = power + self.stretched(member, c, velocity);
-                    }
+                    let at_end = self.end_of_member(&pieces, member, true)?;
+                    power = power + at_end.map_or(Power::ZERO, |v| self.stretched(member, c, v));
+                }
+            }
+            let is_last = pieces.get(i + 1).is_none_or(|next| next.member != member);
+            for (end, is_end, turn, step) in
+                [(false, is_first, turns, piece.across[0]), (true, is_last, turned, piece.across[2])]
+            {
+                let clamped = || Ok(self.problem.end_of(member, end)? == Attached::Ground);
+                if is_end && self.problem.bends(member) && clamped()? {
+                    power = power + self.bent(member, turn, step);
                 }
             }
         }
         Ok(power)
+    }
+
+    /// Velocity along a member of what its start or its end is attached to, if it is.
+    fn end_of_member(
+        &self,
+        pieces: &[PieceFlow],
+        member: usize,
+        end: bool,
+    ) -> Result<Option<Interval>, CertificateError> {
+        let Attached::Beam(beam) = self.problem.end_of(member, end)? else {
+            return self.problem.velocity_at_end(member, end);
+        };
+        let at = Vector::point(self.problem.statement.points[self.problem.member_end_point(member, end)]);
+        let is_here = |p: Vector| (p - at).is_zero();
+        let of_beam = |piece: &&PieceFlow| piece.member == beam;
+        // It moves as the end of the piece before it does, or as the start of the first one: what a beam's velocity jumps by is counted there.
+        let found = pieces.iter().filter(of_beam).find_map(|piece| {
+            let i = if is_here(piece.ends[1]) { 2 } else { 0 };
+            (i == 2 || is_here(piece.ends[0])).then(|| [piece.along[i], piece.across[i]])
+        });
+        let [along, across] = found.ok_or_else(|| CertificateError::BadField {
+            place: format!("member {member}"),
+            problem: "no edge of the beam that it is attached to starts or ends there",
+        })?;
+        let t = self.problem.along_member(beam);
+        Ok(Some((t * along + t.turned() * across).dot(self.problem.along_member(member))))
+    }
+
+    /// What a beam dissipates where it turns and slips across itself.
+    fn bent(&self, member: usize, turn: Interval, step: Interval) -> Power {
+        let Some(Bending { moment, shear }) = self.problem.statement.members[member].bending else {
+            return Power::ZERO;
+        };
+        let size = |x: Interval| x.or_zero() + (-x).or_zero();
+        Power::dissipated(Interval::point(moment) * size(turn) + Interval::point(shear) * size(step))
     }
 
     /// The flow of each edge of a member, in order.
@@ -60,21 +132,24 @@ impl VelocityField<'_> {
         let edges = self.tiling.along_members();
         if self.field.members.len() != edges.len() || flows.len() != edges.len() {
             let (found, needed) = (self.field.members.len(), edges.len());
-            let each = "triangle edge on the left of a member, each once";
+            let each = "triangle edge along a member, on its left if there is soil, each once";
             return Err(CertificateError::Length { list: "members", found, needed, each });
         }
         let mut pieces = Vec::with_capacity(edges.len());
-        for (side, other, on) in &edges {
-            let known = flows.get(side);
-            let flow = known.ok_or_else(|| bad(*side, "it is on a member whose motion is not given"))?;
-            pieces.push((on.piece.member, self.member_edge(*side, *other, on, flow.motion)?));
+        for edge in &edges {
+            let known = edge.first().and_then(|side| flows.get(&side));
+            let flow = known.ok_or_else(|| CertificateError::BadField {
+                place: format!("member {}", edge.member()),
+                problem: "there is an edge whose motion is not given",
+            })?;
+            pieces.push(self.member_edge(edge, flow.motion)?);
         }
         Ok(pieces)
     }
 
-    /// Velocities of all members along themselves, edge by edge.
-    pub(super) fn along_members(&self) -> Result<Vec<[Interval; 3]>, CertificateError> {
-        Ok(self.pieces_of_members()?.into_iter().map(|(_, (along, _))| along).collect())
+    /// How all members move, edge by edge: along themselves and across.
+    pub(super) fn along_members(&self) -> Result<Vec<[[Interval; 3]; 2]>, CertificateError> {
+        Ok(self.pieces_of_members()?.into_iter().map(|piece| [piece.along, piece.across]).collect())
     }
 
     /// What a member dissipates where its velocity along itself changes.
@@ -85,71 +160,99 @@ impl VelocityField<'_> {
         Power::dissipated(tension * change.or_zero() + compression * (-change).or_zero())
     }
 
-    /// Bernstein coefficients of the velocity of a member along itself, on an edge, and what the soil dissipates that slides past both
-    /// faces.
+    /// How a member moves along an edge. Checks that the soil slides past it as its faces demand.
     fn member_edge(
         &self,
-        side: Side,
-        other: Side,
-        on: &OnMember,
+        edge: &MemberEdge,
         motion: [MemberMotion; 3],
-    ) -> Result<([Interval; 3], Power), CertificateError> {
-        let length = self.along(side).square().sqrt();
-        let (left, right) = (self.slide(side), self.slide(other).reversed());
-        let keeps = [side, other].map(|s| self.keeps_volume(s));
-        if keeps == [true; 2] && !self.moves_as_one_across(side, other) {
+    ) -> Result<PieceFlow, CertificateError> {
+        let ends = self.tiling.ends_on_member(edge);
+        let length = (ends[1] - ends[0]).square().sqrt();
+        let member = edge.member();
+        let [left, right] = edge.sides;
+        // As the member goes: the soil on its left, and on its right.
+        let soils = [left.map(|s| self.slide(s)), right.map(|s| self.slide(s).reversed())];
+        let keeps = edge.sides.map(|side| side.is_some_and(|side| self.keeps_volume(side)));
+        if let Some([side, other]) = edge.both()
+            && keeps == [true; 2]
+            && !self.moves_as_one_across(side, other)
+        {
             return Err(bad(
                 side,
                 "soil that keeps its volume is not proven to move alike across the member",
             ));
         }
-        let mut member = EdgeVelocity { slip: [Interval::ZERO; 3], opening: [Interval::ZERO; 3] };
-        let (mut from_left, mut from_right) = (left.less(member), member.less(right));
+        let first = edge.first().unwrap_or(Side { triangle: 0, corner: 0 });
+        let mut own = EdgeVelocity { slip: [Interval::ZERO; 3], opening: [Interval::ZERO; 3] };
+        // Whether the soil on either side goes along exactly, and across exactly.
+        let mut along_exactly = [[false; 3]; 2];
+        let mut across_exactly = [[false; 3]; 2];
         for (i, motion) in motion.into_iter().enumerate() {
             let (along, across) = match motion {
                 MemberMotion::Soil => {
-                    if !self.is_one_soil(side, other, i) {
+                    let one = edge.both().is_some_and(|[side, other]| self.is_one_soil(side, other, i));
+                    let Some(soil) = soils[0].filter(|_| one) else {
                         return Err(bad(
-                            side,
+                            first,
                             "the soil is not proven to be one on both sides of the member",
                         ));
-                    }
-                    member.slip[i] = left.slip[i];
-                    for relative in [&mut from_left, &mut from_right] {
-                        (relative.slip[i], relative.opening[i]) = (Interval::ZERO, Interval::ZERO);
+                    };
+                    (own.slip[i], own.opening[i]) = (soil.slip[i], soil.opening[i]);
+                    for exactly in [&mut along_exactly, &mut across_exactly] {
+                        exactly.iter_mut().for_each(|on_side| on_side[i] = true);
                     }
                     continue;
                 }
                 MemberMotion::Along { along } => (along, None),
                 MemberMotion::Free { along, across } => (along, Some(across)),
             };
-            member.slip[i] = Interval::point(along) * length;
-            from_left.slip[i] = left.slip[i] - member.slip[i];
-            from_right.slip[i] = member.slip[i] - right.slip[i];
-            member.opening[i] = match (across, keeps) {
-                (Some(across), _) => Interval::point(across) * length,
-                (None, [true, _]) => left.opening[i],
-                (None, [false, true]) => right.opening[i],
-                (None, [false, false]) => {
-                    return Err(bad(side, "its motion across must be given beside soil that dilates"));
+            own.slip[i] = Interval::point(along) * length;
+            own.opening[i] = match across {
+                Some(across) => Interval::point(across) * length,
+                None => {
+                    let with = (0..2).find(|side| keeps[*side]);
+                    let Some((with, soil)) = with.and_then(|side| Some((side, soils[side]?))) else {
+                        return Err(bad(first, "its motion across must be given beside soil that dilates"));
+                    };
+                    // Exactly, which arithmetic would not show. Soil that keeps its volume on both sides is one across.
+                    across_exactly[with][i] = true;
+                    across_exactly[1 - with][i] |= keeps == [true; 2];
+                    soil.opening[i]
                 }
             };
-            from_left.opening[i] = left.opening[i] - member.opening[i];
-            from_right.opening[i] = member.opening[i] - right.opening[i];
-            // Exactly, which arithmetic would not show.
-            if across.is_none() && keeps[0] {
-                from_left.opening[i] = Interval::ZERO;
-            }
-            if across.is_none() && (!keeps[0] || keeps[1]) {
-                from_right.opening[i] = Interval::ZERO;
-            }
         }
-        let bond = Interval::point(self.problem.statement.members[on.piece.member].bond);
-        let of = |side: Side, relative| {
-            self.bond(side, &self.problem.strengths[self.tiling.region(side.triangle)], bond, relative)
+        let bond = Interval::point(self.problem.statement.members[member].bond);
+        let mut beside = Power::ZERO;
+        for (on, side) in edge.sides.into_iter().enumerate() {
+            let (Some(side), Some(soil)) = (side, soils[on]) else { continue };
+            // On the right it is the member that moves away from the soil.
+            let mut past = if on == 0 { soil.less(own) } else { own.less(soil) };
+            for i in 0..3 {
+                if along_exactly[on][i] {
+                    past.slip[i] = Interval::ZERO;
+                }
+                if across_exactly[on][i] {
+                    past.opening[i] = Interval::ZERO;
+                }
+            }
+            let strength = &self.problem.strengths[self.tiling.region(side.triangle)];
+            beside = beside + self.bond(side, strength, bond, past)?;
+            beside = beside + self.load_on_beam(side, if on == 0 { own } else { own.reversed() });
+        }
+        let [along, across] = [own.slip, own.opening].map(|of| of.map(|x| x / length));
+        Ok(PieceFlow { member, ends, along, across, beside })
+    }
+
+    /// What loads do on a beam that lines the soil, given its velocity as the triangle goes.
+    fn load_on_beam(&self, side: Side, velocity: EdgeVelocity) -> Power {
+        let Beyond::Boundary(on, Condition::Lined { pressure, shear, live }) = self.tiling.beyond(side)
+        else {
+            return Power::ZERO;
         };
-        let power = of(side, from_left)? + of(other, from_right)?;
-        Ok((member.slip.map(|slip| slip / length), power))
+        let objective = self.problem.statement.objective;
+        let live = objective == Objective::Everything || (live && objective == Objective::Loads);
+        let [pressure, shear] = [pressure, shear].map(|at_ends| at_ends.map(Interval::point));
+        Self::load_on(velocity, on, pressure, shear, live)
     }
 
     /// Whether the flow of a triangle cannot change the volume.

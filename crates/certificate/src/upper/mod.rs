@@ -16,8 +16,7 @@ mod walls;
 
 use crate::CertificateError;
 use crate::fields::{Flow, UpperField};
-use crate::interval::Vector;
-use crate::lower::AlongMembers;
+use crate::interval::{Interval, Vector};
 use crate::problem::Problem;
 use crate::statement::Statement;
 use crate::tiling::{Tiling, after};
@@ -53,11 +52,14 @@ pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, Cer
 /// A polynomial velocity on a triangle: its corners, then its control points at corners and edges.
 pub(crate) type Piece = ([Vector; 3], [Vector; 6]);
 
-/// Velocities on the pieces of each triangle, and of members along themselves, on a checked mesh. No flow rule is checked.
+/// Velocities of members along themselves and across on their edges, in the order of [`Tiling::along_members`].
+pub(crate) type MemberVelocities = Result<Vec<[[Interval; 3]; 2]>, CertificateError>;
+
+/// Velocities on the pieces of each triangle, and of members, on a checked mesh. No flow rule is checked.
 pub(crate) fn piece_velocities<T>(
     statement: &Statement,
     field: &UpperField,
-    with: impl FnOnce(&Tiling, Vec<Vec<Piece>>, AlongMembers) -> T,
+    with: impl FnOnce(&Tiling, Vec<Vec<Piece>>, MemberVelocities) -> T,
 ) -> Result<T, CertificateError> {
     let problem = Problem::new(statement)?;
     let tiling = Tiling::new(&problem, &field.mesh)?;

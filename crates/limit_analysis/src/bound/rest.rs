@@ -13,7 +13,9 @@ use crate::problem::Problem;
 fn at_rest(statement: &Statement) -> Statement {
     let mut rest = Statement { objective: Objective::Everything, width: None, ..statement.clone() };
     for boundary in &mut rest.boundaries {
-        if let Condition::Loaded { live: live @ true, pressure, shear } = &mut boundary.condition {
+        if let Condition::Loaded { live: live @ true, pressure, shear }
+        | Condition::Lined { live: live @ true, pressure, shear } = &mut boundary.condition
+        {
             (*live, *pressure, *shear) = (false, [0.0; 2], [0.0; 2]);
         }
     }

@@ -175,7 +175,7 @@ impl Run<'_> {
             if proven.is_some() || hopeless || uncovered.is_some() || attempt + 1 == LOWER_TIGHTENING.len() {
                 let solve = spent.solve(&answer, mesh, start, (proven, uncovered));
                 let objective = lower.claim(&x);
-                let stress = StressField::new(mesh, topology, &lower, &x);
+                let stress = StressField::new(self.problem, mesh, topology, &lower, &x);
                 return Ok((solve, field, stress, objective));
             }
         }

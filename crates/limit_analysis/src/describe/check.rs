@@ -161,6 +161,21 @@ impl Description {
             number(&entry, "tensile_kn_per_m", member.tensile_kn_per_m, FORCE)?;
             number(&entry, "compressive_kn_per_m", member.compressive_kn_per_m, FORCE)?;
             number(&entry, "bond_factor", member.bond_factor, BOND)?;
+            if member.moment_knm_per_m.is_some() != member.shear_kn_per_m.is_some() {
+                let problem =
+                    "a beam has both moment_knm_per_m and shear_kn_per_m; a bar or a sheet has neither";
+                return Err(DescriptionError::entry(entry, problem));
+            }
+            if let (Some(moment), Some(shear)) = (member.moment_knm_per_m, member.shear_kn_per_m) {
+                for (key, most) in [
+                    ("moment_knm_per_m", moment),
+                    ("shear_kn_per_m", shear),
+                    ("tensile_kn_per_m", member.tensile_kn_per_m),
+                    ("compressive_kn_per_m", member.compressive_kn_per_m),
+                ] {
+                    number(&entry, key, most, BENDING)?;
+                }
+            }
             if self.members[..i].iter().any(|m| m.name == member.name) {
                 return Err(DescriptionError::entry(
                     entry,
@@ -372,6 +387,7 @@ const ANGLE: Range = Range { low: 0.0, high: 90.0 * BELOW_ONE, words: "0 up to, 
 const STRESS: Range =
     Range { low: 0.0, high: LARGEST, words: "a finite number, at least 0 and at most 1e9 kPa" };
 const FORCE: Range = Range { low: 0.0, high: 1e6, words: "0 to 1e6 kN/m" };
+const BENDING: Range = Range { low: 1e-6, high: 1e6, words: "1e-6 to 1e6 kNm/m or kN/m for a beam" };
 const WATER: Range = Range { low: f64::MIN_POSITIVE, high: 100.0, words: "above 0, at most 100 kN/m3" };
 const PERMEABILITY: Range = Range { low: 1e-15, high: 1e3, words: "1e-15 to 1e3 m/s" };
 const RATIO: Range = Range { low: 1e-3, high: 1e3, words: "0.001 to 1000" };

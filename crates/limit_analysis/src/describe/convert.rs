@@ -218,6 +218,7 @@ impl Description {
     }
 
     fn condition(&self, plan: &Plan, units: &Units, at_far: f64, walk: LineUse, holds: Holds) -> Condition {
+        let is_lined = self.is_lined(plan, walk.line);
         match holds {
             Holds::Fixed => Condition::Fixed,
             Holds::Smooth => Condition::Smooth,
@@ -227,11 +228,18 @@ impl Description {
             }
             Holds::Load { pressure, shear, live } => {
                 let [pressure, shear] = [pressure, shear].map(|ends| ends.map(|kpa| units.stress(kpa)));
+                if is_lined {
+                    return Condition::Lined { pressure, shear, live };
+                }
                 Condition::Loaded { pressure, shear, live }
             }
             Holds::Free => {
                 let ends = plan.map.arrangement.ends(walk.line);
                 let pressure = ends.map(|p| self.surcharge_kpa + self.water_pressure(plan, walk, p));
+                if is_lined {
+                    let pressure = pressure.map(|kpa| units.stress(kpa));
+                    return Condition::Lined { pressure, shear: [0.0; 2], live: false };
+                }
                 if pressure.iter().all(|p| (p - at_far).abs() <= 1e-12 * at_far.abs()) {
                     return Condition::Free;
                 }

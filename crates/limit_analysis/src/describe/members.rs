@@ -1,13 +1,14 @@
 //! Members: the edges along them, and where they may be.
 
-use soilctl_certificate::{LineUse, Member};
+use soilctl_certificate::{Bending, LineUse, Member};
 
 use super::error::DescriptionError;
 use super::fill::Units;
 use super::ground::Map;
+use super::ground::Occupant;
 use super::holds::Holds;
 use super::input::Description;
-use super::parts::MemberEnd;
+use super::parts::{MemberEnd, MemberEntry};
 use super::plan::Plan;
 use super::segments::{Drawing, Owner, Segment};
 use crate::error::LimitError;
@@ -45,11 +46,22 @@ impl Description {
                     length(between(p, q))
                 })
                 .sum();
-            let in_soil =
-                |walk: &LineUse| map.left_of(*walk).is_soil() && map.left_of(walk.reversed()).is_soil();
+            let bends = self.members[member].bends();
+            let in_soil = |walk: &LineUse| {
+                let sides = [*walk, walk.reversed()].map(|side| map.left_of(side));
+                let lines_soil =
+                    bends && sides.iter().all(|side| side.is_soil() || *side == Occupant::Outside);
+                sides.iter().all(|side| side.is_soil()) || lines_soil
+            };
+            if bends && (covered - length(along)).abs() > ROUNDING * length(along) {
+                return Err(wrong(
+                    "a beam must have soil on one of its sides at least, all along; let it end where the soil does",
+                ));
+            }
             if (covered - length(along)).abs() > ROUNDING * length(along) || !path.iter().all(in_soil) {
                 return Err(wrong(
-                    "it must have soil on both sides all along; let it end where the soil does",
+                    "it must have soil on both sides all along (a beam: soil, or nothing on one of them); let it end where the \
+                     soil does",
                 ));
             }
             let shared = |walk: &LineUse| {
@@ -71,6 +83,22 @@ impl Description {
     pub(super) fn check_placed(&self, plan: &Plan) -> Result<(), LimitError> {
         let map = &plan.map;
         let mut taken: Vec<(usize, usize)> = Vec::new();
+        let ends = |member: usize| {
+            let walked = |walk: Option<&LineUse>| walk.map(|walk| map.walked(*walk));
+            let path = &plan.members[member];
+            [walked(path.first()).map(|ends| ends[0]), walked(path.last()).map(|ends| ends[1])]
+        };
+        // A flexible member may end at a beam.
+        let may_meet = |point: usize, a: usize, b: usize| {
+            [(a, b), (b, a)].into_iter().any(|(beam, tie)| {
+                self.members[beam].bends() && !self.members[tie].bends() && ends(tie).contains(&Some(point))
+            })
+        };
+        let beam_at = |point: usize| {
+            let goes_through =
+                |path: &Vec<LineUse>| path.iter().any(|walk| map.walked(*walk).contains(&point));
+            (0..self.members.len()).any(|m| self.members[m].bends() && goes_through(&plan.members[m]))
+        };
         for (member, path) in plan.members.iter().enumerate() {
             let entry = &self.members[member];
             let wrong = |problem: String| {
@@ -98,10 +126,12 @@ impl Description {
                 .collect();
             for (i, point) in points.iter().enumerate() {
                 let at = map.arrangement.points[*point];
-                if let Some((_, other)) = taken.iter().find(|(p, _)| p == point) {
+                let meets = |(p, other): &&(usize, usize)| p == point && !may_meet(*point, member, *other);
+                if let Some((_, other)) = taken.iter().find(meets) {
                     let other = self.member_title(*other);
                     return Err(wrong(format!(
-                        "it meets {other} at ({:.6}, {:.6}), which no proof covers; keep them apart",
+                        "it meets {other} at ({:.6}, {:.6}), which no proof covers, other than an end of a bar or sheet at a beam; \
+                         keep them apart",
                         at[0], at[1]
                     )));
                 }
@@ -110,7 +140,9 @@ impl Description {
                     .map(|(walk, holds)| (*walk, *holds))
                     .collect();
                 let is_inner = i > 0 && i + 1 < points.len();
-                if is_inner && !holds.is_empty() {
+                let is_loaded =
+                    |(_, holds): &(LineUse, Holds)| matches!(holds, Holds::Free | Holds::Load { .. });
+                if is_inner && !(holds.is_empty() || (entry.bends() && holds.iter().all(is_loaded))) {
                     return Err(wrong(format!(
                         "it touches the outline or a structure at ({:.6}, {:.6}), between its ends; let it end there",
                         at[0], at[1]
@@ -120,7 +152,13 @@ impl Description {
                     continue;
                 }
                 let end = if i == 0 { MemberEnd::Start } else { MemberEnd::End };
-                self.check_end(plan, path, entry.attached.contains(&end), &holds).map_err(|problem| {
+                let is_attached = entry.attached.contains(&end);
+                let checked = if entry.bends() {
+                    check_end_of_beam(is_attached, &holds)
+                } else {
+                    self.check_end(plan, path, is_attached, beam_at(*point), &holds)
+                };
+                checked.map_err(|problem| {
                     let word = match end {
                         MemberEnd::Start => "start",
                         MemberEnd::End => "end",
@@ -139,8 +177,15 @@ impl Description {
         plan: &Plan,
         path: &[LineUse],
         is_attached: bool,
+        is_at_beam: bool,
         holds: &[(LineUse, Holds)],
     ) -> Result<(), &'static str> {
+        if is_at_beam {
+            return match holds.iter().all(|(_, holds)| matches!(holds, Holds::Free | Holds::Load { .. })) {
+                true => Ok(()),
+                false => Err("is both at a beam and at what holds the soil, which no proof covers; move it"),
+            };
+        }
         let direction = |walk: &LineUse| {
             let [p, q] = plan.map.walked_points(*walk);
             between(p, q)
@@ -182,24 +227,54 @@ impl Description {
         }
         match (is_attached, on_ground, on_structure) {
             (true, false, false) => Err(
-                "is attached, but there is no structure, plate, fixed or smooth side that it could be attached to",
+                "is attached, but there is no structure, plate, beam, fixed or smooth side that it could be attached to",
             ),
             (true, true, true) => Err("is attached both to a structure that moves and to what is at rest"),
             _ => Ok(()),
         }
     }
 
+    /// Whether a beam goes along a line.
+    pub(super) fn is_lined(&self, plan: &Plan, line: usize) -> bool {
+        let on = |(entry, path): (&MemberEntry, &Vec<LineUse>)| {
+            entry.bends() && path.iter().any(|walk| walk.line == line)
+        };
+        self.members.iter().zip(&plan.members).any(on)
+    }
+
     /// The members of the statement.
     pub(super) fn statement_members(&self, plan: &Plan, units: &Units) -> Vec<Member> {
         let force = |kn_per_m: f64| units.stress(kn_per_m) / units.length_m;
-        let member = |(entry, path): (&super::MemberEntry, &Vec<LineUse>)| Member {
+        let member = |(entry, path): (&MemberEntry, &Vec<LineUse>)| Member {
             name: entry.name.clone(),
             path: path.clone(),
             tension: force(entry.tensile_kn_per_m),
             compression: force(entry.compressive_kn_per_m),
             bond: entry.bond_factor,
             attached: [MemberEnd::Start, MemberEnd::End].map(|end| entry.attached.contains(&end)),
+            bending: entry.moment_knm_per_m.zip(entry.shear_kn_per_m).map(|(moment, shear)| Bending {
+                moment: force(moment) / units.length_m,
+                shear: force(shear),
+            }),
         };
         self.members.iter().zip(&plan.members).map(member).collect()
+    }
+}
+
+/// What is wrong with an end of a beam, given all that holds on boundary sides there.
+fn check_end_of_beam(is_attached: bool, holds: &[(LineUse, Holds)]) -> Result<(), &'static str> {
+    let held: Vec<&Holds> = holds
+        .iter()
+        .map(|(_, holds)| holds)
+        .filter(|h| !matches!(h, Holds::Free | Holds::Load { .. }))
+        .collect();
+    let is_fixed = held.iter().all(|holds| matches!(holds, Holds::Fixed));
+    match (is_attached, held.is_empty()) {
+        (false, true) => Ok(()),
+        (true, false) if is_fixed => Ok(()),
+        (true, _) => Err("is attached, but only a fixed side can clamp the end of a beam"),
+        (false, false) => Err(
+            "is at what holds the soil; attach it, if that is a fixed side that clamps it, or let it end a little before",
+        ),
     }
 }

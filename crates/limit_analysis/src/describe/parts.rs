@@ -211,7 +211,8 @@ pub struct StructureEntry {
 }
 
 /// A straight bar or sheet inside the soil, thin and perfectly flexible: a geogrid, a nail, a strip. It bears an axial force and
-/// takes the soil along. Forces are per metre of width.
+/// takes the soil along. With a moment it is a beam, such as a sheet pile or a raft, which may also lie along the outline of the soil.
+/// Forces are per metre of width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MemberEntry {
@@ -228,9 +229,23 @@ pub struct MemberEntry {
     /// most 1.
     #[serde(default = "one", skip_serializing_if = "is_one")]
     pub bond_factor: f64,
-    /// Ends that are attached to the boundary or structure there: they bear a force, others do not.
+    /// Ends that are attached to the boundary, structure or beam there: they bear a force, others do not. Ends of beams are clamped.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub attached: Vec<MemberEnd>,
+    /// Greatest bending moment of a beam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moment_knm_per_m: Option<f64>,
+    /// Greatest shear force of a beam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_kn_per_m: Option<f64>,
+}
+
+impl MemberEntry {
+    /// Whether it is a beam.
+    #[must_use]
+    pub const fn bends(&self) -> bool {
+        self.moment_knm_per_m.is_some()
+    }
 }
 
 impl Default for MemberEntry {
@@ -242,6 +257,8 @@ impl Default for MemberEntry {
             compressive_kn_per_m: 0.0,
             bond_factor: 1.0,
             attached: Vec::new(),
+            moment_knm_per_m: None,
+            shear_kn_per_m: None,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What members have to do with the gap: where they stretch without the force that they bear.
 
-use soilctl_certificate::Side;
+use soilctl_certificate::{Bending, Side};
 
-use crate::fields::{StressField, VelocityField};
+use crate::fields::{Forces, StressField, VelocityField};
 use crate::members::{MemberEdge, velocity_at_end};
 use crate::problem::Problem;
 use crate::vector::Point;
@@ -10,11 +10,11 @@ use crate::vector::Point;
 /// Velocity of a member at the control points of an edge beside it, as the triangle there sees the edge, and the member's bond.
 pub(super) fn beside(problem: &Problem, velocity: &VelocityField, side: Side) -> Option<([Point; 3], f64)> {
     let (edge, along, across) =
-        velocity.members.iter().find(|(edge, ..)| edge.side == side || edge.other == side)?;
+        velocity.members.iter().find(|(edge, ..)| edge.faces().any(|face| face == side))?;
     let t = edge.along();
     let mut control =
         [0, 1, 2].map(|i| [along[i] * t[0] - across[i] * t[1], along[i] * t[1] + across[i] * t[0]]);
-    if edge.other == side {
+    if edge.sides[1] == Some(side) {
         control.reverse();
     }
     Some((control, problem.members()[edge.member].bond))
@@ -25,18 +25,34 @@ fn at(c: &[f64; 3], s: f64) -> f64 {
     (1.0 - s) * (1.0 - s) * c[0] + 2.0 * s * (1.0 - s) * c[1] + s * s * c[2]
 }
 
-/// The axial force somewhere along a member.
-fn force(stress: &StressField, member: usize, place: f64) -> f64 {
-    let of = |(edge, values): &(MemberEdge, [f64; 3])| {
+/// A cubic polynomial from its Bernstein coefficients.
+fn cubic(c: &[f64; 4], s: f64) -> f64 {
+    (1.0 - s) * at(&[c[0], c[1], c[2]], s) + s * at(&[c[1], c[2], c[3]], s)
+}
+
+/// Something that a member bears somewhere along itself.
+fn borne(stress: &StressField, member: usize, place: f64, what: impl Fn(&Forces, f64) -> f64) -> f64 {
+    let of = |(edge, forces): &(MemberEdge, Forces)| {
         let [from, to] = edge.place;
-        let [a, m, b] = *values;
-        at(&[a, 2.0 * m - 0.5 * (a + b), b], ((place - from) / (to - from)).clamp(0.0, 1.0))
+        what(forces, ((place - from) / (to - from)).clamp(0.0, 1.0))
     };
     let edges = || stress.members.iter().filter(|(edge, _)| edge.member == member);
     edges().find(|(edge, _)| place <= edge.place[1]).or_else(|| edges().next_back()).map_or(0.0, of)
 }
 
-/// Adds what members dissipate and their axial forces do not match: half of it to the triangle on each side.
+fn axial(forces: &Forces, s: f64) -> f64 {
+    at(&forces.axial, s)
+}
+
+fn moment(forces: &Forces, s: f64) -> f64 {
+    forces.bent.map_or(0.0, |(moment, _)| cubic(&moment, s))
+}
+
+fn shear(forces: &Forces, s: f64) -> f64 {
+    forces.bent.map_or(0.0, |(_, shear)| at(&shear, s))
+}
+
+/// Adds what members dissipate and their forces do not match: half of it to the triangle on each side.
 pub(super) fn add_shares(
     problem: &Problem,
     velocity: &VelocityField,
@@ -44,20 +60,22 @@ pub(super) fn add_shares(
     shares: &mut [f64],
 ) {
     let pieces = &velocity.members;
-    for (i, (edge, along, _)) in pieces.iter().enumerate() {
+    for (i, (edge, along, across)) in pieces.iter().enumerate() {
         let m = &problem.members()[edge.member];
         let spent =
             |change: f64| stress.part * (m.tension * change.max(0.0) + m.compression * (-change).max(0.0));
         let [a, b, c] = *along;
-        let mut share = spent(b - a) + spent(c - b) - work(stress, edge, along);
-        let jump = |change: f64, place: f64| spent(change) - change * force(stress, edge.member, place);
+        let force = |place: f64| borne(stress, edge.member, place, axial);
+        let mut share = spent(b - a) + spent(c - b) - work(stress, edge, axial, |s| slope(edge, along, s));
+        let jump = |change: f64, place: f64| spent(change) - change * force(place);
         let is_of = |other: &&(MemberEdge, [f64; 3], [f64; 3])| other.0.member == edge.member;
+        let next = pieces.get(i + 1).filter(is_of);
         if i.checked_sub(1).and_then(|i| pieces.get(i)).filter(is_of).is_none()
             && let Some(v) = velocity_at_end(problem, edge.member, 0)
         {
             share += jump(a - v, edge.place[0]);
         }
-        match pieces.get(i + 1).filter(is_of) {
+        match next {
             Some((_, next, _)) => share += jump(next[0] - c, edge.place[1]),
             None => {
                 if let Some(v) = velocity_at_end(problem, edge.member, 1) {
@@ -65,14 +83,50 @@ pub(super) fn add_shares(
                 }
             }
         }
-        for side in [edge.side, edge.other] {
-            shares[side.triangle] += 0.5 * share;
+        if let Some(most) = m.bending {
+            let next = next.map(|(next, _, across)| (slope(next, across, 0.0), across[0]));
+            share += bent(most, edge, across, next, stress);
+        }
+        let faces = edge.faces().count() as f64;
+        for side in edge.faces() {
+            shares[side.triangle] += share / faces;
         }
     }
 }
 
-/// The integral of the axial force over the velocity along an edge. Between the ends of edges of both meshes it is that of a cubic.
-fn work(stress: &StressField, edge: &MemberEdge, along: &[f64; 3]) -> f64 {
+/// The same of bending: virtual work demands `int M u'' + sum M [u'] - sum V [u]` with `u` the velocity across. Along an edge and from it to the next one, whose slope and velocity at its start are given.
+fn bent(
+    most: Bending,
+    edge: &MemberEdge,
+    across: &[f64; 3],
+    next: Option<(f64, f64)>,
+    stress: &StressField,
+) -> f64 {
+    let spent = |most: f64, change: f64| stress.part * most * change.abs();
+    let [turns, turned] = [0.0, 1.0].map(|s| slope(edge, across, s));
+    let curvature = (turned - turns) / edge.length();
+    let mut share = spent(most.moment, turned - turns) - work(stress, edge, moment, |_| curvature);
+    if let Some((turns, velocity)) = next {
+        let place = edge.place[1];
+        let (turn, step) = (turns - turned, velocity - across[2]);
+        share += spent(most.moment, turn) - turn * borne(stress, edge.member, place, moment);
+        share += spent(most.shear, step) + step * borne(stress, edge.member, place, shear);
+    }
+    share
+}
+
+/// The slope of a quadratic velocity along an edge.
+fn slope(edge: &MemberEdge, c: &[f64; 3], s: f64) -> f64 {
+    2.0 * ((1.0 - s) * (c[1] - c[0]) + s * (c[2] - c[1])) / edge.length()
+}
+
+/// The integral of a force over a rate along an edge. Between the ends of edges of both meshes it is that of a cubic.
+fn work(
+    stress: &StressField,
+    edge: &MemberEdge,
+    what: impl Fn(&Forces, f64) -> f64,
+    rate: impl Fn(f64) -> f64,
+) -> f64 {
     let [from, to] = edge.place;
     let mut cuts = vec![from, to];
     for (other, _) in stress.members.iter().filter(|(other, _)| other.member == edge.member) {
@@ -86,20 +140,13 @@ fn work(stress: &StressField, edge: &MemberEdge, along: &[f64; 3]) -> f64 {
         let inner = |place: f64| {
             let mut edges = stress.members.iter().filter(|(other, _)| other.member == edge.member);
             let on = edges.clone().find(|(other, _)| middle <= other.place[1]).or_else(|| edges.next_back());
-            on.map_or(0.0, |(other, values)| {
-                let [a, m, b] = *values;
-                at(
-                    &[a, 2.0 * m - 0.5 * (a + b), b],
-                    (place - other.place[0]) / (other.place[1] - other.place[0]),
-                )
+            on.map_or(0.0, |(other, forces)| {
+                what(forces, (place - other.place[0]) / (other.place[1] - other.place[0]))
             })
         };
-        let rate = |place: f64| {
-            let s = (place - from) / (to - from);
-            2.0 * ((1.0 - s) * (along[1] - along[0]) + s * (along[2] - along[1])) / (to - from)
-        };
-        [(1.0, p), (4.0, middle), (1.0, q)].iter().map(|(w, s)| w / 6.0 * inner(*s) * rate(*s)).sum::<f64>()
-            * (q - p)
+        let parts = [(1.0, p), (4.0, middle), (1.0, q)];
+        let sum: f64 = parts.iter().map(|(w, s)| w / 6.0 * inner(*s) * rate((s - from) / (to - from))).sum();
+        sum * (q - p)
     };
     cuts.windows(2).map(piece).sum()
 }

@@ -93,8 +93,8 @@ impl BranchCuts {
         // What a member does to the function has nothing to do with branches: cuts keep away from it.
         let edges = member_edges(problem, mesh, topology);
         let on_members = edges.iter().flat_map(|e| {
-            let corners = mesh.triangles[e.side.triangle].corners;
-            [1, 2].map(|i| corners[(e.side.corner + i) % 3])
+            let Side { triangle, corner } = e.first();
+            [1, 2].map(|i| mesh.triangles[triangle].corners[(corner + i) % 3])
         });
         let mut taken: BTreeSet<usize> = on_members.collect();
         for body in bodies {

@@ -1,10 +1,10 @@
 //! The Airy stress function of a problem on a mesh: its unknowns, with the static boundary conditions built in.
 
-use soilctl_certificate::{Condition, Gauge, Gradient, LowerField, Side, VertexCopy};
+use soilctl_certificate::{Condition, Gauge, Gradient, LineUse, LowerField, Side, VertexCopy};
 use soilctl_conic::{Form, Program};
 
 use super::given::{Across, Touching, slopes_across};
-use super::loads;
+use super::loads::{self, Loads};
 use super::reference::ReferenceStress;
 use super::split_vertices::{Meeting, SplitVertices};
 use super::surfaces::Surfaces;
@@ -26,6 +26,7 @@ pub(crate) struct StressFunction {
     /// SplitVertices at which all stress vanishes.
     pub(crate) apex: Vec<bool>,
     pub(crate) surfaces: Surfaces,
+    loads: Loads,
     /// The slope across the middle of each triangle edge along the turned edge vector, apart from the affine function
     /// of the gauge named.
     slopes: Vec<[(usize, Form); 3]>,
@@ -161,7 +162,7 @@ impl StressFunction {
         let far = problem.statement().boundaries.iter().any(|b| b.condition == Condition::Far);
         let far_stress = far.then(|| program.unknown());
         let jets = shapes.iter().map(UnknownJet::jet).collect();
-        let SplitVertices { corners, vertex_of, apex, surfaces, .. } = copies;
+        let SplitVertices { corners, vertex_of, apex, surfaces, loads, .. } = copies;
         Self {
             corners,
             vertex_of,
@@ -169,6 +170,7 @@ impl StressFunction {
             jets,
             apex,
             surfaces,
+            loads,
             slopes,
             gauges,
             gradients,
@@ -178,9 +180,10 @@ impl StressFunction {
         }
     }
 
-    /// The axial force of a member at the start, in the middle and at the end of an edge: what the slope to its left is more on its
-    /// left. Both sides are relative to the same gauges.
+    /// The axial force of a flexible member at the start, in the middle and at the end of an edge: what the slope to its left is more on
+    /// its left. Both sides are relative to the same gauges.
     pub(crate) fn axial_force(&self, edge: &MemberEdge) -> [Form; 3] {
+        let Some([side, other]) = edge.both() else { return std::array::from_fn(|_| Form::default()) };
         let corner = |side: Side, i: usize| self.corners[side.triangle][(side.corner + i) % 3];
         let at = |left: usize, right: usize| {
             let [a, b] = [left, right].map(|copy| &self.jets[copy]);
@@ -196,9 +199,68 @@ impl StressFunction {
         };
         let slope = |side: Side| &self.slopes[side.triangle][side.corner].1;
         let by = 1.0 / edge.length();
-        let middle = Form::default().plus(by, slope(edge.side)).plus(by, slope(edge.other));
-        let (side, other) = (edge.side, edge.other);
+        let middle = Form::default().plus(by, slope(side)).plus(by, slope(other));
         [at(corner(side, 1), corner(other, 2)), middle, at(corner(side, 2), corner(other, 1))]
+    }
+
+    /// Value and slopes at the start and the end of an edge of a beam, and the slope to the beam's left in the middle, all on its left less
+    /// those on its right: in the soil, or of the loads on the outer side.
+    pub(super) fn jump_at_beam(&self, problem: &Problem, edge: &MemberEdge) -> ([[Form; 3]; 2], Form) {
+        let less = |a: &[Form; 3], b: &[Form; 3]| std::array::from_fn(|i| a[i].clone().plus(-1.0, &b[i]));
+        let [left, right] = [0, 1].map(|on| self.trace(problem, edge, on));
+        ([0, 1].map(|i| less(&left.0[i], &right.0[i])), left.1.plus(-1.0, &right.1))
+    }
+
+    /// Value and slopes at the start and the end, and the slope in the middle, on one side of a beam.
+    fn trace(&self, problem: &Problem, edge: &MemberEdge, on: usize) -> ([[Form; 3]; 2], Form) {
+        let t = edge.along();
+        let n = turned(t);
+        let [p, q] = edge.ends;
+        let middle = midpoint(p, q);
+        let across = |slopes: &[Form; 3]| Form::default().plus(n[0], &slopes[1]).plus(n[1], &slopes[2]);
+        let Some(side) = edge.sides[on] else {
+            // The side of the soil that is lined, and where on its line the edge is.
+            let lined = LineUse { line: edge.line, forward: edge.is_forward ^ (on == 0) };
+            let [from, to] = problem.ends(edge.line);
+            let length = distance(from, to);
+            let gauge = self.loads.run(lined).unwrap_or(0);
+            let at = |p: Point| {
+                let affine = self.affine(gauge, p);
+                let demanded = self.loads.at(lined, distance(from, p) / length);
+                std::array::from_fn(|i| demanded[i].clone().plus(1.0, &affine[i]))
+            };
+            let slope = across(&at(middle));
+            return ([at(p), at(q)], slope);
+        };
+        let mut corners = [1, 2].map(|i| (side.corner + i) % 3);
+        if on == 1 {
+            corners.reverse();
+        }
+        let copies = corners.map(|k| self.corners[side.triangle][k]);
+        let whole = |copy: usize, p: Point| -> [Form; 3] {
+            let affine = self.affine(self.shapes[copy].base(), p);
+            let beyond = self.surfaces.jet(self.surfaces.of_copy[copy], p);
+            std::array::from_fn(|i| {
+                let form = self.jets[copy][i].clone().plus(1.0, &affine[i]);
+                beyond.as_ref().map_or(form.clone(), |beyond| form.plus(1.0, &beyond[i]))
+            })
+        };
+        let at = [whole(copies[0], p), whole(copies[1], q)];
+        if copies.iter().any(|copy| self.apex[*copy]) {
+            // Beyond the polynomial of the surface it grows with the square of the distance from the apex.
+            let frame = self.affine(self.shapes[copies[0]].base(), middle);
+            let surface = |p: Point| -> Form {
+                let own = self.surfaces.of_triangle(side.triangle, p);
+                across(&frame).plus(1.0, &own.map_or(Form::default(), |own| across(&own)))
+            };
+            let rest = |i: usize, p: Point| across(&at[i]).plus(-1.0, &surface(p));
+            let slope = surface(middle).plus(0.25, &rest(0, p)).plus(0.25, &rest(1, q));
+            return (at, slope);
+        }
+        let (base, own) = &self.slopes[side.triangle][side.corner];
+        let sign = if on == 0 { 1.0 } else { -1.0 };
+        let slope = across(&self.affine(*base, middle)).plus(sign / edge.length(), own);
+        (at, slope)
     }
 
     /// The affine function of a gauge at a point: value and slopes.

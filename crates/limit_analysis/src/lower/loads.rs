@@ -39,7 +39,7 @@ pub(crate) struct Loads {
 
 impl Loads {
     pub(crate) fn new(problem: &Problem, reference: &ReferenceStress) -> Self {
-        let runs = problem.statement().runs(|b| b.condition.traction_is_given());
+        let runs = problem.statement().runs(|b| b.condition.is_loaded());
         let mut sides = BTreeMap::new();
         for (number, run) in runs.iter().enumerate() {
             let mut start = (Form::default(), [Form::default(), Form::default()]);
@@ -108,7 +108,9 @@ impl Side {
         let region = problem.owner(side).unwrap_or(0);
         let condition = problem.condition(side).unwrap_or(Condition::Free);
         let (mut pressure, mut shear, live) = match condition {
-            Condition::Loaded { pressure, shear, live } => (pressure, shear, live),
+            Condition::Loaded { pressure, shear, live } | Condition::Lined { pressure, shear, live } => {
+                (pressure, shear, live)
+            }
             Condition::Submerged => (problem.statement().pore_pressure(side), [0.0; 2], false),
             _ => ([reference.surcharge(); 2], [0.0; 2], false),
         };

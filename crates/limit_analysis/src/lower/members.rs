@@ -4,16 +4,59 @@ use soilctl_certificate::Member;
 use soilctl_conic::Form;
 
 use super::{Lower, Stress, traction};
-use crate::members::{bears_force, velocity_at_end};
+use crate::members::{MemberEdge, bears_force, velocity_at_end};
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
-use crate::vector::{Point, between, length, midpoint};
+use crate::vector::{Point, between, length, midpoint, turned};
 
 /// A strength of so many times what the soil around bears over an edge is never needed.
 const MORE_THAN_ENOUGH: f64 = 1e6;
 
+/// What a member bears along an edge.
+#[derive(Debug, Clone)]
+pub(crate) struct SectionForces {
+    /// The axial force: Bernstein coefficients.
+    pub(crate) axial: [Form; 3],
+    /// Of a beam.
+    pub(crate) bent: Option<Bent>,
+}
+
+/// Bernstein coefficients of what a beam bears by bending.
+#[derive(Debug, Clone)]
+pub(crate) struct Bent {
+    pub(crate) moment: [Form; 4],
+    pub(crate) shear: [Form; 3],
+}
+
 impl Lower {
-    /// Limits the axial forces of all members, at Bernstein coefficients; adds those of ends that are attached to the structure to
+    /// What a member bears along an edge.
+    pub(crate) fn section_forces(&self, problem: &Problem, edge: &MemberEdge) -> SectionForces {
+        let none = Form::default;
+        // A quadratic's coefficients from its values.
+        let bernstein = |[a, middle, b]: [Form; 3]| {
+            let between = none().plus(2.0, &middle).plus(-0.5, &a).plus(-0.5, &b);
+            [a, between, b]
+        };
+        if !problem.bends(edge.member) {
+            return SectionForces { axial: bernstein(self.function.axial_force(edge)), bent: None };
+        }
+        let (ends, middle) = self.function.jump_at_beam(problem, edge);
+        let (t, third) = (edge.along(), edge.length() / 3.0);
+        let along = |d: Point, jump: &[Form; 3]| none().plus(d[0], &jump[1]).plus(d[1], &jump[2]);
+        let [v0, v1] = [0, 1].map(|i| along(t, &ends[i]));
+        let [a, b] = [0, 1].map(|i| along(turned(t), &ends[i]));
+        let moment = [
+            ends[0][0].clone(),
+            ends[0][0].clone().plus(third, &v0),
+            ends[1][0].clone().plus(-third, &v1),
+            ends[1][0].clone(),
+        ];
+        let between = none().plus(1.0 / third, &moment[2]).plus(-1.0 / third, &moment[1]);
+        let bent = Bent { moment, shear: [v0, between, v1] };
+        SectionForces { axial: bernstein([a, middle, b]), bent: Some(bent) }
+    }
+
+    /// Limits the forces in all members, at Bernstein coefficients; adds those of ends that are attached to the structure to
     /// its force.
     pub(super) fn add_members(&mut self, problem: &Problem, mesh: &Mesh) {
         for edge in self.members.clone() {
@@ -21,30 +64,42 @@ impl Lower {
             if !bears_force(m) {
                 continue;
             }
-            let [a, middle, b] = self.function.axial_force(&edge);
-            let region = mesh.triangles[edge.side.triangle].region;
-            let scale =
-                1.0 / problem.stress_scale(region, midpoint(edge.ends[0], edge.ends[1]), edge.length());
-            let between = Form::default().plus(2.0, &middle).plus(-0.5, &a).plus(-0.5, &b);
-            for force in [&a, &between, &b] {
-                for (limit, sign) in [(m.tension, -1.0), (m.compression, 1.0)] {
-                    if !force.terms.is_empty() && limit * scale < MORE_THAN_ENOUGH {
-                        let row =
-                            Form::default().plus(scale * limit, &self.strength()).plus(sign * scale, force);
-                        self.program.non_negative(row);
-                    }
+            let forces = self.section_forces(problem, &edge);
+            let region = mesh.triangles[edge.first().triangle].region;
+            let h = edge.length();
+            let scale = 1.0 / problem.stress_scale(region, midpoint(edge.ends[0], edge.ends[1]), h);
+            for force in &forces.axial {
+                self.limit(force, [m.tension, m.compression], scale);
+            }
+            if let (Some(bent), Some(most)) = (&forces.bent, m.bending) {
+                for moment in &bent.moment {
+                    self.limit(moment, [most.moment; 2], scale / h);
+                }
+                for shear in &bent.shear {
+                    self.limit(shear, [most.shear; 2], scale);
                 }
             }
             if problem.has_factor() {
                 continue;
             }
             // The structure pulls the start backwards and the end forwards.
-            for (end, (force, sign)) in [(&a, -1.0), (&b, 1.0)].into_iter().enumerate() {
+            let [a, _, b] = &forces.axial;
+            for (end, (force, sign)) in [(a, -1.0), (b, 1.0)].into_iter().enumerate() {
                 if let Some(velocity) =
                     velocity_at_end(problem, edge.member, end).filter(|_| edge.is_end[end])
                 {
                     self.force.add(sign * velocity, force);
                 }
+            }
+        }
+    }
+
+    /// Limits a force from above and from below.
+    fn limit(&mut self, force: &Form, [most, least]: [f64; 2], scale: f64) {
+        for (limit, sign) in [(most, -1.0), (least, 1.0)] {
+            if !force.terms.is_empty() && limit * scale < MORE_THAN_ENOUGH {
+                let row = Form::default().plus(scale * limit, &self.strength()).plus(sign * scale, force);
+                self.program.non_negative(row);
             }
         }
     }

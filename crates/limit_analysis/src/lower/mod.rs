@@ -25,6 +25,7 @@ use soilctl_conic::{Cone, Form, Program};
 pub(crate) use apart::apart;
 use dofs::StressFunction;
 use macro_element::{Curvature, curvatures};
+pub(crate) use members::SectionForces;
 use reference::ReferenceStress;
 use splice::Splice;
 
@@ -201,6 +202,7 @@ impl Lower {
                     }
                     Condition::Free
                     | Condition::Loaded { .. }
+                    | Condition::Lined { .. }
                     | Condition::Submerged
                     | Condition::Fixed
                     | Condition::Smooth => {}

@@ -128,7 +128,9 @@ impl<'a> SplitVertices<'a> {
     fn find_kinks(&mut self) {
         for e in member_edges(self.problem, self.mesh, self.topology) {
             let m = &self.problem.members()[e.member];
-            let ((a, b), (d, c)) = (self.ends(e.side), self.ends(e.other));
+            // What is on one side of a beam does not depend on what is on the other.
+            let Some([side, other]) = e.both().filter(|_| m.bending.is_none()) else { continue };
+            let ((a, b), (d, c)) = (self.ends(side), self.ends(other));
             for (end, (left, right)) in [(a, c), (b, d)].into_iter().enumerate() {
                 let is_done = [left, right].iter().any(|copy| self.kink_of[*copy].is_some());
                 let are_given = self.gauge_of[left].is_some() && self.gauge_of[right].is_some();

@@ -50,7 +50,7 @@ mod work;
 pub use contact::{Contact, ContactPoint};
 pub use flow::FlowResults;
 pub use jumps::Jump;
-pub use members::{AxialForce, MemberStretch};
+pub use members::{BeamForces, Course, MemberForces, MemberStretch, farthest, greatest, least};
 pub use power::Power;
 pub use reserve::{Reserve, least_reserve};
 pub use slip_stress::{SlipStress, slip_stress};

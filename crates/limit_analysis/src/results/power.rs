@@ -104,7 +104,12 @@ impl FlowResults {
                 let pressure = [line.from, line.to].map(|point| water.at(self.statement.points[point]));
                 (pressure, [0.0; 2], false)
             }
-            Condition::Fixed | Condition::Smooth | Condition::Far | Condition::Face { .. } => return,
+            // What acts on a beam is not the soil's.
+            Condition::Lined { .. }
+            | Condition::Fixed
+            | Condition::Smooth
+            | Condition::Far
+            | Condition::Face { .. } => return,
         };
         let [a, b] = self.ends(triangle, corner);
         let d = between(a, b);

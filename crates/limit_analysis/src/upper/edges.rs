@@ -49,7 +49,10 @@ impl Builder<'_> {
                 let pressure = self.between(side, water);
                 self.add_load(side, pressure, [0.0; 2], self.all);
             }
-            Edge::Boundary(Condition::Fixed | Condition::Smooth | Condition::Far) => {}
+            // What lines the soil is added with the members.
+            Edge::Boundary(
+                Condition::Fixed | Condition::Smooth | Condition::Far | Condition::Lined { .. },
+            ) => {}
         }
     }
 
@@ -181,7 +184,25 @@ impl Builder<'_> {
         if pressure == [0.0; 2] && shear == [0.0; 2] {
             return;
         }
-        let (slide, length) = (self.slide(side), self.vector(side).1);
+        self.add_load_on(side, &self.slide(side), [pressure, shear], live);
+    }
+
+    /// Loads on a beam that lines the soil.
+    pub(super) fn add_load_on_beam(
+        &mut self,
+        side: Side,
+        velocity: &EdgeVelocity,
+        [pressure, shear]: [Ends; 2],
+        live: bool,
+    ) {
+        let live = self.all || (live && self.meshed.problem.statement().objective == Objective::Loads);
+        let loads = [pressure, shear].map(|load| self.between(side, load));
+        self.add_load_on(side, velocity, loads, live);
+    }
+
+    /// The same, of what moves like this along the edge.
+    fn add_load_on(&mut self, side: Side, slide: &EdgeVelocity, [pressure, shear]: [Ends; 2], live: bool) {
+        let length = self.vector(side).1;
         for (load, velocity) in [(pressure, &slide.opening), (shear, &slide.slip)] {
             for (weight, v) in over_edge(load).iter().zip(velocity) {
                 self.power.load(weight * length / 3.0, v, live);

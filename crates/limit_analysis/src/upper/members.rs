@@ -1,15 +1,18 @@
-//! Members: they go along with the soil or let it slide past, and stretch.
+//! Members: they go along with the soil or let it slide past, stretch, and bend if they are beams.
 
-use soilctl_certificate::{MemberFlow, MemberMotion};
+use soilctl_certificate::{Bending, Condition, MemberFlow, MemberMotion};
 use soilctl_conic::Form;
 
 use super::edge_velocity::EdgeVelocity;
 use super::nodes::Element;
 use super::strength::{Limit, over_edge};
-use super::{Builder, Side};
-use crate::members::{MemberEdge, member_edges, velocity_at_end};
+use super::{Builder, Edge, Side};
+use crate::members::{MemberEdge, beam_at_end, member_edges, velocity_at_end};
 use crate::problem::Soil;
-use crate::vector::Point;
+use crate::vector::{Point, between, dot, length, midpoint, turned};
+
+/// A beam's strength over what a typical stress does to one of its length, beyond which no flow is likely to bend it.
+const ENOUGH_TO_BEND: f64 = 30.0;
 
 /// How a member moves along one edge.
 #[derive(Debug, Clone)]
@@ -32,6 +35,13 @@ enum Kind {
 }
 
 impl MemberPiece {
+    /// How fast a beam turns at the start and the end.
+    fn turns(&self) -> [Form; 2] {
+        let [a, b, c] = &self.across;
+        let by = 2.0 / self.edge.length();
+        [(a, b), (b, c)].map(|(from, to)| Form::default().plus(by, to).plus(-by, from))
+    }
+
     pub(super) fn saved(&self, x: &[f64]) -> MemberFlow {
         let motion = |i: usize| match self.kinds[i] {
             Kind::Soil => MemberMotion::Soil,
@@ -40,7 +50,7 @@ impl MemberPiece {
                 MemberMotion::Free { along: self.along[i].value(x), across: self.across[i].value(x) }
             }
         };
-        let Side { triangle, corner } = self.edge.side;
+        let Side { triangle, corner } = self.edge.first();
         MemberFlow { triangle, corner, motion: [0, 1, 2].map(motion) }
     }
 }
@@ -59,7 +69,7 @@ pub(crate) fn bond(soil: &Soil, bond: f64, ends: &[Point; 2]) -> [[f64; 2]; 2] {
 }
 
 impl Builder<'_> {
-    /// Adds all members: what sliding along them dissipates, and what their stretching does.
+    /// Adds all members: what sliding along them dissipates, and what their stretching and bending does.
     pub(super) fn add_members(&mut self) -> Vec<MemberPiece> {
         let edges = member_edges(self.meshed.problem, self.meshed.mesh, self.meshed.topology);
         let pieces: Vec<MemberPiece> = edges.into_iter().map(|edge| self.add_member_edge(edge)).collect();
@@ -68,23 +78,81 @@ impl Builder<'_> {
             let [a, b, c] = &piece.along;
             self.add_stretch(member, a, b);
             self.add_stretch(member, b, c);
-            let problem = self.meshed.problem;
+            let [turns, turned] = piece.turns();
+            self.add_bend(member, &turned.clone().plus(-1.0, &turns), &Form::default());
             let is_of = |other: &&MemberPiece| other.edge.member == member;
-            if i.checked_sub(1).and_then(|i| pieces.get(i)).filter(is_of).is_none()
-                && let Some(velocity) = velocity_at_end(problem, member, 0)
-            {
-                self.add_stretch(member, &Form::constant(velocity), a);
+            if i.checked_sub(1).and_then(|i| pieces.get(i)).filter(is_of).is_none() {
+                if let Some(velocity) = self.end_of_member(&pieces, member, 0) {
+                    self.add_stretch(member, &velocity, a);
+                }
+                self.add_clamp(member, 0, &turns, &piece.across[0]);
             }
             match pieces.get(i + 1).filter(is_of) {
-                Some(next) => self.add_stretch(member, c, &next.along[0]),
+                Some(next) => {
+                    self.add_stretch(member, c, &next.along[0]);
+                    let turn = next.turns()[0].clone().plus(-1.0, &turned);
+                    self.add_bend(member, &turn, &next.across[0].clone().plus(-1.0, &piece.across[2]));
+                }
                 None => {
-                    if let Some(velocity) = velocity_at_end(problem, member, 1) {
-                        self.add_stretch(member, c, &Form::constant(velocity));
+                    if let Some(velocity) = self.end_of_member(&pieces, member, 1) {
+                        self.add_stretch(member, c, &velocity);
                     }
+                    self.add_clamp(member, 1, &turned, &piece.across[2]);
                 }
             }
         }
         pieces
+    }
+
+    /// Velocity along a member of what an end of it is attached to.
+    fn end_of_member(&self, pieces: &[MemberPiece], member: usize, end: usize) -> Option<Form> {
+        let problem = self.meshed.problem;
+        let Some(beam) = beam_at_end(problem, member, end) else {
+            return velocity_at_end(problem, member, end).map(Form::constant);
+        };
+        let at = problem.member_ends(member)[end];
+        // As the certificate has it: the end of the piece before, or the start of the first.
+        let [along, across] = pieces.iter().filter(|piece| piece.edge.member == beam).find_map(|piece| {
+            let i = if piece.edge.ends[1] == at { 2 } else { 0 };
+            (i == 2 || piece.edge.ends[0] == at).then(|| [&piece.along[i], &piece.across[i]])
+        })?;
+        let unit = |member: usize| {
+            let [a, b] = problem.member_ends(member);
+            let d = between(a, b);
+            d.map(|x| x / length(d))
+        };
+        let (t, d) = (unit(beam), unit(member));
+        Some(Form::default().plus(dot(t, d), along).plus(dot(turned(t), d), across))
+    }
+
+    /// What a beam dissipates at an end that is clamped.
+    fn add_clamp(&mut self, member: usize, end: usize, turn: &Form, step: &Form) {
+        let m = &self.meshed.problem.members()[member];
+        if m.bending.is_some() && m.attached[end] {
+            self.add_bend(member, turn, step);
+        }
+    }
+
+    /// A beam turns, or slips across itself.
+    fn add_bend(&mut self, member: usize, turn: &Form, step: &Form) {
+        let problem = self.meshed.problem;
+        let Some(Bending { moment, shear }) = problem.members()[member].bending else { return };
+        let [a, b] = problem.member_ends(member);
+        let (length, middle) = (length(between(a, b)), midpoint(a, b));
+        let stress = (0..problem.soils.len())
+            .map(|region| problem.stress_scale(region, middle, length))
+            .fold(f64::MIN_POSITIVE, f64::max);
+        // Proofs know the strength as it is; for the program's accuracy more than enough is too much.
+        let enough = ENOUGH_TO_BEND * stress * length;
+        for (most, change) in [(moment.min(enough * length), turn), (shear.min(enough), step)] {
+            if change.terms.is_empty() {
+                continue;
+            }
+            let size = Form::unknown(self.program.unknown(), 1.0);
+            self.power.dissipate(most, &size);
+            self.program.non_negative(size.clone().plus(1.0, change));
+            self.program.non_negative(size.plus(-1.0, change));
+        }
     }
 
     /// A change of a member's velocity along itself.
@@ -105,41 +173,57 @@ impl Builder<'_> {
 
     /// Whether soil is one on both sides at a control point, or at rest on both.
     fn is_one_soil(&self, edge: &MemberEdge, i: usize) -> bool {
+        let Some([side, other]) = edge.both() else { return false };
         let [Element::Quadratic(here), Element::Quadratic(there)] =
-            [edge.side, edge.other].map(|s| self.elements[s.triangle])
+            [side, other].map(|s| self.elements[s.triangle])
         else {
             return false;
         };
         let on = |nodes: [usize; 6], side: Side| {
             [nodes[(side.corner + 1) % 3], nodes[3 + side.corner], nodes[(side.corner + 2) % 3]]
         };
-        let (a, b) = (on(here, edge.side)[i], on(there, edge.other)[2 - i]);
+        let (a, b) = (on(here, side)[i], on(there, other)[2 - i]);
         let is_still = |node: usize| self.velocities[node].iter().all(|v| v.terms.is_empty());
         a == b || (is_still(a) && is_still(b))
     }
 
     fn add_member_edge(&mut self, edge: MemberEdge) -> MemberPiece {
-        let (left, right) = (self.slide(edge.side), self.slide(edge.other).reversed());
-        let keeps = [edge.side, edge.other].map(|s| self.meshed.is_isochoric(s.triangle));
+        let soils = [
+            edge.sides[0].map(|side| self.slide(side)),
+            edge.sides[1].map(|side| self.slide(side).reversed()),
+        ];
+        let keeps = edge.sides.map(|side| side.is_some_and(|s| self.meshed.is_isochoric(s.triangle)));
         let empty = || [Form::default(), Form::default(), Form::default()];
         let mut piece = MemberPiece { edge, along: empty(), across: empty(), kinds: [Kind::Soil; 3] };
         for i in 0..3 {
-            if self.is_one_soil(&piece.edge, i) {
-                piece.along[i] = left.slip[i].clone();
-                piece.across[i] = left.opening[i].clone();
+            if let Some(soil) = soils[0].as_ref().filter(|_| self.is_one_soil(&piece.edge, i)) {
+                piece.along[i] = soil.slip[i].clone();
+                piece.across[i] = soil.opening[i].clone();
                 continue;
             }
             piece.along[i] = Form::unknown(self.program.unknown(), 1.0);
-            (piece.kinds[i], piece.across[i]) = match keeps {
-                [true, _] => (Kind::Along, left.opening[i].clone()),
-                [false, true] => (Kind::Along, right.opening[i].clone()),
-                [false, false] => (Kind::Free, Form::unknown(self.program.unknown(), 1.0)),
+            let mut across = self.beams.get(&piece.edge.member).map(|beam| {
+                let [from, to] = piece.edge.place;
+                beam.across([from, 0.5 * (from + to), to][i])
+            });
+            let with = (0..2).find(|on| keeps[*on]).and_then(|on| soils[on].as_ref());
+            (piece.kinds[i], piece.across[i]) = match with {
+                Some(soil) => (Kind::Along, soil.opening[i].clone()),
+                None => {
+                    (Kind::Free, across.take().unwrap_or_else(|| Form::unknown(self.program.unknown(), 1.0)))
+                }
             };
         }
-        let member = EdgeVelocity { slip: piece.along.clone(), opening: piece.across.clone() };
-        let past = [left.less(&member), member.clone().less(&right)];
-        for ((side, past), keeps) in [edge.side, edge.other].into_iter().zip(past).zip(keeps) {
-            self.add_face_of_member(&piece, side, keeps, &past);
+        let own = EdgeVelocity { slip: piece.along.clone(), opening: piece.across.clone() };
+        for (on, (side, soil)) in piece.edge.sides.into_iter().zip(soils).enumerate() {
+            let (Some(side), Some(soil)) = (side, soil) else { continue };
+            // On the right it is the member that moves away from the soil.
+            let past = if on == 0 { soil.less(&own) } else { own.clone().less(&soil) };
+            self.add_face_of_member(&piece, side, keeps[on], &past);
+            if let Edge::Boundary(Condition::Lined { pressure, shear, live }) = self.meshed.edge(side) {
+                let velocity = if on == 0 { own.clone() } else { own.clone().reversed() };
+                self.add_load_on_beam(side, &velocity, [pressure, shear], live);
+            }
         }
         piece
     }

@@ -4,6 +4,7 @@
 //! guides, interfaces and structure faces (Makrodimopoulos & Martin 2007, 2008). Soil without friction keeps its volume:
 //! its velocity is that of a stream function.
 
+mod beams;
 mod edge_velocity;
 mod edges;
 mod freedom;
@@ -19,6 +20,8 @@ mod strength;
 mod tests;
 mod walls;
 
+use std::collections::BTreeMap;
+
 use soilctl_certificate::{Flow, Objective, Side, UpperField, Velocity as Saved};
 use soilctl_conic::{Cone, Form, Program};
 
@@ -29,6 +32,7 @@ pub(crate) use nodes::Element;
 pub(crate) use quadratic::gradients;
 pub(crate) use strength::Limit;
 
+use beams::BeamMotion;
 use freedom::{Freedom, freedoms};
 use nodes::Elements;
 use power::{Power, live_size, objective_unit};
@@ -69,6 +73,8 @@ struct Builder<'a> {
     elements: Vec<Element>,
     velocities: Vec<Velocity>,
     stream: StreamFunction,
+    /// How beams move across themselves.
+    beams: BTreeMap<usize, BeamMotion>,
     program: Program,
     power: Power,
     tighten: f64,
@@ -89,10 +95,12 @@ impl Upper {
         let Elements { of: elements, control_points, copies, kinks } = Elements::new(&meshed, still);
         let freedoms = freedoms(&meshed, &elements, control_points, still, &mut program);
         let velocities: Vec<Velocity> = freedoms.iter().map(|m| m.velocity(problem)).collect();
-        let stream = StreamFunction::new(&meshed, &elements, copies, &kinks, &mut program);
+        let beams = beams::motions(&meshed, &mut program);
+        let stream = StreamFunction::new(&meshed, &elements, copies, &kinks, beams.clone(), &mut program);
         let power = Power::default();
         let all = problem.statement().objective == Objective::Everything;
-        let mut builder = Builder { meshed, elements, velocities, stream, program, power, tighten, all };
+        let mut builder =
+            Builder { meshed, elements, velocities, stream, beams, program, power, tighten, all };
         for triangle in 0..mesh.triangles.len() {
             builder.add_triangle(triangle);
             for corner in 0..3 {

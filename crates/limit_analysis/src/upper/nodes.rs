@@ -100,17 +100,16 @@ fn across_members(
 ) -> Vec<([usize; 2], usize)> {
     let mut pairs = Vec::new();
     for e in member_edges(meshed.problem, meshed.mesh, meshed.topology) {
-        let (Some(left), Some(right)) = (corners(e.side.triangle), corners(e.other.triangle)) else {
-            continue;
-        };
+        let Some([side, other]) = e.both() else { continue };
+        let (Some(left), Some(right)) = (corners(side.triangle), corners(other.triangle)) else { continue };
         for (i, j) in [(1, 2), (2, 1)] {
-            pairs.push(([left[(e.side.corner + i) % 3], right[(e.other.corner + j) % 3]], e.line));
+            pairs.push(([left[(side.corner + i) % 3], right[(other.corner + j) % 3]], e.line));
         }
     }
     pairs
 }
 
-/// Joins both sides of members where they meet walls of soil without friction, which say how it moves.
+/// Joins both sides of bars and sheets where they are attached to beams or meet walls of soil without friction, which say how it moves.
 fn weld_at_walls(meshed: &MeshedProblem, corners: &mut [[usize; 3]]) {
     if meshed.problem.members().is_empty() {
         return;
@@ -125,9 +124,19 @@ fn weld_at_walls(meshed: &MeshedProblem, corners: &mut [[usize; 3]]) {
         }
     }
     let copies = |triangle: usize| meshed.is_isochoric(triangle).then(|| corners[triangle]);
+    let problem = meshed.problem;
+    let mut on_beam = vec![false; count];
+    for edge in member_edges(problem, meshed.mesh, meshed.topology) {
+        for side in edge.faces().filter(|_| problem.bends(edge.member)) {
+            [1, 2].into_iter().for_each(|i| on_beam[corners[side.triangle][(side.corner + i) % 3]] = true);
+        }
+    }
+    let is_at_beam = |line: usize, copy: usize| {
+        on_beam[copy] && problem.member_on(line).is_some_and(|member| !problem.bends(member))
+    };
     let mut join: Vec<usize> = (0..count).collect();
-    for ([left, right], _) in across_members(meshed, copies) {
-        if on_wall[left] || on_wall[right] {
+    for ([left, right], line) in across_members(meshed, copies) {
+        if on_wall[left] || on_wall[right] || is_at_beam(line, left) {
             let (from, to) = (join[left].max(join[right]), join[left].min(join[right]));
             join.iter_mut().filter(|j| **j == from).for_each(|j| *j = to);
         }

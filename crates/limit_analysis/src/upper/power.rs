@@ -65,7 +65,8 @@ pub(super) fn live_size(problem: &Problem) -> f64 {
         Objective::Structure { .. } => return 1.0,
         Objective::Loads => {
             let on = |b: &soilctl_certificate::Boundary| match b.condition {
-                Condition::Loaded { pressure, shear, live: true } => {
+                Condition::Loaded { pressure, shear, live: true }
+                | Condition::Lined { pressure, shear, live: true } => {
                     let [p, q] = problem.ends(b.line);
                     let sum: f64 = pressure.iter().chain(&shear).map(|x| x.abs()).sum();
                     0.5 * sum * distance(p, q)
@@ -101,7 +102,9 @@ pub(super) fn objective_unit(problem: &Problem, live: f64) -> f64 {
         statement.points.iter().map(|p| material.cohesion.at(*p)).fold(0.0, f64::max)
     };
     let on_side = |c: Condition| match c {
-        Condition::Loaded { pressure, live, .. } if !(live && statement.objective == Objective::Loads) => {
+        Condition::Loaded { pressure, live, .. } | Condition::Lined { pressure, live, .. }
+            if !(live && statement.objective == Objective::Loads) =>
+        {
             pressure[0].abs().max(pressure[1].abs())
         }
         Condition::Submerged => problem.load(),

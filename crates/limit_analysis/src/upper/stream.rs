@@ -6,10 +6,12 @@ use std::collections::BTreeMap;
 use soilctl_certificate::{LineUse, Place, Side, StreamCopy, StreamJet};
 use soilctl_conic::{Form, Program};
 
+use super::beams::BeamMotion;
 use super::meshed::{Edge, MeshedProblem};
 use super::nodes::Element;
 use super::walls::{WallSide, wall_sides};
-use crate::vector::distance;
+use crate::members::member_edges;
+use crate::vector::{Point, distance, turned};
 
 /// What is known about a vertex copy; the same kinds as [`StreamJet`].
 #[derive(Debug, Clone)]
@@ -39,6 +41,7 @@ impl StreamFunction {
         elements: &[Element],
         vertices: Vec<usize>,
         kinks: &BTreeMap<usize, (usize, usize)>,
+        mut beams: BTreeMap<usize, BeamMotion>,
         program: &mut Program,
     ) -> Self {
         if vertices.is_empty() {
@@ -48,6 +51,16 @@ impl StreamFunction {
         let on = sides_at(meshed, elements, &sides, vertices.len());
         let (gauge_walls, gauge_copies) = gauges(elements, &on, walls, kinks);
         let size = sizes(meshed, elements, vertices.len());
+        let on_beams = on_beams(meshed, elements, vertices.len());
+        for (beam, motion) in &mut beams {
+            let of = || on_beams.iter().enumerate().filter(|(_, at)| at.is_some_and(|at| at.beam == *beam));
+            // Unless it is one of its copies that the function is relative to.
+            if let Some(unit) = of().map(|(copy, _)| size[copy]).reduce(f64::max)
+                && !of().any(|(copy, _)| gauge_copies[copy])
+            {
+                motion.float(unit, program);
+            }
+        }
         let mut wall_size = vec![0.0_f64; walls];
         for (copy, sides) in on.iter().enumerate() {
             sides.iter().for_each(|s| wall_size[s.wall] = wall_size[s.wall].max(size[copy]));
@@ -65,6 +78,10 @@ impl StreamFunction {
                 // Once all others are known.
                 [] if kinks.contains_key(&copy) => {
                     (UnknownJet::Free, [Form::default(), Form::default(), Form::default()])
+                }
+                [] if on_beams[copy].is_some_and(|at| beams.contains_key(&at.beam)) => {
+                    let jet = on_beams[copy].and_then(|at| Some(at.jet(beams.get(&at.beam)?, &mut unknown)));
+                    (UnknownJet::Free, jet.unwrap_or_default())
                 }
                 [] => {
                     let s = if gauge_copies[copy] { Form::default() } else { unknown(size[copy]) };
@@ -194,6 +211,47 @@ fn corner(a: &WallSide, b: &WallSide) -> [f64; 2] {
     let ([px, py], [qx, qy]) = (a.direction, b.direction);
     let area = px * qy - py * qx;
     [(-py * g + qy * f) / area, (px * g - qx * f) / area]
+}
+
+/// A vertex copy on a beam.
+#[derive(Debug, Clone, Copy)]
+struct OnBeam {
+    beam: usize,
+    place: f64,
+    /// Unit vector along the beam.
+    along: Point,
+}
+
+impl OnBeam {
+    /// The soil goes with the beam across it, and slides along it.
+    fn jet(self, beam: &BeamMotion, unknown: &mut impl FnMut(f64) -> Form) -> [Form; 3] {
+        let (t, n) = (self.along, turned(self.along));
+        let (velocity, slope) = (beam.across(self.place), unknown(1.0));
+        let of = |i: usize| Form::default().plus(-t[i], &velocity).plus(n[i], &slope);
+        [beam.stream(self.place), of(0), of(1)]
+    }
+}
+
+/// For each copy, where on a beam it is.
+fn on_beams(meshed: &MeshedProblem, elements: &[Element], copies: usize) -> Vec<Option<OnBeam>> {
+    let mut on = vec![None; copies];
+    for edge in member_edges(meshed.problem, meshed.mesh, meshed.topology) {
+        if !meshed.problem.bends(edge.member) {
+            continue;
+        }
+        for (right, side) in edge.sides.into_iter().enumerate() {
+            let Some(side) = side else { continue };
+            let Element::Stream(corners) = elements[side.triangle] else { continue };
+            let mut ends = [1, 2].map(|i| corners[(side.corner + i) % 3]);
+            if right == 1 {
+                ends.reverse();
+            }
+            for (copy, place) in ends.into_iter().zip(edge.place) {
+                on[copy] = Some(OnBeam { beam: edge.member, place, along: edge.along() });
+            }
+        }
+    }
+    on
 }
 
 /// For each copy, the sides of walls on which it is the end of an edge.

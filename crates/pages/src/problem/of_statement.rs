@@ -1,7 +1,7 @@
 //! What a statement says, drawn: for saved solutions and plates, which have no problem file.
 
 use soilctl_app::solve::BoundaryKind;
-use soilctl_app::text::{line_force_unit, number};
+use soilctl_app::text::{line_force_unit, moment_unit, number};
 use soilctl_certificate::{Boundary, Condition, LineUse, Material, Member, Objective, Statement};
 use soilctl_figure::Polygon;
 use soilctl_limit_analysis::results::{Point, Units};
@@ -78,9 +78,21 @@ fn members(
             String::new()
         };
         let bond = if m.bond < 1.0 { format!(", bond {}", number(m.bond)) } else { String::new() };
-        Some((format!("member: {} {unit}{compression}{bond}", force(m.tension)), ends))
+        let words = match m.bending {
+            Some(bending) => {
+                let [moment, unit] = moment_words(units, bending.moment);
+                format!("beam: {moment} {unit}{bond}")
+            }
+            None => format!("member: {} {unit}{compression}{bond}", force(m.tension)),
+        };
+        Some((words, ends))
     };
     statement.members.iter().filter_map(of).collect()
+}
+
+fn moment_words(units: &Units, moment: f64) -> [String; 2] {
+    let unit = moment_unit(&units.stress_name, &units.length_name);
+    [number(round(units.length * units.length * units.stress * moment)), unit]
 }
 
 /// Soils in the order of their regions, each with all of these.
@@ -120,7 +132,9 @@ pub(super) fn loads(statement: &Statement, units: &Units, place: impl Fn(Point) 
     let mut all: Vec<Load> = Vec::new();
     for b in &statement.boundaries {
         let (pressure, shear, live) = match b.condition {
-            Condition::Loaded { pressure, shear, live } => (pressure, shear, live),
+            Condition::Loaded { pressure, shear, live } | Condition::Lined { pressure, shear, live } => {
+                (pressure, shear, live)
+            }
             Condition::Submerged => (statement.pore_pressure(b.side()), [0.0; 2], false),
             Condition::Free
             | Condition::Fixed
