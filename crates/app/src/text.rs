@@ -64,6 +64,15 @@ pub fn line_force_unit(stress: &str, length: &str) -> String {
     }
 }
 
+/// The unit of a bending moment per width, from those of stresses and lengths.
+#[must_use]
+pub fn moment_unit(stress: &str, length: &str) -> String {
+    match (stress, length) {
+        ("kPa", "m") => "kNm/m".to_owned(),
+        (stress, length) => format!("{stress}·{length}²"),
+    }
+}
+
 /// A number, or a dash where there is none.
 #[must_use]
 pub fn number_or_dash(value: Option<f64>) -> String {

@@ -9,7 +9,7 @@ mod why;
 pub use budget::{Budget, FactorisationChoice};
 pub use fields::Fields;
 pub use levels::{LevelAnswer, SolveAnswer};
-pub use results::{ContactAnswer, MemberAnswer, ResultsAnswer, StretchAnswer, face_names};
+pub use results::{BendingAnswer, ContactAnswer, MemberAnswer, ResultsAnswer, StretchAnswer, face_names};
 use soilctl_limit_analysis::{Bounds, Level, Options, Problem, bound_section};
 
 use crate::{AppError, Proven, Watch};

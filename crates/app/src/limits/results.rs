@@ -2,8 +2,11 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_certificate::Member;
-use soilctl_limit_analysis::results::{AxialForce, Contact, FlowResults, MOVING, StressResults, Stretch};
+use soilctl_certificate::{Bending, Member};
+use soilctl_limit_analysis::results::{
+    BeamForces, Contact, FlowResults, MOVING, MemberForces, MemberStretch, StressResults, Stretch, farthest,
+    greatest, least,
+};
 
 use super::Fields;
 use crate::AppError;
@@ -23,7 +26,7 @@ pub struct ResultsAnswer {
     pub moving: f64,
     /// The faces of structures, with the resultants of the lower bound's contact stresses.
     pub contacts: Vec<ContactAnswer>,
-    /// Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper bound's flow.
+    /// Bars, sheets and beams: what they bear in the lower bound's field, and how they stretch in the upper bound's flow.
     pub members: Vec<MemberAnswer>,
     /// Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
     pub files: Vec<String>,
@@ -56,7 +59,7 @@ pub struct ContactAnswer {
     pub greatest_pressure: f64,
 }
 
-/// A bar or a sheet. Forces are per unit width, tension positive; for a factor of safety those of soil whose strength is divided by its
+/// A bar, a sheet or a beam. Forces are per unit width, tension positive; for a factor of safety those of soil whose strength is divided by its
 /// lower bound.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct MemberAnswer {
@@ -72,7 +75,7 @@ pub struct MemberAnswer {
     pub greatest_tension_at: Option<f64>,
     /// Greatest compression likewise, as a positive number.
     pub greatest_compression: Option<f64>,
-    /// The greater of both over the strength for it: how far it is used.
+    /// The greatest of these over the strength for it: how far it is used; of a beam with its moment and shear force.
     pub utilisation: Option<f64>,
     /// The axial force along it: distances from its start, and the force there.
     pub axial_force: Vec<[f64; 2]>,
@@ -81,6 +84,62 @@ pub struct MemberAnswer {
     pub gets_longer: Option<f64>,
     /// What it gets shorter, likewise.
     pub gets_shorter: Option<f64>,
+    /// How a beam bends; null for a bar or a sheet.
+    pub bending: Option<BendingAnswer>,
+}
+
+/// How a beam bends.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BendingAnswer {
+    /// Greatest bending moment that it bears, per unit width (force).
+    pub moment_strength: f64,
+    /// The moment that is farthest from zero in the field of the lower bound, positive where it stretches the beam's right side.
+    pub greatest_moment: Option<f64>,
+    /// Distance of that from its start.
+    pub greatest_moment_at: Option<f64>,
+    /// Greatest shear force that it bears, per unit width.
+    pub shear_strength: f64,
+    /// The shear force that is farthest from zero, per unit width.
+    pub greatest_shear: Option<f64>,
+    /// The moment along it: distances from its start, and the moment there.
+    pub moment: Vec<[f64; 2]>,
+    /// The shear force along it, likewise.
+    pub shear: Vec<[f64; 2]>,
+    /// Where it yields in the flow of the upper bound: distances from its start, and how fast it turns there, over the speed that others are
+    /// compared with (1/length).
+    pub hinges: Vec<[f64; 2]>,
+}
+
+impl BendingAnswer {
+    fn new(
+        fields: &Fields,
+        most: Bending,
+        forces: Option<&BeamForces>,
+        stretch: Option<&MemberStretch>,
+    ) -> Self {
+        let (length, force) = (fields.units.length, fields.units.length * fields.units.stress);
+        let speed = fields.flow.as_ref().map_or(1.0, FlowResults::speed);
+        let course = |course: &[[f64; 2]], unit: f64| -> Vec<[f64; 2]> {
+            course.iter().map(|[at, value]| [length * at, unit * value]).collect()
+        };
+        let moment = forces.map(|forces| farthest(&forces.moment));
+        Self {
+            moment_strength: force * length * most.moment,
+            greatest_moment: moment.map(|[_, value]| force * length * value),
+            greatest_moment_at: moment.map(|[at, _]| length * at),
+            shear_strength: force * most.shear,
+            greatest_shear: forces.map(|forces| force * farthest(&forces.shear)[1]),
+            moment: forces.map_or_else(Vec::new, |forces| course(&forces.moment, force * length)),
+            shear: forces.map_or_else(Vec::new, |forces| course(&forces.shear, force)),
+            hinges: stretch.map_or_else(Vec::new, |stretch| course(&stretch.hinges, 1.0 / (speed * length))),
+        }
+    }
+
+    /// How far the beam is used.
+    fn used(&self) -> f64 {
+        let part = |value: Option<f64>, most: f64| value.map_or(0.0, |value| value.abs() / most);
+        part(self.greatest_moment, self.moment_strength).max(part(self.greatest_shear, self.shear_strength))
+    }
 }
 
 impl MemberAnswer {
@@ -88,19 +147,23 @@ impl MemberAnswer {
     fn all(fields: &Fields) -> Result<Vec<Self>, AppError> {
         let units = &fields.units;
         let unit = units.length * units.stress;
-        let forces = fields.stress.as_ref().map(StressResults::axial_forces);
+        let forces = fields.stress.as_ref().map(StressResults::member_forces);
         let stretches = fields.flow.as_ref().map(FlowResults::member_stretches);
         let speed = fields.flow.as_ref().map_or(1.0, FlowResults::speed);
         let of = |(i, member): (usize, &Member)| {
             let force = forces.as_ref().and_then(|all| all.iter().find(|force| force.member == i));
             let stretch = stretches.as_ref().and_then(|all| all.get(i));
-            let [most, least] = [force.map(AxialForce::greatest), force.map(AxialForce::least)];
+            let axial = force.map(|force: &MemberForces| &force.axial);
+            let [most, least] = [axial.map(|course| greatest(course)), axial.map(|course| least(course))];
             let tension = most.map(|[_, force]| force.max(0.0));
             let compression = least.map(|[_, force]| (-force).max(0.0));
             let part = |force: f64, strength: f64| if force > 0.0 { force / strength } else { 0.0 };
             let used = tension
                 .zip(compression)
                 .map(|(t, c)| part(t, member.tension).max(part(c, member.compression)));
+            let bending = member.bending.map(|most| {
+                BendingAnswer::new(fields, most, force.and_then(|force| force.bending.as_ref()), stretch)
+            });
             Self {
                 name: if member.name.is_empty() { format!("{}", i + 1) } else { member.name.clone() },
                 tensile_strength: unit * member.tension,
@@ -108,12 +171,14 @@ impl MemberAnswer {
                 greatest_tension: tension.map(|force| unit * force),
                 greatest_tension_at: most.map(|[at, _]| units.length * at),
                 greatest_compression: compression.map(|force| unit * force),
-                utilisation: used,
+                utilisation: used
+                    .map(|used| bending.as_ref().map_or(used, |bending| bending.used().max(used))),
                 axial_force: force.map_or_else(Vec::new, |force| {
-                    force.points.iter().map(|[at, force]| [units.length * at, unit * force]).collect()
+                    force.axial.iter().map(|[at, force]| [units.length * at, unit * force]).collect()
                 }),
                 gets_longer: stretch.map(|s| s.longer / speed),
                 gets_shorter: stretch.map(|s| s.shorter / speed),
+                bending,
             }
         };
         Ok(fields.statement()?.members.iter().enumerate().map(of).collect())

@@ -118,7 +118,7 @@ pub struct CheckedRegion {
     pub pore_pressure_kpa: [f64; 2],
 }
 
-/// A bar or a sheet.
+/// A bar, a sheet or a beam.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CheckedMember {
     /// Its name.
@@ -133,6 +133,10 @@ pub struct CheckedMember {
     pub bond_factor: f64,
     /// Whether its start and its end are attached to what is there, and so may bear a force.
     pub attached: [bool; 2],
+    /// Greatest bending moment that a beam bears; null for a bar or a sheet.
+    pub moment_knm_per_m: Option<f64>,
+    /// Greatest shear force of a beam.
+    pub shear_kn_per_m: Option<f64>,
 }
 
 impl CheckedMember {
@@ -145,6 +149,8 @@ impl CheckedMember {
             compressive_kn_per_m: member.compressive_kn_per_m,
             bond_factor: member.bond_factor,
             attached: [MemberEnd::Start, MemberEnd::End].map(|end| member.attached.contains(&end)),
+            moment_knm_per_m: member.moment_knm_per_m,
+            shear_kn_per_m: member.shear_kn_per_m,
         }
     }
 }

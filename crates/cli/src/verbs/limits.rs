@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use soilctl_app::files::{can_be_written, save};
 use soilctl_app::limits::{Fields, LevelAnswer, ResultsAnswer, SolveAnswer};
-use soilctl_app::text::{columns, line_force_unit, number, number_or_dash};
+use soilctl_app::text::{columns, line_force_unit, moment_unit, number, number_or_dash};
 use soilctl_app::{AppError, Outcome};
 use soilctl_figure::HtmlReport;
 use soilctl_pages::PageError;
@@ -218,11 +218,43 @@ pub(crate) fn results_text(results: &ResultsAnswer) -> String {
             ]);
         }
         text += &columns(&rows);
+        text += &beams(results);
     }
     for file in &results.files {
         text += &format!("written: {file}\n");
     }
     text
+}
+
+/// How beams bend.
+fn beams(results: &ResultsAnswer) -> String {
+    let bent: Vec<_> = results.members.iter().filter_map(|m| Some((m, m.bending.as_ref()?))).collect();
+    if bent.is_empty() {
+        return String::new();
+    }
+    let unit = moment_unit(&results.stress_unit, &results.length_unit);
+    let header = [
+        "beam".to_owned(),
+        format!("bears, {unit}"),
+        "moment".into(),
+        format!("at, {}", results.length_unit),
+        "shear".into(),
+        "hinges at".into(),
+    ];
+    let mut rows = vec![header.to_vec()];
+    for (member, bending) in bent {
+        let known = |x: Option<f64>| x.map_or_else(|| "-".into(), |x| number(rounded(x)));
+        let hinges: Vec<String> = bending.hinges.iter().map(|[at, _]| number(rounded(*at))).collect();
+        rows.push(vec![
+            member.name.clone(),
+            number(rounded(bending.moment_strength)),
+            known(bending.greatest_moment),
+            known(bending.greatest_moment_at),
+            known(bending.greatest_shear),
+            if hinges.is_empty() { "-".to_owned() } else { hinges.join(" ") },
+        ]);
+    }
+    columns(&rows)
 }
 
 /// Four digits: these numbers are not proven.

@@ -167,8 +167,16 @@ impl Words for check::Answer {
         }
         text += &columns(&rows);
         if !self.members.is_empty() {
-            let header = ["member", "length m", "tension kN/m", "compression kN/m", "bond", "attached"]
-                .map(str::to_owned);
+            let header = [
+                "member",
+                "length m",
+                "tension kN/m",
+                "compression kN/m",
+                "moment kNm/m",
+                "bond",
+                "attached",
+            ]
+            .map(str::to_owned);
             let mut rows = vec![header.to_vec()];
             for m in &self.members {
                 let attached = match m.attached {
@@ -177,9 +185,9 @@ impl Words for check::Answer {
                     [false, true] => "end",
                     [true, true] => "start, end",
                 };
-                let numbers =
-                    [m.length_m, m.tensile_kn_per_m, m.compressive_kn_per_m, m.bond_factor].map(number);
-                rows.push([&[m.name.clone()][..], &numbers, &[attached.to_owned()]].concat());
+                let numbers = [m.length_m, m.tensile_kn_per_m, m.compressive_kn_per_m].map(number);
+                let rest = [number_or_dash(m.moment_knm_per_m), number(m.bond_factor), attached.to_owned()];
+                rows.push([&[m.name.clone()][..], &numbers, &rest].concat());
             }
             text += "\n";
             text += &columns(&rows);

@@ -138,7 +138,7 @@ pub(super) fn add_outline(figure: &mut Figure, fields: &Fields, window: &Window)
         vec![statement.points[line.from], statement.points[line.to]]
     };
     let members = statement.members.iter().flat_map(|m| m.path.iter().map(member)).collect();
-    add(window.shown(members), "bars and sheets", 2.0, MEMBER)?;
+    add(window.shown(members), "bars, sheets, beams", 2.0, MEMBER)?;
     let yielding = fields.flow.as_ref().map_or_else(Vec::new, FlowResults::yielding);
     let yielding = yielding.into_iter().map(Vec::from).collect();
     add(window.shown(yielding), "where these yield", 4.5, YIELDING)?;

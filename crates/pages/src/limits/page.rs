@@ -1,7 +1,7 @@
 //! The page of a solution: bounds, the mechanism in motion, fields, contact stresses, and how it was computed.
 
 use soilctl_app::limits::{ContactAnswer, Fields, LevelAnswer, ResultsAnswer, SolveAnswer};
-use soilctl_app::text::{line_force_unit, number, number_or_dash};
+use soilctl_app::text::{line_force_unit, moment_unit, number, number_or_dash};
 use soilctl_figure::{Align, CalloutKind, HtmlReport, RichText, Table};
 use soilctl_limit_analysis::Ended;
 
@@ -151,7 +151,7 @@ fn members(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> R
     if results.members.is_empty() {
         return Ok(());
     }
-    page.heading("Bars and sheets");
+    page.heading("Bars, sheets and beams");
     plot::add(page, fields, Kind::Members)?;
     let columns = [
         ("member".to_owned(), Align::Left),
@@ -183,6 +183,43 @@ fn members(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> R
         "A member yields where the flow of the upper bound stretches it. The forces are those of one field that proves the lower bound; \
          others may prove it too.",
     );
+    beams(page, fields, results)
+}
+
+fn beams(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> Result<(), PageError> {
+    let length = &results.length_unit;
+    let (moment, force) =
+        (moment_unit(&results.stress_unit, length), line_force_unit(&results.stress_unit, length));
+    let bent: Vec<_> = results.members.iter().filter_map(|m| Some((m, m.bending.as_ref()?))).collect();
+    if bent.is_empty() {
+        return Ok(());
+    }
+    plot::add(page, fields, Kind::Moments)?;
+    let columns = [
+        ("beam".to_owned(), Align::Left),
+        (format!("bears ({moment})"), Align::Right),
+        (format!("greatest moment ({moment})"), Align::Right),
+        (format!("where, from its start ({length})"), Align::Right),
+        (format!("greatest shear force ({force})"), Align::Right),
+        (format!("hinges, from its start ({length})"), Align::Left),
+    ];
+    let mut table = Table::new(
+        "Bending in the field of the lower bound, per unit width; hinges in the flow of the upper bound",
+        columns,
+    );
+    let known = |x: Option<f64>| x.map_or_else(|| "–".into(), |x| number(round(x)));
+    for (member, bending) in bent {
+        let hinges: Vec<String> = bending.hinges.iter().map(|[at, _]| number(round(*at))).collect();
+        table.row([
+            member.name.clone(),
+            number(round(bending.moment_strength)),
+            known(bending.greatest_moment),
+            known(bending.greatest_moment_at),
+            known(bending.greatest_shear),
+            if hinges.is_empty() { "none".to_owned() } else { hinges.join(", ") },
+        ])?;
+    }
+    page.table(table);
     Ok(())
 }
 

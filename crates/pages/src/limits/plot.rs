@@ -28,8 +28,10 @@ pub enum Kind {
     Stress,
     /// Stresses between structure and soil, of the lower bound
     Contact,
-    /// Axial forces of bars and sheets, of the lower bound
+    /// Axial forces of bars, sheets and beams, of the lower bound
     Members,
+    /// Bending moments of beams, of the lower bound
+    Moments,
     /// Pressure on a plate near its end, of a lower bound in space
     End,
     /// All of these, in one .html, .svg or .png
@@ -49,6 +51,7 @@ impl Kind {
                     Self::Stress,
                     Self::Contact,
                     Self::Members,
+                    Self::Moments,
                     Self::End,
                 ]
             }
@@ -79,7 +82,11 @@ impl Kind {
             }
             Self::Contact => "Stresses between structure and soil in the lower bound's stress field.",
             Self::Members => {
-                "Axial forces along bars and sheets in the lower bound's stress field, tension upwards, with the tension that each bears."
+                "Axial forces along bars, sheets and beams in the lower bound's stress field, tension upwards, with the tension that each bears."
+            }
+            Self::Moments => {
+                "Bending moments along beams in the lower bound's stress field, positive where they stretch the right side of the beam as it \
+                 goes from its start, with what each bears."
             }
             Self::End => {
                 "What presses on the plate near its end in the stress field in space that bounds its force from below. Towards the middle \
@@ -112,6 +119,7 @@ fn draw(fields: &Fields, kind: Kind) -> Result<Option<(Drawn, Size)>, PageError>
         Kind::Blocks => return Ok(blocks(fields)?.map(|(motion, size)| (Drawn::Moving(motion), size))),
         Kind::Contact => return Ok(contact::figure(fields)?.map(|f| (Drawn::Still(f), Size::default()))),
         Kind::Members => return Ok(members::figure(fields)?.map(|f| (Drawn::Still(f), Size::default()))),
+        Kind::Moments => return Ok(members::moments(fields)?.map(|f| (Drawn::Still(f), Size::default()))),
         Kind::End => return Ok(end::figure(fields)?.map(|(figure, size)| (Drawn::Still(figure), size))),
         Kind::Velocity | Kind::All => field::velocity(fields, &window)?,
         Kind::Dissipation => field::dissipation(fields, &window)?,
@@ -135,7 +143,7 @@ pub fn check(path: &Path, kind: Kind) -> Result<(), PageError> {
             path.display()
         ))),
         Some("csv") if kind == Kind::All => Err(PageError::Nothing(
-            "a .csv file holds one figure; give --plot-kind velocity, mechanism, blocks, dissipation, stress, contact, members or end".into(),
+            "a .csv file holds one figure; give --plot-kind velocity, mechanism, blocks, dissipation, stress, contact, members, moments or end".into(),
         )),
         Some(_) => Ok(()),
     }
@@ -203,7 +211,8 @@ fn image(form: Option<&str>, kind: Kind, fields: &Fields) -> Result<Vec<u8>, Pag
 fn nothing(kind: Kind) -> PageError {
     let needs = match kind {
         Kind::Contact => "contact stresses need a lower bound and a structure",
-        Kind::Members => "axial forces need a lower bound and a bar or sheet",
+        Kind::Members => "axial forces need a lower bound and a bar, sheet or beam",
+        Kind::Moments => "bending moments need a lower bound and a beam",
         Kind::Stress => "stresses need a lower bound",
         Kind::Blocks => "blocks in space need the upper bound of a plate with ends",
         Kind::End => "the pressure near an end needs a lower bound in space",
