@@ -1,6 +1,7 @@
 //! Inputs that are possible but that hardly anybody means: a note says the value, what is usual, and the likely cause. Nothing is
 //! refused for it.
 
+mod edges;
 mod file;
 mod plate;
 

@@ -59,6 +59,17 @@ fn values_that_hardly_anybody_means_are_told_and_kept_as_notes() {
         assert!(stderr.contains(words), "{words}: {stderr}");
     }
     assert_eq!(notes.len(), 4);
+    // A load that ends beside sand: N_c of 30 degrees is 30.14.
+    let edge = r#"
+        objective = {kind = "strength-reduction"}
+        soil = [{name = "sand", phi_deg = 30, cohesion_kpa = 0.5, unit_weight_kn_m3 = 18}]
+        region = [{soil = "sand", polygon = [[0, 0], [10, 0], [10, 4], [4, 4]]}]
+        default_boundary = "fixed"
+        boundary = [{kind = "free", line = [[6, 4], [4, 4], [0, 0]]}, {kind = "load", line = [[10, 4], [6, 4]], pressure_kpa = 20}]
+    "#;
+    let found = soilctl(&["solve", &file(&dir, edge), "--check"]);
+    let stderr = String::from_utf8(found.stderr).unwrap();
+    assert!(stderr.contains("ends at (6, 4) beside free ground, which bears 15.07 kPa"), "{stderr}");
     let usual = soilctl(&["solve", &file(&dir, FOOTING), "--check"]);
     assert!(usual.status.success() && usual.stderr.is_empty());
 }

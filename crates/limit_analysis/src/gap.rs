@@ -183,7 +183,7 @@ fn jumps(
                 let tension = |p| limit.tension(soil, p) - soil.pore_pressure.at(p);
                 (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5, false)
             }
-            Edge::Member { .. } => {
+            Edge::Member { .. } | Edge::Boundary(Condition::Lined { .. }) => {
                 let (there, bond) = members::beside(meshed.problem, velocity, side)?;
                 let soil = &soils[meshed.mesh.triangles[triangle].region];
                 let [opening, slip] = crate::upper::bond(soil, bond, &ends);

@@ -65,7 +65,7 @@ fn is_sheared(problem: &Problem, point: usize) -> bool {
 }
 
 /// Points at which two sides that are free, loaded or faces meet in a notch of the soil's rim, or in line with different
-/// loads; ends of beams; and those that need elements of their own.
+/// loads; and those that need elements of their own.
 pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
     let statement = problem.statement();
     let is_open = |c: Condition| c.is_loaded() || matches!(c, Condition::Face { .. });
@@ -109,10 +109,6 @@ pub(crate) fn singular_points(problem: &Problem) -> Vec<usize> {
             || is_lined(a.2) != is_lined(b.2);
         turn < -straight || (turn <= straight && differ)
     };
-    let is_tip = |point: usize| {
-        let ends = |member: usize| [0, 1].map(|end| problem.member_end_point(member, end));
-        (0..statement.members.len()).any(|member| problem.bends(member) && ends(member).contains(&point))
-    };
-    let is_one = |p: &usize| is_singular(p) || is_sheared(problem, *p) || is_tip(*p);
+    let is_one = |p: &usize| is_singular(p) || is_sheared(problem, *p);
     (0..statement.points.len()).filter(is_one).collect()
 }

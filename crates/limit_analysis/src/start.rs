@@ -102,6 +102,12 @@ pub(crate) struct Start {
     pub(crate) largest: f64,
 }
 
+/// Points at which beams start and end.
+fn beam_ends(problem: &Problem) -> impl Iterator<Item = usize> {
+    let beams = (0..problem.members().len()).filter(|member| problem.bends(*member));
+    beams.flat_map(|beam| [0, 1].map(|end| problem.member_end_point(beam, end)))
+}
+
 impl Start {
     pub(crate) fn new(problem: &Problem) -> Self {
         let statement = problem.statement();
@@ -142,6 +148,8 @@ impl Start {
         let mut corners = on_face;
         let singular = singular_points(problem);
         corners.extend(singular.iter().filter(|p| !touching(**p).any(is_face)));
+        // About the ends of beams triangles are small too, but no fans are needed.
+        corners.extend(beam_ends(problem));
         let tip_points = points.len();
         points.extend(singular.iter().filter(|p| !tips.contains(&at(p))));
         if tips.is_empty() {

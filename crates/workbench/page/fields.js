@@ -44,6 +44,8 @@ export const ENTRY = {
     text('name', 'Name'), number('tensile_kn_per_m', 'Tension at most', 'kN/m'), number('compressive_kn_per_m', 'Compression at most', 'kN/m', {zero: true}),
     number('bond_factor', 'Bond over strength of soil', '', {optional, help: '1 if not said'}),
     {key: 'attached', label: 'Attached ends', kind: 'words', options: ['start', 'end']},
+    number('moment_knm_per_m', 'Bending moment at most', 'kNm/m', {optional, help: 'a beam, if it is said; with a shear force'}),
+    number('shear_kn_per_m', 'Shear force at most', 'kN/m', {optional}),
   ],
   head: [text('name', 'Name', {optional}), number('head_m', 'Total head: y of the water in a standpipe', 'm')],
   water: [number('unit_weight_kn_m3', 'Unit weight of water', 'kN/m³'), number('rise_m', 'Higher than its points by', 'm', {zero: true})],

@@ -3,7 +3,7 @@
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::Case;
 
-use super::{friction, stress, weight};
+use super::{edges, friction, stress, weight};
 use crate::text::number;
 
 /// Greatest length of a plate in m, and of the whole ground: longer ones are probably in mm.
@@ -11,6 +11,8 @@ const PLATE_M: f64 = 100.0;
 const GROUND_M: f64 = 5000.0;
 /// Greatest strength of a bar or sheet for each metre of width, kN/m: strong geogrids and rows of anchors bear less.
 const MEMBER_KN_PER_M: f64 = 5000.0;
+/// Greatest bending moment of a beam for each metre of width, kNm/m: the strongest combined walls bear less.
+const MOMENT_KNM_PER_M: f64 = 1e4;
 /// Least size of the ground in m.
 const LEAST_GROUND_M: f64 = 0.02;
 /// How much larger than a structure the ground usually is at most.
@@ -55,6 +57,15 @@ fn of_one(d: &Description) -> Vec<String> {
         all.push(length(&entry, size(points), ground));
     }
     for member in &d.members {
+        let moment = member.moment_knm_per_m.unwrap_or(0.0);
+        all.push((moment > MOMENT_KNM_PER_M).then(|| {
+            let (moment, most) = (number(moment), number(MOMENT_KNM_PER_M));
+            format!(
+                "member {:?}: its moment_knm_per_m is {moment}; few beams bear more than {most} for each metre of width: is it in Nm/m, or not over \
+                 the spacing?",
+                member.name
+            )
+        }));
         let value = member.tensile_kn_per_m.max(member.compressive_kn_per_m);
         all.push((value > MEMBER_KN_PER_M).then(|| {
             let (value, most) = (number(value), number(MEMBER_KN_PER_M));
@@ -75,6 +86,7 @@ fn of_one(d: &Description) -> Vec<String> {
             all.push(stress(&entry, key, greatest, greatest));
         }
     }
+    all.extend(edges::notes(d));
     all.extend(water(d));
     all.extend(heads(d));
     if let Some(seismic) = d.seismic {
@@ -91,7 +103,7 @@ fn of_one(d: &Description) -> Vec<String> {
 }
 
 /// The greater side of the box around points.
-fn size<'a>(points: impl IntoIterator<Item = &'a [f64; 2]>) -> f64 {
+pub(super) fn size<'a>(points: impl IntoIterator<Item = &'a [f64; 2]>) -> f64 {
     let [low, high] =
         points.into_iter().fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
             [[0, 1].map(|i| low[i].min(p[i])), [0, 1].map(|i| high[i].max(p[i]))]

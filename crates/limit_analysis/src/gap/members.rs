@@ -3,9 +3,9 @@
 use soilctl_certificate::{Bending, Side};
 
 use crate::fields::{Forces, StressField, VelocityField};
-use crate::members::{MemberEdge, velocity_at_end};
+use crate::members::{MemberEdge, beam_at_end, velocity_at_end};
 use crate::problem::Problem;
-use crate::vector::Point;
+use crate::vector::{Point, between, dot, length};
 
 /// Velocity of a member at the control points of an edge beside it, as the triangle there sees the edge, and the member's bond.
 pub(super) fn beside(problem: &Problem, velocity: &VelocityField, side: Side) -> Option<([Point; 3], f64)> {
@@ -70,22 +70,26 @@ pub(super) fn add_shares(
         let jump = |change: f64, place: f64| spent(change) - change * force(place);
         let is_of = |other: &&(MemberEdge, [f64; 3], [f64; 3])| other.0.member == edge.member;
         let next = pieces.get(i + 1).filter(is_of);
-        if i.checked_sub(1).and_then(|i| pieces.get(i)).filter(is_of).is_none()
-            && let Some(v) = velocity_at_end(problem, edge.member, 0)
-        {
+        let is_first = i.checked_sub(1).and_then(|i| pieces.get(i)).filter(is_of).is_none();
+        if is_first && let Some(v) = end_of_member(problem, velocity, edge.member, 0) {
             share += jump(a - v, edge.place[0]);
         }
         match next {
             Some((_, next, _)) => share += jump(next[0] - c, edge.place[1]),
             None => {
-                if let Some(v) = velocity_at_end(problem, edge.member, 1) {
+                if let Some(v) = end_of_member(problem, velocity, edge.member, 1) {
                     share += jump(v - c, edge.place[1]);
                 }
             }
         }
         if let Some(most) = m.bending {
-            let next = next.map(|(next, _, across)| (slope(next, across, 0.0), across[0]));
-            share += bent(most, edge, across, next, stress);
+            // What clamps an end is at rest.
+            let clamp = m.attached[1].then_some((0.0, 0.0));
+            let after = next.map(|(next, _, across)| (slope(next, across, 0.0), across[0])).or(clamp);
+            share += bent(most, edge, across, after, stress);
+            if is_first && m.attached[0] {
+                share += turned(most, edge, edge.place[0], [slope(edge, across, 0.0), across[0]], stress);
+            }
         }
         let faces = edge.faces().count() as f64;
         for side in edge.faces() {
@@ -94,7 +98,8 @@ pub(super) fn add_shares(
     }
 }
 
-/// The same of bending: virtual work demands `int M u'' + sum M [u'] - sum V [u]` with `u` the velocity across. Along an edge and from it to the next one, whose slope and velocity at its start are given.
+/// The same of bending: virtual work demands `int M u'' + sum M [u'] - sum V [u]` with `u` the velocity across. Along an edge and from it to
+/// what follows, whose slope and velocity there are given.
 fn bent(
     most: Bending,
     edge: &MemberEdge,
@@ -102,17 +107,35 @@ fn bent(
     next: Option<(f64, f64)>,
     stress: &StressField,
 ) -> f64 {
-    let spent = |most: f64, change: f64| stress.part * most * change.abs();
-    let [turns, turned] = [0.0, 1.0].map(|s| slope(edge, across, s));
-    let curvature = (turned - turns) / edge.length();
-    let mut share = spent(most.moment, turned - turns) - work(stress, edge, moment, |_| curvature);
-    if let Some((turns, velocity)) = next {
-        let place = edge.place[1];
-        let (turn, step) = (turns - turned, velocity - across[2]);
-        share += spent(most.moment, turn) - turn * borne(stress, edge.member, place, moment);
-        share += spent(most.shear, step) + step * borne(stress, edge.member, place, shear);
-    }
-    share
+    let [from, to] = [0.0, 1.0].map(|s| slope(edge, across, s));
+    let curvature = (to - from) / edge.length();
+    let within = stress.part * most.moment * (to - from).abs() - work(stress, edge, moment, |_| curvature);
+    let to_next = next.map_or(0.0, |(turns, velocity)| {
+        turned(most, edge, edge.place[1], [turns - to, velocity - across[2]], stress)
+    });
+    within + to_next
+}
+
+/// The same of a turn and a step at one place.
+fn turned(most: Bending, edge: &MemberEdge, place: f64, [turn, step]: [f64; 2], stress: &StressField) -> f64 {
+    let spent = stress.part * (most.moment * turn.abs() + most.shear * step.abs());
+    spent - turn * borne(stress, edge.member, place, moment) + step * borne(stress, edge.member, place, shear)
+}
+
+/// Velocity along a member of what an end of it is attached to.
+fn end_of_member(problem: &Problem, velocity: &VelocityField, member: usize, end: usize) -> Option<f64> {
+    let Some(beam) = beam_at_end(problem, member, end) else { return velocity_at_end(problem, member, end) };
+    let at = problem.member_ends(member)[end];
+    let (t, [along, across]) = velocity.members.iter().filter(|piece| piece.0.member == beam).find_map(
+        |(edge, along, across)| {
+            let i = if edge.ends[1] == at { 2 } else { 0 };
+            (i == 2 || edge.ends[0] == at).then(|| (edge.along(), [along[i], across[i]]))
+        },
+    )?;
+    let [from, to] = problem.member_ends(member);
+    let d = between(from, to);
+    let vector = [along * t[0] - across * t[1], along * t[1] + across * t[0]];
+    Some(dot(vector, d) / length(d))
 }
 
 /// The slope of a quadratic velocity along an edge.

@@ -28,8 +28,8 @@ const INK: usize = 6;
 /// Those of soils, in order: not that whose hatch is level, which would look like strata.
 const SOILS: [usize; 5] = [7, 2, 3, 5, 1];
 
-/// Those of bars and sheets.
-const MEMBERS: [usize; 3] = [1, 2, 3];
+/// Those of members: not that of loads.
+const MEMBERS: [usize; 3] = [2, 3, 4];
 
 /// What there is to draw, in the coordinates of the axes. Sides are walked with the soil on the left.
 pub(crate) struct Scene {

@@ -20,8 +20,10 @@ impl Scene {
         let label = |region: usize| material_words(&statement.regions[region].material, units);
         let ends =
             |b: &Boundary| statement.lines[b.line].walked(b.forward).map(|p| place(statement.points[p]));
-        let sides: Vec<_> =
-            statement.boundaries.iter().map(|b| (ends(b), BoundaryKind::from(&b.condition))).collect();
+        // Where a beam lines the soil there is the beam.
+        let is_lined = |b: &&Boundary| matches!(b.condition, Condition::Lined { .. });
+        let outline = statement.boundaries.iter().filter(|b| !is_lined(b));
+        let sides: Vec<_> = outline.map(|b| (ends(b), BoundaryKind::from(&b.condition))).collect();
         let faces: Vec<[Point; 2]> =
             sides.iter().filter(|side| side.1 == BoundaryKind::Face).map(|side| side.0).collect();
         let moves = statement.objective.velocity();
