@@ -114,14 +114,14 @@ def hinged(moment, h=3.0, phi=34.0, gamma=18.0):
     return brentq(lambda q: greatest(q) - moment, 0, 500)
 
 
-@pytest.mark.parametrize("moment", [60, 100])
+@pytest.mark.parametrize("moment", [100, 150])
 def test_a_smooth_wall_bends_at_its_moment(soilctl, tmp_path, moment):
     text = WALL.format(moment=moment)
-    answer = solved(soilctl, tmp_path, text, "--max-gap", "0.04", "--max-elements", "3000")
+    answer = solved(soilctl, tmp_path, text, "--max-gap", "0.15", "--max-elements", "6000")
     exact = hinged(moment) / 10
     # The faces are smooth but for a thousandth.
     assert answer["lower"] <= exact * 1.01 and answer["upper"] >= exact, (answer["lower"], exact, answer["upper"])
-    assert answer["gap"] < 0.12
+    assert answer["gap"] < 0.16
     (wall,) = answer["results"]["members"]
     bending = wall["bending"]
     assert abs(bending["greatest_moment"]) <= bending["moment_strength"] == pytest.approx(moment)

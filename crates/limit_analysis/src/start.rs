@@ -11,6 +11,9 @@ use crate::singular::{singular_points, typical_length};
 use crate::slide::{Slide, slides};
 use crate::vector::distance;
 
+/// Size of the first triangles at the end of a beam over its length, at most.
+const OF_BEAM: f64 = 0.1;
+
 /// Radius of the first fans in units of length, and how much each level's are smaller.
 const FAN: f64 = 0.05;
 const SHRINK: f64 = 0.8;
@@ -87,7 +90,8 @@ pub(crate) struct Start {
     pub(crate) guides: Vec<Guide>,
     /// Planes on which slopes may slide.
     pub(crate) slides: Vec<Slide>,
-    corners: Vec<[f64; 2]>,
+    /// About these triangles are small: so small at the place itself, at most.
+    corners: Vec<([f64; 2], f64)>,
     /// The mobile zone where there are no slip lines around tips.
     sides: MobileZone,
     has_tips: bool,
@@ -102,10 +106,13 @@ pub(crate) struct Start {
     pub(crate) largest: f64,
 }
 
-/// Points at which beams start and end.
-fn beam_ends(problem: &Problem) -> impl Iterator<Item = usize> {
+/// Where beams start and end, and how long they are.
+fn beam_ends(problem: &Problem) -> impl Iterator<Item = ([f64; 2], f64)> {
     let beams = (0..problem.members().len()).filter(|member| problem.bends(*member));
-    beams.flat_map(|beam| [0, 1].map(|end| problem.member_end_point(beam, end)))
+    beams.flat_map(|beam| {
+        let [a, b] = problem.member_ends(beam);
+        [a, b].map(|end| (end, distance(a, b)))
+    })
 }
 
 impl Start {
@@ -148,8 +155,6 @@ impl Start {
         let mut corners = on_face;
         let singular = singular_points(problem);
         corners.extend(singular.iter().filter(|p| !touching(**p).any(is_face)));
-        // About the ends of beams triangles are small too, but no fans are needed.
-        corners.extend(beam_ends(problem));
         let tip_points = points.len();
         points.extend(singular.iter().filter(|p| !tips.contains(&at(p))));
         if tips.is_empty() {
@@ -170,7 +175,12 @@ impl Start {
             guides,
             phi,
             datum: statement.datum,
-            corners: corners.iter().map(at).collect(),
+            // About the ends of beams triangles are small too, but no fans are needed.
+            corners: corners
+                .iter()
+                .map(|corner| (at(corner), f64::INFINITY))
+                .chain(beam_ends(problem).map(|(end, length)| (end, OF_BEAM * length)))
+                .collect(),
             largest: 0.4 * (high - low),
         }
     }
@@ -204,7 +214,8 @@ impl Start {
 
     /// Wanted edge length on the first mesh.
     pub(crate) fn size(&self, p: [f64; 2]) -> f64 {
-        let near = self.corners.iter().map(|c| distance(p, *c)).fold(f64::INFINITY, f64::min);
-        (0.1 * self.unit + 0.3 * near).min(self.largest)
+        let beside =
+            |(corner, least): &([f64; 2], f64)| least.min(0.1 * self.unit) + 0.3 * distance(p, *corner);
+        self.corners.iter().map(beside).fold(self.largest, f64::min)
     }
 }

@@ -229,3 +229,22 @@ fn a_proof_is_for_the_beam_that_is_stated() {
     bare.members.clear();
     assert!(prove_lower(&bare, &lower).is_err() && prove_upper(&bare, &upper).is_err());
 }
+
+#[test]
+fn beams_that_no_proof_covers_are_refused_in_words() {
+    let refused = |change: &dyn Fn(&mut Description), words: &str| {
+        let mut it = tied_wall(100.0, 100.0);
+        change(&mut it);
+        let problem = it.described().unwrap_err().to_string();
+        assert!(problem.contains(words), "{words}: {problem}");
+    };
+    refused(&|it| it.members[0].shear_kn_per_m = None, "has both moment_knm_per_m and shear_kn_per_m");
+    refused(&|it| it.members[0].moment_knm_per_m = Some(0.0), "moment_knm_per_m");
+    refused(&|it| it.members[0].compressive_kn_per_m = 0.0, "compressive_kn_per_m");
+    refused(&|it| it.members[0].line[0] = [0.0, 1.0], "must have soil all along");
+    refused(&|it| it.members[0].line[1] = [0.0, -9.0], "is at what holds the soil");
+    refused(&|it| it.members[0].attached = vec![MemberEnd::End], "only a fixed side can clamp");
+    refused(&|it| it.members[0].line = vec![[-8.0, -9.0], [4.0, -9.0]], "lies along what holds the soil");
+    refused(&|it| it.members[1].line[0] = [-2.0, -5.0], "meets another line");
+    refused(&|it| it.members.push(beam([[-3.0, -5.0], [3.0, -5.0]], 10.0)), "which no proof covers");
+}

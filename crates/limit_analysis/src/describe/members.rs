@@ -49,20 +49,16 @@ impl Description {
             let bends = self.members[member].bends();
             let in_soil = |walk: &LineUse| {
                 let sides = [*walk, walk.reversed()].map(|side| map.left_of(side));
-                let lines_soil =
-                    bends && sides.iter().all(|side| side.is_soil() || *side == Occupant::Outside);
-                sides.iter().all(|side| side.is_soil()) || lines_soil
+                // Edges without soil on either side are not on the map.
+                let may_line = |side: &Occupant| side.is_soil() || (bends && *side == Occupant::Outside);
+                sides.iter().all(may_line)
             };
-            if bends && (covered - length(along)).abs() > ROUNDING * length(along) {
-                return Err(wrong(
-                    "a beam must have soil on one of its sides at least, all along; let it end where the soil does",
-                ));
-            }
             if (covered - length(along)).abs() > ROUNDING * length(along) || !path.iter().all(in_soil) {
-                return Err(wrong(
-                    "it must have soil on both sides all along (a beam: soil, or nothing on one of them); let it end where the \
-                     soil does",
-                ));
+                return Err(wrong(if bends {
+                    "a beam must have soil all along, on both sides or on one with nothing beyond; let it end where the soil does"
+                } else {
+                    "it must have soil on both sides all along; let it end where the soil does"
+                }));
             }
             let shared = |walk: &LineUse| {
                 map.arrangement.edges[walk.line].uses.iter().find_map(|(s, _)| match segments[*s].owner {
@@ -115,6 +111,12 @@ impl Description {
                     "it slopes and meets another line (the edge of a region, the water table, or a cut below one of their \
                      corners) between its ends, which no proof covers; make it level, or keep it within one region"
                         .into(),
+                ));
+            }
+            let along = path.iter().flat_map(|walk| [*walk, walk.reversed()]);
+            if along.filter_map(|side| plan.holds.get(&side)).any(|holds| !is_loaded(holds)) {
+                return Err(wrong(
+                    "it lies along what holds the soil; a beam lines ground that is free or loaded".into(),
                 ));
             }
             let corners = |walk: &LineUse| map.walked(*walk);
@@ -181,10 +183,9 @@ impl Description {
         holds: &[(LineUse, Holds)],
     ) -> Result<(), &'static str> {
         if is_at_beam {
-            return match holds.iter().all(|(_, holds)| matches!(holds, Holds::Free | Holds::Load { .. })) {
-                true => Ok(()),
-                false => Err("is both at a beam and at what holds the soil, which no proof covers; move it"),
-            };
+            let is_open = holds.iter().all(|(_, holds)| is_loaded(holds));
+            let both = "is both at a beam and at what holds the soil, which no proof covers; move it";
+            return if is_open { Ok(()) } else { Err(both) };
         }
         let direction = |walk: &LineUse| {
             let [p, q] = plan.map.walked_points(*walk);
@@ -261,13 +262,14 @@ impl Description {
     }
 }
 
+/// Whether it says what acts, and holds nothing.
+fn is_loaded(holds: &Holds) -> bool {
+    matches!(holds, Holds::Free | Holds::Load { .. })
+}
+
 /// What is wrong with an end of a beam, given all that holds on boundary sides there.
 fn check_end_of_beam(is_attached: bool, holds: &[(LineUse, Holds)]) -> Result<(), &'static str> {
-    let held: Vec<&Holds> = holds
-        .iter()
-        .map(|(_, holds)| holds)
-        .filter(|h| !matches!(h, Holds::Free | Holds::Load { .. }))
-        .collect();
+    let held: Vec<&Holds> = holds.iter().map(|(_, holds)| holds).filter(|holds| !is_loaded(holds)).collect();
     let is_fixed = held.iter().all(|holds| matches!(holds, Holds::Fixed));
     match (is_attached, held.is_empty()) {
         (false, true) => Ok(()),

@@ -22,6 +22,7 @@ __all__ = [
     "ArmSkewingRow",
     "ArmUrdfAnswer",
     "BoundAnswer",
+    "BoundBending",
     "BoundContact",
     "BoundEnd",
     "BoundInputs",
@@ -129,6 +130,7 @@ __all__ = [
     "SoilsSoil",
     "Solve",
     "SolveAnswer",
+    "SolveBending",
     "SolveCase",
     "SolveCheckAnswer",
     "SolveCheckCheckedBoundary",
@@ -398,6 +400,45 @@ class PredictAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class BoundBending(Record):
+    """How a beam bends.
+
+    Attributes:
+        greatest_moment: The moment that is farthest from zero in the field of the lower bound, positive where it
+            stretches the beam's right side.
+        greatest_moment_at: Distance of that from its start.
+        greatest_shear: The shear force that is farthest from zero, per unit width.
+        hinges: Where it yields in the flow of the upper bound: distances from its start, and how fast it turns
+            there, over the speed that others are compared with (1/length).
+        moment: The moment along it: distances from its start, and the moment there.
+        moment_strength: Greatest bending moment that it bears, per unit width (force).
+        shear: The shear force along it, likewise.
+        shear_strength: Greatest shear force that it bears, per unit width.
+    """
+
+    greatest_moment: float | None
+    """The moment that is farthest from zero in the field of the lower bound, positive where it stretches the beam's
+    right side.
+    """
+    greatest_moment_at: float | None
+    """Distance of that from its start."""
+    greatest_shear: float | None
+    """The shear force that is farthest from zero, per unit width."""
+    hinges: list[list[float]]
+    """Where it yields in the flow of the upper bound: distances from its start, and how fast it turns there, over
+    the speed that others are compared with (1/length).
+    """
+    moment: list[list[float]]
+    """The moment along it: distances from its start, and the moment there."""
+    moment_strength: float
+    """Greatest bending moment that it bears, per unit width (force)."""
+    shear: list[list[float]]
+    """The shear force along it, likewise."""
+    shear_strength: float
+    """Greatest shear force that it bears, per unit width."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class BoundContact(Record):
     """Contact stresses along a face.
 
@@ -516,11 +557,12 @@ class BoundLevel(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class BoundMember(Record):
-    """A bar or a sheet. Forces are per unit width, tension positive; for a factor of safety those of soil whose
-    strength is divided by its lower bound.
+    """A bar, a sheet or a beam. Forces are per unit width, tension positive; for a factor of safety those of soil
+    whose strength is divided by its lower bound.
 
     Attributes:
         axial_force: The axial force along it: distances from its start, and the force there.
+        bending: How a beam bends; null for a bar or a sheet.
         compressive_strength: Greatest compression that it bears.
         gets_longer: What it gets longer in the flow of the upper bound, over the speed that others are compared
             with; null if there is no flow. Not zero where it yields.
@@ -531,11 +573,14 @@ class BoundMember(Record):
         greatest_tension_at: Distance of that from its start.
         name: Its name.
         tensile_strength: Greatest tension that it bears.
-        utilisation: The greater of both over the strength for it: how far it is used.
+        utilisation: The greatest of these over the strength for it: how far it is used; of a beam with its moment
+            and shear force.
     """
 
     axial_force: list[list[float]]
     """The axial force along it: distances from its start, and the force there."""
+    bending: BoundBending | None
+    """How a beam bends; null for a bar or a sheet."""
     compressive_strength: float
     """Greatest compression that it bears."""
     gets_longer: float | None
@@ -555,7 +600,9 @@ class BoundMember(Record):
     tensile_strength: float
     """Greatest tension that it bears."""
     utilisation: float | None
-    """The greater of both over the strength for it: how far it is used."""
+    """The greatest of these over the strength for it: how far it is used; of a beam with its moment and shear
+    force.
+    """
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -566,8 +613,8 @@ class BoundResults(Record):
         contacts: The faces of structures, with the resultants of the lower bound's contact stresses.
         files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
         length_unit: Unit of lengths: ``m``, or ``L`` for slant lengths of the plate.
-        members: Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper
-            bound's flow.
+        members: Bars, sheets and beams: what they bear in the lower bound's field, and how they stretch in the
+            upper bound's flow.
         moving: The fraction of the speed from which on soil is said to move.
         moving_ground: Stretches of the ground that move in the upper bound's flow, by ascending x: at least at
             ``moving`` times the speed of the structure, or, if none moves, the greatest speed.
@@ -582,7 +629,8 @@ class BoundResults(Record):
     length_unit: str
     """Unit of lengths: ``m``, or ``L`` for slant lengths of the plate."""
     members: list[BoundMember]
-    """Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper bound's flow.
+    """Bars, sheets and beams: what they bear in the lower bound's field, and how they stretch in the upper bound's
+    flow.
     """
     moving: float
     """The fraction of the speed from which on soil is said to move."""
@@ -769,6 +817,45 @@ class BoundAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class SolveBending(Record):
+    """How a beam bends.
+
+    Attributes:
+        greatest_moment: The moment that is farthest from zero in the field of the lower bound, positive where it
+            stretches the beam's right side.
+        greatest_moment_at: Distance of that from its start.
+        greatest_shear: The shear force that is farthest from zero, per unit width.
+        hinges: Where it yields in the flow of the upper bound: distances from its start, and how fast it turns
+            there, over the speed that others are compared with (1/length).
+        moment: The moment along it: distances from its start, and the moment there.
+        moment_strength: Greatest bending moment that it bears, per unit width (force).
+        shear: The shear force along it, likewise.
+        shear_strength: Greatest shear force that it bears, per unit width.
+    """
+
+    greatest_moment: float | None
+    """The moment that is farthest from zero in the field of the lower bound, positive where it stretches the beam's
+    right side.
+    """
+    greatest_moment_at: float | None
+    """Distance of that from its start."""
+    greatest_shear: float | None
+    """The shear force that is farthest from zero, per unit width."""
+    hinges: list[list[float]]
+    """Where it yields in the flow of the upper bound: distances from its start, and how fast it turns there, over
+    the speed that others are compared with (1/length).
+    """
+    moment: list[list[float]]
+    """The moment along it: distances from its start, and the moment there."""
+    moment_strength: float
+    """Greatest bending moment that it bears, per unit width (force)."""
+    shear: list[list[float]]
+    """The shear force along it, likewise."""
+    shear_strength: float
+    """Greatest shear force that it bears, per unit width."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class SolveCase(Record):
     """What was found for one case of a problem file, or one value of its sweeps.
 
@@ -878,11 +965,12 @@ class SolveLevel(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class SolveMember(Record):
-    """A bar or a sheet. Forces are per unit width, tension positive; for a factor of safety those of soil whose
-    strength is divided by its lower bound.
+    """A bar, a sheet or a beam. Forces are per unit width, tension positive; for a factor of safety those of soil
+    whose strength is divided by its lower bound.
 
     Attributes:
         axial_force: The axial force along it: distances from its start, and the force there.
+        bending: How a beam bends; null for a bar or a sheet.
         compressive_strength: Greatest compression that it bears.
         gets_longer: What it gets longer in the flow of the upper bound, over the speed that others are compared
             with; null if there is no flow. Not zero where it yields.
@@ -893,11 +981,14 @@ class SolveMember(Record):
         greatest_tension_at: Distance of that from its start.
         name: Its name.
         tensile_strength: Greatest tension that it bears.
-        utilisation: The greater of both over the strength for it: how far it is used.
+        utilisation: The greatest of these over the strength for it: how far it is used; of a beam with its moment
+            and shear force.
     """
 
     axial_force: list[list[float]]
     """The axial force along it: distances from its start, and the force there."""
+    bending: SolveBending | None
+    """How a beam bends; null for a bar or a sheet."""
     compressive_strength: float
     """Greatest compression that it bears."""
     gets_longer: float | None
@@ -917,7 +1008,9 @@ class SolveMember(Record):
     tensile_strength: float
     """Greatest tension that it bears."""
     utilisation: float | None
-    """The greater of both over the strength for it: how far it is used."""
+    """The greatest of these over the strength for it: how far it is used; of a beam with its moment and shear
+    force.
+    """
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -928,8 +1021,8 @@ class SolveResults(Record):
         contacts: The faces of structures, with the resultants of the lower bound's contact stresses.
         files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
         length_unit: Unit of lengths: ``m``, or ``L`` for slant lengths of the plate.
-        members: Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper
-            bound's flow.
+        members: Bars, sheets and beams: what they bear in the lower bound's field, and how they stretch in the
+            upper bound's flow.
         moving: The fraction of the speed from which on soil is said to move.
         moving_ground: Stretches of the ground that move in the upper bound's flow, by ascending x: at least at
             ``moving`` times the speed of the structure, or, if none moves, the greatest speed.
@@ -944,7 +1037,8 @@ class SolveResults(Record):
     length_unit: str
     """Unit of lengths: ``m``, or ``L`` for slant lengths of the plate."""
     members: list[SolveMember]
-    """Bars and sheets: what they bear in the lower bound's field, and how they stretch in the upper bound's flow.
+    """Bars, sheets and beams: what they bear in the lower bound's field, and how they stretch in the upper bound's
+    flow.
     """
     moving: float
     """The fraction of the speed from which on soil is said to move."""
@@ -1191,14 +1285,16 @@ class SolveCheckCheckedCase(Record):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class SolveCheckCheckedMember(Record):
-    """A bar or a sheet.
+    """A bar, a sheet or a beam.
 
     Attributes:
         attached: Whether its start and its end are attached to what is there, and so may bear a force.
         bond_factor: What each face bears of the shear strength of the soil beside it.
         compressive_kn_per_m: Greatest compression that it bears.
         length_m: Its length.
+        moment_knm_per_m: Greatest bending moment that a beam bears; null for a bar or a sheet.
         name: Its name.
+        shear_kn_per_m: Greatest shear force of a beam.
         tensile_kn_per_m: Greatest tension that it bears.
     """
 
@@ -1210,8 +1306,12 @@ class SolveCheckCheckedMember(Record):
     """Greatest compression that it bears."""
     length_m: float
     """Its length."""
+    moment_knm_per_m: float | None
+    """Greatest bending moment that a beam bears; null for a bar or a sheet."""
     name: str
     """Its name."""
+    shear_kn_per_m: float | None
+    """Greatest shear force of a beam."""
     tensile_kn_per_m: float
     """Greatest tension that it bears."""
 
