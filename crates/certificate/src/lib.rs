@@ -298,7 +298,7 @@
 //! - adhesion without friction on soil with friction, and interface friction on soil without;
 //! - more than two lines of given shear, or parallel ones that are not joined, that meet; sloping ones between soils of
 //!   different unit weight;
-//! - members that meet, other than with an end at a beam; that go through points of boundaries, where a beam may if these are free or loaded; that
+//! - members that meet, other than with an end at a beam, attached only between its ends; that go through points of boundaries, where a beam may if these are free or loaded; that
 //!   are attached to far lines, or to lines of given shear other than at right angles; beams attached to anything but fixed lines, or beside bodies;
 //! - far lines other than a frame of the mesh, different unit weights beyond the one below, and pore pressure that varies
 //!   along x beside vertical ones.

@@ -187,6 +187,29 @@ fn a_tied_wall_is_as_safe_as_its_weakest_part() {
 }
 
 #[test]
+fn walls_in_clay_are_held_by_ties_and_clamps() {
+    let clay = |it: &mut Description| {
+        (it.soils[0].phi_deg, it.soils[0].cohesion_kpa) = (0.0, 25.0);
+    };
+    // Soil on both sides of the wall and of the tie keeps its volume, and goes along with the wall.
+    let [weak, strong] = [(5.0, 5.0), (200.0, 200.0)].map(|(moment, tension)| {
+        let mut it = tied_wall(moment, tension);
+        clay(&mut it);
+        bounds(&it, 600)
+    });
+    let mut clamped = tied_wall(200.0, 200.0);
+    clay(&mut clamped);
+    clamped.members[0].line[1] = [0.0, -9.0];
+    clamped.members[0].attached = vec![MemberEnd::End];
+    let clamped = bounds(&clamped, 600);
+    for [lower, upper] in [weak, strong, clamped] {
+        assert!(lower <= upper && upper < 1.3 * lower, "{lower} {upper}");
+    }
+    // What is stronger bears no less.
+    assert!(weak[0] <= strong[1] && strong[0] <= clamped[1], "{weak:?} {strong:?} {clamped:?}");
+}
+
+#[test]
 fn a_proof_is_for_the_beam_that_is_stated() {
     let it = cantilever(100.0).described().unwrap();
     let options = Options { max_elements: 200, max_gap: 1e-4, ..Options::default() };
@@ -246,5 +269,6 @@ fn beams_that_no_proof_covers_are_refused_in_words() {
     refused(&|it| it.members[0].attached = vec![MemberEnd::End], "only a fixed side can clamp");
     refused(&|it| it.members[0].line = vec![[-8.0, -9.0], [4.0, -9.0]], "lies along what holds the soil");
     refused(&|it| it.members[1].line[0] = [-2.0, -5.0], "meets another line");
+    refused(&|it| it.members[1].line = vec![[0.0, 0.0], [12.0, -1.0]], "very end of a beam");
     refused(&|it| it.members.push(beam([[-3.0, -5.0], [3.0, -5.0]], 10.0)), "which no proof covers");
 }

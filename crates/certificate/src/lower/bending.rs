@@ -14,6 +14,7 @@
 //! The references of the soils on both sides have the same tractions on the line, so they add nothing.
 
 use super::StressFunction;
+use super::loads::Station;
 use super::members::{Bent, SectionForces, place};
 use crate::CertificateError;
 use crate::fields::Jet;
@@ -118,15 +119,20 @@ impl StressFunction<'_> {
             (rest[0] + rest[1]) * quarter + (self.surfaces.jet(surface, at).1 + frame).dot(n)
         } else {
             let slope = self.slope(side, 0, walked.turned());
-            if self.tiling.member(side).is_some_and(|on| on.is_left) { slope } else { -slope }
+            if self.is_left(side) { slope } else { -slope }
         };
         Trace { value: [f, g], slopes: [df, dg], middle }
+    }
+
+    /// Whether the triangle is on the beam's left.
+    fn is_left(&self, side: Side) -> bool {
+        self.tiling.member(side).is_some_and(|on| on.is_left)
     }
 
     /// Vertex copies at the start and the end of an edge, as the member goes.
     fn in_order(&self, side: Side) -> [usize; 2] {
         let [a, b] = self.ends(side);
-        if self.tiling.member(side).is_some_and(|on| on.is_left) { [a, b] } else { [b, a] }
+        if self.is_left(side) { [a, b] } else { [b, a] }
     }
 
     /// That of the loads on the outer side of a beam that lines the soil.
@@ -143,7 +149,7 @@ impl StressFunction<'_> {
     }
 
     /// Where an edge of a beam that lines the soil is on its run, from the beam's start to its end.
-    fn lined(&self, side: Side) -> Result<(OnLine, [super::loads::Station; 2], usize), CertificateError> {
+    fn lined(&self, side: Side) -> Result<(OnLine, [Station; 2], usize), CertificateError> {
         let found = match self.tiling.beyond(side) {
             Beyond::Boundary(on, _) => {
                 self.loads.ends(on).zip(self.loads.run(on.side)).map(|found| (on, found))
@@ -154,15 +160,14 @@ impl StressFunction<'_> {
             let problem = "what is beyond the beam is not known";
             return Err(CertificateError::BadField { place: side.to_string(), problem });
         };
-        let is_left = self.tiling.member(side).is_some_and(|on| on.is_left);
-        Ok((on, if is_left { [a, b] } else { [b, a] }, run))
+        Ok((on, if self.is_left(side) { [a, b] } else { [b, a] }, run))
     }
 
     /// Whether there is nothing but one function at the start and at the end of an edge.
     fn meets(&self, edge: &MemberEdge) -> [bool; 2] {
-        let gauge = |copy: usize| match self.field.copies[copy].jet {
-            Jet::Gauge { gauge } => self.stations[copy].map(|station| (gauge, station)),
-            _ => None,
+        let gauge = |copy: usize| {
+            let Jet::Gauge { gauge } = self.field.copies[copy].jet else { return None };
+            self.stations[copy].map(|station| (gauge, station))
         };
         match edge.sides {
             [Some(left), Some(right)] => {

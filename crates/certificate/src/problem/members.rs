@@ -177,7 +177,11 @@ impl Problem<'_> {
         }
         match (found, self.beam_at(point)) {
             (found, None) if found != Attached::Nothing => Ok(found),
-            (Attached::Nothing, Some(beam)) => Ok(Attached::Beam(beam)),
+            (Attached::Nothing, Some(beam)) => {
+                let is_end = [false, true].into_iter().any(|end| self.member_end(beam, end).0 == point);
+                let what = "an end attached to the very end of a beam";
+                if is_end { Err(not_covered(member, what)) } else { Ok(Attached::Beam(beam)) }
+            }
             (_, Some(_)) => Err(not_covered(member, "an end attached both to a beam and to a boundary")),
             (_, None) => {
                 Err(bad(member, "an end is attached, but there is nothing that it could be attached to"))

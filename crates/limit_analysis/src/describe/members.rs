@@ -91,9 +91,8 @@ impl Description {
             })
         };
         let beam_at = |point: usize| {
-            let goes_through =
-                |path: &Vec<LineUse>| path.iter().any(|walk| map.walked(*walk).contains(&point));
-            (0..self.members.len()).any(|m| self.members[m].bends() && goes_through(&plan.members[m]))
+            let goes_through = |path: &[LineUse]| path.iter().any(|walk| map.walked(*walk).contains(&point));
+            (0..self.members.len()).find(|m| self.members[*m].bends() && goes_through(&plan.members[*m]))
         };
         for (member, path) in plan.members.iter().enumerate() {
             let entry = &self.members[member];
@@ -158,7 +157,14 @@ impl Description {
                 let checked = if entry.bends() {
                     check_end_of_beam(is_attached, &holds)
                 } else {
-                    self.check_end(plan, path, is_attached, beam_at(*point), &holds)
+                    let beam = beam_at(*point);
+                    if is_attached && beam.is_some_and(|beam| ends(beam).contains(&Some(*point))) {
+                        Err(
+                            "is attached to the very end of a beam, which no proof covers; attach it a little inside",
+                        )
+                    } else {
+                        self.check_end(plan, path, is_attached, beam.is_some(), &holds)
+                    }
                 };
                 checked.map_err(|problem| {
                     let word = match end {

@@ -95,8 +95,8 @@ impl Upper {
         let Elements { of: elements, control_points, copies, kinks } = Elements::new(&meshed, still);
         let freedoms = freedoms(&meshed, &elements, control_points, still, &mut program);
         let velocities: Vec<Velocity> = freedoms.iter().map(|m| m.velocity(problem)).collect();
-        let beams = beams::motions(&meshed, &mut program);
-        let stream = StreamFunction::new(&meshed, &elements, copies, &kinks, beams.clone(), &mut program);
+        let mut beams = beams::motions(&meshed, &mut program);
+        let stream = StreamFunction::new(&meshed, &elements, copies, &kinks, &mut beams, &mut program);
         let power = Power::default();
         let all = problem.statement().objective == Objective::Everything;
         let mut builder =

@@ -41,7 +41,7 @@ impl StreamFunction {
         elements: &[Element],
         vertices: Vec<usize>,
         kinks: &BTreeMap<usize, (usize, usize)>,
-        mut beams: BTreeMap<usize, BeamMotion>,
+        beams: &mut BTreeMap<usize, BeamMotion>,
         program: &mut Program,
     ) -> Self {
         if vertices.is_empty() {
@@ -52,7 +52,7 @@ impl StreamFunction {
         let (gauge_walls, gauge_copies) = gauges(elements, &on, walls, kinks);
         let size = sizes(meshed, elements, vertices.len());
         let on_beams = on_beams(meshed, elements, vertices.len());
-        for (beam, motion) in &mut beams {
+        for (beam, motion) in beams.iter_mut() {
             let of = || on_beams.iter().enumerate().filter(|(_, at)| at.is_some_and(|at| at.beam == *beam));
             // Unless it is one of its copies that the function is relative to.
             if let Some(unit) = of().map(|(copy, _)| size[copy]).reduce(f64::max)
