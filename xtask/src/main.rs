@@ -12,6 +12,7 @@ mod fuzz;
 mod python;
 mod run;
 mod rust;
+mod rust_tests;
 mod supply;
 mod systems;
 mod tasks;

@@ -54,6 +54,15 @@ impl Step {
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
 
+    /// Runs it and then prints all that it printed, for programs that run beside others.
+    pub(crate) fn run_in_one_piece(mut self) -> Result<(), XtaskError> {
+        let output = self.command.output();
+        let output = output.map_err(|problem| self.not_started(problem))?;
+        let [printed, problems] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
+        eprintln!("== {}: {}\n{printed}{problems}", self.name, self.words());
+        self.check(output.status)
+    }
+
     /// Runs it and says whether it succeeded; what it prints goes where ours goes.
     pub(crate) fn attempt(mut self) -> Result<bool, XtaskError> {
         self.announce();
@@ -107,6 +116,8 @@ mod tests {
     fn output_is_captured_and_input_is_empty() {
         assert_eq!(Step::new("echo", "echo").args(["a", "b"]).output().unwrap(), "a b\n");
         assert_eq!(Step::new("cat", "cat").output().unwrap(), "");
+        assert!(Step::new("cat", "cat").run_in_one_piece().is_ok());
+        assert!(Step::new("no", "false").run_in_one_piece().is_err());
         assert!(Step::new("env", "sh").args(["-c", "test $A = 1"]).env("A", "1").succeeds());
     }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::error::XtaskError;
 use crate::python::Environment;
 use crate::run::Step;
+use crate::rust_tests::Built;
 use crate::verify::Part;
 use crate::workspace::Workspace;
 use crate::{browser, chromium, dist, fuzz, rust, supply, systems, verify, wheel};
@@ -156,9 +157,16 @@ pub(crate) fn setup(workspace: &Workspace) -> Result<(), XtaskError> {
 }
 
 fn test(workspace: &Workspace) -> Result<(), XtaskError> {
-    setup(workspace)?;
-    cargo(workspace, "Rust tests").args(["test", "--workspace", "--locked"]).run()?;
-    let soilctl = find_soilctl(workspace)?;
+    // What is downloaded waits for networks, what is built for processors.
+    let (ready, built) = std::thread::scope(|scope| {
+        let ready = scope.spawn(|| setup(workspace));
+        let built = Built::new(workspace);
+        (ready.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)), built)
+    });
+    ready?;
+    let built = built?;
+    let soilctl = built.soilctl().to_path_buf();
+    built.run(workspace)?;
     wheel::test(workspace)?;
     // Last, so that a log ends with pytest's summary.
     Step::new("Python tests", workspace.venv_python())
@@ -172,28 +180,9 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
         .run()
 }
 
-/// Asks cargo where the command-line tool is, which a configured target folder decides. It was built for the Rust tests; with
-/// other arguments much would be compiled once more.
+/// Builds the command-line tool as the Rust tests do; with other arguments much would be compiled once more.
 pub(crate) fn find_soilctl(workspace: &Workspace) -> Result<PathBuf, XtaskError> {
-    let name = "find soilctl";
-    let messages = cargo(workspace, name)
-        .args(["test", "--workspace", "--locked", "--no-run", "--message-format=json-render-diagnostics"])
-        .output()?;
-    executable(&messages, "soilctl").ok_or_else(|| XtaskError::Missing {
-        step: name.to_owned(),
-        what: "cargo reported no executable called soilctl".into(),
-        remedy: "see the package in crates/cli".into(),
-    })
-}
-
-/// The file of a program, from cargo's messages (one JSON object a line); that of its own unit tests has the same name.
-fn executable(messages: &str, program: &str) -> Option<PathBuf> {
-    messages.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok()).find_map(
-        |message| {
-            let of_program = message["target"]["name"] == program && message["profile"]["test"] != true;
-            message["executable"].as_str().filter(|_| of_program).map(PathBuf::from)
-        },
-    )
+    Ok(Built::new(workspace)?.soilctl().to_path_buf())
 }
 
 fn pictures(workspace: &Workspace) -> Result<(), XtaskError> {
@@ -264,17 +253,5 @@ mod tests {
         assert!(Task::from_words("fuzz", &words(&["long"])).unwrap_err().contains("long"));
         assert_eq!(Task::from_words("dist", &words(&["t"])), Ok(Task::Dist(Some("t".into()))));
         assert!(Task::from_words("dist", &words(&["t", "u"])).is_err());
-    }
-
-    #[test]
-    fn the_executable_is_taken_from_the_right_message() {
-        let messages = r#"{"reason":"compiler-artifact","target":{"name":"xtask"},"executable":"/t/xtask"}
-not json
-{"reason":"compiler-artifact","target":{"name":"soilctl"},"executable":null}
-{"reason":"compiler-artifact","target":{"name":"soilctl"},"profile":{"test":true},"executable":"/t/debug/deps/soilctl-1"}
-{"reason":"compiler-artifact","target":{"name":"soilctl"},"profile":{"test":false},"executable":"/t/debug/soilctl"}
-{"reason":"build-finished","success":true}"#;
-        assert_eq!(executable(messages, "soilctl"), Some(PathBuf::from("/t/debug/soilctl")));
-        assert_eq!(executable(messages, "other"), None);
     }
 }
