@@ -93,6 +93,7 @@
 mod accuracy;
 mod adapt;
 mod bound;
+mod decide;
 pub mod describe;
 mod error;
 mod fields;
@@ -117,8 +118,10 @@ mod upper;
 mod vector;
 
 pub use bound::{
-    Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, bound, bound_section, falls,
+    Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, WORK_TO_FALL, bound, bound_section,
+    falls, seems_to_fall,
 };
+pub use decide::{Decision, Verdict, decide};
 pub use describe::{Described, Description, DescriptionError};
 pub use error::{LimitError, OneSide};
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};

@@ -12,8 +12,8 @@ use crate::text::number;
 pub struct Answer {
     /// Title of the problem; null if it has none.
     pub title: Option<String>,
-    /// What is bounded; null if nothing was proven.
-    pub quantity: Option<Asked>,
+    /// What must reach it.
+    pub quantity: Asked,
     /// What changes; null if all numbers go from one file to another, and values are parts of that way.
     pub parameter: Option<String>,
     /// What the quantity must reach.
@@ -56,7 +56,7 @@ pub enum Found {
 pub enum Verdict {
     /// The lower bound reaches what is wanted.
     Enough,
-    /// The upper bound does not.
+    /// The upper bound does not, or the ground falls before anything is asked of it.
     NotEnough,
     /// Neither is proven.
     Open,
@@ -67,15 +67,15 @@ pub enum Verdict {
 pub struct Tried {
     /// The value, or the part of the way between two files.
     pub value: f64,
-    /// Proven lower bound, of cases the least; null if there is none.
+    /// Proven lower bound, no sharper than it takes to decide, of cases the least; null if one of them has none.
     pub lower: Option<f64>,
-    /// Proven upper bound, likewise.
+    /// Proven upper bound, likewise; null if none of them has one.
     pub upper: Option<f64>,
-    /// The case of the file that decides; null if it has none.
+    /// The case of the file that has not enough, or else the first that is open; null if all have enough or the file has no cases.
     pub case: Option<String>,
     /// What follows.
     pub verdict: Verdict,
-    /// Why a bound is missing; null if none is.
+    /// How the run ended that leaves it open; null if it is not.
     pub why: Option<String>,
 }
 
@@ -86,9 +86,13 @@ impl Answer {
         let wanted = number(self.wanted);
         let bounds = |value: Option<f64>| {
             let tried = self.tried.iter().find(|one| Some(one.value) == value)?;
-            let (value, bound) =
-                (number(tried.value), |bound: Option<f64>| bound.map_or_else(|| "?".into(), number));
-            Some(format!("{value} ({} to {})", bound(tried.lower), bound(tried.upper)))
+            let proven = match (tried.lower, tried.upper) {
+                (Some(lower), Some(upper)) => format!("{} to {}", number(lower), number(upper)),
+                (Some(lower), None) => format!("at least {}", number(lower)),
+                (None, Some(upper)) => format!("at most {}", number(upper)),
+                (None, None) => "no bounds".to_owned(),
+            };
+            Some(format!("{} ({proven})", number(tried.value)))
         };
         let (enough, not) = (bounds(self.enough_at), bounds(self.not_enough_at));
         let both = match (&enough, &not) {

@@ -12,14 +12,14 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use soilctl_limit_analysis::describe::SweepEntry;
-use soilctl_limit_analysis::{Description, LimitError};
+use soilctl_limit_analysis::{self as limit_analysis, Decision, Description, LimitError};
 use web_time::Instant;
 
 pub use answer::{Answer, Found, Tried, Verdict};
 pub use request::Request;
 
 use crate::files::{can_be_written, refuse_over, save};
-use crate::limits::Budget;
+use crate::limits::{self, Budget};
 use crate::solve::{self, Asked};
 use crate::{AppError, Interrupted, Unwatched, Watch};
 use between::Between;
@@ -53,11 +53,20 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let mut tried: Vec<Tried> = Vec::new();
     let title = description(&changes, from)?.title;
     // Before the first proof, which may take minutes.
+    let mut quantities = Vec::new();
     for end in [from, to] {
-        solve::check::of(description(&changes, end)?, &Unwatched)
+        let checked = solve::check::of(description(&changes, end)?, &Unwatched)
             .map_err(|problem| AppError::Request(format!("at {end}: {problem}")))?;
+        quantities.push(checked.answer.quantity);
     }
-    let mut quantity = None;
+    let quantity = quantities[0];
+    if quantity == Asked::FactorOfSafety && request.wanted <= 0.0 {
+        let problem = format!(
+            "--wanted is {}, and a factor of safety is above 0; give what it must reach",
+            request.wanted
+        );
+        return Err(AppError::Request(problem));
+    }
     let mut is_stopped = false;
     while let Some(part) = search.next() {
         let value = place(part);
@@ -69,7 +78,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         // How many more there will be is not known; each may take a part of what is left.
         let max_seconds = left_s.map(|left| left / (request.most as usize - tried.len()).min(AT_ONCE) as f64);
         let budget = Budget { max_seconds, ..request.budget.clone() };
-        let one = at(&changes, value, request.wanted, budget, watch, &mut quantity)?;
+        let one = at(&changes, value, request.wanted, &budget, watch)?;
         search.add(part, one.verdict);
         tried.push(one);
     }
@@ -130,43 +139,65 @@ fn description(changes: &Changes, value: f64) -> Result<Description, AppError> {
     }
 }
 
-/// What is proven at a value, over all cases of the file.
+/// What is proven at a value, over all cases of the file: all of them must have enough.
 fn at(
     changes: &Changes,
     value: f64,
     wanted: f64,
-    budget: Budget,
+    budget: &Budget,
     watch: &dyn Watch,
-    quantity: &mut Option<Asked>,
 ) -> Result<Tried, AppError> {
-    let request = solve::Request { budget, ..solve::Request::default() };
     let description = description(changes, value)?;
     let has_cases = !description.cases.is_empty();
-    let found = match solve::of(description, &request, watch) {
-        Ok(found) => found.answer,
-        // The problem itself makes no sense with this value.
-        Err(AppError::Limit(
-            problem @ (LimitError::Description(_) | LimitError::NotCovered { .. } | LimitError::Mesh(_)),
-        )) => {
-            return Err(AppError::Request(format!("at {value}: {problem}")));
-        }
-        Err(problem) => {
-            let why = Some(problem.to_string());
-            return Ok(Tried { value, lower: None, upper: None, case: None, verdict: Verdict::Open, why });
-        }
+    let cases = description.cases().map_err(LimitError::from)?;
+    let problems: Vec<(&str, f64, &Description)> = if cases.is_empty() {
+        vec![("", 1.0, &description)]
+    } else {
+        cases.iter().map(|case| (case.name.as_str(), case.resistance, &case.description)).collect()
     };
-    *quantity = Some(found.quantity);
-    let why =
-        found.cases.iter().find_map(|case| case.problem.as_ref().map(|why| format!("{}: {why}", case.name)));
-    // Of cases without bounds nothing is known from below.
-    let lower = found.certified.then_some(found.lower);
-    let verdict = match lower {
-        Some(lower) if lower >= wanted => Verdict::Enough,
-        _ if found.upper < wanted => Verdict::NotEnough,
-        _ => Verdict::Open,
+    let begun = Instant::now();
+    let mut tried = Tried {
+        value,
+        lower: Some(f64::INFINITY),
+        upper: None,
+        case: None,
+        verdict: Verdict::Enough,
+        why: None,
     };
-    let case = found.governing.filter(|_| has_cases);
-    Ok(Tried { value, lower, upper: Some(found.upper), case, verdict, why })
+    for (index, (name, resistance, problem)) in problems.iter().enumerate() {
+        let left_s = budget.max_seconds.map(|all| (all - begun.elapsed().as_secs_f64()).max(1e-3));
+        let max_seconds = left_s.map(|left| left / (problems.len() - index) as f64);
+        let options = Budget { max_seconds, ..budget.clone() }.options(watch)?;
+        let decision = limits::decision(problem, wanted * resistance, &options, watch)
+            .map_err(|problem| AppError::Request(format!("at {value}: {problem}")))?;
+        tried.add(name, *resistance, &decision);
+        // One case without enough is enough to know.
+        if tried.verdict == Verdict::NotEnough {
+            break;
+        }
+    }
+    tried.case = tried.case.filter(|_| has_cases);
+    Ok(tried)
+}
+
+impl Tried {
+    /// One more of the cases.
+    fn add(&mut self, name: &str, resistance: f64, decision: &Decision) {
+        let lower = decision.lower.map(|bound| bound / resistance);
+        let upper = decision.upper.map(|bound| bound / resistance);
+        self.lower = self.lower.zip(lower).map(|(a, b)| a.min(b));
+        self.upper = self.upper.into_iter().chain(upper).reduce(f64::min);
+        let verdict = match decision.verdict {
+            limit_analysis::Verdict::Reached => return,
+            limit_analysis::Verdict::Missed => Verdict::NotEnough,
+            limit_analysis::Verdict::Open => Verdict::Open,
+        };
+        if verdict == Verdict::NotEnough || self.verdict == Verdict::Enough {
+            self.case = Some(name.to_owned());
+            self.why = (verdict == Verdict::Open).then(|| decision.ended.to_string());
+        }
+        self.verdict = verdict;
+    }
 }
 
 /// The problem file with the value that is enough.

@@ -2,19 +2,17 @@
 
 use std::sync::atomic::Ordering;
 
-use soilctl_limit_analysis::{Level, LimitError, Options, Problem, Status, falls};
+use soilctl_limit_analysis::{
+    Level, LimitError, Options, Problem, Status, WORK_TO_FALL, falls, seems_to_fall,
+};
 
 use crate::AppError;
 use crate::text::number;
 
-/// Element steps for a proof that the ground falls, where it seems to; some seconds.
-const WORK: u64 = 300_000;
-
-/// How the solves of a run ended.
+/// The levels of a run, and how their solves ended.
 #[derive(Debug, Default)]
 pub(super) struct Statuses {
-    upper: Vec<Status>,
-    lower: Vec<Status>,
+    levels: Vec<Level>,
     /// Whether a proof was looked for that the ground falls, and the factor on all that acts which it proves not to be borne.
     asked: bool,
     falls_at: Option<f64>,
@@ -24,9 +22,8 @@ impl Statuses {
     /// Takes note of a level. Ends the run if both programs say that there is nothing to find, or if the ground is proven to fall
     /// whatever is asked of it: finer meshes will not change that.
     pub(super) fn see(&mut self, level: &Level, problem: &Problem, options: &Options) {
-        self.upper.push(level.upper.status);
-        self.lower.extend(level.lower.map(|s| s.status));
-        if self.upper.len() <= 1 {
+        self.levels.push(level.clone());
+        if self.levels.len() <= 1 {
             return;
         }
         self.ask(problem, options);
@@ -37,25 +34,22 @@ impl Statuses {
 
     /// Looks for a proof that the ground falls, once, if it seems to.
     fn ask(&mut self, problem: &Problem, options: &Options) {
-        if self.seems_to_fall() && !self.asked {
+        if seems_to_fall(&self.levels) && !self.asked {
             self.asked = true;
             // A problem that cannot be asked this has its own error to tell.
-            self.falls_at = falls(problem, options, WORK).ok().flatten();
+            self.falls_at = falls(problem, options, WORK_TO_FALL).ok().flatten();
         }
-    }
-
-    fn all(statuses: &[Status], wanted: Status) -> bool {
-        !statuses.is_empty() && statuses.iter().all(|s| *s == wanted)
     }
 
     /// No flow is possible. Where only steep flows are, coarse meshes have none either: the stresses must know no limit too.
     fn locked(&self) -> bool {
-        Self::all(&self.upper, Status::Infeasible) && Self::all(&self.lower, Status::Unbounded)
+        self.levels.iter().all(|level| level.upper.status == Status::Infeasible) && self.bears_all()
     }
 
-    /// No stress field is in equilibrium within the strength, or the flow gains without end.
-    fn seems_to_fall(&self) -> bool {
-        Self::all(&self.lower, Status::Infeasible) || Self::all(&self.upper, Status::Unbounded)
+    /// Stresses bear any load.
+    fn bears_all(&self) -> bool {
+        let mut lower = self.levels.iter().filter_map(|level| level.lower).peekable();
+        lower.peek().is_some() && lower.all(|solve| solve.status == Status::Unbounded)
     }
 
     /// A failed run in physical words, as far as they are known.
@@ -64,7 +58,7 @@ impl Statuses {
             return error.into();
         }
         self.ask(problem, options);
-        let meshes = self.upper.len();
+        let meshes = self.levels.len();
         if let Some(factor) = self.falls_at {
             return AppError::Request(format!(
                 "there is no collapse load: the ground fails under its own weight and the dead loads, whatever else acts, which is \
@@ -72,13 +66,13 @@ impl Statuses {
                 number(factor.max(0.0))
             ));
         }
-        if Self::all(&self.lower, Status::Unbounded) {
+        if self.bears_all() {
             return AppError::Request(format!(
                 "no collapse load was found: on {meshes} meshes nothing can move, and stresses bear any load; friction, fixed \
                  boundaries and held structures leave no way out for the ground; set them further away, or free some of the ground"
             ));
         }
-        if self.seems_to_fall() {
+        if seems_to_fall(&self.levels) {
             return AppError::Request(format!(
                 "no bounds were found: on {meshes} meshes no stresses within the strength bear the weight and the dead loads, and \
                  that the ground falls under them is not proven either; allow more elements, work or time, or give it more strength"

@@ -9,8 +9,8 @@ use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Each value is tried with both bounds proven: it is enough if the lower bound of all cases of the file reaches --wanted, and not enough if the \
-    upper bound does not. Values between two that were tried are not proven. Examples: soilctl design cut.toml --parameter member.nail.tensile_kn_per_m --from 0 --to 80 --wanted 1.3; \
+    after_help = "Each value is decided by proof: it is enough if the lower bound of all cases of the file reaches --wanted, and not enough if the \
+    upper bound of one does not. Values between two that were tried are not proven. Examples: soilctl design cut.toml --parameter member.nail.tensile_kn_per_m --from 0 --to 80 --wanted 1.3; \
     soilctl design flat.toml steep.toml --wanted 1.25. Exit codes: 0 found, 1 no end is enough, 3 the bounds leave more open than --within. \
     Docs: docs/problem-file.md."
 )]
@@ -28,9 +28,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
 impl Words for Answer {
     fn text(&self) -> String {
         let mut text = self.title.as_ref().map_or_else(String::new, |t| format!("{t}\n"));
-        if let Some(quantity) = self.quantity {
-            text += &format!("{}\n", quantity.words());
-        }
+        text += &format!("{}\n", self.quantity.words());
         text += &format!("{}\n\n", self.verdict);
         let head = self.parameter.clone().unwrap_or_else(|| "part of the way".into());
         let has_cases = self.tried.iter().any(|one| one.case.is_some());

@@ -18,7 +18,7 @@ use crate::problem::Problem;
 pub(crate) use clock::Clock;
 pub use ended::{Ended, StoppedBy};
 pub use options::Options;
-pub use rest::falls;
+pub use rest::{WORK_TO_FALL, falls, seems_to_fall};
 use run::Run;
 
 /// A proven bound.
@@ -193,7 +193,7 @@ pub fn bound_section(
 }
 
 /// Whether the levels so far, and the lower and upper bound proven, are enough.
-pub(crate) type Enough = dyn Fn(&[Level], [Option<f64>; 2]) -> bool;
+pub(crate) type Enough<'a> = dyn Fn(&[Level], [Option<f64>; 2]) -> bool + 'a;
 
 /// Whether it is proven that what acts is borne, or that it is not: how well matters only where that is in doubt.
 pub(crate) fn is_decided(_: &[Level], [lower, upper]: [Option<f64>; 2]) -> bool {

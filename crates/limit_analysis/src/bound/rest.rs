@@ -4,10 +4,14 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use soilctl_certificate::{Condition, Objective, Statement};
+use soilctl_conic::Status;
 
-use super::{Options, Sides, is_decided, sides};
+use super::{Level, Options, Sides, is_decided, sides};
 use crate::error::LimitError;
 use crate::problem::Problem;
+
+/// [Work](Options::max_work) that is enough to look for a proof that the ground falls, where it seems to: some seconds.
+pub const WORK_TO_FALL: u64 = 300_000;
 
 /// The statement with what is asked for left out: structures are held, live loads are none, and all that acts is what is bounded.
 fn at_rest(statement: &Statement) -> Statement {
@@ -20,6 +24,18 @@ fn at_rest(statement: &Statement) -> Statement {
         }
     }
     rest
+}
+
+/// Whether the ground seems to fall whatever else acts: on no mesh so far do stresses within the strength bear what acts, or on all of
+/// them the flow gains without end. It proves nothing: see [`falls`].
+#[must_use]
+pub fn seems_to_fall(levels: &[Level]) -> bool {
+    let all = |statuses: Vec<Status>, wanted: Status| {
+        !statuses.is_empty() && statuses.iter().all(|status| *status == wanted)
+    };
+    let lower = levels.iter().filter_map(|level| level.lower.map(|solve| solve.status));
+    let upper = levels.iter().map(|level| level.upper.status);
+    all(lower.collect(), Status::Infeasible) || all(upper.collect(), Status::Unbounded)
 }
 
 /// A proof that there is no collapse load, since the ground does not even bear its weight, water and dead loads with all structures
