@@ -2,6 +2,7 @@
 
 import math
 
+import meshio
 import pytest
 from scipy.optimize import brentq
 
@@ -117,7 +118,7 @@ def hinged(moment, h=3.0, phi=34.0, gamma=18.0):
 @pytest.mark.parametrize("moment", [100, 150])
 def test_a_smooth_wall_bends_at_its_moment(soilctl, tmp_path, moment):
     text = WALL.format(moment=moment)
-    answer = solved(soilctl, tmp_path, text, "--max-gap", "0.15", "--max-elements", "6000")
+    answer = solved(soilctl, tmp_path, text, "--max-gap", "0.15", "--max-elements", "6000", "--vtu", tmp_path / "wall.vtu")
     exact = hinged(moment) / 10
     # The faces are smooth but for a thousandth.
     assert answer["lower"] <= exact * 1.01 and answer["upper"] >= exact, (answer["lower"], exact, answer["upper"])
@@ -126,3 +127,13 @@ def test_a_smooth_wall_bends_at_its_moment(soilctl, tmp_path, moment):
     bending = wall["bending"]
     assert abs(bending["greatest_moment"]) <= bending["moment_strength"] == pytest.approx(moment)
     assert bending["hinges"] and wall["utilisation"] > 0.95
+    drawn = meshio.read(tmp_path / "wall.members.vtu")
+    assert [block.type for block in drawn.cells] == ["line"]
+    ends = drawn.points[drawn.cells[0].data]
+    moments, shear = (drawn.point_data[name][drawn.cells[0].data] for name in ("moment", "shear_force"))
+    assert ends[:, :, 0] == pytest.approx(0) and ends[0, 0, 1] == pytest.approx(0) and ends[-1, 1, 1] == pytest.approx(-7.5)
+    assert abs(moments).max() <= moment and abs(moments).max() > 0.95 * moment
+    # What a shear force that changes little along a line adds to the moment; the ends of the wall are free.
+    gained = shear.mean(axis=1) * (ends[:, 0, 1] - ends[:, 1, 1])
+    assert moments[:, 1] - moments[:, 0] == pytest.approx(gained, abs=0.01 * moment)
+    assert moments[0, 0] == pytest.approx(0, abs=0.01 * moment) and moments[-1, 1] == pytest.approx(0, abs=0.01 * moment)

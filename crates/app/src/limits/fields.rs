@@ -4,7 +4,8 @@ use soilctl_certificate::{
     LowerField, Mechanism, ShownSpace, SpaceStress, Statement, UpperField, show_mechanism, show_space,
 };
 use soilctl_limit_analysis::results::{
-    FlowResults, StressResults, Units, write_blocks_vtu, write_space_vtu, write_vtu,
+    FlowResults, StressResults, Units, write_blocks_vtu, write_members_vtu, write_space_vtu,
+    write_vtu,
 };
 
 use crate::AppError;
@@ -73,13 +74,15 @@ impl Fields {
         Ok(write_vtu(self.flow.as_ref(), self.stress.as_ref(), &self.units)?)
     }
 
-    /// What there is in space as further documents for ParaView, each with a word for its name: the `blocks` of the upper bound and
-    /// their velocities, and the stresses of the lower bound about an `end`.
+    /// What there is beside both fields as further documents for ParaView, each with a word for its name: what `members` bear by the lower
+    /// bound, and in space the `blocks` of the upper bound and their velocities, and the stresses of the lower bound about an `end`.
     ///
     /// # Errors
     /// [`AppError`] if a number cannot be written.
-    pub fn vtu_in_space(&self) -> Result<Vec<(&'static str, String)>, AppError> {
+    pub fn further_vtu(&self) -> Result<Vec<(&'static str, String)>, AppError> {
         let mut files = Vec::new();
+        let members = self.stress.as_ref().map(|stress| write_members_vtu(stress, &self.units)).transpose()?;
+        files.extend(members.flatten().map(|text| ("members", text)));
         if let Some((mechanism, places)) = &self.blocks {
             files.push(("blocks", write_blocks_vtu(mechanism, places, &self.units)?));
         }

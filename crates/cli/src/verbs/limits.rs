@@ -33,8 +33,8 @@ pub(crate) struct Show {
           help_heading = "Figures and files")]
     plot_kind: Kind,
 
-    /// Writes the solution for ParaView (.vtu): velocities, stresses, dissipation, soil; for a plate with ends, blocks and stresses in
-    /// space too, in NAME.blocks.vtu and NAME.end.vtu
+    /// Writes the solution for ParaView (.vtu): velocities, stresses, dissipation, soil; what bars and beams bear in
+    /// NAME.members.vtu, and for a plate with ends, blocks and stresses in space in NAME.blocks.vtu and NAME.end.vtu
     #[arg(long, value_name = "FILE", help_heading = "Figures and files")]
     vtu: Option<PathBuf>,
 
@@ -94,7 +94,7 @@ impl Show {
         if let Some(path) = &self.vtu {
             written
                 .add(fields.vtu().and_then(|text| save(path, text.as_bytes())).map(|()| vec![named(path)]));
-            match fields.vtu_in_space() {
+            match fields.further_vtu() {
                 Ok(documents) => {
                     for (word, text) in documents {
                         let path = path.with_extension(format!("{word}.vtu"));

@@ -8,7 +8,7 @@ use super::stress::StressResults;
 use crate::vector::distance;
 
 /// Points between the ends of each edge at which an axial force is told.
-const BETWEEN: usize = 4;
+pub(super) const BETWEEN: usize = 4;
 
 /// A change of velocity below this part of the greatest is rounding.
 const ROUNDING: f64 = 1e-6;
@@ -61,7 +61,7 @@ pub fn farthest(course: &[[f64; 2]]) -> [f64; 2] {
 }
 
 /// A polynomial from its Bernstein coefficients.
-fn polynomial<const N: usize>(coefficients: [f64; N], s: f64) -> f64 {
+pub(super) fn polynomial<const N: usize>(coefficients: [f64; N], s: f64) -> f64 {
     let mut values = coefficients;
     for last in (1..N).rev() {
         for i in 0..last {

@@ -44,6 +44,7 @@ mod tests;
 mod units;
 mod vtu;
 mod vtu_file;
+mod vtu_members;
 mod vtu_space;
 mod work;
 
@@ -58,6 +59,7 @@ pub use stress::{Principal, StressResults};
 pub use surface::{MOVING, Stretch};
 pub use units::{Units, problem_units};
 pub use vtu::write_vtu;
+pub use vtu_members::write_members_vtu;
 pub use vtu_space::{write_blocks_vtu, write_space_vtu};
 pub use work::shear_work;
 

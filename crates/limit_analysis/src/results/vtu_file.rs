@@ -9,6 +9,7 @@ use crate::error::LimitError;
 /// The shape of all cells of a file.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shape {
+    Line,
     Triangle,
     Tetrahedron,
     /// Three corners, then the middles of the edges from corner 0 to 1, from 1 to 2, and from 2 to 0.
@@ -19,6 +20,7 @@ impl Shape {
     /// Points of a cell.
     const fn points(self) -> usize {
         match self {
+            Self::Line => 2,
             Self::Triangle => 3,
             Self::Tetrahedron => 4,
             Self::QuadraticTriangle => 6,
@@ -28,6 +30,7 @@ impl Shape {
     /// VTK's number of it.
     const fn number(self) -> u8 {
         match self {
+            Self::Line => 3,
             Self::Triangle => 5,
             Self::Tetrahedron => 10,
             Self::QuadraticTriangle => 22,
