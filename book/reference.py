@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PLATE = ["--alpha", "80", "--phi", "40", "--delta", "25"]
 STROKES = ["estimate", "data/soils/ticino_rained/strokes.csv", "--delta", "23"]
 #: Modules beside the package itself; most are imported on their own, since they need other packages.
-PARTS = ["gym", "mesh", "plot", "use_cases", "xarray"]
+PARTS = ["gym", "mesh", "plot", "problem", "use_cases", "xarray"]
 FIGURES = {
     "surfaces": ["predict", *PLATE],
     "velocity": ["bound", "--alpha", "80", "--phi", "35", "--delta", "20", "--max-gap", "0.05"],

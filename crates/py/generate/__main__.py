@@ -1,4 +1,5 @@
-"""Writes what follows from the compiled module: `use_cases.py` from the JSON schemas of the use cases, and the docstrings of `_native.pyi`.
+"""Writes what follows from the compiled module: `use_cases.py` from the JSON schemas of the use cases, and the docstrings of `_native.pyi`; and
+`problem.py`, from the schema of problem files.
 
     python crates/py/generate
 
@@ -9,14 +10,17 @@ from __future__ import annotations
 
 import importlib.machinery
 import importlib.util
+import json
 import sys
 from pathlib import Path
 from types import ModuleType
 
+from problem import problem
 from stub import stub
 from use_cases import use_cases
 
 PACKAGE = Path(__file__).resolve().parents[1] / "python" / "soilctl"
+PROBLEM = Path(__file__).resolve().parents[3] / "docs/schemas/soilctl.problem.1.json"
 
 
 def native() -> ModuleType:
@@ -36,6 +40,7 @@ def files(module: ModuleType) -> dict[Path, str]:
     """The files by path, as they should be."""
     path = PACKAGE / "_native.pyi"
     return {
+        PACKAGE / "problem.py": problem(json.loads(PROBLEM.read_text(encoding="utf-8"))),
         PACKAGE / "use_cases.py": use_cases(module.use_case_schemas()),
         path: stub(path.read_text(encoding="utf-8"), module),
     }

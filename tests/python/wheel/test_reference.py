@@ -45,7 +45,7 @@ def test_every_public_name_is_in_the_reference():
     page = reference.python()
     for name in soilctl.__all__:
         assert name.startswith("__") or f"## {name}\n" in page
-    for part in ("gym", "mesh", "plot", "use_cases", "xarray"):
+    for part in ("gym", "mesh", "plot", "problem", "use_cases", "xarray"):
         module = pytest.importorskip(f"soilctl.{part}")
         assert f"## soilctl.{part}\n" in page
         for name in module.__all__:
