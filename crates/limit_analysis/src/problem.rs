@@ -224,6 +224,11 @@ impl Problem {
         self.statement.members[member].bending.is_some()
     }
 
+    /// Whether any member is a beam.
+    pub(crate) fn has_beams(&self) -> bool {
+        self.statement.members.iter().any(|member| member.bending.is_some())
+    }
+
     /// Index of the point at the start (0) or the end (1) of a member.
     pub(crate) fn member_end_point(&self, member: usize, end: usize) -> usize {
         let path = &self.statement.members[member].path;

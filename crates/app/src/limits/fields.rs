@@ -4,8 +4,7 @@ use soilctl_certificate::{
     LowerField, Mechanism, ShownSpace, SpaceStress, Statement, UpperField, show_mechanism, show_space,
 };
 use soilctl_limit_analysis::results::{
-    FlowResults, StressResults, Units, write_blocks_vtu, write_members_vtu, write_space_vtu,
-    write_vtu,
+    FlowResults, StressResults, Units, write_blocks_vtu, write_members_vtu, write_space_vtu, write_vtu,
 };
 
 use crate::AppError;
@@ -81,7 +80,8 @@ impl Fields {
     /// [`AppError`] if a number cannot be written.
     pub fn further_vtu(&self) -> Result<Vec<(&'static str, String)>, AppError> {
         let mut files = Vec::new();
-        let members = self.stress.as_ref().map(|stress| write_members_vtu(stress, &self.units)).transpose()?;
+        let members =
+            self.stress.as_ref().map(|stress| write_members_vtu(stress, &self.units)).transpose()?;
         files.extend(members.flatten().map(|text| ("members", text)));
         if let Some((mechanism, places)) = &self.blocks {
             files.push(("blocks", write_blocks_vtu(mechanism, places, &self.units)?));

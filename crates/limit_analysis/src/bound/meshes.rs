@@ -43,13 +43,13 @@ impl Run<'_> {
 
     /// A mesh for the lower bound, as fine as that of a level, where it differs.
     pub(super) fn lower_mesh(&self, level: usize) -> Result<Option<(Mesh, Topology)>, LimitError> {
-        let fans = match self.begin.lower_fans(level) {
+        let fans = match self.begin.lower_fans(self.spared + level) {
             Some(fans) => fans,
             // That of the upper bound is cut.
-            None if !self.begin.slides.is_empty() => self.begin.fans(level),
+            None if !self.begin.slides.is_empty() => self.begin.fans(self.spared + level),
             None => return Ok(None),
         };
-        let target = if level == 0 { FIRST } else { self.meshes[level].0.triangles.len() as f64 };
+        let target = if level == 0 { self.target } else { self.meshes[level].0.triangles.len() as f64 };
         Ok(Some(self.mesh(target, &fans, &self.guides)?))
     }
 }

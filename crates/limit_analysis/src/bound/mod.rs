@@ -20,6 +20,7 @@ pub use ended::{Ended, StoppedBy};
 pub use options::Options;
 pub use rest::{WORK_TO_FALL, falls, seems_to_fall};
 use run::Run;
+pub(crate) use run::Seed;
 
 /// A proven bound.
 #[derive(Debug, Clone)]
@@ -208,8 +209,22 @@ pub(crate) fn sides(
     is_enough: &Enough,
     progress: &mut dyn FnMut(&Level, Option<f64>),
 ) -> Result<Sides, LimitError> {
+    continued(problem, options, None, is_enough, progress).map(|(sides, _)| sides)
+}
+
+/// As [`sides`], from where a run on the same ground with other strengths has ended; and what it leaves to the next.
+pub(crate) fn continued(
+    problem: &Problem,
+    options: &Options,
+    seed: Option<Seed>,
+    is_enough: &Enough,
+    progress: &mut dyn FnMut(&Level, Option<f64>),
+) -> Result<(Sides, Option<Seed>), LimitError> {
     problem.covered()?;
-    let mut run = Run::new(problem, options);
+    let mut run = match seed {
+        Some(seed) => Run::seeded(problem, options, seed),
+        None => Run::new(problem, options),
+    };
     let ended = loop {
         let ended = run.level(progress)?;
         if let Some(what) = uncovered(&run.levels) {
@@ -224,8 +239,9 @@ pub(crate) fn sides(
             break Ended::Stopped;
         }
     };
-    let (work, seconds) = (run.spent, run.clock.elapsed());
-    Ok(Sides { lower: run.lower, upper: run.upper, levels: run.levels, ended, work, seconds })
+    let (work, seconds, seed) = (run.spent, run.clock.elapsed(), run.seed());
+    let Run { lower, upper, levels, .. } = run;
+    Ok((Sides { lower, upper, levels, ended, work, seconds }, seed))
 }
 
 /// What keeps the checker from proving any bound of one side, on more than one mesh.

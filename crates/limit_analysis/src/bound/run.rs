@@ -49,6 +49,25 @@ struct Cost {
     seconds: f64,
 }
 
+/// What a run leaves to one of the same ground with other strengths: it begins on a mesh nearly as fine.
+#[derive(Debug, Clone)]
+pub(crate) struct Seed {
+    shares: (Mesh, Vec<f64>),
+    guides: Vec<Guide>,
+    need: Need,
+    /// Its last level, what that was asked to have of elements, and how many levels there were.
+    last: Level,
+    target: f64,
+    count: usize,
+}
+
+impl Seed {
+    /// Elements of the last mesh.
+    pub(crate) fn elements(&self) -> usize {
+        self.last.upper.elements
+    }
+}
+
 /// A run so far.
 pub(super) struct Run<'a> {
     pub(super) problem: &'a Problem,
@@ -67,11 +86,14 @@ pub(super) struct Run<'a> {
     /// What the last upper bound needed.
     pub(super) need: Need,
     /// Elements asked for on the last mesh.
-    target: f64,
+    pub(super) target: f64,
     /// Shares in the gap of the triangles of the last mesh for which they are known, before it was cut.
     pub(super) shares: Option<(Mesh, Vec<f64>)>,
     /// Slip lines for the next mesh.
     pub(super) guides: Vec<Guide>,
+    /// Levels that a run before this one has spared it, and the last of that run.
+    pub(super) spared: usize,
+    before: Option<Level>,
 }
 
 impl<'a> Run<'a> {
@@ -95,12 +117,42 @@ impl<'a> Run<'a> {
             target: FIRST,
             shares: None,
             guides,
+            spared: 0,
+            before: None,
         }
+    }
+
+    /// The same from what a run on the same ground has left: its first mesh is as that run's last but one.
+    pub(super) fn seeded(problem: &'a Problem, options: &'a Options, seed: Seed) -> Self {
+        let Seed { shares, guides, need, last, target, count } = seed;
+        let run = Self::new(problem, options);
+        let guides = if guides.is_empty() { run.guides } else { guides };
+        Self {
+            shares: Some(shares),
+            guides,
+            need,
+            target: target / GROWTH,
+            spared: count.saturating_sub(2),
+            before: Some(last),
+            ..run
+        }
+    }
+
+    /// What it leaves to the next; nothing if it is not known where its gap is.
+    pub(super) fn seed(&self) -> Option<Seed> {
+        Some(Seed {
+            shares: self.shares.clone()?,
+            guides: self.guides.clone(),
+            need: self.need,
+            last: self.levels.last()?.clone(),
+            target: self.target,
+            count: self.spared + self.levels.len(),
+        })
     }
 
     /// What a solve on `elements` is expected to take, from the last one like it.
     fn estimate(&self, elements: f64, of: impl Fn(&Level) -> Option<Solve>) -> Cost {
-        self.levels.iter().rev().find_map(of).map_or(Cost::default(), |last| {
+        self.before.iter().chain(&self.levels).rev().find_map(of).map_or(Cost::default(), |last| {
             let ratio = elements / last.elements as f64;
             Cost {
                 work: SPARE * last.work as f64 * ratio.powf(WORK),
@@ -117,7 +169,7 @@ impl<'a> Run<'a> {
     /// About how many elements the next mesh shall have, or why there is none.
     fn next_target(&self) -> Result<f64, Ended> {
         let Some(last) = self.levels.last() else {
-            return if self.capacity() < FIRST { Err(Ended::Memory) } else { Ok(FIRST) };
+            return if self.capacity() < self.target { Err(Ended::Memory) } else { Ok(self.target) };
         };
         if self.options.stop.load(Ordering::Relaxed) {
             return Err(Ended::Stopped);
@@ -165,7 +217,7 @@ impl<'a> Run<'a> {
         self.mobile = self.begin.mobile(if is_lost { 0 } else { number }, &self.guides);
         let mut guides = self.guides.clone();
         guides.extend(self.mobile.guide());
-        let made = self.mesh(target, &self.begin.fans(number), &guides)?;
+        let made = self.mesh(target, &self.begin.fans(self.spared + number), &guides)?;
         let Cut { mesh, topology, uncut } = slide::cut(self.problem, made, &self.begin.slides);
         let made = (mesh, topology);
         if made.0.triangles.len() as f64 > self.capacity() {

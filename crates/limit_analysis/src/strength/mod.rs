@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 
 use soilctl_certificate::{LowerField, UpperField};
 
-use crate::bound::{Bound, Clock, Ended, Level, Options, Sides, is_decided, sides};
+use crate::bound::{Bound, Clock, Ended, Level, Options, Seed, Sides, continued, is_decided};
 use crate::describe::{Described, Description, PoreField};
 use crate::error::{LimitError, OneSide};
 use guess::guess;
@@ -57,8 +57,12 @@ const MAX_TRIALS: usize = 60;
 /// So many trials that prove nothing are given up.
 const MAX_BLIND: usize = 6;
 
-/// Part of the work and time left that one trial may take.
+/// Parts of the work and time left that one trial may take: the first, a later one at least, and at most if the last one that was
+/// left open took so much; it takes more than that one to be decided.
+const FIRST_SHARE: f64 = 0.2;
 const SHARE: f64 = 0.25;
+const MOST_SHARE: f64 = 0.5;
+const LONGER: f64 = 1.5;
 
 /// With less than this part of all time or work left, a trial that is not sharp enough is the last one.
 const LEAST_LEFT: f64 = 0.15;
@@ -91,6 +95,8 @@ pub fn factor_of_safety(
         pores,
         found: Found::default(),
         limit: Ended::Elements,
+        open: None,
+        seed: None,
     };
     let ended = loop {
         if run.search.is_done() {
@@ -139,6 +145,15 @@ struct Run<'a> {
     found: Found,
     /// What kept the last trial that was left open from getting sharper.
     limit: Ended,
+    /// What it took, in element steps and seconds.
+    open: Option<[f64; 2]>,
+    /// Where trials begin: as finely as those before them have shown to be needed.
+    seed: Option<Seed>,
+}
+
+/// What a trial may take of what is left.
+fn share(left: f64, last_open: Option<f64>) -> f64 {
+    last_open.map_or(FIRST_SHARE * left, |last| (LONGER * last).clamp(SHARE * left, MOST_SHARE * left))
 }
 
 impl Run<'_> {
@@ -164,15 +179,18 @@ impl Run<'_> {
         let described = self.description.reduced(factor).described_under(self.pores.as_ref())?;
         let options = Options {
             max_gap: self.search.trial_gap,
-            max_work: (SHARE * self.remaining() as f64) as u64,
-            max_seconds: self.clock.left().map(|left| SHARE * left),
+            max_work: share(self.remaining() as f64, self.open.map(|[work, _]| work)) as u64,
+            max_seconds: self.clock.left().map(|left| share(left, self.open.map(|[_, seconds]| seconds))),
             ..self.options.clone()
         };
-        let solved = sides(&described.problem()?, &options, &is_decided, &mut |level, _| {
+        let problem = described.problem()?;
+        // Far from the limit coarse meshes decide; and walls fail in ways that take turns, so that a mesh for one is none for the next.
+        let seed = self.seed.clone().filter(|_| self.search.is_near() && !problem.has_beams());
+        let solved = continued(&problem, &options, seed, &is_decided, &mut |level, _| {
             let lower = level.lower.and_then(|solve| solve.proven);
             progress(factor, level, self.search.gap_with(factor, lower, level.upper.proven));
         });
-        let Sides { lower, upper, ended, work, .. } = solved?;
+        let (Sides { lower, upper, ended, work, seconds, .. }, seed) = solved?;
         self.spent += work;
         self.is_cut |= ended == Ended::Time;
         let both = self.found.lower.is_some() && self.found.upper.is_some();
@@ -195,6 +213,15 @@ impl Run<'_> {
             self.found.upper = Some(SafetyProof { factor, described, bound });
         }
         self.search.add(trial);
+        if trial.is_open() {
+            self.open = Some([work as f64, seconds]);
+        }
+        // One that is far from the limit is decided on a coarse mesh, and shows little of it.
+        if let Some(seed) = seed.filter(|seed| {
+            trial.is_open() || self.seed.as_ref().is_none_or(|old| old.elements() < seed.elements())
+        }) {
+            self.seed = Some(seed);
+        }
         if unsharp {
             self.limit = ended;
         }

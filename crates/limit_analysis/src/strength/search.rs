@@ -150,6 +150,12 @@ impl Search {
         self.trials.push(trial);
     }
 
+    /// Whether a factor was left open, or the proven ones on both sides of the limit are next to each other.
+    pub(super) fn is_near(&self) -> bool {
+        self.open().next().is_some()
+            || self.stands.zip(self.fails).is_some_and(|(stands, fails)| (fails / stands).ln() < NEAR)
+    }
+
     /// Relative distance of what is proven.
     pub(super) fn gap(&self) -> Option<f64> {
         self.gap_with(f64::NAN, None, None)
