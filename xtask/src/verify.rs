@@ -17,6 +17,9 @@ const CASES: &str = "20000";
 /// The same where a case is a mesh or a problem.
 const MESH_CASES: &str = "2000";
 
+/// Random slopes with a bar in them, and as many random walls.
+const STRUCTURES: &str = "300";
+
 /// Damaged copies of each recording.
 const MUTANTS: &str = "2500";
 
@@ -32,6 +35,7 @@ pub(crate) enum Part {
     Properties,
     Meshes,
     Exact,
+    Structures,
     Ends,
     Arm,
     Mutants,
@@ -44,10 +48,15 @@ pub(crate) enum Part {
     Windows,
 }
 
-pub(crate) const PARTS: [(Part, &str, &str); 13] = [
+pub(crate) const PARTS: [(Part, &str, &str); 14] = [
     (Part::Properties, "properties", "property tests with 20000 cases each"),
     (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
     (Part::Exact, "exact", "known collapse loads on fine meshes"),
+    (
+        Part::Structures,
+        "structures",
+        "300 random slopes with bars and 300 random walls: the order of their bounds",
+    ),
     (Part::Ends, "ends", "a thousand plates with ends: the order of their bounds, and proofs"),
     (Part::Arm, "arm", "millions of steps, and many killed processes"),
     (
@@ -99,6 +108,9 @@ impl Part {
             Self::Exact => {
                 ignored(workspace, "known collapse loads", &["exact", "describe", "plates", "sand"], "exact")
             }
+            Self::Structures => tests(workspace, "random ground with structures", &["random_structures"])
+                .env("STRUCTURES", STRUCTURES)
+                .run(),
             Self::Ends => ignored(workspace, "a thousand plates with ends", &["ends"], "plates"),
             Self::Arm => ignored(workspace, "long tests of the arm", &["kill", "log", "no_allocation"], ""),
             Self::Mutants => tests(
