@@ -52,7 +52,7 @@ def cut(cohesion_kpa, outline):
         Problem("cut in clay", default_boundary="fixed")
         .soil("clay", phi_deg=0, unit_weight_kn_m3=18, cohesion_kpa=cohesion_kpa)
         .region("clay", outline)
-        .boundary("free", line=outline[[1, 0, 5, 4, 3]] if isinstance(outline, np.ndarray) else [outline[i] for i in (1, 0, 5, 4, 3)])
+        .boundary("free", line=outline[[1, 0, 5, 4]] if isinstance(outline, np.ndarray) else [outline[i] for i in (1, 0, 5, 4)])
         .objective_strength_reduction()
     )
 

@@ -1540,26 +1540,30 @@ class DesignTried(Record):
     """A value that was tried.
 
     Attributes:
-        case: The case of the file that decides; null if it has none.
-        lower: Proven lower bound, of cases the least; null if there is none.
-        upper: Proven upper bound, likewise.
+        case: The case of the file that has not enough, or else the first that is open; null if all have enough or
+            the file has no cases.
+        lower: Proven lower bound, no sharper than it takes to decide, of cases the least; null if one of them has
+            none.
+        upper: Proven upper bound, likewise; null if none of them has one.
         value: The value, or the part of the way between two files.
         verdict: What follows.
-        why: Why a bound is missing; null if none is.
+        why: How the run ended that leaves it open; null if it is not.
     """
 
     case: str | None
-    """The case of the file that decides; null if it has none."""
+    """The case of the file that has not enough, or else the first that is open; null if all have enough or the file
+    has no cases.
+    """
     lower: float | None
-    """Proven lower bound, of cases the least; null if there is none."""
+    """Proven lower bound, no sharper than it takes to decide, of cases the least; null if one of them has none."""
     upper: float | None
-    """Proven upper bound, likewise."""
+    """Proven upper bound, likewise; null if none of them has one."""
     value: float
     """The value, or the part of the way between two files."""
     verdict: Literal["enough", "not_enough", "open"]
     """What follows."""
     why: str | None
-    """Why a bound is missing; null if none is."""
+    """How the run ended that leaves it open; null if it is not."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -1573,7 +1577,7 @@ class DesignAnswer(Answer):
         found: How the search ended.
         not_enough_at: The value that is proven not to be enough and nearest to that; null if none is.
         parameter: What changes; null if all numbers go from one file to another, and values are parts of that way.
-        quantity: What is bounded; null if nothing was proven.
+        quantity: What must reach it.
         seconds: Time spent in s.
         title: Title of the problem; null if it has none.
         tried: All values that were tried, in ascending order.
@@ -1593,8 +1597,8 @@ class DesignAnswer(Answer):
     """The value that is proven not to be enough and nearest to that; null if none is."""
     parameter: str | None
     """What changes; null if all numbers go from one file to another, and values are parts of that way."""
-    quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"] | None
-    """What is bounded; null if nothing was proven."""
+    quantity: Literal["force_kn_per_m", "load_factor", "weight_factor", "acceleration_over_g", "factor_of_safety"]
+    """What must reach it."""
     seconds: float
     """Time spent in s."""
     title: str | None
