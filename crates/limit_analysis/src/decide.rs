@@ -6,11 +6,12 @@ use std::cell::OnceCell;
 use crate::bound::{Options, WORK_TO_FALL, falls, is_decided, seems_to_fall, sides};
 use crate::describe::{Aim, Described, Description};
 use crate::error::LimitError;
+use crate::strength::ROUNDING;
 use crate::{Ended, Level};
 
 /// What is proven of a quantity and a value that it is to reach.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Reach {
     /// The lower bound reaches it.
     Reached,
     /// The upper bound does not reach it, but for rounding (1e-14 of the value), or the ground falls under what it bears before anything is
@@ -24,7 +25,7 @@ pub enum Verdict {
 #[derive(Debug, Clone, Copy)]
 pub struct Decision {
     /// What is proven.
-    pub verdict: Verdict,
+    pub reach: Reach,
     /// A lower bound on the quantity in the units of the description, if there is one.
     pub lower: Option<f64>,
     /// An upper bound, likewise.
@@ -32,10 +33,6 @@ pub struct Decision {
     /// Why there is no more; [`Ended::Gap`] if it is decided.
     pub ended: Ended,
 }
-
-/// A factor of safety is decided at a factor greater than the one wanted by so much, so that rounding the reduced strengths
-/// does not matter.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Decides whether what a description asks for (a force in kN/m, a factor, an acceleration over gravity) reaches a value, which for
 /// a factor of safety must be above zero. `progress` is told each level.
@@ -54,17 +51,18 @@ pub fn decide(
     if description.objective != (Aim::StrengthReduction {}) {
         return of_quantity(&described, wanted, options, progress);
     }
-    // With strength divided by what is wanted the soil either stands under all that acts or does not.
+    // With strength divided by what is wanted the soil either stands under all that acts or does not. It is divided by a little more, so that
+    // rounding the reduced strengths does not matter.
     let factor = wanted * (1.0 + 2.0 * ROUNDING);
     let weaker = description.reduced(factor).described_under(description.pore_field()?.as_ref())?;
     let found = sides(&weaker.problem()?, options, &is_decided, progress)?;
     let [lower, upper] = [found.lower.map(|b| b.value), found.upper.map(|b| b.value)];
-    let (verdict, lower, upper) = match (lower, upper) {
-        (Some(lower), _) if lower >= 1.0 => (Verdict::Reached, Some(wanted), None),
-        (_, Some(upper)) if upper < 1.0 => (Verdict::Missed, None, Some(factor * (1.0 + ROUNDING))),
-        _ => (Verdict::Open, None, None),
+    let (reach, lower, upper) = match (lower, upper) {
+        (Some(lower), _) if lower >= 1.0 => (Reach::Reached, Some(wanted), None),
+        (_, Some(upper)) if upper < 1.0 => (Reach::Missed, None, Some(factor * (1.0 + ROUNDING))),
+        _ => (Reach::Open, None, None),
     };
-    Ok(Decision::new(verdict, lower, upper, found.ended))
+    Ok(Decision::new(reach, lower, upper, found.ended))
 }
 
 /// Where bounds on the quantity itself tell.
@@ -84,23 +82,23 @@ fn of_quantity(
     let is_enough = |levels: &[Level], [lower, upper]: [Option<f64>; 2]| {
         let lower = lower.map(|bound| in_units(described, bound, 0));
         let upper = upper.map(|bound| in_units(described, bound, 1));
-        verdict(wanted, lower, upper) != Verdict::Open || is_falling(levels)
+        reach(wanted, lower, upper) != Reach::Open || is_falling(levels)
     };
     let found = sides(&problem, options, &is_enough, progress)?;
     let lower = found.lower.map(|bound| in_units(described, bound.value, 0));
     let upper = found.upper.map(|bound| in_units(described, bound.value, 1));
-    let verdict = match verdict(wanted, lower, upper) {
+    let reach = match reach(wanted, lower, upper) {
         // There is no load that it bears.
-        Verdict::Open if lower.is_none() && is_falling(&found.levels) => Verdict::Missed,
-        verdict => verdict,
+        Reach::Open if lower.is_none() && is_falling(&found.levels) => Reach::Missed,
+        reach => reach,
     };
-    Ok(Decision::new(verdict, lower, upper, found.ended))
+    Ok(Decision::new(reach, lower, upper, found.ended))
 }
 
 impl Decision {
-    fn new(verdict: Verdict, lower: Option<f64>, upper: Option<f64>, ended: Ended) -> Self {
-        let ended = if verdict == Verdict::Open { ended } else { Ended::Gap };
-        Self { verdict, lower, upper, ended }
+    fn new(reach: Reach, lower: Option<f64>, upper: Option<f64>, ended: Ended) -> Self {
+        let ended = if reach == Reach::Open { ended } else { Ended::Gap };
+        Self { reach, lower, upper, ended }
     }
 }
 
@@ -109,10 +107,10 @@ fn in_units(described: &Described, bound: f64, side: usize) -> f64 {
     described.in_units([bound; 2])[side]
 }
 
-fn verdict(wanted: f64, lower: Option<f64>, upper: Option<f64>) -> Verdict {
+fn reach(wanted: f64, lower: Option<f64>, upper: Option<f64>) -> Reach {
     match (lower, upper) {
-        (Some(lower), _) if lower >= wanted => Verdict::Reached,
-        (_, Some(upper)) if upper < wanted => Verdict::Missed,
-        _ => Verdict::Open,
+        (Some(lower), _) if lower >= wanted => Reach::Reached,
+        (_, Some(upper)) if upper < wanted => Reach::Missed,
+        _ => Reach::Open,
     }
 }

@@ -121,7 +121,7 @@ pub use bound::{
     Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, WORK_TO_FALL, bound, bound_section,
     falls, seems_to_fall,
 };
-pub use decide::{Decision, Verdict, decide};
+pub use decide::{Decision, Reach, decide};
 pub use describe::{Described, Description, DescriptionError};
 pub use error::{LimitError, OneSide};
 pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};

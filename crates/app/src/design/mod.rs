@@ -12,7 +12,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use soilctl_limit_analysis::describe::SweepEntry;
-use soilctl_limit_analysis::{self as limit_analysis, Decision, Description, LimitError};
+use soilctl_limit_analysis::{Decision, Description, LimitError, Reach};
 use web_time::Instant;
 
 pub use answer::{Answer, Found, Tried, Verdict};
@@ -53,13 +53,12 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let mut tried: Vec<Tried> = Vec::new();
     let title = description(&changes, from)?.title;
     // Before the first proof, which may take minutes.
-    let mut quantities = Vec::new();
-    for end in [from, to] {
-        let checked = solve::check::of(description(&changes, end)?, &Unwatched)
-            .map_err(|problem| AppError::Request(format!("at {end}: {problem}")))?;
-        quantities.push(checked.answer.quantity);
-    }
-    let quantity = quantities[0];
+    let asked_at = |end: f64| match solve::check::of(description(&changes, end)?, &Unwatched) {
+        Ok(checked) => Ok(checked.answer.quantity),
+        Err(problem) => Err(AppError::Request(format!("at {end}: {problem}"))),
+    };
+    asked_at(from)?;
+    let quantity = asked_at(to)?;
     if quantity == Asked::FactorOfSafety && request.wanted <= 0.0 {
         let problem = format!(
             "--wanted is {}, and a factor of safety is above 0; give what it must reach",
@@ -183,14 +182,18 @@ fn at(
 impl Tried {
     /// One more of the cases.
     fn add(&mut self, name: &str, resistance: f64, decision: &Decision) {
-        let lower = decision.lower.map(|bound| bound / resistance);
-        let upper = decision.upper.map(|bound| bound / resistance);
+        // One rounding, outwards.
+        let over = |bound: f64, outwards: fn(f64) -> f64| {
+            if resistance == 1.0 { bound } else { outwards(bound / resistance) }
+        };
+        let lower = decision.lower.map(|bound| over(bound, f64::next_down));
+        let upper = decision.upper.map(|bound| over(bound, f64::next_up));
         self.lower = self.lower.zip(lower).map(|(a, b)| a.min(b));
         self.upper = self.upper.into_iter().chain(upper).reduce(f64::min);
-        let verdict = match decision.verdict {
-            limit_analysis::Verdict::Reached => return,
-            limit_analysis::Verdict::Missed => Verdict::NotEnough,
-            limit_analysis::Verdict::Open => Verdict::Open,
+        let verdict = match decision.reach {
+            Reach::Reached => return,
+            Reach::Missed => Verdict::NotEnough,
+            Reach::Open => Verdict::Open,
         };
         if verdict == Verdict::NotEnough || self.verdict == Verdict::Enough {
             self.case = Some(name.to_owned());

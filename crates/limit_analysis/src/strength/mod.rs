@@ -68,7 +68,7 @@ const LONGER: f64 = 1.5;
 const LEAST_LEFT: f64 = 0.15;
 
 /// Rounding of reduced angles and cohesions, made good in the factors.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Bounds the factor of safety: what cohesion and the tangents of all friction angles, of soils and faces, can be divided
 /// by. For each factor that is tried, the factor on everything that acts (weight, water, loads) is bounded: it is one where the soil
@@ -184,7 +184,8 @@ impl Run<'_> {
             ..self.options.clone()
         };
         let problem = described.problem()?;
-        // Far from the limit coarse meshes decide; and walls fail in ways that take turns, so that a mesh for one is none for the next.
+        // Far from the limit coarse meshes decide. How a wall fails changes with the strength: a mesh refined for one way is coarse
+        // where the next one needs it.
         let seed = self.seed.clone().filter(|_| self.search.is_near() && !problem.has_beams());
         let solved = continued(&problem, &options, seed, &is_decided, &mut |level, _| {
             let lower = level.lower.and_then(|solve| solve.proven);
