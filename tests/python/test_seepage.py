@@ -219,3 +219,12 @@ def test_ground_that_needs_a_permeability_is_asked_for_it(soilctl, tmp_path):
     stiff = LAYER.format(foot=-5).replace("permeability_m_per_s = 2e-5\n", "").replace("[[region]]", SILT + "[[region]]", 1)
     file.write_text(stiff + SILT_BELOW)
     soilctl.refuses("solve", file, "--check", mentions=["each needs permeability_m_per_s"])
+
+
+def test_any_water_level_can_be_cut(soilctl, tmp_path):
+    # At the first of these levels a point where lines along the slope meet was not on all of them.
+    text = (DATA / "problems/dam_seepage.toml").read_text()
+    for head_m in [3.6125, *np.linspace(1, 4.8, 6)]:
+        file = tmp_path / "dam.toml"
+        file.write_text(text.replace("head_m = 4", f"head_m = {head_m}"))
+        assert soilctl.json("solve", file, "--check")["seepage"]["heads"][0]["head_m"] == head_m

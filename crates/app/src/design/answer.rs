@@ -75,7 +75,7 @@ pub struct Tried {
     pub case: Option<String>,
     /// What follows.
     pub verdict: Verdict,
-    /// How the run ended that leaves it open; null if it is not.
+    /// How the run ended that leaves it open, or why it could not begin; null if it is not open.
     pub why: Option<String>,
 }
 

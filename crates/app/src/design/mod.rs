@@ -37,7 +37,7 @@ enum Changes {
 /// Searches the least value that is enough.
 ///
 /// # Errors
-/// [`AppError`] if the request or a file makes no sense, or the problem does not at a value that is tried.
+/// [`AppError`] if the request or a file makes no sense, or the problem does not at one of the ends.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     crate::request::check(request)?;
     if let Some(out) = &request.out {
@@ -167,9 +167,11 @@ fn at(
         let left_s = budget.max_seconds.map(|all| (all - begun.elapsed().as_secs_f64()).max(1e-3));
         let max_seconds = left_s.map(|left| left / (problems.len() - index) as f64);
         let options = Budget { max_seconds, ..budget.clone() }.options(watch)?;
-        let decision = limits::decision(problem, wanted * resistance, &options, watch)
-            .map_err(|problem| AppError::Request(format!("at {value}: {problem}")))?;
-        tried.add(name, *resistance, &decision);
+        match limits::decision(problem, wanted * resistance, &options, watch) {
+            Ok(decision) => tried.add(name, *resistance, &decision),
+            // Both ends make sense, so what was found so far is worth keeping.
+            Err(problem) => tried.leave_open(name, problem.to_string()),
+        }
         // One case without enough is enough to know.
         if tried.verdict == Verdict::NotEnough {
             break;
@@ -190,16 +192,20 @@ impl Tried {
         let upper = decision.upper.map(|bound| over(bound, f64::next_up));
         self.lower = self.lower.zip(lower).map(|(a, b)| a.min(b));
         self.upper = self.upper.into_iter().chain(upper).reduce(f64::min);
-        let verdict = match decision.reach {
-            Reach::Reached => return,
-            Reach::Missed => Verdict::NotEnough,
-            Reach::Open => Verdict::Open,
-        };
-        if verdict == Verdict::NotEnough || self.verdict == Verdict::Enough {
-            self.case = Some(name.to_owned());
-            self.why = (verdict == Verdict::Open).then(|| decision.ended.to_string());
+        match decision.reach {
+            Reach::Reached => {}
+            Reach::Missed => {
+                (self.verdict, self.case, self.why) = (Verdict::NotEnough, Some(name.to_owned()), None);
+            }
+            Reach::Open => self.leave_open(name, decision.ended.to_string()),
         }
-        self.verdict = verdict;
+    }
+
+    /// One of the cases is open; the first one is told.
+    fn leave_open(&mut self, name: &str, why: String) {
+        if self.verdict == Verdict::Enough {
+            (self.verdict, self.case, self.why) = (Verdict::Open, Some(name.to_owned()), Some(why));
+        }
     }
 }
 

@@ -94,8 +94,24 @@ impl Arrangement {
                 }
             }
         }
+        all.spread(segments, snap, &mut on);
         all.join(segments, on);
         Ok(all)
+    }
+
+    /// Takes every point to all segments that it is on: one that was found late, where two of three segments that run together meet a fourth, is not
+    /// known to the third yet.
+    fn spread(&self, segments: &[Segment], snap: f64, on: &mut [Vec<usize>]) {
+        for (segment, own) in segments.iter().zip(on) {
+            for (p, at) in self.points.iter().enumerate() {
+                if !apart(segment.ends, [*at; 2], snap)
+                    && distance_to_segment(*at, segment.ends) <= snap
+                    && !own.contains(&p)
+                {
+                    own.push(p);
+                }
+            }
+        }
     }
 
     /// Index of a point, new if there is none so close.

@@ -1547,7 +1547,7 @@ class DesignTried(Record):
         upper: Proven upper bound, likewise; null if none of them has one.
         value: The value, or the part of the way between two files.
         verdict: What follows.
-        why: How the run ended that leaves it open; null if it is not.
+        why: How the run ended that leaves it open, or why it could not begin; null if it is not open.
     """
 
     case: str | None
@@ -1563,7 +1563,7 @@ class DesignTried(Record):
     verdict: Literal["enough", "not_enough", "open"]
     """What follows."""
     why: str | None
-    """How the run ended that leaves it open; null if it is not."""
+    """How the run ended that leaves it open, or why it could not begin; null if it is not open."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
