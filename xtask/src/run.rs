@@ -1,6 +1,7 @@
 //! Running programs as named steps.
 
 use std::ffi::OsStr;
+use std::io::Write as _;
 use std::process::{Command, Stdio};
 
 use crate::error::XtaskError;
@@ -58,8 +59,12 @@ impl Step {
     pub(crate) fn run_in_one_piece(mut self) -> Result<(), XtaskError> {
         let output = self.command.output();
         let output = output.map_err(|problem| self.not_started(problem))?;
-        let [printed, problems] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
-        eprintln!("== {}: {}\n{printed}{problems}", self.name, self.words());
+        // Others wait meanwhile. Who cannot be told is no reason to stop.
+        let mut printed = std::io::stdout().lock();
+        eprintln!("== {}: {}", self.name, self.words());
+        let _ = printed.write_all(&output.stdout).and_then(|()| printed.flush());
+        eprint!("{}", String::from_utf8_lossy(&output.stderr));
+        drop(printed);
         self.check(output.status)
     }
 
