@@ -222,7 +222,7 @@ def test_ground_that_needs_a_permeability_is_asked_for_it(soilctl, tmp_path):
 
 
 def test_any_water_level_can_be_cut(soilctl, tmp_path):
-    # At the first of these levels a point where lines along the slope meet was not on all of them.
+    # At the first of these levels lines that run together along the slope seemed to cross.
     text = (DATA / "problems/dam_seepage.toml").read_text()
     for head_m in [3.6125, *np.linspace(1, 4.8, 6)]:
         file = tmp_path / "dam.toml"

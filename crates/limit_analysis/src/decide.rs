@@ -47,14 +47,16 @@ pub fn decide(
     options: &Options,
     progress: &mut dyn FnMut(&Level, Option<f64>),
 ) -> Result<Decision, LimitError> {
-    let described = description.described()?;
+    description.check()?;
+    // Ground water does not depend on strength, and is found once.
+    let pores = description.pore_field()?;
     if description.objective != (Aim::StrengthReduction {}) {
-        return of_quantity(&described, wanted, options, progress);
+        return of_quantity(&description.described_under(pores.as_ref())?, wanted, options, progress);
     }
     // With strength divided by what is wanted the soil either stands under all that acts or does not. It is divided by a little more, so that
     // rounding the reduced strengths does not matter.
     let factor = wanted * (1.0 + 2.0 * ROUNDING);
-    let weaker = description.reduced(factor).described_under(description.pore_field()?.as_ref())?;
+    let weaker = description.reduced(factor).described_under(pores.as_ref())?;
     let found = sides(&weaker.problem()?, options, &is_decided, progress)?;
     let [lower, upper] = [found.lower.map(|b| b.value), found.upper.map(|b| b.value)];
     let (reach, lower, upper) = match (lower, upper) {

@@ -70,13 +70,16 @@ impl Arrangement {
                 }
                 let ends = [[on[i][0], on[i][1]], [on[j][0], on[j][1]]];
                 let mut joined = ends[0].iter().any(|p| ends[1].contains(p));
-                for (own, others) in [(i, ends[1]), (j, ends[0])] {
-                    for p in others {
-                        let at = all.points[p];
-                        if !on[own].contains(&p) && distance_to_segment(at, segments[own].ends) <= snap {
+                for (own, [own_ends, others]) in [(i, ends), (j, [ends[1], ends[0]])] {
+                    for p in others.into_iter().filter(|p| !own_ends.contains(p)) {
+                        // What a third segment has shown to be on it counts too: where lines that run together would cross is rounding.
+                        let is_known = on[own].contains(&p);
+                        if is_known || distance_to_segment(all.points[p], segments[own].ends) <= snap {
                             joined = true;
-                            check_self(first, second, at, title)?;
-                            on[own].push(p);
+                            check_self(first, second, all.points[p], title)?;
+                            if !is_known {
+                                on[own].push(p);
+                            }
                         }
                     }
                 }
@@ -94,24 +97,8 @@ impl Arrangement {
                 }
             }
         }
-        all.spread(segments, snap, &mut on);
         all.join(segments, on);
         Ok(all)
-    }
-
-    /// Takes every point to all segments that it is on: one that was found late, where two of three segments that run together meet a fourth, is not
-    /// known to the third yet.
-    fn spread(&self, segments: &[Segment], snap: f64, on: &mut [Vec<usize>]) {
-        for (segment, own) in segments.iter().zip(on) {
-            for (p, at) in self.points.iter().enumerate() {
-                if !apart(segment.ends, [*at; 2], snap)
-                    && distance_to_segment(*at, segment.ends) <= snap
-                    && !own.contains(&p)
-                {
-                    own.push(p);
-                }
-            }
-        }
     }
 
     /// Index of a point, new if there is none so close.
@@ -170,4 +157,29 @@ fn check_self(
     }
     let problem = format!("it crosses or touches itself at ({:.6}, {:.6})", at[0], at[1]);
     Err(DescriptionError::entry(title(first.owner), problem))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::describe::segments::Cut;
+
+    #[test]
+    fn lines_that_run_together_do_not_cross() {
+        // On the slope of a dam, between two points that other cuts have shown to be on it.
+        let slope = [[24.0, 0.0], [14.0, 5.0]];
+        let [a, b] = [[20.573418905511858, 1.713290547244072], [20.940460336710384, 1.529769831644808]];
+        let cut = |ends| Segment { ends, owner: Owner::Cut(Cut::Flow), number: 0 };
+        let segments = [
+            Segment { ends: slope, owner: Owner::Region(0), number: 0 },
+            cut([a, [20.546658990751563, 1.2926499571922816]]),
+            cut([b, [20.91296435124675, 1.168858719304908]]),
+            cut([a, b]),
+        ];
+        let found = Arrangement::new(&segments, 2.4e-8, &|_| String::new()).unwrap();
+        assert_eq!(found.points.len(), 6, "{:?}", found.points);
+        assert_eq!(found.edges.len(), 5);
+    }
 }

@@ -60,7 +60,7 @@ impl Description {
     }
 
     /// Checks everything but the geometry.
-    pub(super) fn check(&self) -> Result<(), DescriptionError> {
+    pub(crate) fn check(&self) -> Result<(), DescriptionError> {
         self.check_amount()?;
         number("the problem", "surcharge_kpa", self.surcharge_kpa, STRESS)?;
         for (i, soil) in self.soils.iter().enumerate() {

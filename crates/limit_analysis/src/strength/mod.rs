@@ -250,3 +250,17 @@ impl Run<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trial_after_an_open_one_may_take_longer_than_that() {
+        assert_eq!(share(100.0, None), 20.0);
+        assert_eq!(share(80.0, Some(20.0)), 30.0);
+        // No less than any trial may, and something is left for others.
+        assert_eq!(share(100.0, Some(1.0)), 25.0);
+        assert_eq!(share(40.0, Some(30.0)), 20.0);
+    }
+}

@@ -36,6 +36,9 @@ const FAR: f64 = 4.0;
 /// Bounds this close to one (in logarithms) tell well where they are one.
 const NEAR: f64 = 0.1;
 
+/// Factors on both sides of the limit that are this close (in logarithms) fail in much the same way.
+const ALIKE: f64 = 0.1;
+
 impl Trial {
     /// Distance of the bounds over their mean; infinite without an upper bound.
     pub(super) fn gap(&self) -> f64 {
@@ -153,7 +156,7 @@ impl Search {
     /// Whether a factor was left open, or the proven ones on both sides of the limit are next to each other.
     pub(super) fn is_near(&self) -> bool {
         self.open().next().is_some()
-            || self.stands.zip(self.fails).is_some_and(|(stands, fails)| (fails / stands).ln() < NEAR)
+            || self.stands.zip(self.fails).is_some_and(|(stands, fails)| (fails / stands).ln() < ALIKE)
     }
 
     /// Relative distance of what is proven.
@@ -282,6 +285,20 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn the_limit_is_near_once_a_factor_is_open_or_both_sides_are_alike() {
+        let trial = |factor, lower, upper| Trial { factor, lower, upper };
+        let near = |trials: &[Trial]| {
+            let mut search = Search::new(0.01, None);
+            trials.iter().for_each(|trial| search.add(*trial));
+            search.is_near()
+        };
+        let (stands, falls) = (trial(1.0, 1.3, 1.4), trial(2.0, 0.6, 0.7));
+        assert!(!near(&[]) && !near(&[stands]) && !near(&[stands, falls]));
+        assert!(near(&[stands, falls, trial(1.3, 0.99, 1.01)]));
+        assert!(near(&[stands, trial(1.08, 0.9, 0.95)]));
     }
 
     #[test]
