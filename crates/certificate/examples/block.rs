@@ -24,6 +24,7 @@ fn main() -> Result<(), soilctl_certificate::CertificateError> {
                 unit_weight: 1.0,
                 pore_pressure: Linear::default(),
                 tension: None,
+                envelope: None,
             },
         }],
         gravity: [0.0, -1.0],

@@ -352,6 +352,7 @@ pub use shown::{
 };
 pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
 pub use statement::{
-    Bending, Boundary, Condition, Line, LineUse, Linear, Material, Member, Objective, Region, Statement,
+    Bending, Boundary, Condition, Envelope, Line, LineUse, Linear, Material, Member, Objective, Region,
+    Statement, StrengthLine,
 };
 pub use upper::prove_upper;

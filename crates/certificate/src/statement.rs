@@ -177,8 +177,9 @@ pub struct Region {
     pub material: Material,
 }
 
-/// A Mohr-Coulomb soil with associated flow.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// A soil with associated flow, of Mohr and Coulomb's strength or, with an [envelope](Envelope), of one that grows less and less with
+/// pressure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Friction angle in degrees, from 0 up to (not including) 90.
@@ -193,6 +194,33 @@ pub struct Material {
     /// Greatest effective tension (stress), at least zero; none but what friction and cohesion allow if it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension: Option<f64>,
+    /// What limits the strength beside friction angle and cohesion, which are those at the least pressure then. The friction angle is
+    /// above zero and the cohesion is the same everywhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub envelope: Option<Envelope>,
+}
+
+/// A curved strength envelope, between two made of straight lines. Lower bounds hold for soil that bears what the inner one says, upper
+/// bounds for soil that bears no more than the outer one, so both hold for all soils between.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Envelope {
+    /// Lines that the inner one has beside that of the material's friction angle and cohesion, steepest first. Each is the lowest
+    /// somewhere: at less tension than those before it, at more than those after it.
+    pub inside: Vec<StrengthLine>,
+    /// All lines of the outer one in the same order, nowhere below the inner one; if there are none they are one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outside: Vec<StrengthLine>,
+}
+
+/// A straight line that a shear strength is below.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StrengthLine {
+    /// Friction angle in degrees, from 0 up to (not including) 90.
+    pub phi_deg: f64,
+    /// Cohesion (stress), at least zero.
+    pub cohesion: f64,
 }
 
 /// A quantity that is linear over a region: `at_origin + gradient . (x, y)`.

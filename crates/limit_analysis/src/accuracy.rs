@@ -20,6 +20,9 @@ pub(crate) const FLOW_STEADY: Accuracy = Accuracy { regularisation: 1e-8, ..FLOW
 pub(crate) const STRESS: Accuracy =
     Accuracy { gap: 1e-6, feasibility: 1e-8, steps: 1e-8, regularisation: 1e-13 };
 
+/// For lower bounds of soil with curved strength: many lines that are nearly parallel make their programs stall with as little regularisation.
+pub(crate) const STRESS_BELOW_LINES: Accuracy = Accuracy { regularisation: 1e-11, ..STRESS };
+
 /// For lower bounds in space: their semidefinite cones do not bear less regularisation, and gain nothing by more accuracy.
 pub(crate) const SPACE: Accuracy =
     Accuracy { gap: 1e-6, feasibility: 1e-6, steps: 1e-9, regularisation: 1e-7 };

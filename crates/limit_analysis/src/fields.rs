@@ -56,8 +56,8 @@ pub(crate) struct VelocityField {
     pub(crate) members: Vec<(MemberEdge, [f64; 3], [f64; 3])>,
 }
 
-/// Strain rates `[exx, eyy, 2 exy]` at corners, and the shear rate that a second kind of strength works on: that beyond
-/// the dilation where tension is cut off, all of it where there is no friction.
+/// Strain rates `[exx, eyy, 2 exy]` at corners, and the rate that a second kind of strength works on: the shear rate beyond the dilation
+/// where tension is cut off, all of it where there is no friction; of an envelope all power.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
     pub(crate) corners: [Point; 3],
@@ -117,7 +117,7 @@ impl VelocityField {
             .collect();
         let pieces = (0..control.len()).map(|t| match upper.stream_values(t, x) {
             Some(local) => thirds(&upper.corners[t], &local),
-            None => vec![whole(&upper.corners[t], &control[t])],
+            None => vec![whole(&upper.corners[t], &control[t], &upper.limits[t])],
         });
         let value = |forms: &[Form; 3]| forms.each_ref().map(|f| f.value(x));
         let members = upper.members.iter().map(|m| (m.edge, value(&m.along), value(&m.across))).collect();
@@ -126,7 +126,7 @@ impl VelocityField {
 }
 
 /// The strain rate of a quadratic velocity.
-fn whole(v: &[Point; 3], control: &[Point; 6]) -> Piece {
+fn whole(v: &[Point; 3], control: &[Point; 6], limit: &Limit) -> Piece {
     let rates = std::array::from_fn(|k| {
         let mut e = [0.0; 4];
         for (node, [gx, gy]) in gradients(v, k).iter().enumerate() {
@@ -135,7 +135,7 @@ fn whole(v: &[Point; 3], control: &[Point; 6]) -> Piece {
             e[1] += gy * vy;
             e[2] += gy * vx + gx * vy;
         }
-        e[3] = ((e[0] - e[1]).hypot(e[2]) - e[0] - e[1]).max(0.0);
+        e[3] = limit.beyond(e[0] + e[1], (e[0] - e[1]).hypot(e[2]));
         e
     });
     Piece { corners: *v, rates }

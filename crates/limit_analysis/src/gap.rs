@@ -13,6 +13,7 @@ mod members;
 
 use soilctl_certificate::{Condition, Side};
 
+use crate::envelope::greatest;
 use crate::fields::{StressField, VelocityField, near};
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
@@ -61,7 +62,7 @@ pub(crate) fn shares(
         let v = mesh.corners(triangle);
         let centre = centroid(&v);
         let soil = &soils[t.region];
-        let limit = velocity.limits[triangle];
+        let limit = &velocity.limits[triangle];
         let jumps = jumps(meshed, &soils, stress.part, velocity, triangle);
         found = near(&stress.corners, &stress.across, centre, found);
         let mut open = vec![found];
@@ -86,7 +87,7 @@ pub(crate) fn shares(
                     met_part = true;
                     let at = |p: Point| {
                         let [xx, yy, xy] = linear(&part, values, p);
-                        let [shift, extra] = strength(soil, limit, p);
+                        let [shift, extra] = strength(soil, limit, stress.part, p);
                         let stress = [xx - shift, yy - shift, xy, -extra];
                         (stress, linear(&piece.corners, &piece.rates, p))
                     };
@@ -117,8 +118,10 @@ pub(crate) fn shares(
 }
 
 /// What soil dissipates for each unit of dilation, and of the shear rate in [`Piece`](crate::fields::Piece).
-fn strength(soil: &Soil, limit: Limit, p: Point) -> [f64; 2] {
-    if !soil.is_isochoric {
+fn strength(soil: &Soil, limit: &Limit, part: f64, p: Point) -> [f64; 2] {
+    if matches!(limit, Limit::Envelope(_)) {
+        [-soil.pore_pressure.at(p), part]
+    } else if !soil.is_isochoric {
         [limit.tension(soil, p) - soil.pore_pressure.at(p), limit.radius(soil, p)]
     } else {
         [0.0, soil.cohesion.at(p).max(0.0)]
@@ -139,6 +142,26 @@ fn add_unmatched(polygon: &[Point], at: impl Fn(Point) -> ([f64; 4], [f64; 4]), 
             power += sum_s * sum_e + paired;
         }
         *share -= area / 12.0 * power;
+    }
+}
+
+/// What dissipates in a jump beside what opening costs: a rate, or of an envelope all power.
+enum Rate<'a> {
+    /// What opening and slip together are more than the opening.
+    Beyond,
+    Slip,
+    OfCircles(&'a [Point]),
+    OfTractions(Vec<Point>),
+}
+
+impl Rate<'_> {
+    fn at(&self, open: f64, slip: f64) -> f64 {
+        match self {
+            Self::Beyond => (open.hypot(slip) - open.max(0.0)).max(0.0),
+            Self::Slip => slip.abs(),
+            Self::OfCircles(circles) => greatest(circles, open, open.hypot(slip)),
+            Self::OfTractions(tractions) => greatest(tractions, open, slip.abs()),
+        }
     }
 }
 
@@ -167,21 +190,25 @@ fn jumps(
         let here = [a, 3 + k, b].map(|n| velocity.control[triangle][n]);
         let ends = meshed.ends(side);
         let water = ends.map(|p| meshed.soil(triangle).pore_pressure.at(p));
-        let (there, tension, radius, factor, on_slip) = match meshed.edge(side) {
+        let mut rate = Rate::Beyond;
+        let (there, tension, radius, factor) = match meshed.edge(side) {
             Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
                 let adhesion = part * adhesion;
                 let tension = if delta_deg > 0.0 { adhesion / delta_deg.to_radians().tan() } else { 0.0 };
                 let radius = if delta_deg > 0.0 { 0.0 } else { adhesion };
-                ([meshed.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0, false)
+                ([meshed.problem.velocity(); 3], water.map(|u| tension - u), [radius; 2], 1.0)
             }
             Edge::Jump { other: o, region } => {
                 let on = |n: usize| velocity.control[o.triangle][n];
                 let soil = &soils[region];
                 let limit = Limit::around(soil, &ends);
+                if let Some(envelope) = &soil.envelope {
+                    rate = Rate::OfCircles(&envelope.circles);
+                }
                 let there = [on((o.corner + 2) % 3), on(3 + o.corner), on((o.corner + 1) % 3)];
                 // Both sides see the jump; each takes half.
                 let tension = |p| limit.tension(soil, p) - soil.pore_pressure.at(p);
-                (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5, false)
+                (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5)
             }
             Edge::Member { .. } | Edge::Boundary(Condition::Lined { .. }) => {
                 let (there, bond) = members::beside(meshed.problem, velocity, side)?;
@@ -189,7 +216,11 @@ fn jumps(
                 let [opening, slip] = crate::upper::bond(soil, bond, &ends);
                 let tension = [0, 1].map(|i| opening[i] - water[i]);
                 // Soil that keeps its volume does not open, whatever the last digits say.
-                (there, tension, slip, 1.0, true)
+                rate = soil.envelope.as_ref().map_or(Rate::Slip, |envelope| {
+                    let tractions = envelope.tractions.iter().map(|[normal, shear]| [*normal, bond * shear]);
+                    Rate::OfTractions(tractions.collect())
+                });
+                (there, tension, slip, 1.0)
             }
             _ => return None,
         };
@@ -198,7 +229,7 @@ fn jumps(
         let n = [(ends[0][1] - ends[1][1]) / length, (ends[1][0] - ends[0][0]) / length];
         let beyond = control.map(|d: Point| {
             let (open, slip) = (d[0] * n[0] + d[1] * n[1], d[1] * n[0] - d[0] * n[1]);
-            if on_slip { slip.abs() } else { (open.hypot(slip) - open.max(0.0)).max(0.0) }
+            rate.at(open, slip)
         });
         Some(Jump { edge: k, control, tension, radius, beyond, factor })
     })

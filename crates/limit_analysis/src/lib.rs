@@ -95,6 +95,7 @@ mod adapt;
 mod bound;
 mod decide;
 pub mod describe;
+mod envelope;
 mod error;
 mod fields;
 mod gap;

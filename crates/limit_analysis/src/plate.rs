@@ -112,6 +112,7 @@ impl EmbeddedPlate {
             unit_weight: 1.0,
             pore_pressure: Linear::default(),
             tension: None,
+            envelope: None,
         };
         Problem::new(Statement {
             points,

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Member, Objective, Statement};
 
+use crate::envelope::Envelope;
 use crate::error::{LimitError, in_range};
 use crate::mesh::check;
 
 /// One region's soil.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Soil {
     pub(crate) sin: f64,
     pub(crate) cos: f64,
@@ -20,6 +21,8 @@ pub(crate) struct Soil {
     /// Greatest effective tension.
     pub(crate) cut_off: Option<f64>,
     pub(crate) unit_weight: f64,
+    /// What limits the strength beside friction and cohesion.
+    pub(crate) envelope: Option<Envelope>,
 }
 
 impl Soil {
@@ -34,7 +37,18 @@ impl Soil {
             pore_pressure: m.pore_pressure,
             cut_off: m.tension,
             unit_weight: m.unit_weight,
+            envelope: Envelope::of(m),
         }
+    }
+
+    /// Sine of the friction angle that the flow rule asks for: where pressure is greatest.
+    pub(crate) fn flow_sin(&self) -> f64 {
+        self.envelope.as_ref().map_or(self.sin, |envelope| envelope.flattest.sin)
+    }
+
+    /// Its tangent.
+    pub(crate) fn flow_tan(&self) -> f64 {
+        self.envelope.as_ref().map_or(self.tan, |envelope| envelope.flattest.tan())
     }
 
     /// What acts on the grains of a unit volume: the weight less the change of the pore pressure.
@@ -46,6 +60,15 @@ impl Soil {
         self.tan > 0.0
     }
 
+    /// Tangent of the friction angle, and cohesion at a point, of the strength at a pressure.
+    pub(crate) fn strength_at(&self, pressure: f64, p: [f64; 2]) -> [f64; 2] {
+        let own = [self.tan, self.cohesion.at(p)];
+        let further = self.envelope.iter().flat_map(|envelope| &envelope.inside);
+        let lines = further.map(|line| [line.tan(), line.cohesion]);
+        let bears = |[tan, cohesion]: &[f64; 2]| cohesion + tan * pressure;
+        lines.fold(own, |a, b| if bears(&b) < bears(&a) { b } else { a })
+    }
+
     /// Effective tension at the apex of the yield cone. Without friction there is none.
     pub(crate) fn tension(&self, p: [f64; 2]) -> f64 {
         self.cohesion.at(p) / self.tan
@@ -55,7 +78,8 @@ impl Soil {
     pub(crate) fn part(&self, part: f64) -> Self {
         let Linear { at_origin, gradient } = self.cohesion;
         let cohesion = Linear { at_origin: part * at_origin, gradient: gradient.map(|g| part * g) };
-        Self { cohesion, cut_off: self.cut_off.map(|t| part * t), ..*self }
+        let envelope = self.envelope.as_ref().map(|envelope| envelope.part(part));
+        Self { cohesion, cut_off: self.cut_off.map(|t| part * t), envelope, ..self.clone() }
     }
 }
 
@@ -95,7 +119,7 @@ impl Problem {
         }
         let mut soils = Vec::new();
         for region in &statement.regions {
-            let m = region.material;
+            let m = &region.material;
             in_range("the friction angle", m.phi_deg, 0.0, 90.0, "deg")?;
             in_range("the unit weight", m.unit_weight, 0.0, f64::INFINITY, "")?;
             for used in region.loops.iter().flatten() {
@@ -115,7 +139,7 @@ impl Problem {
                     && b.condition.is_wall()
                     && region.loops.iter().any(|l| l.contains(&b.side()))
             };
-            soils.push(Soil::new(&m, statement.boundaries.iter().any(is_held)));
+            soils.push(Soil::new(m, statement.boundaries.iter().any(is_held)));
         }
         let conditions = statement.boundaries.iter().map(|b| (b.side(), b.condition)).collect();
         let top = statement.points.iter().map(|p| p[1]).fold(f64::NEG_INFINITY, f64::max);
@@ -182,6 +206,12 @@ impl Problem {
         if !self.statement.members.is_empty() {
             return Err(LimitError::NotCovered {
                 what: "the ends of a structure beside bars and sheets",
+                advice: "leave the width out, which gives bounds in plane strain",
+            });
+        }
+        if self.soils.iter().any(|soil| soil.envelope.is_some()) {
+            return Err(LimitError::NotCovered {
+                what: "the ends of a structure in soil with a curved strength envelope",
                 advice: "leave the width out, which gives bounds in plane strain",
             });
         }
@@ -255,7 +285,10 @@ impl Problem {
     pub(crate) fn covered(&self) -> Result<(), LimitError> {
         let weightless =
             self.statement.gravity == [0.0; 2] || self.soils.iter().all(|s| s.unit_weight == 0.0);
-        if weightless && self.load == 0.0 && self.soils.iter().all(|s| s.cohesion.is_zero()) {
+        if weightless
+            && self.load == 0.0
+            && self.soils.iter().all(|s| s.cohesion.is_zero() && s.envelope.is_none())
+        {
             return Err(LimitError::NoCollapse {
                 reason: "soil without weight, cohesion and load resists nothing",
                 advice: "give it one of these",

@@ -146,7 +146,7 @@ impl Start {
                 });
             }
         }
-        let phi = problem.soils.iter().map(|s| s.tan.atan()).fold(0.0, f64::max);
+        let phi = problem.soils.iter().map(|s| s.flow_tan().atan()).fold(0.0, f64::max);
         let sides = MobileZone::between_sides(problem, phi);
         let has_tips = !tips.is_empty() && phi > 0.0;
         if !has_tips {

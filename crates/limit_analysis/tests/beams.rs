@@ -39,8 +39,12 @@ fn encloses([lower, upper]: [f64; 2], exact: f64, gap: f64) {
 /// A nearly smooth wall of 4 m on rock that clamps it, with sand behind it and a load on that.
 fn cantilever(moment_knm_per_m: f64) -> Description {
     let polygon = vec![[0.0, 0.0], [8.0, 0.0], [8.0, 4.0], [0.0, 4.0]];
-    let sand =
-        SoilEntry { name: "sand".into(), phi_deg: 30.0, unit_weight_kn_m3: 18.0, ..SoilEntry::default() };
+    let sand = SoilEntry {
+        name: "sand".into(),
+        phi_deg: Some(30.0),
+        unit_weight_kn_m3: 18.0,
+        ..SoilEntry::default()
+    };
     Description {
         default_boundary: Some(Kind::Free),
         objective: Aim::Load {},
@@ -144,7 +148,7 @@ fn tied_wall(moment_knm_per_m: f64, tensile_kn_per_m: f64) -> Description {
     let polygon = vec![[-8.0, -4.0], [-8.0, -9.0], [12.0, -9.0], [12.0, 0.0], [0.0, 0.0], [0.0, -4.0]];
     let sand = SoilEntry {
         name: "sand".into(),
-        phi_deg: 32.0,
+        phi_deg: Some(32.0),
         cohesion_kpa: 2.0,
         unit_weight_kn_m3: 18.0,
         ..SoilEntry::default()
@@ -189,7 +193,7 @@ fn a_tied_wall_is_as_safe_as_its_weakest_part() {
 #[test]
 fn walls_in_clay_are_held_by_ties_and_clamps() {
     let clay = |it: &mut Description| {
-        (it.soils[0].phi_deg, it.soils[0].cohesion_kpa) = (0.0, 25.0);
+        (it.soils[0].phi_deg, it.soils[0].cohesion_kpa) = (Some(0.0), 25.0);
     };
     // Soil on both sides of the wall and of the tie keeps its volume, and goes along with the wall.
     let [weak, strong] = [(5.0, 5.0), (200.0, 200.0)].map(|(moment, tension)| {

@@ -12,7 +12,13 @@ fn decided(it: &Description, wanted: f64) -> (Decision, usize) {
 }
 
 fn soil(phi_deg: f64, cohesion_kpa: f64, unit_weight_kn_m3: f64) -> Vec<SoilEntry> {
-    vec![SoilEntry { name: "soil".into(), phi_deg, cohesion_kpa, unit_weight_kn_m3, ..SoilEntry::default() }]
+    vec![SoilEntry {
+        name: "soil".into(),
+        phi_deg: Some(phi_deg),
+        cohesion_kpa,
+        unit_weight_kn_m3,
+        ..SoilEntry::default()
+    }]
 }
 
 fn ground(polygon: &[[f64; 2]]) -> Vec<RegionEntry> {

@@ -56,8 +56,12 @@ fn a_sheet_is_pulled_out_by_what_its_faces_bear() {
 /// A smooth wall of 5 m that moves away from sand, tied to the ground behind.
 fn tied_wall(tensile: f64) -> Description {
     let polygon = vec![[0.0, 0.0], [8.0, 0.0], [8.0, 5.0], [0.0, 5.0]];
-    let sand =
-        SoilEntry { name: "sand".into(), phi_deg: 30.0, unit_weight_kn_m3: 18.0, ..SoilEntry::default() };
+    let sand = SoilEntry {
+        name: "sand".into(),
+        phi_deg: Some(30.0),
+        unit_weight_kn_m3: 18.0,
+        ..SoilEntry::default()
+    };
     let tie = MemberEntry {
         attached: vec![MemberEnd::Start, MemberEnd::End],
         ..sheet([[0.0, 3.0], [8.0, 3.0]], tensile, 0.5)

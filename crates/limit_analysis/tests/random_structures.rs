@@ -17,7 +17,7 @@ fn slope(mut seed: u64, strength: f64) -> Description {
     let mut draw = |low: f64, high: f64| low + (high - low) * drawn(&mut seed);
     let soil = |name: &str, phi_deg: f64, cohesion_kpa: f64| SoilEntry {
         name: name.into(),
-        phi_deg,
+        phi_deg: Some(phi_deg),
         cohesion_kpa,
         unit_weight_kn_m3: 18.0,
         ..SoilEntry::default()
@@ -88,7 +88,7 @@ fn wall(mut seed: u64, moment_knm_per_m: f64, tensile_kn_per_m: f64) -> Descript
     let change = -draw(0.5, 5.0);
     let mut soil = |name: &str| SoilEntry {
         name: name.into(),
-        phi_deg: if draw(0.0, 1.0) < 0.3 { 0.0 } else { draw(5.0, 38.0) },
+        phi_deg: Some(if draw(0.0, 1.0) < 0.3 { 0.0 } else { draw(5.0, 38.0) }),
         cohesion_kpa: draw(2.0, 25.0),
         unit_weight_kn_m3: draw(16.0, 21.0),
         ..SoilEntry::default()

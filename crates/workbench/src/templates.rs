@@ -68,8 +68,12 @@ impl Template {
 
     fn problem(self) -> Option<Description> {
         let file = |text: &str| Description::from_toml(text).ok();
-        let sand =
-            SoilEntry { name: "sand".into(), phi_deg: 35.0, unit_weight_kn_m3: 17.0, ..SoilEntry::default() };
+        let sand = SoilEntry {
+            name: "sand".into(),
+            phi_deg: Some(35.0),
+            unit_weight_kn_m3: 17.0,
+            ..SoilEntry::default()
+        };
         let clay = SoilEntry {
             name: "clay".into(),
             cohesion_kpa: 40.0,

@@ -3,7 +3,8 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_certificate::{
-    Bending, Condition, LineUse, Linear, Material, Member, Objective, Region, Scale, Statement,
+    Bending, Condition, Envelope, LineUse, Linear, Material, Member, Objective, Region, Scale, Statement,
+    StrengthLine,
 };
 
 /// Most lines of one kind; of the others their number is told.
@@ -85,7 +86,7 @@ fn place(statement: &Statement, index: usize) -> String {
 }
 
 fn soil(statement: &Statement, region: &Region) -> String {
-    let Material { phi_deg, cohesion, unit_weight, pore_pressure, tension } = region.material;
+    let Material { phi_deg, cohesion, unit_weight, pore_pressure, tension, ref envelope } = region.material;
     let mut text =
         format!("friction {phi_deg} deg, cohesion {}, unit weight {unit_weight}", linear(cohesion));
     if !pore_pressure.is_zero() {
@@ -93,6 +94,16 @@ fn soil(statement: &Statement, region: &Region) -> String {
     }
     if let Some(tension) = tension {
         text += &format!(", no tension above {tension}");
+    }
+    if let Some(Envelope { inside, outside }) = envelope {
+        let lines = |lines: &[StrengthLine]| {
+            let each = |line: &StrengthLine| format!("{} deg and {}", line.phi_deg, line.cohesion);
+            lines.iter().map(each).collect::<Vec<_>>().join("; ")
+        };
+        text += &format!(", and no more than these lines of friction and cohesion bear: {}", lines(inside));
+        if !outside.is_empty() {
+            text += &format!(" (for the lower bound; for the upper bound only {})", lines(outside));
+        }
     }
     let corners: Vec<usize> =
         region.loops.iter().flatten().filter_map(|side| start(statement, *side)).collect();

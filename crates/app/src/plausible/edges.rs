@@ -33,7 +33,7 @@ pub(super) fn notes(d: &Description) -> Vec<Option<String>> {
         let ends = [(line[0], line[1], first), (line[line.len() - 1], line[line.len() - 2], last)];
         all.extend(ends.into_iter().map(|(end, before, pressure)| {
             let soil = beside(d, end, before, ground)?;
-            let factor = bearing(soil.phi_deg);
+            let factor = bearing(soil.friction_deg());
             let bears = soil.cohesion_kpa * factor;
             (pressure > NEAR * bears).then(|| {
                 format!(
@@ -64,7 +64,8 @@ fn beside(d: &Description, end: Point, before: Point, ground: f64) -> Option<&So
     let mut regions = d.regions.iter().filter(|region| ring(&region.polygon));
     let (region, other) = (regions.next()?, regions.next());
     let soil = d.soils.iter().find(|soil| soil.name == region.soil)?;
-    (level && !is_held && other.is_none() && soil.cohesion_gradient_kpa_per_m == 0.0).then_some(soil)
+    let is_plain = soil.cohesion_gradient_kpa_per_m == 0.0 && soil.strength.is_none();
+    (level && !is_held && other.is_none() && is_plain).then_some(soil)
 }
 
 fn distance(p: Point, [a, b]: [Point; 2]) -> f64 {

@@ -1,7 +1,7 @@
 //! Problem files.
 
 use soilctl_limit_analysis::Description;
-use soilctl_limit_analysis::describe::Case;
+use soilctl_limit_analysis::describe::{Case, SoilEntry};
 
 use super::{edges, friction, stress, weight};
 use crate::text::number;
@@ -36,12 +36,27 @@ pub(crate) fn notes(d: &Description, cases: &[Case]) -> Vec<String> {
     all
 }
 
+/// Strength after Davis, which is no proof.
+fn lessened(entry: &str, soil: &SoilEntry) -> Option<String> {
+    let (dilation, phi, less) = (soil.dilation_deg?, soil.phi_deg?, soil.after_davis());
+    (dilation < phi).then(|| {
+        format!(
+            "{entry}: dilation_deg is {}, so its strength is taken as phi {:.2} deg and c {:.4} kPa after Davis (1968): an approximation; the bounds \
+             are proven for that strength, not for soil that dilates less than the flow rule says",
+            number(dilation),
+            less.friction_deg(),
+            less.cohesion_kpa
+        )
+    })
+}
+
 fn of_one(d: &Description) -> Vec<String> {
     let mut all: Vec<Option<String>> = Vec::new();
     for (i, soil) in d.soils.iter().enumerate() {
         let entry = format!("soil {} ({:?})", i + 1, soil.name);
         all.push(weight(&entry, "unit_weight_kn_m3", soil.unit_weight_kn_m3));
-        all.push(friction(&entry, "phi_deg", soil.phi_deg));
+        all.push(soil.phi_deg.and_then(|deg| friction(&entry, "phi_deg", deg)));
+        all.push(lessened(&entry, soil));
         all.push(stress(&entry, "cohesion_kpa", soil.cohesion_kpa, soil.cohesion_kpa));
     }
     let structures = d.structures.iter().map(|s| {

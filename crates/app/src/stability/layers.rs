@@ -41,7 +41,11 @@ pub(super) fn layered(
         let bottom = depths.get(layer).copied();
         let name = format!("{} {}", whole.name, layer + 1);
         let stress_pa = 1e3 * STRESS * whole.unit_weight_kn_m3 * bottom.unwrap_or(deepest);
-        found.soils.push(SoilEntry { name: name.clone(), phi_deg: friction_deg(stress_pa), ..whole.clone() });
+        found.soils.push(SoilEntry {
+            name: name.clone(),
+            phi_deg: Some(friction_deg(stress_pa)),
+            ..whole.clone()
+        });
         for area in &areas {
             let mut parts = vec![vec![area.clone()]];
             if let Some(depth) = top {
@@ -119,8 +123,12 @@ mod tests {
 
     #[test]
     fn layers_fill_the_soil_and_follow_its_surface() {
-        let sand =
-            SoilEntry { name: "sand".into(), phi_deg: 30.0, unit_weight_kn_m3: 16.0, ..SoilEntry::default() };
+        let sand = SoilEntry {
+            name: "sand".into(),
+            phi_deg: Some(30.0),
+            unit_weight_kn_m3: 16.0,
+            ..SoilEntry::default()
+        };
         let slope = Description::slope(sand, 5.0, 30.0);
         let found = layered(&slope, 0, |pa| 40.0 - 1e-4 * pa).unwrap();
         assert_eq!(found.soils.len(), CUTS.len() + 1);

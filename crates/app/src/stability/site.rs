@@ -174,7 +174,7 @@ impl Site {
         }
         let mut description = self.description.clone();
         let soil = &mut description.soils[self.soil];
-        soil.phi_deg = phi_deg;
+        soil.phi_deg = Some(phi_deg);
         soil.cohesion_kpa += cohesion_kpa;
         if !self.keep_weight {
             soil.unit_weight_kn_m3 = 1e-3 * density_kg_m3 * self.gravity_m_s2;
@@ -195,7 +195,7 @@ impl Site {
         found
             .soils
             .iter()
-            .all(|soil| (LEAST_DEG..=MOST_DEG).contains(&soil.phi_deg) || soil.phi_deg == 0.0)
+            .all(|soil| soil.phi_deg.is_some_and(|deg| (LEAST_DEG..=MOST_DEG).contains(&deg) || deg == 0.0))
             .then_some(found)
     }
 

@@ -20,7 +20,7 @@ pub(super) struct Face {
 pub(super) struct EndedPlate<'a> {
     pub(super) soil: &'a Strength,
     pub(super) cohesion: Interval,
-    pub(super) material: Material,
+    pub(super) material: &'a Material,
     pub(super) gravity: Vector,
     pub(super) datum: f64,
     pub(super) surcharge: Interval,
@@ -39,12 +39,12 @@ fn not_covered(place: impl Into<String>, what: &'static str) -> CertificateError
 }
 
 /// The soil of a statement with a width, and its material: it must be one soil, the same everywhere, without water.
-fn only_soil<'a>(problem: &'a Problem) -> Result<(&'a Strength, Material, Interval), CertificateError> {
+fn only_soil<'a>(problem: &'a Problem) -> Result<(&'a Strength, &'a Material, Interval), CertificateError> {
     let ([region], [strength]) = (problem.statement.regions.as_slice(), problem.strengths.as_slice()) else {
         return Err(not_covered("the regions", "with a width there is one soil only"));
     };
     let Linear { at_origin, gradient } = region.material.cohesion;
-    let what = match region.material {
+    let what = match &region.material {
         m if m.tension.is_some() => "with a width the soil has no limit to its tension",
         m if !m.pore_pressure.is_zero() => "with a width there is no water in the pores",
         _ if gradient != [0.0; 2] => "with a width the cohesion is the same everywhere",

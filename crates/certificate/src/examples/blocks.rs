@@ -96,7 +96,7 @@ impl Blocks<'_> {
                 }
                 loops.push(uses);
             }
-            Region { loops, material: *material }
+            Region { loops, material: material.clone() }
         });
         Statement {
             regions: regions.collect(),

@@ -27,6 +27,7 @@ pub(crate) fn soil(phi_deg: f64) -> Material {
         unit_weight: 1.0,
         pore_pressure: Linear::default(),
         tension: None,
+        envelope: None,
     }
 }
 

@@ -231,8 +231,9 @@ impl StressFunction<'_> {
             // Times the square of the edge's length.
             let normal = effective.between(t.turned(), t.turned());
             let shear = stress.between(t, t.turned());
-            let hold = Interval::point(bond) * limit.shear_strength(normal, t.square());
-            if let Some(spare) = [hold - shear, hold + shear].into_iter().find(|s| !s.is_at_least_zero()) {
+            let holds = limit.shear_strengths(normal, t.square()).map(|bears| Interval::point(bond) * bears);
+            let mut spares = holds.flat_map(|hold| [hold - shear, hold + shear]);
+            if let Some(spare) = spares.find(|s| !s.is_at_least_zero()) {
                 let (face, node) = (["left", "right"][face], ["its start", "its end"][node]);
                 return Err(CertificateError::NotProven {
                     quantity: "grip of the member to spare, times the square of the edge's length,",

@@ -5,7 +5,7 @@ use crate::CertificateError;
 use crate::ends::{Splice, SpliceLimit};
 use crate::fields::LowerField;
 use crate::interval::{Angle, Interval, Vector};
-use crate::problem::{Strength, Stress};
+use crate::problem::{Straight, Strength, Stress};
 use crate::statement::{Objective, Statement};
 use crate::tiling::after;
 
@@ -38,41 +38,64 @@ impl Divisor {
 
 /// The strength at one point.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Limit {
+pub(super) struct Limit<'a> {
     friction: Angle,
     cohesion: Interval,
+    /// Further lines of an envelope, with what divides their cohesions; nothing if these do not count.
+    further: &'a [Straight],
+    divisor: Option<Divisor>,
     pub(super) pore_pressure: Interval,
     tension: Option<Interval>,
     /// What follows from the ends of a structure.
     splice: Option<SpliceLimit>,
 }
 
-impl Limit {
-    pub(super) fn at(strength: &Strength, divisor: Divisor, splice: Option<&Splice>, p: Vector) -> Self {
-        let Strength { friction, cohesion, pore_pressure, tension } = strength;
+impl<'a> Limit<'a> {
+    pub(super) fn at(strength: &'a Strength, divisor: Divisor, splice: Option<&Splice>, p: Vector) -> Self {
+        let Strength { friction, cohesion, pore_pressure, tension, envelope: _ } = strength;
         let (cohesion, pore_pressure) = (divisor.part(cohesion.enclosed(p)), pore_pressure.enclosed(p));
         let (tension, splice) = (tension.map(|t| divisor.part(t)), splice.map(|splice| splice.at(p)));
-        Self { friction: *friction, cohesion, pore_pressure, tension, splice }
+        let (further, divisor) = (strength.further(), Some(divisor));
+        Self { friction: *friction, cohesion, further, divisor, pore_pressure, tension, splice }
     }
 
     /// What a change of stress must be within so that any multiple of it can be added to a state within strength, where the
     /// pore pressure changes as given.
-    pub(super) fn of_changes(strength: &Strength, splice: Option<&Splice>, pore_pressure: Interval) -> Self {
+    pub(super) fn of_changes(
+        strength: &'a Strength,
+        splice: Option<&Splice>,
+        pore_pressure: Interval,
+    ) -> Self {
         let tension = strength.tension.map(|_| Interval::ZERO);
         let splice = splice.map(Splice::of_changes);
-        Self { friction: strength.friction, cohesion: Interval::ZERO, pore_pressure, tension, splice }
+        Self {
+            friction: strength.friction,
+            cohesion: Interval::ZERO,
+            further: strength.further(),
+            divisor: None,
+            pore_pressure,
+            tension,
+            splice,
+        }
+    }
+
+    /// Friction angle and cohesion of all lines.
+    fn lines(&self) -> impl Iterator<Item = (Angle, Interval)> {
+        let cohesion = |line: &Straight| self.divisor.map_or(Interval::ZERO, |by| by.part(line.cohesion));
+        let further = self.further.iter().map(move |line| (line.friction, cohesion(line)));
+        std::iter::once((self.friction, self.cohesion)).chain(further)
     }
 
     /// The least that there may be to spare; at least zero if the state is proven to be one the soil can bear. With the
     /// effective stress, `r = sqrt(((xx - yy)/2)^2 + xy^2)` and `m = (xx + yy)/2`, that is one with
-    /// `c cos(phi) - sin(phi) m >= r` and, if tension is limited, `tension - m >= r`; ends limit `r` twice more.
+    /// `c cos(phi) - sin(phi) m >= r` for all lines of the strength and, if tension is limited, `tension - m >= r`; ends limit `r` twice more.
     fn spare(&self, mean: Interval, half_difference: Interval, xy: Interval) -> f64 {
-        let Self { friction, cohesion, pore_pressure, tension, splice } = *self;
+        let Self { pore_pressure, tension, splice, .. } = *self;
         let mean = mean + pore_pressure;
         let radius_square = half_difference.square() + xy.square();
         let [greatest, least] = splice.map_or([None; 2], |splice| splice.radii(mean).map(Some));
-        let bounds =
-            [Some(cohesion * friction.cos - friction.sin * mean), tension.map(|t| t - mean), greatest, least];
+        let lines = self.lines().map(|(friction, cohesion)| cohesion * friction.cos - friction.sin * mean);
+        let bounds = lines.chain([tension.map(|t| t - mean), greatest, least].into_iter().flatten());
         let spare = |bound: Interval| {
             if bound.is_at_least_zero() && (bound.square() - radius_square).is_at_least_zero() {
                 return 0.0;
@@ -80,12 +103,16 @@ impl Limit {
             // For the message only; never zero.
             (bound.lo() - radius_square.hi().sqrt()).min(-f64::MIN_POSITIVE)
         };
-        bounds.into_iter().flatten().map(spare).fold(0.0, f64::min)
+        bounds.map(spare).fold(0.0, f64::min)
     }
 
-    /// What the soil bears of shear at an effective normal stress, both times `factor`; the stress is given times that.
-    pub(super) fn shear_strength(&self, normal: Interval, factor: Interval) -> Interval {
-        self.cohesion * factor - self.friction.tan() * normal
+    /// What each line of the strength bears of shear at an effective normal stress, both times `factor`; the stress is given times that.
+    pub(super) fn shear_strengths(
+        &self,
+        normal: Interval,
+        factor: Interval,
+    ) -> impl Iterator<Item = Interval> {
+        self.lines().map(move |(friction, cohesion)| cohesion * factor - friction.tan() * normal)
     }
 
     /// Checks that a stress state is one the soil can bear.
@@ -119,7 +146,7 @@ impl Limit {
 
 impl StressFunction<'_> {
     /// The strength in a triangle at a point.
-    pub(super) fn limit(&self, triangle: usize, p: Vector) -> Limit {
+    pub(super) fn limit(&self, triangle: usize, p: Vector) -> Limit<'_> {
         let strength = &self.problem.strengths[self.tiling.region(triangle)];
         Limit::at(strength, self.divisor, self.splice.as_ref(), p)
     }

@@ -1,5 +1,6 @@
 //! A statement that has been checked, with what the proofs look up in it.
 
+mod envelope;
 mod far;
 mod members;
 mod numbers;
@@ -11,28 +12,45 @@ use crate::CertificateError;
 use crate::interval::{Angle, Interval, Vector, angle};
 use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 
+pub(crate) use envelope::{Envelope, Straight, StressPoint};
 pub(crate) use far::FarFrame;
 pub(crate) use members::{Attached, Piece};
 pub(crate) use numbers::{exists, finite};
 pub(crate) use reference::{Column, ReferenceStress, Stress};
 
 /// Strength of one region.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Strength {
     pub(crate) friction: Angle,
     pub(crate) cohesion: Linear,
     pub(crate) pore_pressure: Linear,
     pub(crate) tension: Option<Interval>,
+    /// What limits it beside friction and cohesion.
+    pub(crate) envelope: Option<Envelope>,
 }
 
 impl Strength {
-    fn new(material: &Material) -> Self {
+    pub(crate) fn new(material: &Material) -> Self {
         Self {
             friction: angle(material.phi_deg),
             cohesion: material.cohesion,
             pore_pressure: material.pore_pressure,
             tension: material.tension.map(Interval::point),
+            envelope: material.envelope.as_ref().map(|envelope| Envelope::new(material, envelope)),
         }
+    }
+
+    /// The lines of which a lower bound obeys each, beside that of friction and cohesion.
+    pub(crate) fn further(&self) -> &[Straight] {
+        self.envelope.as_ref().map_or(&[], |envelope| &envelope.inside)
+    }
+
+    /// The friction that the flow rule asks for: where pressure is greatest.
+    pub(crate) fn flow_friction(&self) -> Angle {
+        self.envelope
+            .as_ref()
+            .and_then(|envelope| envelope.outside.last())
+            .map_or(self.friction, |line| line.friction)
     }
 }
 

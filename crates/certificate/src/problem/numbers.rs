@@ -1,3 +1,4 @@
+use super::envelope;
 use crate::CertificateError;
 use crate::interval::Vector;
 use crate::statement::{Condition, Linear, Objective, Statement};
@@ -29,7 +30,7 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
         for used in region.loops.iter().flatten() {
             exists(|| format!("region {i}"), "line", used.line, lines.len())?;
         }
-        let (m, place) = (region.material, || format!("region {i}"));
+        let (m, place) = (&region.material, || format!("region {i}"));
         check_angle("friction angle", place, m.phi_deg)?;
         check_linear("cohesion", place, &m.cohesion)?;
         check_linear("pore pressure", place, &m.pore_pressure)?;
@@ -43,6 +44,15 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
         }
         at_least_zero("unit weight", place, m.unit_weight, "force/volume")?;
         at_least_zero("tension", place, m.tension.unwrap_or(0.0), "stress")?;
+        for line in m.envelope.iter().flat_map(|e| e.inside.iter().chain(&e.outside)) {
+            check_angle("friction angle of a line of the envelope", place, line.phi_deg)?;
+            at_least_zero("cohesion of a line of the envelope", place, line.cohesion, "stress")?;
+        }
+        envelope::check(m, place)?;
+        if statement.width.is_some() && m.envelope.is_some() {
+            let what = "a curved strength envelope beside a structure with ends";
+            return Err(CertificateError::NotCovered { place: place(), what });
+        }
     }
     let whole = || "the statement".to_owned();
     finite("gravity along x", whole, gravity[0], "")?;

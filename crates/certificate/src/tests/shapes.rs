@@ -55,7 +55,7 @@ fn outlines_must_make_sense() {
         let sides: Vec<LineUse> = (4..7).map(|line| LineUse { line, forward: true }).collect();
         let fixed = |u: &LineUse| Boundary { line: u.line, forward: true, condition: Condition::Fixed };
         s.boundaries.extend(sides.iter().map(fixed));
-        s.regions.push(Region { loops: vec![sides], material: s.regions[0].material });
+        s.regions.push(Region { loops: vec![sides], material: s.regions[0].material.clone() });
     });
 }
 
@@ -94,10 +94,10 @@ fn layered(interface: bool) -> (Statement, UpperField) {
     s.boundaries =
         conditions.enumerate().map(|(line, condition)| Boundary { line, forward: true, condition }).collect();
     let side = |line, forward| LineUse { line, forward };
-    let material = s.regions[0].material;
+    let material = s.regions[0].material.clone();
     let above = vec![side(0, true), side(6, true), side(4, true), side(5, true)];
     let below = vec![side(1, true), side(2, true), side(3, true), side(6, false)];
-    s.regions = [above, below].map(|l| Region { loops: vec![l], material }).to_vec();
+    s.regions = [above, below].map(|l| Region { loops: vec![l], material: material.clone() }).to_vec();
     let corner = |point| Vertex { position: [0.0; 2], place: Place::Corner { point } };
     let mut vertices: Vec<Vertex> = (0..6).map(corner).collect();
     let triangle = |corners, region| Triangle { corners, region };

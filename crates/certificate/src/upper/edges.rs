@@ -33,10 +33,8 @@ impl VelocityField<'_> {
         if jump.opening.iter().chain(&jump.slip).all(|x| x.is_zero()) {
             return Ok(Power::ZERO);
         }
-        let [first, second] = [side, other].map(|s| {
-            let strength = self.problem.strengths[self.tiling.region(s.triangle)];
-            self.layer(side, &strength, jump)
-        });
+        let [first, second] = [side, other]
+            .map(|s| self.layer(side, &self.problem.strengths[self.tiling.region(s.triangle)], jump));
         match (first, second) {
             (Ok(a), Ok(b)) => Ok(a.or_lesser(b)),
             (Ok(a), Err(_)) | (Err(_), Ok(a)) => Ok(a),
@@ -150,12 +148,13 @@ impl VelocityField<'_> {
             // It is a wall, along which the stream function has been made to change as the structure moves.
             relative.opening = [Interval::ZERO; 3];
         }
-        let soil = self.problem.strengths[self.tiling.region(side.triangle)];
+        let soil = &self.problem.strengths[self.tiling.region(side.triangle)];
         let strength = Strength {
             friction: angle(delta_deg),
             cohesion: Linear::uniform(adhesion),
             pore_pressure: soil.pore_pressure,
             tension: bears_pressure_only.then_some(Interval::ZERO),
+            envelope: None,
         };
         self.layer(side, &strength, relative)
     }
@@ -164,7 +163,7 @@ impl VelocityField<'_> {
     /// polynomials are not negative and add up to one, it does so between the control points too. Without friction it may
     /// open only if the tension is limited.
     fn layer(&self, side: Side, strength: &Strength, slide: EdgeVelocity) -> Result<Power, CertificateError> {
-        let tan = strength.friction.tan();
+        let tan = strength.flow_friction().tan();
         let may_open = !strength.friction.sin.is_zero() || strength.tension.is_some();
         for (i, (open, slip)) in slide.opening.into_iter().zip(slide.slip).enumerate() {
             // For slip in either sense.

@@ -313,7 +313,7 @@ impl VelocityField<'_> {
         bond: Interval,
         slide: EdgeVelocity,
     ) -> Result<Power, CertificateError> {
-        let tan = bond * strength.friction.tan();
+        let tan = bond * strength.flow_friction().tan();
         let may_open = !strength.friction.sin.is_zero() || strength.tension.is_some();
         for (i, (open, slip)) in slide.opening.into_iter().zip(slide.slip).enumerate() {
             let spares = if may_open { [open - slip * tan, open + slip * tan] } else { [open, -open] };

@@ -34,7 +34,8 @@ impl VelocityField<'_> {
             return Ok(Power::ZERO);
         }
         let inward = self.edges(triangle).map(Vector::turned);
-        let strength = self.problem.strengths[self.tiling.region(triangle)];
+        let strength = &self.problem.strengths[self.tiling.region(triangle)];
+        let friction = strength.flow_friction();
         let (mut dilation, mut shearing) = ([Interval::ZERO; 3], [Interval::ZERO; 3]);
         for k in 0..3 {
             let (i, j) = (after(k, 1), after(k, 2));
@@ -47,7 +48,7 @@ impl VelocityField<'_> {
             let stretch = sum(|v, g| v.x * g.x - v.y * g.y);
             let shear = sum(|v, g| v.x * g.y + v.y * g.x);
             let rate_square = stretch.square() + shear.square();
-            let least = strength.friction.sin.square() * rate_square;
+            let least = friction.sin.square() * rate_square;
             let spare = volume.square() - least;
             if !(volume.is_at_least_zero() && spare.is_at_least_zero()) {
                 let low = volume.lo() - least.hi().sqrt();
@@ -57,7 +58,7 @@ impl VelocityField<'_> {
             }
             (dilation[k], shearing[k]) = (volume, rate_square.sqrt());
         }
-        let resistance = Resistance::new(&strength, self.tiling.corners(triangle));
+        let resistance = Resistance::new(strength, self.tiling.corners(triangle));
         let resisted = resistance.of_triangle(dilation, shearing);
         // The mean of a quadratic polynomial in Bernstein form is that of its coefficients.
         let sum = nodes.iter().fold(Vector::ZERO, |sum, node| sum + self.velocities[*node]);

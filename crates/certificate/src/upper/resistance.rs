@@ -13,10 +13,15 @@
 //! negative, so they are at most the linear (on an edge quadratic) functions with the same values at the corners (with
 //! their values at the control points as coefficients), and their product is at most the product of these. The water in
 //! the pores adds `-u e`.
+//!
+//! An envelope is made of straight lines `R <= a - b p`, steepest first, of which a greatest tension is one. Where `e/g` is between the
+//! slopes of two that follow each other, these alone bound `p e + R g` by its value where they meet; above the first slope the first
+//! bounds it by its value at `R = 0`. So the greatest of these values is a bound, whatever `e/g` is above the last slope. It is convex in
+//! the strain rate, so it is at most the linear function through its values at the corners.
 
 use super::means;
 use crate::interval::{Angle, Interval, Vector};
-use crate::problem::Strength;
+use crate::problem::{Straight, Strength, StressPoint};
 
 /// Power of the stresses in soil that flows.
 #[derive(Debug, Clone, Copy)]
@@ -35,22 +40,25 @@ impl Resisted {
 }
 
 /// Strength at the `N` corners of something over which it is linear.
-pub(super) struct Resistance<const N: usize> {
+pub(super) struct Resistance<'a, const N: usize> {
     friction: Angle,
     cohesion: [Interval; N],
     pore_pressure: [Interval; N],
     tension: Option<Interval>,
+    /// The lines of an envelope, in order.
+    lines: Option<&'a [Straight]>,
 }
 
-impl<const N: usize> Resistance<N> {
+impl<'a, const N: usize> Resistance<'a, N> {
     /// Strength between these points.
-    pub(super) fn new(strength: &Strength, points: [Vector; N]) -> Self {
+    pub(super) fn new(strength: &'a Strength, points: [Vector; N]) -> Self {
         Self {
             friction: strength.friction,
             // More cohesion never dissipates less.
             cohesion: points.map(|p| strength.cohesion.enclosed(p).or_zero()),
             pore_pressure: points.map(|p| strength.pore_pressure.enclosed(p)),
             tension: strength.tension,
+            lines: strength.envelope.as_ref().map(|envelope| envelope.outside.as_slice()),
         }
     }
 
@@ -75,6 +83,30 @@ impl<const N: usize> Resistance<N> {
         self.cohesion.map(|c| self.friction.cot_times(c))
     }
 
+    /// The circles at which the greatest power of an envelope can be found.
+    fn circles(&self, lines: &[Straight]) -> Vec<StressPoint> {
+        let cut = self.tension.and_then(|t| lines.first().map(|line| cut_of(line, t)));
+        self.vertices(lines, Straight::meets, cut)
+    }
+
+    /// Where lines of an envelope meet one after the other; first, where the first or the greatest tension ends it.
+    fn vertices(
+        &self,
+        lines: &[Straight],
+        meets: impl Fn(&Straight, &Straight) -> StressPoint,
+        cut: Option<StressPoint>,
+    ) -> Vec<StressPoint> {
+        let [first, ..] = lines else { return Vec::new() };
+        let apex = (first.apex(), Interval::ZERO);
+        let ends = match (self.tension, cut) {
+            (Some(tension), Some(cut)) if tension.hi() < apex.0.hi() => vec![(tension, Interval::ZERO), cut],
+            _ => vec![apex],
+        };
+        let between = lines.windows(2).map(|two| meets(&two[0], &two[1]));
+        // More radius never dissipates less.
+        ends.into_iter().chain(between).map(|(mean, radius)| (mean, radius.or_zero())).collect()
+    }
+
     /// The lesser of the two bounds, of those that there are, and what the water does.
     fn least(
         &self,
@@ -93,21 +125,44 @@ impl<const N: usize> Resistance<N> {
     }
 }
 
-impl Resistance<3> {
+/// The greatest power of the stresses at some vertices, for one unit of the first and the second kind of rate.
+fn greatest(vertices: &[StressPoint], first: Interval, second: Interval) -> Interval {
+    let power = |(mean, radius): &StressPoint| *mean * first + *radius * second;
+    vertices.iter().map(power).reduce(|a, b| if a.hi() < b.hi() { b } else { a }).unwrap_or(Interval::ZERO)
+}
+
+/// Where a line bears the circle that touches the greatest tension.
+fn cut_of(line: &Straight, tension: Interval) -> StressPoint {
+    let Angle { sin, cos } = line.friction;
+    let radius = ((line.cohesion * cos - tension * sin) / (Interval::ONE - sin)).or_zero();
+    (tension - radius, radius)
+}
+
+fn mean_of_three(of: [Interval; 3]) -> Interval {
+    (of[0] + of[1] + of[2]).third()
+}
+
+impl Resistance<'_, 3> {
     /// What a triangle dissipates, from dilation and shear rate at the corners, times the area. The flow rule holds.
     pub(super) fn of_triangle(&self, dilation: [Interval; 3], shearing: [Interval; 3]) -> Resisted {
         let mean = means::over_triangle;
         let one = [Interval::ONE; 3];
+        let water = mean(self.pore_pressure, dilation);
+        if let Some(lines) = self.lines {
+            let vertices = self.circles(lines);
+            let at_corners = [0, 1, 2].map(|i| greatest(&vertices, dilation[i], shearing[i]));
+            return Resisted { strength: mean_of_three(at_corners), water };
+        }
         let beyond = [0, 1, 2].map(|i| (shearing[i] - dilation[i]).or_zero());
         self.least(
             |apex| mean(apex, dilation),
             |tension, radius| tension * mean(one, dilation) + mean(radius, beyond),
-            mean(self.pore_pressure, dilation),
+            water,
         )
     }
 }
 
-impl Resistance<2> {
+impl Resistance<'_, 2> {
     /// What a layer dissipates that bears the part `bond` of the soil's shear strength at each normal stress, likewise. With `t`
     /// the greatest tension, it opens by at least `bond |slip| tan(phi)`, and the greatest power of what it bears is found where the normal
     /// stress is `t`, at most `t opening + bond max(0, c - t tan(phi)) |slip|`; without a limit `t` is `c cot(phi)`.
@@ -117,6 +172,12 @@ impl Resistance<2> {
         let sliding = slip.map(Interval::abs);
         let tan = self.friction.tan();
         let water = mean(self.pore_pressure, opening);
+        if let Some(lines) = self.lines {
+            let cut = |t: Interval| lines.first().map(|line| (t, line.cohesion - t * line.friction.tan()));
+            let vertices = self.vertices(lines, Straight::crosses, self.tension.and_then(cut));
+            let at_points = [0, 1, 2].map(|i| greatest(&vertices, opening[i], bond * sliding[i]));
+            return Resisted { strength: mean_of_three(at_points), water };
+        }
         let beyond = |t: Interval| self.cohesion.map(|c| bond * (c - t * tan).or_zero());
         let cut = self.cut_off().map(|t| t * mean(one, opening) + mean(beyond(t), sliding));
         let apex = (!self.is_frictionless()).then(|| mean(self.apex(), opening));
@@ -134,6 +195,19 @@ impl Resistance<2> {
     pub(super) fn of_layer(&self, opening: [Interval; 3], slip: [Interval; 3]) -> Resisted {
         let mean = means::over_edge;
         let one = [Interval::ONE; 2];
+        let water = mean(self.pore_pressure, opening);
+        if let Some(lines) = self.lines {
+            let vertices = self.circles(lines);
+            let rate = |i: usize| {
+                if opening[i].is_zero() {
+                    slip[i].abs()
+                } else {
+                    (opening[i].square() + slip[i].square()).sqrt()
+                }
+            };
+            let at_points = [0, 1, 2].map(|i| greatest(&vertices, opening[i], rate(i)));
+            return Resisted { strength: mean_of_three(at_points), water };
+        }
         let beyond = [0, 1, 2].map(|i| {
             let (o, s) = (opening[i], slip[i]);
             if o.is_zero() { s.abs() } else { ((o.square() + s.square()).sqrt() - o).or_zero() }
@@ -141,7 +215,7 @@ impl Resistance<2> {
         self.least(
             |apex| mean(apex, opening),
             |tension, radius| tension * mean(one, opening) + mean(radius, beyond),
-            mean(self.pore_pressure, opening),
+            water,
         )
     }
 }

@@ -162,9 +162,11 @@ impl Run<'_> {
         needless: &Arc<AtomicBool>,
     ) -> Result<SolvedLower, LimitError> {
         let mut spent = Spent::default();
+        let is_curved = self.problem.soils.iter().any(|soil| soil.envelope.is_some());
+        let accuracy = if is_curved { accuracy::STRESS_BELOW_LINES } else { accuracy::STRESS };
         for (attempt, tightening) in LOWER_TIGHTENING.iter().enumerate() {
             let lower = Lower::new(self.problem, mesh, topology, *tightening);
-            let answer = self.solve(&lower.program, accuracy::STRESS, "lower", needless)?;
+            let answer = self.solve(&lower.program, accuracy, "lower", needless)?;
             spent.add(&answer, mesh);
             let start = Instant::now();
             let x = lower.drawn_inside(&answer.x, -LEFT * tightening);

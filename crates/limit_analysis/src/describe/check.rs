@@ -339,7 +339,7 @@ impl Description {
 fn check_soil(entry: &str, soil: &SoilEntry) -> Result<(), DescriptionError> {
     let ratio = Range { low: 0.0, high: 1.0, words: "0 to 1" };
     let weight = Range { low: 0.0, high: 1e6, words: "0 to 1e6 kN/m3" };
-    number(entry, "phi_deg", soil.phi_deg, ANGLE)?;
+    check_strength(entry, soil)?;
     number(entry, "cohesion_kpa", soil.cohesion_kpa, STRESS)?;
     let gradient = ("cohesion_gradient_kpa_per_m", soil.cohesion_gradient_kpa_per_m);
     number(entry, gradient.0, gradient.1, Range { low: -LARGEST, ..STRESS })?;
@@ -355,6 +355,36 @@ fn check_soil(entry: &str, soil: &SoilEntry) -> Result<(), DescriptionError> {
         return Err(DescriptionError::entry(entry, problem));
     }
     Ok(())
+}
+
+/// A soil has a friction angle or a law of strength, not both.
+fn check_strength(entry: &str, soil: &SoilEntry) -> Result<(), DescriptionError> {
+    let wrong = |problem: &str| Err(DescriptionError::entry(entry, problem));
+    let factor = Range { low: 0.01, high: 100.0, words: "0.01 to 100" };
+    number(entry, "strength_factor", soil.strength_factor.unwrap_or(1.0), factor)?;
+    match (soil.phi_deg, &soil.strength) {
+        (None, None) => wrong("it has neither phi_deg, which is 0 for undrained clay, nor strength"),
+        (Some(_), Some(_)) => wrong("it has phi_deg and strength; leave out one of them"),
+        (Some(phi_deg), None) => {
+            number(entry, "phi_deg", phi_deg, ANGLE)?;
+            if soil.strength_factor.is_some() {
+                return wrong("strength_factor goes with strength");
+            }
+            let dilation = Range { low: 0.0, high: phi_deg, words: "0 to phi_deg" };
+            number(entry, "dilation_deg", soil.dilation_deg.unwrap_or(0.0), dilation)
+        }
+        (None, Some(law)) => {
+            if soil.cohesion_kpa != 0.0
+                || soil.cohesion_gradient_kpa_per_m != 0.0
+                || soil.dilation_deg.is_some()
+            {
+                return wrong(
+                    "with strength there is no cohesion_kpa, cohesion_gradient_kpa_per_m or dilation_deg",
+                );
+            }
+            law.check(entry)
+        }
+    }
 }
 
 fn check_interface(entry: &str, face: Interface) -> Result<(), DescriptionError> {
@@ -384,7 +414,7 @@ pub(super) struct Range {
 /// The greatest number below one.
 const BELOW_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
 const ANGLE: Range = Range { low: 0.0, high: 90.0 * BELOW_ONE, words: "0 up to, but not including, 90 deg" };
-const STRESS: Range =
+pub(super) const STRESS: Range =
     Range { low: 0.0, high: LARGEST, words: "a finite number, at least 0 and at most 1e9 kPa" };
 const FORCE: Range = Range { low: 0.0, high: 1e6, words: "0 to 1e6 kN/m" };
 const BENDING: Range = Range { low: 1e-6, high: 1e6, words: "1e-6 to 1e6 kNm/m or kN/m for a beam" };

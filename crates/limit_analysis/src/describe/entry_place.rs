@@ -184,7 +184,7 @@ mod tests {
     fn errors_know_their_place() {
         let soil = |phi_deg| SoilEntry {
             name: "a: b".into(),
-            phi_deg,
+            phi_deg: Some(phi_deg),
             unit_weight_kn_m3: 18.0,
             ..SoilEntry::default()
         };

@@ -45,12 +45,20 @@ pub(super) fn material(
     face: &Face,
     units: &Units,
 ) -> Result<Material, DescriptionError> {
-    let soil = &description.soils[description.soil_of(face.region)];
+    let soil = &description.soils[description.soil_of(face.region)].after_davis();
     let ring = |ring: &Vec<LineUse>| ring.iter().map(|w| plan.map.walked_points(*w)[0]).collect();
     let loops: Vec<Vec<Point>> = face.loops.iter().map(ring).collect();
     let corners = loops.concat();
     let level = [0.0, soil.cohesion_level_m.unwrap_or(0.0)];
     let mut cohesion = units.linear(level, soil.cohesion_kpa, [0.0, -soil.cohesion_gradient_kpa_per_m]);
+    let (mut phi_deg, mut envelope) = (soil.phi_deg.unwrap_or(0.0), None);
+    if soil.strength.is_some() {
+        let lines = soil.lines(description.expected_kpa());
+        if let Some(first) = lines.inside.first() {
+            (phi_deg, cohesion) = (first.phi_deg, Linear::uniform(units.stress(first.cohesion)));
+        }
+        envelope = lines.envelope(|kpa| units.stress(kpa));
+    }
     let least = corners.iter().map(|p| cohesion.at(units.place(*p))).fold(f64::INFINITY, f64::min);
     if least < -ROUNDING {
         let kpa = least * units.stress_kpa;
@@ -62,7 +70,7 @@ pub(super) fn material(
         cohesion.at_origin -= 2.0 * least;
     }
     Ok(Material {
-        phi_deg: soil.phi_deg,
+        phi_deg,
         cohesion,
         unit_weight: units.stress(soil.unit_weight_kn_m3 * units.length_m),
         pore_pressure: match plan.pores {
@@ -73,6 +81,7 @@ pub(super) fn material(
             None => pore_pressure(description, &plan.drawing, face, &corners, units),
         },
         tension: soil.tension_kpa.map(|t| units.stress(t)),
+        envelope,
     })
 }
 
@@ -85,7 +94,7 @@ fn not_above_zero_at_surfaces(
 ) -> Linear {
     let Linear { at_origin, gradient } = pressure;
     let is_exact = at_origin == 0.0 && gradient[0] == 0.0;
-    if is_exact || soil.cohesion_kpa != 0.0 || soil.cohesion_gradient_kpa_per_m != 0.0 {
+    if is_exact || !soil.is_cohesionless() {
         return pressure;
     }
     let terms = corners

@@ -179,12 +179,14 @@ impl Holder<'_> {
     /// What faces bear must fit the soil.
     fn check_face(&self, entry: &str, holds: Holds, soil: usize) -> Result<(), DescriptionError> {
         let (Holds::Face(face), s) = (holds, &self.description.soils[soil]) else { return Ok(()) };
-        let problem = if face.delta_deg > s.phi_deg {
+        let problem = if face.delta_deg > s.steepest_deg() {
             format!(
                 "delta is {} deg, but it meets soil \"{}\" with phi {} deg",
-                face.delta_deg, s.name, s.phi_deg
+                face.delta_deg,
+                s.name,
+                s.steepest_deg()
             )
-        } else if face.delta_deg == 0.0 && face.adhesion_kpa > 0.0 && s.phi_deg > 0.0 {
+        } else if face.delta_deg == 0.0 && face.adhesion_kpa > 0.0 && s.steepest_deg() > 0.0 {
             format!("it has adhesion without friction, but meets soil \"{}\", which has friction", s.name)
         } else {
             return Ok(());

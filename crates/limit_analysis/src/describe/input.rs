@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cases::{CaseEntry, SweepEntry};
 use super::parts::{Action, BoundaryEntry, Kind, MemberEntry, PlateEntry, StructureEntry, is_zero};
+use super::strength::StrengthLaw;
 
 /// A plane-strain collapse problem in metres, kPa, kN/m3 and degrees: what a problem file says.
 ///
@@ -67,14 +68,15 @@ pub struct Description {
     pub sweeps: Vec<SweepEntry>,
 }
 
-/// A Mohr-Coulomb soil.
+/// A soil: of Mohr and Coulomb's strength, or of a curved one.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SoilEntry {
     /// Its name, by which regions refer to it.
     pub name: String,
-    /// Friction angle, 0 up to (not including) 90.
-    pub phi_deg: f64,
+    /// Friction angle, 0 up to (not including) 90. Every soil has it or a `strength`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_deg: Option<f64>,
     /// Cohesion, at the reference level if it varies.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub cohesion_kpa: f64,
@@ -89,6 +91,16 @@ pub struct SoilEntry {
     /// Greatest effective tension; left out: what friction and cohesion allow.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension_kpa: Option<f64>,
+    /// Strength that grows less and less with pressure, in place of `phi_deg` and cohesion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strength: Option<StrengthLaw>,
+    /// What `strength` is multiplied by, 0.01 to 100; 1 if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strength_factor: Option<f64>,
+    /// Dilation angle, 0 up to `phi_deg`, of soil that dilates less than the flow rule says: its strength is lessened after Davis (1968), which
+    /// is an approximation, and bounds are proven for what is left. As much as the flow rule says if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dilation_deg: Option<f64>,
     /// Pore pressure over the weight of the soil vertically above, 0 to 1.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub pore_pressure_ratio: f64,

@@ -37,6 +37,7 @@ mod reduce;
 mod seepage;
 mod segments;
 mod size;
+mod strength;
 
 pub use cases::{Approach, Case, CaseEntry, Effect, Factors, MOST_CASES, Setting, SweepEntry};
 pub use described::{Described, Quantity};
@@ -50,3 +51,4 @@ pub use parts::{
 };
 pub(crate) use seepage::PoreField;
 pub use seepage::{FlowUnit, Flowed, HeadFlow};
+pub use strength::StrengthLaw;

@@ -44,11 +44,17 @@ impl Description {
     /// Divides the strength of all soils and faces.
     pub(super) fn weaken(&mut self, by: Divisors) {
         for soil in &mut self.soils {
-            let divisor = by.beside(soil.phi_deg);
+            let divisor = by.beside(soil.phi_deg.unwrap_or(f64::INFINITY));
             soil.cohesion_kpa /= divisor;
             soil.cohesion_gradient_kpa_per_m /= divisor;
             soil.tension_kpa = soil.tension_kpa.map(|t| t / divisor);
-            by.turn(&mut soil.phi_deg);
+            if let Some(phi_deg) = &mut soil.phi_deg {
+                by.turn(phi_deg);
+                soil.dilation_deg = soil.dilation_deg.map(|dilation_deg| dilation_deg.min(*phi_deg));
+            }
+            if soil.strength.is_some() && by.friction != 1.0 {
+                soil.strength_factor = Some(soil.strength_factor.unwrap_or(1.0) / by.friction);
+            }
         }
         for plate in &mut self.plates {
             by.face(&mut plate.delta_deg, &mut plate.adhesion_kpa);

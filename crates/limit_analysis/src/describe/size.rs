@@ -3,7 +3,7 @@
 use super::error::DescriptionError;
 use super::fill::Units;
 use super::holds::Holds;
-use super::input::{Aim, Description};
+use super::input::{Aim, Description, SoilEntry};
 use super::plan::Plan;
 use crate::vector::Point;
 
@@ -41,7 +41,7 @@ pub(super) fn units(description: &Description, plan: &Plan, at_far: f64) -> Resu
     let length_m = if lead > 1e-3 * soil { lead } else { soil };
     let [x, y] = [0.5 * (plan.drawing.low[0] + plan.drawing.high[0]), datum(description, plan)];
     let cohesion = |[_, p]: [Point; 2]| {
-        let at = |s: &super::SoilEntry| {
+        let at = |s: &SoilEntry| {
             let level = s.cohesion_level_m.unwrap_or(0.0);
             s.cohesion_kpa + s.cohesion_gradient_kpa_per_m * (level - p[1]).abs().min(2.0 * length_m)
         };
@@ -56,7 +56,7 @@ pub(super) fn units(description: &Description, plan: &Plan, at_far: f64) -> Resu
         _ => Vec::new(),
     });
     let weight = description.soils.iter().map(|s| s.unit_weight_kn_m3).fold(0.0, f64::max);
-    let strength = description.soils.iter().map(|s| s.cohesion_kpa).fold(cohesion, f64::max);
+    let strength = description.soils.iter().map(SoilEntry::at_no_pressure_kpa).fold(cohesion, f64::max);
     let stress_kpa = loads.fold((weight * length_m).max(strength).max(at_far), f64::max);
     if stress_kpa > 0.0 {
         return Ok(Units { origin: [x, y], length_m, stress_kpa });

@@ -124,12 +124,17 @@ impl Lower {
             let Some(stress) = stress else { continue };
             let (normal, shear) = traction(stress, t);
             let by = scale(p);
-            let friction = by * member.bond * soil.tan;
-            let hold = Form::constant(-friction * soil.pore_pressure.at(p))
-                .plus(by * member.bond * soil.cohesion.at(p).max(0.0), &self.strength())
-                .plus(-friction, &normal);
-            self.program.non_negative(hold.clone().plus(by, &shear));
-            self.program.non_negative(hold.plus(-by, &shear));
+            let own = (soil.tan, soil.cohesion.at(p).max(0.0));
+            let further = soil.envelope.iter().flat_map(|envelope| &envelope.inside);
+            let lines = further.map(|line| (line.tan(), line.cohesion)).chain([own]);
+            for (tan, cohesion) in lines {
+                let friction = by * member.bond * tan;
+                let hold = Form::constant(-friction * soil.pore_pressure.at(p))
+                    .plus(by * member.bond * cohesion, &self.strength())
+                    .plus(-friction, &normal);
+                self.program.non_negative(hold.clone().plus(by, &shear));
+                self.program.non_negative(hold.plus(-by, &shear));
+            }
         }
     }
 }

@@ -29,6 +29,7 @@ pub(crate) use members::SectionForces;
 use reference::ReferenceStress;
 use splice::Splice;
 
+use crate::envelope::Line;
 use crate::members::{MemberEdge, member_edges};
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
@@ -55,6 +56,19 @@ pub(crate) struct Lower {
     pub(crate) members: Vec<MemberEdge>,
     /// What follows from the ends of the structure, if the bound shall hold for every width.
     splice: Option<Splice>,
+    /// Circles of Mohr that envelopes limit.
+    circles: Vec<Circle>,
+}
+
+/// A circle of Mohr whose radius and mean stress (tension positive) are unknowns, for many limits on both: the true radius is not above the
+/// one, the true mean stress not above the other, and limits fall with the latter. All times one scale.
+#[derive(Debug)]
+struct Circle {
+    radius: usize,
+    mean: usize,
+    true_mean: Form,
+    spans: [Form; 2],
+    limits: Vec<Form>,
 }
 
 fn stress(c: &Curvature, local: &[Form; 12], reference: &Stress) -> Stress {
@@ -145,7 +159,8 @@ impl Lower {
         }
         let splice = problem.is_spliced().then(|| Splice::new(problem));
         let members = member_edges(problem, mesh, topology);
-        let mut lower = Self { program, function, reference, force, part, members, splice };
+        let circles = Vec::new();
+        let mut lower = Self { program, function, reference, force, part, members, splice, circles };
         for triangle in 0..mesh.triangles.len() {
             lower.add_triangle(problem, mesh, topology, triangle);
         }
@@ -223,10 +238,38 @@ impl Lower {
     /// Yield without a limit to the tension, and what ends demand.
     fn add_yield(&mut self, soil: &Soil, s: &Stress, at: Point, scale: f64) {
         let part = self.strength();
-        self.program.second_order(mohr_coulomb(soil, &part, s, at, scale));
+        let [most, difference, shear] = mohr_coulomb(soil, &part, s, at, scale);
+        match &soil.envelope {
+            None => self.program.second_order([most, difference, shear]),
+            Some(envelope) => {
+                let own = Line { sin: soil.sin, cos: soil.cos, cohesion: soil.cohesion.at(at).max(0.0) };
+                let [xx, yy, _] = s;
+                let mean = Form::constant(scale * soil.pore_pressure.at(at));
+                let mean = mean.plus(0.5 * scale, xx).plus(0.5 * scale, yy);
+                let lines = std::iter::once(&own).chain(&envelope.inside);
+                let limits = lines
+                    .map(|line| (line.sin, Form::default().plus(scale * line.cohesion * line.cos, &part)));
+                let limits = limits.collect();
+                self.add_circle([difference, shear], mean, limits);
+            }
+        }
         for cone in self.splice.iter().flat_map(|splice| splice.cones(s, at, scale)) {
             self.program.second_order(cone);
         }
+    }
+
+    /// Limits the radius of a circle of Mohr by lines, given by what they fall with the mean stress and what they are where that is zero.
+    fn add_circle(&mut self, spans: [Form; 2], true_mean: Form, lines: Vec<(f64, Form)>) {
+        let [radius, mean] = [self.program.unknown(), self.program.unknown()];
+        let [difference, shear] = spans.clone();
+        self.program.second_order([Form::unknown(radius, 1.0), difference, shear]);
+        self.program.non_negative(Form::unknown(mean, 1.0).plus(-1.0, &true_mean));
+        let limit = |(falls, start): (f64, Form)| start.plus(-falls, &Form::unknown(mean, 1.0));
+        let limits: Vec<Form> = lines.into_iter().map(limit).collect();
+        for limit in &limits {
+            self.program.non_negative(limit.clone().plus(-1.0, &Form::unknown(radius, 1.0)));
+        }
+        self.circles.push(Circle { radius, mean, true_mean, spans, limits });
     }
 
     fn add_face(&mut self, s: &Stress, t: Point, scale: f64, delta_deg: f64, adhesion: f64, water: f64) {
@@ -300,6 +343,14 @@ impl Lower {
         if let Some(part) = self.part {
             rest.copy_from_slice(x);
             rest[part] = 2.0 * self.part(x);
+        }
+        for circle in &self.circles {
+            let [a, b] = circle.spans.each_ref().map(|span| span.value(&rest));
+            rest[circle.mean] = circle.true_mean.value(&rest);
+            let limit = circle.limits.iter().map(|form| form.value(&rest)).fold(f64::INFINITY, f64::min);
+            let spare = limit - a.hypot(b);
+            rest[circle.mean] += 0.25 * spare;
+            rest[circle.radius] = a.hypot(b) + 0.375 * spare;
         }
         let mut share: f64 = 0.0;
         let mut row = 0;

@@ -78,7 +78,7 @@ fn a_vertical_cut_in_clay_has_its_critical_height() {
         if (x > 0.0 && y == 0.0) || x == 0.0 || y == 1.0 { Condition::Free } else { Condition::Fixed }
     };
     let objective = Objective::Body { gravity: [0.0, -1.0] };
-    let cut = statement(&[(&[0, 1, 2, 3, 4, 5], material)], &points, objective, free);
+    let cut = statement(&[(&[0, 1, 2, 3, 4, 5], material.clone())], &points, objective, free);
     let factor = proven(cut, Some(4), |p| (0.06 + 0.15 * p[0].hypot(p[1])).min(0.5));
     // Pastor, Thai & Francescato (2000), Martin (2011): between 3.7760 and 3.7777.
     assert!(factor <= 3.7777 && factor > 3.66, "{factor}");
@@ -100,7 +100,7 @@ fn a_smooth_wall_before_layers_has_rankines_pressure() {
     let light = Material { unit_weight: 1.0, ..soil(30.0, 0.1) };
     let heavy = Material { unit_weight: 1.7, ..soil(30.0, 0.1) };
     let layers: [(&[usize], Material); 3] =
-        [(&[0, 1, 6, 7], light), (&[1, 2, 5, 6], heavy), (&[2, 3, 4, 5], heavy)];
+        [(&[0, 1, 6, 7], light), (&[1, 2, 5, 6], heavy.clone()), (&[2, 3, 4, 5], heavy)];
     let objective = Objective::Structure { velocity: [1.0, 0.0] };
     for far in [false, true] {
         let mut wall = statement(&layers, &points, objective, |[x, y]| {
@@ -157,7 +157,7 @@ fn a_slope_stands_below_its_critical_height() {
     let material = Material { unit_weight: 1.0, ..soil(20.0, 1.0) };
     let objective = Objective::Body { gravity: [0.0, -1.0] };
     let slope = |far: bool| {
-        statement(&[(&[0, 1, 2, 3, 4, 5], material)], &points, objective, |[x, y]| {
+        statement(&[(&[0, 1, 2, 3, 4, 5], material.clone())], &points, objective, |[x, y]| {
             if y == 1.0 || y == 0.0 || (x > 0.0 && x < 1.0 && y > 0.0) {
                 Condition::Free
             } else if far {

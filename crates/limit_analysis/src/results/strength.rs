@@ -7,29 +7,32 @@
 use soilctl_certificate::{Linear, Material};
 
 use super::Point;
+use crate::envelope::{Envelope, greatest};
 
 /// Strength of a soil or a face.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Strength {
     sin: f64,
     cos: f64,
     cohesion: Linear,
     tension: Option<f64>,
+    envelope: Option<Envelope>,
 }
 
 impl Strength {
     pub(super) fn of_soil(m: &Material) -> Self {
         let (sin, cos) = m.phi_deg.to_radians().sin_cos();
-        Self { sin, cos, cohesion: m.cohesion, tension: m.tension }
+        Self { sin, cos, cohesion: m.cohesion, tension: m.tension, envelope: Envelope::of(m) }
     }
 
     pub(super) fn of_face(delta_deg: f64, adhesion: f64) -> Self {
         let (sin, cos) = delta_deg.to_radians().sin_cos();
-        Self { sin, cos, cohesion: Linear::uniform(adhesion), tension: None }
+        Self { sin, cos, cohesion: Linear::uniform(adhesion), tension: None, envelope: None }
     }
 
+    /// Opening over slip that the flow rule demands.
     pub(super) fn tan(&self) -> f64 {
-        self.sin / self.cos
+        self.envelope.as_ref().map_or(self.sin / self.cos, |envelope| envelope.flattest.tan())
     }
 
     fn cohesion(&self, p: Point) -> f64 {
@@ -38,12 +41,22 @@ impl Strength {
 
     /// The greatest shear stress that is borne at a mean effective stress, tension positive.
     pub(super) fn shear(&self, mean: f64, p: Point) -> f64 {
-        (self.cohesion(p) * self.cos - mean * self.sin).max(0.0)
+        self.borne(mean, p)[0]
+    }
+
+    /// The same with the sine of the friction angle at that stress.
+    fn borne(&self, mean: f64, p: Point) -> [f64; 2] {
+        let own = [self.cohesion(p) * self.cos - mean * self.sin, self.sin];
+        let further = self.envelope.iter().flat_map(|envelope| &envelope.inside);
+        let lines = further.map(|line| [line.cohesion * line.cos - mean * line.sin, line.sin]);
+        let [least, sin] = lines.fold(own, |a, b| if b[0] < a[0] { b } else { a });
+        [least.max(0.0), sin]
     }
 
     /// Normal stress, compression positive, on the planes that slip at a mean effective stress, tension positive.
     pub(super) fn on_slip_surface(&self, mean: f64, p: Point) -> f64 {
-        -mean - self.shear(mean, p) * self.sin
+        let [shear, sin] = self.borne(mean, p);
+        -mean - shear * sin
     }
 
     /// Tension at the apex of the cone.
@@ -69,12 +82,19 @@ impl Strength {
 
     /// Mean power over a triangle, per area, from dilation and shear rate at its corners.
     pub(super) fn in_triangle(&self, points: [Point; 3], e: [f64; 3], g: [f64; 3]) -> f64 {
+        if let Some(envelope) = &self.envelope {
+            return [0, 1, 2].map(|i| greatest(&envelope.circles, e[i], g[i])).iter().sum::<f64>() / 3.0;
+        }
         let beyond = [0, 1, 2].map(|i| (g[i] - e[i]).max(0.0));
         self.least(points, |on_e, on_rest| over_triangle(on_e, e) + over_triangle(on_rest, beyond))
     }
 
     /// Mean power along an edge, per length, from opening and slip at their three control points.
     pub(super) fn in_layer(&self, points: [Point; 2], opening: [f64; 3], slip: [f64; 3]) -> f64 {
+        if let Some(envelope) = &self.envelope {
+            let power = |i: usize| greatest(&envelope.circles, opening[i], opening[i].hypot(slip[i]));
+            return [0, 1, 2].map(power).iter().sum::<f64>() / 3.0;
+        }
         let beyond = [0, 1, 2].map(|i| (opening[i].hypot(slip[i]) - opening[i].max(0.0)).max(0.0));
         self.least(points, |on_e, on_rest| over_edge(on_e, opening) + over_edge(on_rest, beyond))
     }

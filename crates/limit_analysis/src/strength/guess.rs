@@ -7,6 +7,9 @@ use super::search::Guess;
 use crate::problem::Problem;
 use crate::vector::{between, cross, dot};
 
+/// Pressure where slopes slide, as a part of the weight of soil as high as they are.
+const TYPICAL: f64 = 0.2;
+
 /// The least factor of all free and submerged slopes, as if nothing acted but weight and, where there is no cohesion, water; none without
 /// slopes and weight.
 pub(super) fn guess(problem: &Problem) -> Option<Guess> {
@@ -25,13 +28,15 @@ pub(super) fn guess(problem: &Problem) -> Option<Guess> {
         // Against what is level across gravity, which an earthquake tilts, and seepage.
         let along = between(p, q);
         let beta = dot(along, down).abs().atan2(cross(along, down).abs());
-        if soil.cohesion.is_zero() {
+        if soil.cohesion.is_zero() && soil.envelope.is_none() {
             return (beta > 0.0 && soil.tan > 0.0).then(|| Guess::Good(soil.tan / beta.tan()));
         }
         let middle = [0, 1].map(|i| 0.5 * (p[i] + q[i]));
-        let strength = soil.cohesion.at(middle) / (soil.unit_weight * gravity * (q[1] - p[1]).abs());
+        let weight = soil.unit_weight * gravity * (q[1] - p[1]).abs();
+        let [tan, cohesion] = soil.strength_at(TYPICAL * weight, middle);
+        let strength = cohesion / weight;
         (beta > 0.0 && strength.is_finite() && strength > 0.0)
-            .then(|| Guess::Rough(plane(beta, soil.tan, strength)))
+            .then(|| Guess::Rough(plane(beta, tan, strength)))
     });
     factors.min_by(|a, b| a.factor().total_cmp(&b.factor()))
 }

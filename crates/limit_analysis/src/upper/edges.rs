@@ -8,11 +8,12 @@ use super::edge_velocity::EdgeVelocity;
 use super::meshed::Edge;
 use super::nodes::Element;
 use super::strength::{Limit, over_edge};
+use crate::vector::Point;
 
 type Ends = [f64; 2];
 
 /// What a layer between two bodies bears, at both ends of an edge.
-struct Layer {
+struct Layer<'a> {
     /// Opening over slip that it demands.
     tan: f64,
     /// Cost of opening.
@@ -21,6 +22,8 @@ struct Layer {
     water: Ends,
     /// Cost of what slip and opening together are more than the opening.
     radius: Option<Ends>,
+    /// The circles of an envelope, of which one gives the greatest power.
+    circles: Option<&'a [Point]>,
 }
 
 impl Builder<'_> {
@@ -97,7 +100,9 @@ impl Builder<'_> {
         let limit = Limit::around(soil, &ends);
         let radius = matches!(limit, Limit::Tension(_)).then(|| ends.map(|p| limit.radius(soil, p)));
         let water = ends.map(|p| soil.pore_pressure.at(p));
-        let layer = Layer { tan: soil.tan, tension: ends.map(|p| limit.tension(soil, p)), water, radius };
+        let tension = ends.map(|p| limit.tension(soil, p));
+        let circles = soil.envelope.as_ref().map(|envelope| &*envelope.circles);
+        let layer = Layer { tan: soil.flow_tan(), tension, water, radius, circles };
         self.add_layer(&layer, &jump, length);
     }
 
@@ -122,7 +127,7 @@ impl Builder<'_> {
             return self.add_adhesion(&relative, adhesion * length / 3.0);
         }
         let water = self.meshed.ends(side).map(|p| self.meshed.soil(side.triangle).pore_pressure.at(p));
-        let layer = Layer { tan, tension: [tension; 2], water, radius: None };
+        let layer = Layer { tan, tension: [tension; 2], water, radius: None, circles: None };
         self.add_layer(&layer, &relative, length);
     }
 
@@ -157,6 +162,11 @@ impl Builder<'_> {
                 self.power.dissipate(radius[i] * length / 3.0, &beyond);
                 self.program.non_negative(beyond.clone());
                 self.program.second_order([beyond.plus(1.0, n), n.clone(), s.clone()]);
+            }
+            if let Some(circles) = layer.circles {
+                let sliding = Form::unknown(self.program.unknown(), 1.0);
+                self.program.second_order([sliding.clone(), n.clone(), s.clone()]);
+                self.add_greatest(circles, n, &sliding, length / 3.0);
             }
             let open = Form::constant(-self.tighten).plus(1.0, n);
             if layer.tan == 0.0 {

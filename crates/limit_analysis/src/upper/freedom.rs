@@ -172,7 +172,7 @@ fn hold_notches(meshed: &MeshedProblem, nodes: &[Quadratic], fixed: &mut [bool])
             let closed = free.iter().all(|s| free.iter().filter(|o| *o == s).count() == 2);
             let angle: f64 = part.iter().map(|i| meshed.mesh.angle(nodes[fan[*i].0].0, fan[*i].1)).sum();
             let soil = meshed.soil(nodes[fan[first].0].0);
-            if closed && angle < 2.0 * soil.tan.atan() + NOTCH_MARGIN {
+            if closed && angle < 2.0 * soil.flow_tan().atan() + NOTCH_MARGIN {
                 free.into_iter().for_each(|s| fixed[s] = true);
             }
         }

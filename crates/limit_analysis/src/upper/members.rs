@@ -55,15 +55,17 @@ impl MemberPiece {
     }
 }
 
-/// What soil that slides past a face dissipates at both ends of an edge: for each unit of opening, and of slip.
+/// What soil that slides past a face dissipates at both ends of an edge: for each unit of opening, and of slip, or of all power if it has an
+/// envelope.
 pub(crate) fn bond(soil: &Soil, bond: f64, ends: &[Point; 2]) -> [[f64; 2]; 2] {
     if soil.is_isochoric {
         return [[0.0; 2], ends.map(|p| bond * soil.cohesion.at(p).max(0.0))];
     }
     let limit = Limit::around(soil, ends);
-    let slip = |p: Point| match limit {
+    let slip = |p: Point| match &limit {
         Limit::Apex => 0.0,
         Limit::Tension(t) => bond * (soil.cohesion.at(p) - t * soil.tan).max(0.0),
+        Limit::Envelope(_) => 1.0,
     };
     [ends.map(|p| limit.tension(soil, p)), ends.map(slip)]
 }
@@ -236,7 +238,7 @@ impl Builder<'_> {
         let length = piece.edge.length();
         let [opening, slip] = bond(soil, part, ends).map(over_edge);
         let water = over_edge(ends.map(|p| soil.pore_pressure.at(p)));
-        let tan = part * soil.tan;
+        let tan = part * soil.flow_tan();
         for i in (0..3).filter(|i| piece.kinds[*i] != Kind::Soil) {
             if !keeps {
                 let open = &past.opening[i];
@@ -250,7 +252,13 @@ impl Builder<'_> {
                     self.program.non_negative(spare.plus(-tan, &past.slip[i]));
                 }
             }
-            if slip[i] > 0.0 {
+            if let Some(envelope) = &soil.envelope {
+                let tractions: Vec<Point> = envelope.tractions.iter().map(|[n, s]| [*n, part * s]).collect();
+                let sliding = Form::unknown(self.program.unknown(), 1.0);
+                self.program.non_negative(sliding.clone().plus(1.0, &past.slip[i]));
+                self.program.non_negative(sliding.clone().plus(-1.0, &past.slip[i]));
+                self.add_greatest(&tractions, &past.opening[i], &sliding, length / 3.0);
+            } else if slip[i] > 0.0 {
                 let most = Form::unknown(self.program.unknown(), 1.0);
                 self.power.dissipate(slip[i] * length / 3.0, &most);
                 self.program.non_negative(most.clone().plus(1.0, &past.slip[i]));

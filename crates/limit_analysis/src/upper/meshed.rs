@@ -83,7 +83,7 @@ impl<'a> MeshedProblem<'a> {
         let middle = midpoint(a, b);
         let of = |region: usize| {
             let soil = &self.problem.soils[region];
-            (soil.tan, soil.cohesion.at(middle))
+            (soil.flow_tan(), soil.cohesion.at(middle))
         };
         let ((tan, cohesion), (other_tan, other_cohesion)) = (of(here), of(there));
         if tan < other_tan || (tan == other_tan && cohesion <= other_cohesion) { here } else { there }
@@ -91,5 +91,9 @@ impl<'a> MeshedProblem<'a> {
 }
 
 fn same_strength(a: &Soil, b: &Soil) -> bool {
-    a.tan == b.tan && a.cohesion == b.cohesion && a.pore_pressure == b.pore_pressure && a.cut_off == b.cut_off
+    a.tan == b.tan
+        && a.cohesion == b.cohesion
+        && a.pore_pressure == b.pore_pressure
+        && a.cut_off == b.cut_off
+        && a.envelope == b.envelope
 }

@@ -218,7 +218,7 @@ fn weld_sharp_bends(meshed: &MeshedProblem, corners: &mut [[usize; 3]], count: u
     for (triangle, copies) in corners.iter().enumerate().filter(|c| !meshed.is_isochoric(c.0)) {
         for (k, &copy) in copies.iter().enumerate() {
             angle[copy] += meshed.mesh.angle(triangle, k);
-            notch[copy] = 2.0 * meshed.soil(triangle).tan.atan() + 0.1;
+            notch[copy] = 2.0 * meshed.soil(triangle).flow_tan().atan() + 0.1;
             for edge in [(k + 1) % 3, (k + 2) % 3] {
                 match meshed.edge(Side { triangle, corner: edge }) {
                     Edge::Jump { other, .. } | Edge::Member { other }

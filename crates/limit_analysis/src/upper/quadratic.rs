@@ -5,7 +5,7 @@ use soilctl_conic::Form;
 use super::nodes::Element;
 use super::strength::{Limit, over_triangle};
 use super::{Builder, Velocity};
-use crate::vector::twice_area;
+use crate::vector::{Point, twice_area};
 
 /// Gradients at corner `k` of the Bernstein polynomials that belong to the control points.
 pub(crate) fn gradients(v: &[[f64; 2]; 3], k: usize) -> [[f64; 2]; 6] {
@@ -52,6 +52,10 @@ impl Builder<'_> {
             }
             self.power.dissipate(tension[k] * area / 3.0 / h, &volume);
             self.power.load(water[k] * area / 3.0 / h, &volume, self.all);
+            if let Limit::Envelope(circles) = &limit {
+                self.add_envelope(circles, soil.flow_sin(), [volume, difference, shear], area / 3.0 / h);
+                continue;
+            }
             if matches!(limit, Limit::Tension(_)) {
                 let beyond = Form::unknown(self.program.unknown(), 1.0);
                 self.power.dissipate(radius[k] * area / 3.0 / h, &beyond);
@@ -74,6 +78,33 @@ impl Builder<'_> {
         };
         let flow = [integral(0), integral(1)];
         self.add_body(triangle, [area, 6.0], &flow);
+    }
+
+    /// What soil with an envelope dissipates at `cost` for one unit, and its flow rule.
+    pub(super) fn add_envelope(
+        &mut self,
+        circles: &[Point],
+        flow_sin: f64,
+        [volume, difference, shear]: [Form; 3],
+        cost: f64,
+    ) {
+        let shearing = Form::unknown(self.program.unknown(), 1.0);
+        self.program.second_order([shearing.clone(), difference, shear]);
+        self.program
+            .non_negative(Form::constant(-self.tighten).plus(1.0, &volume).plus(-flow_sin, &shearing));
+        self.add_greatest(circles, &volume, &shearing, cost);
+    }
+
+    /// The greatest power of some stresses, for opening or dilation and the second kind of rate, at `cost` for one unit. Pressure does the
+    /// less work the more it opens, so an unknown that is not above the opening does for it, which keeps rows short.
+    pub(super) fn add_greatest(&mut self, stresses: &[Point], opening: &Form, rate: &Form, cost: f64) {
+        let [power, least] = [0; 2].map(|_| Form::unknown(self.program.unknown(), 1.0));
+        self.power.dissipate(cost, &power);
+        self.program.non_negative(opening.clone().plus(-1.0, &least));
+        for [mean, radius] in stresses {
+            let opening = if *mean > 0.0 { opening } else { &least };
+            self.program.non_negative(power.clone().plus(-mean, opening).plus(-radius, rate));
+        }
     }
 
     /// Velocities of the control points on an edge, in the triangle's sense.

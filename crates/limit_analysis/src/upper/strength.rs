@@ -4,19 +4,27 @@
 //! of the cone's apex makes it at most `t e + Q max(g - e, 0)`, with `Q` the radius of Mohr's circle where both limits meet.
 //! The water in the pores adds `-u e`.
 
+use std::sync::Arc;
+
+use crate::envelope::greatest;
 use crate::problem::Soil;
 use crate::vector::Point;
 
-/// Which of the two limits counts. Not both: the bound is the lesser one for a whole triangle or edge.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Which limit counts. Of apex and tension not both: the bound is the lesser one for a whole triangle or edge.
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Limit {
     Apex,
     Tension(f64),
+    /// The circles of an envelope, of which one gives the greatest power at each corner.
+    Envelope(Arc<[Point]>),
 }
 
 impl Limit {
     /// The lower limit around some points.
     pub(crate) fn around(soil: &Soil, points: &[Point]) -> Self {
+        if let Some(envelope) = &soil.envelope {
+            return Self::Envelope(Arc::clone(&envelope.circles));
+        }
         let cohesion: f64 = points.iter().map(|p| soil.cohesion.at(*p)).sum();
         match soil.cut_off {
             Some(t) if t * points.len() as f64 <= cohesion / soil.tan => Self::Tension(t),
@@ -25,18 +33,28 @@ impl Limit {
     }
 
     /// Factor on the dilation, without what the water does.
-    pub(crate) fn tension(self, soil: &Soil, p: Point) -> f64 {
+    pub(crate) fn tension(&self, soil: &Soil, p: Point) -> f64 {
         match self {
             Self::Apex => soil.tension(p),
-            Self::Tension(t) => t,
+            Self::Tension(t) => *t,
+            Self::Envelope(_) => 0.0,
         }
     }
 
-    /// Factor on what the shear rate is above the dilation.
-    pub(crate) fn radius(self, soil: &Soil, p: Point) -> f64 {
+    /// Factor on [`Self::beyond`].
+    pub(crate) fn radius(&self, soil: &Soil, p: Point) -> f64 {
         match self {
             Self::Apex => 0.0,
             Self::Tension(t) => ((soil.cohesion.at(p) * soil.cos - t * soil.sin) / (1.0 - soil.sin)).max(0.0),
+            Self::Envelope(_) => 1.0,
+        }
+    }
+
+    /// What dissipates beside the dilation, from that and the shear rate: what the one is above the other; of an envelope all power.
+    pub(crate) fn beyond(&self, dilation: f64, shearing: f64) -> f64 {
+        match self {
+            Self::Apex | Self::Tension(_) => (shearing - dilation).max(0.0),
+            Self::Envelope(circles) => greatest(circles, dilation, shearing),
         }
     }
 }

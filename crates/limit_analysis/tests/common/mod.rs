@@ -12,6 +12,7 @@ pub(crate) fn soil(phi_deg: f64, cohesion: f64) -> Material {
         unit_weight: 0.0,
         pore_pressure: Linear::default(),
         tension: None,
+        envelope: None,
     }
 }
 
@@ -35,7 +36,7 @@ pub(crate) fn statement(
                 LineUse { line: lines.len() - 1, forward: true }
             })
             .collect::<Vec<_>>();
-        outlines.push(Region { loops: vec![uses], material: *material });
+        outlines.push(Region { loops: vec![uses], material: material.clone() });
     }
     let used = |line: usize| outlines.iter().flat_map(|r| &r.loops[0]).filter(|u| u.line == line).count();
     let boundaries = (0..lines.len())

@@ -5,7 +5,13 @@ use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::{Described, RegionEntry, SoilEntry};
 
 pub(crate) fn soil(name: &str, phi_deg: f64, cohesion_kpa: f64) -> SoilEntry {
-    SoilEntry { name: name.into(), phi_deg, cohesion_kpa, unit_weight_kn_m3: 18.0, ..SoilEntry::default() }
+    SoilEntry {
+        name: name.into(),
+        phi_deg: Some(phi_deg),
+        cohesion_kpa,
+        unit_weight_kn_m3: 18.0,
+        ..SoilEntry::default()
+    }
 }
 
 pub(crate) fn region(soil: &str, polygon: &[[f64; 2]]) -> RegionEntry {

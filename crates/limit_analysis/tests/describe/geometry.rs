@@ -22,7 +22,7 @@ fn a_footing_is_in_units_of_its_width() {
     assert_eq!(described.quantity, Quantity::ForceKnPerM);
     assert_eq!(s.objective, Objective::Structure { velocity: [0.0, -1.0] });
     assert_eq!((s.datum, s.surcharge, s.gravity), (0.0, 0.0, [0.0, -1.0]));
-    let m = s.regions[0].material;
+    let m = s.regions[0].material.clone();
     assert_eq!((m.unit_weight, m.cohesion.at_origin), (1.0, 5.0 / 36.0));
     assert_eq!(length(s, is_face), 1.0);
     assert_eq!(length(s, is_free), 15.0);

@@ -83,7 +83,7 @@ impl Ground {
     fn description(&self) -> Description {
         let soil = |(i, weight): (usize, &f64)| SoilEntry {
             name: format!("soil {i}"),
-            phi_deg: 20.0 + i as f64,
+            phi_deg: Some(20.0 + i as f64),
             cohesion_kpa: 5.0,
             unit_weight_kn_m3: *weight,
             ..SoilEntry::default()
@@ -192,7 +192,7 @@ proptest! {
                 };
                 prop_assert_eq!(found.len(), 1);
                 prop_assert_eq!(around(s, found[0], at), 1);
-                let m = s.regions[found[0]].material;
+                let m = s.regions[found[0]].material.clone();
                 prop_assert_eq!(m.phi_deg, 20.0 + layer as f64);
                 let pore = m.pore_pressure.at(at) * described.stress_kpa;
                 let wanted = table.map_or(0.0, |y| 10.0 * (y - p[1]).max(0.0));

@@ -29,8 +29,8 @@ fn refused(words: &str, change: impl Fn(&mut Description)) {
 
 #[test]
 fn numbers_out_of_range() {
-    refused("soil 1 (\"sand\"): phi_deg is 90", |d| d.soils[0].phi_deg = 90.0);
-    refused("phi_deg is NaN", |d| d.soils[0].phi_deg = f64::NAN);
+    refused("soil 1 (\"sand\"): phi_deg is 90", |d| d.soils[0].phi_deg = Some(90.0));
+    refused("phi_deg is NaN", |d| d.soils[0].phi_deg = Some(f64::NAN));
     refused("cohesion_kpa is -1", |d| d.soils[0].cohesion_kpa = -1.0);
     refused("unit_weight_kn_m3 is inf", |d| d.soils[0].unit_weight_kn_m3 = f64::INFINITY);
     refused("pore_pressure_ratio is 1.5", |d| d.soils[0].pore_pressure_ratio = 1.5);
@@ -125,7 +125,7 @@ fn structures_that_do_not_fit() {
         d.structures[0].edge[0][1] = -1.0
     });
     refused("give either polygon or edge", |d| d.structures[0].edge.clear());
-    refused("delta is 20 deg, but it meets soil \"sand\" with phi 0 deg", |d| d.soils[0].phi_deg = 0.0);
+    refused("delta is 20 deg, but it meets soil \"sand\" with phi 0 deg", |d| d.soils[0].phi_deg = Some(0.0));
     refused("adhesion without friction", |d| d.structures[0].delta_deg = 0.0);
 }
 

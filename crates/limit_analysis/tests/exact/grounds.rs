@@ -57,7 +57,7 @@ pub(crate) fn wall(
         corners.push([2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1]);
     }
     let regions: Vec<(&[usize], Material)> =
-        corners.iter().zip(layers).map(|(c, (_, material))| (c.as_slice(), *material)).collect();
+        corners.iter().zip(layers).map(|(c, (_, material))| (c.as_slice(), material.clone())).collect();
     let objective = Objective::Structure { velocity: [direction, 0.0] };
     let it = statement(&regions, &points, objective, |[x, y]| match () {
         () if x == 0.0 => Condition::Face { delta_deg: 0.0, adhesion: 0.0 },

@@ -17,7 +17,7 @@ pub(crate) fn layer(
     gravity: [f64; 2],
 ) -> Statement {
     let points = [[0.0, 0.0], [0.0, -1.0], [LENGTH, -1.0], [LENGTH, 0.0], [0.0, -1.5], [LENGTH, -1.5]];
-    let strong = Material { cohesion: Linear::uniform(20.0), ..material };
+    let strong = Material { cohesion: Linear::uniform(20.0), ..material.clone() };
     // The pressure along the layer at its base, where the circle of stresses touches the limit; water adds to both.
     let along = pressure + 2.0 * shear * material.phi_deg.to_radians().tan();
     let regions: [(&[usize], Material); 2] = [(&[0, 1, 2, 3], material), (&[1, 4, 5, 2], strong)];

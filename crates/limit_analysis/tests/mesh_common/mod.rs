@@ -14,6 +14,7 @@ pub(crate) fn region(loops: Vec<Vec<LineUse>>) -> Region {
         unit_weight: 1.0,
         pore_pressure: Linear::default(),
         tension: None,
+        envelope: None,
     };
     Region { loops, material }
 }

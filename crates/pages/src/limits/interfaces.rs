@@ -29,6 +29,7 @@ pub(crate) fn between_soils(statement: &Statement) -> Vec<Vec<Point>> {
             || a.cohesion != b.cohesion
             || a.unit_weight != b.unit_weight
             || a.tension != b.tension
+            || a.envelope != b.envelope
     };
     inside(statement).filter(|(_, soils)| differ(soils)).map(|(ends, _)| ends.to_vec()).collect()
 }
@@ -65,7 +66,7 @@ mod tests {
     fn statement() -> Statement {
         let soil = |name: &str, weight: f64| SoilEntry {
             name: name.into(),
-            phi_deg: 30.0,
+            phi_deg: Some(30.0),
             cohesion_kpa: 5.0,
             unit_weight_kn_m3: weight,
             ..SoilEntry::default()

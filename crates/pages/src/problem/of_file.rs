@@ -129,8 +129,16 @@ fn soil(description: &Description, described: &Described, region: usize) -> Stri
 }
 
 fn soil_words(soil: &SoilEntry) -> String {
-    let mut words =
-        format!("{}: φ {}°, c {} kPa", soil.name, number(soil.phi_deg), number(soil.cohesion_kpa));
+    let mut words = match soil.law_words() {
+        Some(law) => format!("{}: {law}", soil.name),
+        None => {
+            let phi_deg = number(soil.phi_deg.unwrap_or_default());
+            format!("{}: φ {phi_deg}°, c {} kPa", soil.name, number(soil.cohesion_kpa))
+        }
+    };
+    if let Some(dilation_deg) = soil.dilation_deg {
+        words += &format!(", ψ {}°", number(dilation_deg));
+    }
     if soil.cohesion_gradient_kpa_per_m != 0.0 {
         let level = soil.cohesion_level_m.unwrap_or(0.0);
         words +=

@@ -32,8 +32,8 @@ pub(super) fn add(page: &mut HtmlReport, found: &Solved, file: &Path) -> Result<
 fn assumptions(found: &Solved) -> Vec<(&'static str, String)> {
     let description = &found.description;
     let soils = &description.soils;
-    let is_frictional = soils.iter().any(|soil| soil.phi_deg > 0.0);
-    let is_undrained = soils.iter().any(|soil| soil.phi_deg == 0.0);
+    let is_frictional = soils.iter().any(|soil| soil.friction_deg() > 0.0);
+    let is_undrained = soils.iter().any(|soil| soil.phi_deg == Some(0.0));
     let mut all = vec![
         ("Plane strain", "the section and all that acts on it go on for ever at right angles to it, and values are per metre of \
                           that direction".to_owned()),

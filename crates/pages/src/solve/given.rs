@@ -42,10 +42,19 @@ fn soils(caption: &str, soils: &[SoilEntry]) -> Result<Table, PageError> {
             let level = number(soil.cohesion_level_m.unwrap_or_default());
             cohesion += &format!(" at y = {level} m, + {} per m", number(soil.cohesion_gradient_kpa_per_m));
         }
+        let mut friction = number(soil.phi_deg.unwrap_or_default());
+        if let Some(dilation_deg) = soil.dilation_deg {
+            let less = soil.after_davis();
+            friction += &format!(", dilation {} (Davis)", number(dilation_deg));
+            cohesion += &format!("; taken as φ {:.2}°, c {:.3}", less.friction_deg(), less.cohesion_kpa);
+        }
+        if let Some(law) = soil.law_words() {
+            (friction, cohesion) = (law, "by the law".to_owned());
+        }
         let tension = soil.tension_kpa.map_or_else(|| "as strength allows".to_owned(), number);
         table.row([
             soil.name.clone(),
-            number(soil.phi_deg),
+            friction,
             cohesion,
             number(soil.unit_weight_kn_m3),
             tension,

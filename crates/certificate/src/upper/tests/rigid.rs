@@ -176,8 +176,8 @@ fn sand_on(rise: f64, stream: impl Fn([f64; 2]) -> [f64; 3]) -> (Statement, Uppe
     let conditions = [face, fixed, free, free, free, free];
     let boundary = |(line, condition)| Boundary { line, forward: true, condition };
     s.boundaries = conditions.into_iter().enumerate().map(boundary).collect();
-    let clay = s.regions[0].material;
-    let sand = Material { phi_deg: 30.0, cohesion: Linear::uniform(0.2), unit_weight: 1.5, ..clay };
+    let clay = s.regions[0].material.clone();
+    let sand = Material { phi_deg: 30.0, cohesion: Linear::uniform(0.2), unit_weight: 1.5, ..clay.clone() };
     let region = |sides: &[(usize, bool)], material| Region {
         loops: vec![sides.iter().map(|(line, forward)| side(*line, *forward)).collect()],
         material,

@@ -2,10 +2,10 @@
 
 use super::super::resistance::Resistance;
 use super::reference::integral;
-use crate::Linear;
-use crate::examples::Random;
+use crate::examples::{Random, soil};
 use crate::interval::{Interval, Vector, angle};
 use crate::problem::Strength;
+use crate::{Envelope, Linear, Material, StrengthLine};
 
 /// The greatest `p e + R g` of all stress states that a soil bears, by trying them.
 fn tried(phi: f64, c: f64, t: f64, e: f64, g: f64) -> f64 {
@@ -35,6 +35,7 @@ fn strength_with_a_limit_to_tension_is_its_support_function() {
             cohesion: Linear::uniform(c),
             pore_pressure: Linear::default(),
             tension: Some(point(t)),
+            envelope: None,
         };
         let at = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Vector::point);
         let bound = Resistance::new(&strength, at).of_triangle([point(e); 3], [point(g); 3]).all();
@@ -52,6 +53,54 @@ fn strength_with_a_limit_to_tension_is_its_support_function() {
         near += usize::from(t < c / phi.to_radians().tan());
     }
     assert!((20..60).contains(&near));
+}
+
+/// A parabola of Mohr, `tau^2 = 1 + 2 s` at the pressure `s`, between chords and tangents: with the normal to the envelope at the angle
+/// `a`, its circles are known in closed form. What is dissipated is above that of the parabola for the tangents and below for the chords,
+/// and near both.
+#[test]
+fn strength_of_many_lines_is_that_of_the_curve_they_are_near() {
+    let at = |s: f64| (1.0 + 2.0 * s).sqrt();
+    let slope = |s: f64| 1.0 / at(s);
+    let line = |slope: f64, cohesion: f64| StrengthLine { phi_deg: slope.atan().to_degrees(), cohesion };
+    let tangent = |s: f64| line(slope(s), at(s) - slope(s) * s);
+    let chord = |a: f64, b: f64| {
+        let slope = (at(b) - at(a)) / (b - a);
+        line(slope, at(a) - slope * a)
+    };
+    let knots: Vec<f64> = (0..=400).map(|i| -0.5 + 4e-5 * f64::from(i).powi(2)).collect();
+    let chords: Vec<StrengthLine> = knots.windows(2).map(|two| chord(two[0], two[1])).collect();
+    let tangents = knots.windows(2).map(|two| tangent(0.5 * (two[0] + two[1]))).collect();
+    let material = Material {
+        phi_deg: chords[0].phi_deg,
+        cohesion: Linear::uniform(chords[0].cohesion),
+        envelope: Some(Envelope { inside: chords[1..].to_vec(), outside: tangents }),
+        ..soil(30.0)
+    };
+    let outer = Strength::new(&material);
+    let inner = Envelope { outside: Vec::new(), ..material.envelope.clone().unwrap() };
+    let inner = Strength::new(&Material { envelope: Some(inner), ..material });
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Vector::point);
+    let point = Interval::point;
+    for (opening, slip) in [(0.3, 1.0), (0.5, 1.0), (1.0, 1.0), (2.0, 1.0), (0.4, -1.0)] {
+        // The greatest `tau |slip| - s opening` on the parabola, at `tau = |slip|/opening`, above its tip.
+        let tau = f64::abs(slip) / opening;
+        let curve = tau * f64::abs(slip) - 0.5 * (tau * tau - 1.0) * opening;
+        let of = |strength: &Strength| {
+            let layer = Resistance::new(strength, [corners[0], corners[1]]);
+            layer.of_layer([point(opening); 3], [point(slip); 3]).all().hi()
+        };
+        let (low, high) = (of(&inner), of(&outer));
+        assert!(low <= curve + 1e-12 && curve <= high + 1e-12, "{opening}: {low} {curve} {high}");
+        assert!(high - low < 1e-3 * curve, "{opening}: {low} {curve} {high}");
+        let dilation = [point(opening); 3];
+        let shearing = [point(f64::hypot(opening, slip)); 3];
+        let triangle = Resistance::new(&outer, corners).of_triangle(dilation, shearing).all().hi();
+        assert!((triangle - high).abs() < 1e-12);
+        let bond = Resistance::new(&outer, [corners[0], corners[1]]);
+        let bond = bond.of_bond(Interval::ONE, [point(opening); 3], [point(slip); 3]).all().hi();
+        assert!((bond - curve).abs() < 1e-3 * curve && bond >= curve, "{bond} {curve}");
+    }
 }
 
 /// The greatest power by formula, for sums.
@@ -78,6 +127,7 @@ fn what_is_bounded_is_above_sums_and_not_by_much() {
             cohesion: Linear { at_origin: 0.6, gradient: [0.3 * next(), 0.4 * next()] },
             pore_pressure: Linear { at_origin: next(), gradient: [next(), next()] },
             tension: tension.map(point),
+            envelope: None,
         };
         let at = |l: &Linear, q: [f64; 2]| l.at_origin + l.gradient[0] * q[0] + l.gradient[1] * q[1];
         // Components of the shear rate at the corners, and dilation with some to spare.

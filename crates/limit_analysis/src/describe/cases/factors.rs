@@ -115,6 +115,16 @@ impl Factors {
     pub(super) fn apply(&self, problem: &mut Description, title: &str) -> Result<(), DescriptionError> {
         let one = |factor: Option<f64>| factor.unwrap_or(1.0);
         let [friction, cohesion, undrained] = [self.friction, self.cohesion, self.undrained].map(one);
+        if friction != cohesion
+            && let Some(soil) = problem.soils.iter().find(|soil| soil.strength.is_some())
+        {
+            let problem = format!(
+                "factors.friction is {friction} and factors.cohesion {cohesion}, but the strength of soil \"{}\" does not tell friction from cohesion; give \
+                 both the same",
+                soil.name
+            );
+            return Err(DescriptionError::entry(title, problem));
+        }
         problem.weaken(Divisors { friction, cohesion, undrained });
         for soil in &mut problem.soils {
             soil.unit_weight_kn_m3 *= one(self.weight);

@@ -46,8 +46,9 @@ pub(super) fn outline(map: &Map, faces: &[Face]) -> Statement {
         unit_weight: 0.0,
         pore_pressure: Linear::default(),
         tension: None,
+        envelope: None,
     };
-    let region = |face: &Face| Region { loops: face.loops.clone(), material };
+    let region = |face: &Face| Region { loops: face.loops.clone(), material: material.clone() };
     Statement {
         points,
         lines,

@@ -63,7 +63,7 @@ fn loaded(material: Material) -> Statement {
 #[test]
 fn shares_add_up_in_clay() {
     let mut clay = soil(0.0, 1.0, 0.7);
-    check(&loaded(clay), |y| -0.7 * y);
+    check(&loaded(clay.clone()), |y| -0.7 * y);
     clay.cohesion = Linear { at_origin: 1.0, gradient: [0.1, -0.5] };
     check(&loaded(clay), |y| -0.7 * y);
 }
@@ -77,7 +77,7 @@ fn shares_add_up_at_faces() {
     for (meshed, delta_deg, adhesion) in [
         (soil(0.0, 1.0, 0.7), 0.0, 0.0),
         (soil(0.0, 1.0, 0.7), 0.0, 0.5),
-        (sand, 0.0, 0.0),
+        (sand.clone(), 0.0, 0.0),
         (sand, 15.0, 0.1),
     ] {
         let face = Condition::Face { delta_deg, adhesion };
@@ -105,10 +105,10 @@ fn loads_that_are_linear_and_shear_count() {
 #[test]
 fn shares_add_up_in_sand() {
     let mut sand = soil(25.0, 0.5, 0.7);
-    check(&loaded(sand), |y| -0.7 * y);
+    check(&loaded(sand.clone()), |y| -0.7 * y);
     sand.cohesion = Linear { at_origin: 0.5, gradient: [0.1, -0.5] };
     sand.pore_pressure = Linear { at_origin: 0.1, gradient: [0.0, -0.3] };
-    check(&loaded(sand), |y| -0.7 * y);
+    check(&loaded(sand.clone()), |y| -0.7 * y);
     sand.tension = Some(0.1);
     check(&loaded(sand), |y| -0.7 * y);
 }

@@ -11,6 +11,7 @@ pub(super) fn soil(phi_deg: f64, cohesion: f64, unit_weight: f64) -> Material {
         unit_weight,
         pore_pressure: Linear::default(),
         tension: None,
+        envelope: None,
     }
 }
 

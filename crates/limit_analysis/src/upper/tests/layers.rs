@@ -25,7 +25,7 @@ fn layers_of_clay_bear_no_less_than_the_weaker_and_no_more_than_the_stronger() {
 fn a_crust_of_clay_on_sand_and_one_of_sand_on_clay_give_way() {
     let clay = soil(0.0, 1.0, 1.0);
     let sand = soil(30.0, 0.1, 1.0);
-    for layers in [[sand, clay], [clay, sand]] {
+    for layers in [[sand.clone(), clay.clone()], [clay, sand]] {
         let found = bounds(&layered([5.0, 3.0], 0.5, layers, Condition::Free), &[700]);
         let proven = found[1].proven;
         assert!(proven > 2.0 && proven < 12.0, "{proven}");
@@ -37,7 +37,8 @@ fn two_sands_slip_along_the_weaker_one() {
     let (weak, strong) = (soil(20.0, 1.0, 0.0), soil(30.0, 1.0, 0.0));
     let of =
         |layers| bounds(&layered([6.0, 3.0], 0.5, layers, Condition::Free), &[600]).pop().unwrap().proven;
-    let (low, mixed, high) = (of([weak, weak]), of([weak, strong]), of([strong, strong]));
+    let (low, mixed, high) =
+        (of([weak.clone(), weak.clone()]), of([weak, strong.clone()]), of([strong.clone(), strong]));
     assert!(low < mixed && mixed < high, "{low} {mixed} {high}");
 }
 
@@ -47,7 +48,10 @@ fn a_limit_to_tension_and_cohesion_that_grows_count() {
         let mut meshed = soil(20.0, 1.0, 0.0);
         meshed.tension = tension;
         meshed.cohesion = Linear { at_origin: 1.0, gradient: [0.0, gradient] };
-        bounds(&layered([6.0, 3.0], 0.5, [meshed; 2], Condition::Free), &[600]).pop().unwrap().proven
+        bounds(&layered([6.0, 3.0], 0.5, [meshed.clone(), meshed.clone()], Condition::Free), &[600])
+            .pop()
+            .unwrap()
+            .proven
     };
     let (plain, cut, far) = (with(None, 0.0), with(Some(0.0), 0.0), with(Some(5.0), 0.0));
     // A limit beyond the cone's apex is none.

@@ -1,0 +1,387 @@
+//! Strength that grows less and less with pressure, as straight lines.
+//!
+//! Chords of a curve are nowhere above it and tangents nowhere below. Both lie between knots whose distances from the curve's tip grow by
+//! one ratio, so that what is between chord and tangent is about the same part of the strength everywhere. Beyond the greatest stress that
+//! is looked at the inner strength does not grow, and the outer one grows as it did there.
+
+use std::fmt;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_certificate::{Envelope, StrengthLine};
+
+use super::check::{Range, STRESS, number};
+use super::error::DescriptionError;
+use super::input::{Aim, Description, SoilEntry};
+use super::parts::{Kind, Profile};
+
+/// How much of the strength is between a curve's chords and tangents, on average.
+const BETWEEN: f64 = 0.008;
+/// The first knot's distance from the tip, as a part of the greatest stress.
+const FIRST: f64 = 3e-3;
+/// Factors on loads, and forces on structures, are not known before: stresses may be so many times those of the weight.
+const UNKNOWN_LOAD: f64 = 30.0;
+/// Intercepts are moved outwards by this part, more than their rounding.
+const ROUNDING: f64 = 1e-12;
+/// Slopes that differ by less are one.
+const SAME_SLOPE: f64 = 1e-9;
+
+/// How the shear strength of a soil grows with the effective normal stress. Stresses are in kPa.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
+pub enum StrengthLaw {
+    /// Through points, straight between them; before the first and beyond the last as between the nearest two.
+    Points {
+        /// Normal stress and shear strength, at least two; both grow, and the slope does not.
+        points_kpa: Vec<[f64; 2]>,
+    },
+    /// `factor (sigma + tension_kpa)^exponent`.
+    Power {
+        /// The shear strength in kPa where `sigma + tension_kpa` is 1 kPa: 0.01 to 1e4.
+        factor: f64,
+        /// 0.3 to 0.999.
+        exponent: f64,
+        /// The tension at which there is no strength left.
+        #[serde(default, skip_serializing_if = "super::parts::is_zero")]
+        tension_kpa: f64,
+        /// The normal stress up to which the curve is followed; a multiple of what the weight and the loads make if it is left out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        up_to_kpa: Option<f64>,
+    },
+    /// Rock after Hoek, Carranza-Torres and Corkum (2002): `sigma_1 = sigma_3 + ucs (m_b sigma_3/ucs + s)^a`.
+    HoekBrown {
+        /// Uniaxial compressive strength of the intact rock, 0.01 to 1000 MPa.
+        ucs_mpa: f64,
+        /// Geological strength index, 5 to 100.
+        gsi: f64,
+        /// The constant of the intact rock, 1 to 50.
+        mi: f64,
+        /// Disturbance factor, 0 to 1.
+        #[serde(default, skip_serializing_if = "super::parts::is_zero")]
+        disturbance: f64,
+        /// The least principal stress up to which the curve is followed; a multiple of what the weight and the loads make if it is left out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        up_to_kpa: Option<f64>,
+    },
+}
+
+impl fmt::Display for StrengthLaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Points { points_kpa } => {
+                let [first, last] = [points_kpa.first(), points_kpa.last()].map(|p| p.map_or(0.0, |p| p[0]));
+                write!(f, "strength through {} points from {first} to {last} kPa", points_kpa.len())
+            }
+            Self::Power { factor, exponent, tension_kpa, .. } if *tension_kpa == 0.0 => {
+                write!(f, "strength {factor} σ^{exponent} kPa")
+            }
+            Self::Power { factor, exponent, tension_kpa, .. } => {
+                write!(f, "strength {factor} (σ + {tension_kpa})^{exponent} kPa")
+            }
+            Self::HoekBrown { ucs_mpa, gsi, mi, disturbance, .. } => {
+                write!(f, "Hoek-Brown, UCS {ucs_mpa} MPa, GSI {gsi}, mi {mi}, D {disturbance}")
+            }
+        }
+    }
+}
+
+/// A strength as lines: friction angle in degrees and cohesion in kPa, steepest first.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Lines {
+    pub(super) inside: Vec<StrengthLine>,
+    /// None if it is the inner one.
+    pub(super) outside: Vec<StrengthLine>,
+}
+
+impl Lines {
+    fn one(phi_deg: f64, cohesion: f64) -> Self {
+        Self { inside: vec![StrengthLine { phi_deg, cohesion }], outside: Vec::new() }
+    }
+
+    /// The friction angle where pressure is greatest.
+    pub(super) fn flattest_deg(&self) -> f64 {
+        self.outside.last().or(self.inside.last()).map_or(0.0, |line| line.phi_deg)
+    }
+
+    /// With strength multiplied by a factor.
+    fn times(mut self, factor: f64) -> Self {
+        if factor != 1.0 {
+            for line in self.inside.iter_mut().chain(&mut self.outside) {
+                line.phi_deg = (factor * line.phi_deg.to_radians().tan()).atan().to_degrees();
+                line.cohesion *= factor;
+            }
+        }
+        self
+    }
+
+    /// The lines beside the first, in another unit of stress.
+    pub(super) fn envelope(&self, stress: impl Fn(f64) -> f64) -> Option<Envelope> {
+        let scaled = |lines: &[StrengthLine]| {
+            lines.iter().map(|l| StrengthLine { cohesion: stress(l.cohesion), ..*l }).collect::<Vec<_>>()
+        };
+        let envelope = Envelope { inside: scaled(self.inside.get(1..)?), outside: scaled(&self.outside) };
+        (!envelope.inside.is_empty()).then_some(envelope)
+    }
+}
+
+/// A strength that is concave in some measure of pressure, with what it is and how it grows, and how lines of it are lines of friction
+/// and cohesion.
+struct Curve<'a> {
+    /// About the exponent.
+    exponent: f64,
+    tip: f64,
+    up_to: f64,
+    value: &'a dyn Fn(f64) -> f64,
+    slope: &'a dyn Fn(f64) -> f64,
+    /// From slope and intercept.
+    line: &'a dyn Fn(f64, f64) -> StrengthLine,
+    /// The line of strength that stays what it is at a stress.
+    level: &'a dyn Fn(f64) -> StrengthLine,
+}
+
+impl Curve<'_> {
+    fn lines(&self) -> Lines {
+        let reach = self.up_to - self.tip;
+        // Between knots whose distances from the tip have the ratio `exp(l)`, a power `x^b` is at most `b (1 - b) l^2/8` above its chord.
+        let log_ratio = (8.0 * BETWEEN / (self.exponent * (1.0 - self.exponent))).sqrt();
+        let chords = 1 + (-FIRST.ln() / log_ratio).ceil() as i32;
+        let knot = |i: i32| {
+            let power = f64::from(chords - i) / f64::from(chords - 1);
+            if i == 0 { self.tip } else { self.tip + reach * FIRST.powf(power) }
+        };
+        let moved =
+            |line: StrengthLine, by: f64| StrengthLine { cohesion: line.cohesion * (1.0 + by), ..line };
+        let chord = |i: i32| {
+            let [a, b] = [knot(i), knot(i + 1)];
+            let slope = ((self.value)(b) - (self.value)(a)) / (b - a);
+            moved((self.line)(slope, (self.value)(a) - slope * a), -ROUNDING)
+        };
+        let tangent = |at: f64| {
+            let slope = (self.slope)(at);
+            moved((self.line)(slope, (self.value)(at) - slope * at), ROUNDING)
+        };
+        let between = |i: i32| {
+            let [a, b] = [knot(i), knot(i + 1)].map(|x| x - self.tip);
+            self.tip + if i == 0 { 0.25 * b } else { (a * b).sqrt() }
+        };
+        let level = moved((self.level)(self.up_to), -ROUNDING);
+        Lines {
+            inside: (0..chords).map(chord).chain([level]).collect(),
+            outside: (0..chords).map(|i| tangent(between(i))).chain([tangent(self.up_to)]).collect(),
+        }
+    }
+}
+
+fn of_slope(slope: f64, cohesion: f64) -> StrengthLine {
+    StrengthLine { phi_deg: slope.atan().to_degrees(), cohesion }
+}
+
+impl StrengthLaw {
+    pub(super) fn check(&self, entry: &str) -> Result<(), DescriptionError> {
+        let wrong = |problem: &str| Err(DescriptionError::entry(entry, problem));
+        let limit = |stress: Option<f64>| {
+            let above = Range { low: 1e-3, high: 1e9, words: "0.001 to 1e9 kPa" };
+            stress.map_or(Ok(()), |stress| number(entry, "strength.up_to_kpa", stress, above))
+        };
+        match self {
+            Self::Points { points_kpa: points } => {
+                for p in points {
+                    number(entry, "strength.points_kpa", p[0], STRESS)?;
+                    number(entry, "strength.points_kpa", p[1], STRESS)?;
+                }
+                if points.len() < 2 {
+                    return wrong("strength.points_kpa has fewer than two points");
+                }
+                if !points.windows(2).all(|p| p[0][0] < p[1][0] && p[0][1] < p[1][1]) {
+                    return wrong(
+                        "normal stress and strength must grow from one of strength.points_kpa to the next",
+                    );
+                }
+                let slopes: Vec<f64> = slopes(points).collect();
+                if slopes.windows(2).any(|two| two[1] > two[0] + SAME_SLOPE) {
+                    return wrong(
+                        "the slope between strength.points_kpa must not grow; leave out points that lie below",
+                    );
+                }
+                if points[0][1] < slopes[0] * points[0][0] - SAME_SLOPE {
+                    return wrong(
+                        "the first two of strength.points_kpa lead to a strength below zero at no stress; begin at 0 kPa",
+                    );
+                }
+                Ok(())
+            }
+            Self::Power { factor, exponent, tension_kpa, up_to_kpa } => {
+                number(
+                    entry,
+                    "strength.factor",
+                    *factor,
+                    Range { low: 0.01, high: 1e4, words: "0.01 to 1e4" },
+                )?;
+                let exponents =
+                    Range { low: 0.3, high: 0.999, words: "0.3 to 0.999; a straight line has phi_deg" };
+                number(entry, "strength.exponent", *exponent, exponents)?;
+                number(entry, "strength.tension_kpa", *tension_kpa, STRESS)?;
+                limit(*up_to_kpa)
+            }
+            Self::HoekBrown { ucs_mpa, gsi, mi, disturbance, up_to_kpa } => {
+                let ucs = Range { low: 0.01, high: 1e3, words: "0.01 to 1000 MPa" };
+                number(entry, "strength.ucs_mpa", *ucs_mpa, ucs)?;
+                number(entry, "strength.gsi", *gsi, Range { low: 5.0, high: 100.0, words: "5 to 100" })?;
+                number(entry, "strength.mi", *mi, Range { low: 1.0, high: 50.0, words: "1 to 50" })?;
+                let range = Range { low: 0.0, high: 1.0, words: "0 to 1" };
+                number(entry, "strength.disturbance", *disturbance, range)?;
+                limit(*up_to_kpa)
+            }
+        }
+    }
+
+    /// Its lines, where stresses are about so great.
+    fn lines(&self, about_kpa: f64) -> Lines {
+        match *self {
+            Self::Points { points_kpa: ref points } => {
+                let lines =
+                    slopes(points).zip(points).map(|(slope, p)| (slope, (p[1] - slope * p[0]).max(0.0)));
+                let mut inside: Vec<(f64, f64)> = Vec::new();
+                for (slope, cohesion) in lines {
+                    let is_new =
+                        |(last, before): &(f64, f64)| slope < last - SAME_SLOPE && cohesion > *before;
+                    if inside.last().is_none_or(is_new) {
+                        inside.push((slope, cohesion));
+                    }
+                }
+                let inside = inside.into_iter().map(|(slope, cohesion)| of_slope(slope, cohesion)).collect();
+                Lines { inside, outside: Vec::new() }
+            }
+            Self::Power { factor, exponent, tension_kpa, up_to_kpa } => Curve {
+                exponent,
+                tip: -tension_kpa,
+                up_to: up_to_kpa
+                    .unwrap_or_else(|| about_kpa.max(UNKNOWN_LOAD * factor * tension_kpa.powf(exponent))),
+                value: &|sigma| factor * (sigma + tension_kpa).max(0.0).powf(exponent),
+                slope: &|sigma| factor * exponent * (sigma + tension_kpa).powf(exponent - 1.0),
+                line: &of_slope,
+                level: &|sigma| of_slope(0.0, factor * (sigma + tension_kpa).powf(exponent)),
+            }
+            .lines(),
+            Self::HoekBrown { ucs_mpa, gsi, mi, disturbance, up_to_kpa } => {
+                let ucs = 1e3 * ucs_mpa;
+                let mb = mi * ((gsi - 100.0) / (28.0 - 14.0 * disturbance)).exp();
+                let s = ((gsi - 100.0) / (9.0 - 3.0 * disturbance)).exp();
+                let a = 0.5 + ((-gsi / 15.0).exp() - (-20.0_f64 / 3.0).exp()) / 6.0;
+                let difference = |least: f64| ucs * (mb * least / ucs + s).max(0.0).powf(a);
+                Curve {
+                    exponent: a,
+                    tip: -s * ucs / mb,
+                    up_to: up_to_kpa.unwrap_or_else(|| about_kpa.max(UNKNOWN_LOAD * difference(0.0))),
+                    value: &|least| least + difference(least),
+                    slope: &|least| 1.0 + a * mb * (mb * least / ucs + s).powf(a - 1.0),
+                    // The greatest principal stress is `tan(45 deg + phi/2)^2` times the least, and `2 c` times its root.
+                    line: &|slope, intercept| StrengthLine {
+                        phi_deg: ((slope - 1.0) / (slope + 1.0)).asin().to_degrees(),
+                        cohesion: 0.5 * intercept / slope.sqrt(),
+                    },
+                    level: &|least| StrengthLine { phi_deg: 0.0, cohesion: 0.5 * difference(least) },
+                }
+                .lines()
+            }
+        }
+    }
+}
+
+fn slopes(points: &[[f64; 2]]) -> impl Iterator<Item = f64> {
+    points.windows(2).map(|p| (p[1][1] - p[0][1]) / (p[1][0] - p[0][0]))
+}
+
+impl SoilEntry {
+    /// Its strength at the reference level, where stresses are about so great.
+    pub(super) fn lines(&self, about_kpa: f64) -> Lines {
+        let factor = self.strength_factor.unwrap_or(1.0);
+        match &self.strength {
+            None => Lines::one(self.phi_deg.unwrap_or(0.0), self.cohesion_kpa),
+            Some(law) => law.lines(about_kpa).times(factor),
+        }
+    }
+
+    /// Its shear strength at the reference level where there is no pressure, in kPa.
+    pub(super) fn at_no_pressure_kpa(&self) -> f64 {
+        match &self.strength {
+            None => self.cohesion_kpa,
+            Some(_) => {
+                self.lines(GREAT_KPA).inside.iter().map(|line| line.cohesion).fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+
+    /// The steepest friction angle in degrees of its strength, which is that near no pressure if it is curved.
+    pub(super) fn steepest_deg(&self) -> f64 {
+        match &self.strength {
+            None => self.friction_deg(),
+            Some(_) => self.lines(GREAT_KPA).inside.first().map_or(0.0, |line| line.phi_deg),
+        }
+    }
+
+    /// Its friction angle in degrees, that at great pressure if its strength is curved.
+    #[must_use]
+    pub fn friction_deg(&self) -> f64 {
+        match &self.strength {
+            None => self.after_davis().phi_deg.unwrap_or(0.0),
+            Some(_) => self.lines(GREAT_KPA).flattest_deg(),
+        }
+    }
+
+    /// Its law of strength in words, if it has one.
+    #[must_use]
+    pub fn law_words(&self) -> Option<String> {
+        let law = self.strength.as_ref()?;
+        let words = law.to_string();
+        Some(self.strength_factor.map_or(words.clone(), |factor| format!("{words}, times {factor:.4}")))
+    }
+
+    /// The soil with the strength that Davis (1968) gives to one that dilates less than the flow rule says: `c` and `tan(phi)` times
+    /// `cos(psi) cos(phi)/(1 - sin(psi) sin(phi))`, with the dilation angle `psi`.
+    #[must_use]
+    pub fn after_davis(&self) -> Self {
+        let (Some(phi_deg), Some(dilation_deg)) = (self.phi_deg, self.dilation_deg) else {
+            return self.clone();
+        };
+        if dilation_deg >= phi_deg {
+            return Self { dilation_deg: None, ..self.clone() };
+        }
+        let ((sin, cos), (sin_psi, cos_psi)) =
+            (phi_deg.to_radians().sin_cos(), dilation_deg.to_radians().sin_cos());
+        let part = cos_psi * cos / (1.0 - sin_psi * sin);
+        Self {
+            phi_deg: Some((part * sin / cos).atan().to_degrees()),
+            cohesion_kpa: part * self.cohesion_kpa,
+            cohesion_gradient_kpa_per_m: part * self.cohesion_gradient_kpa_per_m,
+            dilation_deg: None,
+            ..self.clone()
+        }
+    }
+
+    /// Whether it has no strength where there is no pressure.
+    pub(super) fn is_cohesionless(&self) -> bool {
+        self.at_no_pressure_kpa() == 0.0 && self.cohesion_gradient_kpa_per_m == 0.0
+    }
+}
+
+/// A pressure that is great wherever people build.
+const GREAT_KPA: f64 = 1000.0;
+
+impl Description {
+    /// Stresses that are to be expected at most, in kPa.
+    pub(super) fn expected_kpa(&self) -> f64 {
+        let heights = || self.regions.iter().flat_map(|r| &r.polygon).map(|p| p[1]);
+        let height = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
+        let weight = self.soils.iter().map(|s| s.unit_weight_kn_m3).fold(0.0, f64::max);
+        let loads = self.boundaries.iter().filter(|b| b.kind == Kind::Load);
+        let pressure = |p: Option<Profile>| p.map_or([0.0; 2], Profile::ends).map(f64::abs);
+        let load = loads.flat_map(|b| pressure(b.pressure_kpa)).fold(0.0, f64::max);
+        let about = 2.0 * (weight * height.max(0.0) + load + self.surcharge_kpa);
+        let about = match self.objective {
+            Aim::Load {} | Aim::Structure { .. } | Aim::UnitWeight {} => UNKNOWN_LOAD * about,
+            Aim::Seismic { .. } | Aim::StrengthReduction {} => about,
+        };
+        about.clamp(1.0, 1e9)
+    }
+}
