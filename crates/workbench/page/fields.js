@@ -14,13 +14,15 @@ export const SIDES = ['left', 'right', 'bottom', 'top'];
 
 export const SOIL = [
   text('name', 'Name'),
-  number('phi_deg', 'φ', '°', {title: 'friction angle'}),
-  number('cohesion_kpa', 'c', 'kPa', {zero: true, title: 'cohesion'}),
+  number('phi_deg', 'φ', '°', {title: 'friction angle', only: of => !of.strength}),
+  number('cohesion_kpa', 'c', 'kPa', {zero: true, title: 'cohesion', only: of => !of.strength}),
   number('unit_weight_kn_m3', 'γ', 'kN/m³', {title: 'unit weight, with the water in the pores'}),
 ];
 export const SOIL_MORE = [
   number('cohesion_gradient_kpa_per_m', 'c grows by', 'kPa/m', {zero: true}),
   number('cohesion_level_m', 'below y', 'm', {optional}),
+  number('strength_factor', 'Strength times', '', {optional, title: 'what the law of strength is multiplied by', only: of => of.strength}),
+  number('dilation_deg', 'Dilation ψ', '°', {optional, title: 'less than the flow rule says: strength after Davis, an approximation', only: of => !of.strength}),
   number('tension_kpa', 'Tension at most', 'kPa', {optional}),
   number('pore_pressure_ratio', 'Pore pressure ratio', '', {zero: true}),
   number('permeability_m_per_s', 'Permeability', 'm/s', {optional, title: 'downwards, where water flows between heads'}),

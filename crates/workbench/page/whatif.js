@@ -7,7 +7,8 @@ const REST_MS = 450;
 // The gap of a coarse run: that of the first meshes.
 const COARSE = .3;
 
-const slider = (key, name, unit, low, high, step) => ({key, name, unit, low, high, step});
+// What is not said is `absent`.
+const slider = (key, name, unit, low, high, step, absent = 0) => ({key, name, unit, low, high, step, absent});
 // From twice what it is up to the next round number.
 const upTo = (value, least) => {
   const most = Math.max(2 * Math.abs(value ?? 0), least), size = 10 ** Math.floor(Math.log10(most));
@@ -17,7 +18,7 @@ const upTo = (value, least) => {
 // The things that have sliders: what they are called, where they are in a document, and their sliders.
 function things(problem) {
   const all = list(problem, 'soil').map((soil, k) => ({id: `soil.${k}`, name: `soil ${soil.name}`, find: draft => draft.soil[k], sliders: [
-    slider('phi_deg', 'friction angle', '°', 0, 50, .5), slider('cohesion_kpa', 'cohesion', 'kPa', 0, upTo(soil.cohesion_kpa, 20), .5), slider('unit_weight_kn_m3', 'unit weight', 'kN/m³', 8, 26, .1)]}));
+    ...soil.strength ? [slider('strength_factor', 'strength times', '', .2, 3, .05, 1)] : [slider('phi_deg', 'friction angle', '°', 0, 50, .5), slider('cohesion_kpa', 'cohesion', 'kPa', 0, upTo(soil.cohesion_kpa, 20), .5)], slider('unit_weight_kn_m3', 'unit weight', 'kN/m³', 8, 26, .1)]}));
   list(problem, 'boundary').forEach((of, k) => {
     // The factor on a live load is what is bounded.
     if (of.kind !== 'load' || Array.isArray(of.pressure_kpa) || of.live && problem.objective.kind === 'load') return;
@@ -67,10 +68,10 @@ export class WhatIf {
     const made = JSON.stringify([now.id, now.sliders]);
     if (this.made !== made && !this.isDragged) {
       this.made = made;
-      get('whatif-sliders').replaceChildren(...now.sliders.map(one => this.row(now, one, of[one.key] ?? 0)));
+      get('whatif-sliders').replaceChildren(...now.sliders.map(one => this.row(now, one, of[one.key] ?? one.absent)));
     }
-    for (const {key, unit} of now.sliders) {
-      const input = document.getElementById(`whatif.${key}`), value = of[key] ?? 0;
+    for (const {key, unit, absent} of now.sliders) {
+      const input = document.getElementById(`whatif.${key}`), value = of[key] ?? absent;
       if (document.activeElement !== input) Object.assign(input, {min: Math.min(input.min, value), max: Math.max(input.max, value)}).value = value;
       document.getElementById(`whatif.${key}.value`).textContent = `${short(value)} ${unit}`;
     }

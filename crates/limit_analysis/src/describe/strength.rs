@@ -124,19 +124,20 @@ impl Lines {
     }
 }
 
-/// A strength that is concave in some measure of pressure, with what it is and how it grows, and how lines of it are lines of friction
-/// and cohesion.
+/// A place of a curved envelope: effective normal stress, shear strength, and how that grows.
+struct At {
+    normal: f64,
+    shear: f64,
+    slope: f64,
+}
+
+/// A concave envelope, by some measure of pressure.
 struct Curve<'a> {
     /// About the exponent.
     exponent: f64,
     tip: f64,
     up_to: f64,
-    value: &'a dyn Fn(f64) -> f64,
-    slope: &'a dyn Fn(f64) -> f64,
-    /// From slope and intercept.
-    line: &'a dyn Fn(f64, f64) -> StrengthLine,
-    /// The line of strength that stays what it is at a stress.
-    level: &'a dyn Fn(f64) -> StrengthLine,
+    at: &'a dyn Fn(f64) -> At,
 }
 
 impl Curve<'_> {
@@ -152,24 +153,50 @@ impl Curve<'_> {
         let moved =
             |line: StrengthLine, by: f64| StrengthLine { cohesion: line.cohesion * (1.0 + by), ..line };
         let chord = |i: i32| {
-            let [a, b] = [knot(i), knot(i + 1)];
-            let slope = ((self.value)(b) - (self.value)(a)) / (b - a);
-            moved((self.line)(slope, (self.value)(a) - slope * a), -ROUNDING)
+            let [a, b] = [knot(i), knot(i + 1)].map(self.at);
+            let slope = (b.shear - a.shear) / (b.normal - a.normal);
+            moved(of_slope(slope, a.shear - slope * a.normal), -ROUNDING)
         };
-        let tangent = |at: f64| {
-            let slope = (self.slope)(at);
-            moved((self.line)(slope, (self.value)(at) - slope * at), ROUNDING)
+        let tangent = |measure: f64| {
+            let At { normal, shear, slope } = (self.at)(measure);
+            moved(of_slope(slope, shear - slope * normal), ROUNDING)
         };
         let between = |i: i32| {
             let [a, b] = [knot(i), knot(i + 1)].map(|x| x - self.tip);
             self.tip + if i == 0 { 0.25 * b } else { (a * b).sqrt() }
         };
-        let level = moved((self.level)(self.up_to), -ROUNDING);
+        let level = moved(of_slope(0.0, (self.at)(self.up_to).shear), -ROUNDING);
         Lines {
             inside: (0..chords).map(chord).chain([level]).collect(),
             outside: (0..chords).map(|i| tangent(between(i))).chain([tangent(self.up_to)]).collect(),
         }
     }
+}
+
+/// The lines that some circle of Mohr touches before the others: where a curve bends more than the circle below it, none does.
+fn needed(lines: Vec<StrengthLine>) -> Vec<StrengthLine> {
+    let radius = |l: &StrengthLine| {
+        let (sin, cos) = l.phi_deg.to_radians().sin_cos();
+        (l.cohesion * cos, sin)
+    };
+    // Tension at which two lines bear the same circle, and at which one bears none.
+    let meet = |a: &StrengthLine, b: &StrengthLine| {
+        let ((a, falls), (b, falls_less)) = (radius(a), radius(b));
+        (a - b) / (falls - falls_less)
+    };
+    let apex = |l: &StrengthLine| radius(l).0 / radius(l).1;
+    let mut kept: Vec<StrengthLine> = Vec::new();
+    for line in lines {
+        while let Some(last) = kept.last() {
+            let first = kept.len().checked_sub(2).map_or_else(|| apex(last), |i| meet(&kept[i], last));
+            if meet(last, &line) < first {
+                break;
+            }
+            kept.pop();
+        }
+        kept.push(line);
+    }
+    kept
 }
 
 fn of_slope(slope: f64, cohesion: f64) -> StrengthLine {
@@ -257,10 +284,11 @@ impl StrengthLaw {
                 tip: -tension_kpa,
                 up_to: up_to_kpa
                     .unwrap_or_else(|| about_kpa.max(UNKNOWN_LOAD * factor * tension_kpa.powf(exponent))),
-                value: &|sigma| factor * (sigma + tension_kpa).max(0.0).powf(exponent),
-                slope: &|sigma| factor * exponent * (sigma + tension_kpa).powf(exponent - 1.0),
-                line: &of_slope,
-                level: &|sigma| of_slope(0.0, factor * (sigma + tension_kpa).powf(exponent)),
+                at: &|sigma| At {
+                    normal: sigma,
+                    shear: factor * (sigma + tension_kpa).max(0.0).powf(exponent),
+                    slope: factor * exponent * (sigma + tension_kpa).powf(exponent - 1.0),
+                },
             }
             .lines(),
             Self::HoekBrown { ucs_mpa, gsi, mi, disturbance, up_to_kpa } => {
@@ -273,14 +301,15 @@ impl StrengthLaw {
                     exponent: a,
                     tip: -s * ucs / mb,
                     up_to: up_to_kpa.unwrap_or_else(|| about_kpa.max(UNKNOWN_LOAD * difference(0.0))),
-                    value: &|least| least + difference(least),
-                    slope: &|least| 1.0 + a * mb * (mb * least / ucs + s).powf(a - 1.0),
-                    // The greatest principal stress is `tan(45 deg + phi/2)^2` times the least, and `2 c` times its root.
-                    line: &|slope, intercept| StrengthLine {
-                        phi_deg: ((slope - 1.0) / (slope + 1.0)).asin().to_degrees(),
-                        cohesion: 0.5 * intercept / slope.sqrt(),
+                    // Balmer (1952): where the circle of a least principal stress touches the envelope.
+                    at: &|least| {
+                        let grows = a * mb * (mb * least / ucs + s).max(0.0).powf(a - 1.0);
+                        let over = difference(least) / (2.0 + grows);
+                        let root = (1.0 + grows).sqrt();
+                        // At the tip it is upright.
+                        let shear = if root.is_finite() { over * root } else { 0.0 };
+                        At { normal: least + over, shear, slope: 0.5 * grows / root }
                     },
-                    level: &|least| StrengthLine { phi_deg: 0.0, cohesion: 0.5 * difference(least) },
                 }
                 .lines()
             }
@@ -298,7 +327,10 @@ impl SoilEntry {
         let factor = self.strength_factor.unwrap_or(1.0);
         match &self.strength {
             None => Lines::one(self.phi_deg.unwrap_or(0.0), self.cohesion_kpa),
-            Some(law) => law.lines(about_kpa).times(factor),
+            Some(law) => {
+                let Lines { inside, outside } = law.lines(about_kpa).times(factor);
+                Lines { inside: needed(inside), outside: needed(outside) }
+            }
         }
     }
 

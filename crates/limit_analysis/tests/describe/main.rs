@@ -9,5 +9,6 @@ mod geometry;
 mod random;
 mod refusals;
 mod seepage;
+mod strength;
 mod water;
 mod weights;

@@ -291,32 +291,40 @@ class Problem(Entries):
         self,
         name: str,
         *,
-        phi_deg: float,
         unit_weight_kn_m3: float,
         cohesion_gradient_kpa_per_m: float | None = None,
         cohesion_kpa: float | None = None,
         cohesion_level_m: float | None = None,
+        dilation_deg: float | None = None,
         permeability_m_per_s: float | None = None,
         permeability_ratio: float | None = None,
+        phi_deg: float | None = None,
         pore_pressure_ratio: float | None = None,
+        strength: Mapping[str, Any] | None = None,
+        strength_factor: float | None = None,
         tension_kpa: float | None = None,
     ) -> Problem:
-        """A Mohr-Coulomb soil.
+        """A soil: of Mohr and Coulomb's strength, or of a curved one.
 
         Args:
             name: Its name, by which regions refer to it.
-            phi_deg: Friction angle, 0 up to (not including) 90.
             unit_weight_kn_m3: Unit weight, with the water in the pores.
             cohesion_gradient_kpa_per_m: What it grows by with each metre of depth.
             cohesion_kpa: Cohesion, at the reference level if it varies.
             cohesion_level_m: The y at which the cohesion is ``cohesion_kpa``; needed with a gradient.
+            dilation_deg: Dilation angle, 0 up to ``phi_deg``, of soil that dilates less than the flow rule says: its
+                strength is lessened after Davis (1968), which is an approximation, and bounds are proven for what is
+                left. As much as the flow rule says if left out.
             permeability_m_per_s: Permeability to water, downwards, 1e-15 to 1e3; needed where water flows through
                 several soils.
             permeability_ratio: Permeability along x over that downwards, 1e-3 to 1e3; 1 if left out.
+            phi_deg: Friction angle, 0 up to (not including) 90. Every soil has it or a ``strength``.
             pore_pressure_ratio: Pore pressure over the weight of the soil vertically above, 0 to 1.
+            strength: Strength that grows less and less with pressure, in place of ``phi_deg`` and cohesion.
+            strength_factor: What ``strength`` is multiplied by, 0.01 to 100; 1 if left out.
             tension_kpa: Greatest effective tension; left out: what friction and cohesion allow.
         """
-        return self._add("soil", {"name": name, "phi_deg": phi_deg, "unit_weight_kn_m3": unit_weight_kn_m3, "cohesion_gradient_kpa_per_m": cohesion_gradient_kpa_per_m, "cohesion_kpa": cohesion_kpa, "cohesion_level_m": cohesion_level_m, "permeability_m_per_s": permeability_m_per_s, "permeability_ratio": permeability_ratio, "pore_pressure_ratio": pore_pressure_ratio, "tension_kpa": tension_kpa})
+        return self._add("soil", {"name": name, "unit_weight_kn_m3": unit_weight_kn_m3, "cohesion_gradient_kpa_per_m": cohesion_gradient_kpa_per_m, "cohesion_kpa": cohesion_kpa, "cohesion_level_m": cohesion_level_m, "dilation_deg": dilation_deg, "permeability_m_per_s": permeability_m_per_s, "permeability_ratio": permeability_ratio, "phi_deg": phi_deg, "pore_pressure_ratio": pore_pressure_ratio, "strength": strength, "strength_factor": strength_factor, "tension_kpa": tension_kpa})
 
     def structure(
         self,
