@@ -16,8 +16,8 @@ pub(crate) fn deny(workspace: &Workspace) -> Result<(), XtaskError> {
     let step = |name: &str| Step::new(name, &deny).dir(workspace.root());
     for manifest in LOCKED {
         step("licences, sources, versions")
-            .args(["--locked", "--manifest-path", manifest, "check"])
-            .args(["--config", "deny.toml", "licenses", "sources", "bans"])
+            .args(["--locked", "--manifest-path", manifest, "--config", "deny.toml"])
+            .args(["check", "licenses", "sources", "bans"])
             .run()?;
     }
     if !step("fetch advisories").args(["fetch", "db"]).attempt()? {
@@ -26,7 +26,7 @@ pub(crate) fn deny(workspace: &Workspace) -> Result<(), XtaskError> {
     }
     for manifest in LOCKED {
         step("advisories")
-            .args(["--locked", "--manifest-path", manifest, "check", "--config", "deny.toml", "advisories"])
+            .args(["--locked", "--manifest-path", manifest, "--config", "deny.toml", "check", "advisories"])
             .run()?;
     }
     Ok(())
