@@ -38,6 +38,10 @@
 //!
 //! Without friction and limit to the tension, `e = 0` and `D(v) = c g`.
 //!
+//! With an [envelope](Envelope) soil bears `r <= c_k cos(phi_k) - p sin(phi_k)` for each of several lines. `D(v)` is then at most the greatest
+//! `(p - u) e + r g` of the corners at which these meet, if `e >= g sin(phi)` for the flattest. The static theorem takes the inner lines, the
+//! kinematic one the outer ones, which are proven to be nowhere below them; so both hold for every strength between.
+//!
 //! Let `b` be the dead body force, `T` the dead tractions, `m` the factor on the live ones `b'`, `T'`, and `F` the force of
 //! the structure on the soil per unit width, times its velocity `V`.
 //!
@@ -107,6 +111,8 @@
 //!   and `g = sqrt(o^2 + s^2)`. Both factors are convex and not
 //!   negative, so they are at most the linear functions through their values at corners, and at most the polynomials that
 //!   have their values at control points as coefficients. The lesser of the two bounds counts.
+//! - *An envelope* dissipates a convex and homogeneous function of the strain rate, or of opening and slip: at most the linear function through
+//!   its values at the corners, or the polynomial with those at the control points as coefficients.
 //!
 //! *Soil without friction* has the velocity `(s_y, -s_x)` of a stream function, the piecewise cubic of the lower bound with
 //! the same gluing: no volume changes and nothing jumps, by construction. It dissipates `c g`; `g` is convex
@@ -183,7 +189,7 @@
 //!   their polynomials differ by a cubic that vanishes to second order there. So a triangle may take that of any side that
 //!   all its apexes are on, a vertex that of any side that all apexes next to it are on; where there is no such side, the field is
 //!   refused. On sides at the datum, up to which the run has no tractions, `q` is zero.
-//! - *Strength.* Stress, cohesion and pore pressure are linear on each part, and what is borne is a convex set of all
+//! - *Strength.* Stress, cohesion and pore pressure are linear on each part, lines of an envelope are the same everywhere, and what is borne is a convex set of all
 //!   three together, so the part's three nodes decide; so do both ends of a face edge.
 //! - *Force.* Tractions of `f` on a piece of boundary, soil on the left, add up to the change of `(f_y, -f_x)`.
 //!
