@@ -81,7 +81,8 @@ fn a_cantilever_wall_bears_rankines_pressure_up_to_its_moment() {
 /// A raft of 2 m on clay without weight, loaded on its middle metre.
 fn raft(moment_knm_per_m: f64) -> Description {
     let polygon = vec![[-6.0, -4.0], [6.0, -4.0], [6.0, 0.0], [-6.0, 0.0]];
-    let clay = SoilEntry { name: "clay".into(), cohesion_kpa: 10.0, ..SoilEntry::default() };
+    let clay =
+        SoilEntry { name: "clay".into(), phi_deg: Some(0.0), cohesion_kpa: 10.0, ..SoilEntry::default() };
     Description {
         default_boundary: Some(Kind::Free),
         objective: Aim::Load {},

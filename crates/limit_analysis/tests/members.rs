@@ -16,7 +16,13 @@ fn bounds(it: &Description, elements: usize) -> [f64; 2] {
 }
 
 fn clay(cohesion_kpa: f64, unit_weight_kn_m3: f64) -> SoilEntry {
-    SoilEntry { name: "clay".into(), cohesion_kpa, unit_weight_kn_m3, ..SoilEntry::default() }
+    SoilEntry {
+        name: "clay".into(),
+        phi_deg: Some(0.0),
+        cohesion_kpa,
+        unit_weight_kn_m3,
+        ..SoilEntry::default()
+    }
 }
 
 fn sheet(line: [[f64; 2]; 2], tensile_kn_per_m: f64, bond_factor: f64) -> MemberEntry {

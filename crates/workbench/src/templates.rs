@@ -76,6 +76,7 @@ impl Template {
         };
         let clay = SoilEntry {
             name: "clay".into(),
+            phi_deg: Some(0.0),
             cohesion_kpa: 40.0,
             unit_weight_kn_m3: 18.0,
             ..SoilEntry::default()

@@ -80,7 +80,11 @@ pub(super) fn problem(request: &Request, drawing: Drawing) -> Result<(Descriptio
     }
     let entry = |name: &str| {
         let known = known.iter().find(|soil| soil.name == name).cloned();
-        known.unwrap_or_else(|| SoilEntry { name: name.to_owned(), ..SoilEntry::default() })
+        known.unwrap_or_else(|| SoilEntry {
+            name: name.to_owned(),
+            phi_deg: Some(0.0),
+            ..SoilEntry::default()
+        })
     };
     let description = Description {
         title: request.file.file_stem().map(|name| name.to_string_lossy().into_owned()),

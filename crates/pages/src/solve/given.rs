@@ -26,8 +26,15 @@ fn of_case(found: &Solved) -> String {
     })
 }
 
+/// Downwards, and how much more along x.
+fn permeability(soil: &SoilEntry) -> String {
+    let down = soil.permeability_m_per_s.map_or_else(|| "not given".to_owned(), |k| format!("{k:e}"));
+    soil.permeability_ratio.map_or(down.clone(), |ratio| format!("{down}, times {} along x", number(ratio)))
+}
+
 fn soils(caption: &str, soils: &[SoilEntry]) -> Result<Table, PageError> {
-    let columns = [
+    let is_permeable = soils.iter().any(|soil| soil.permeability_m_per_s.is_some());
+    let mut columns = vec![
         ("soil", Align::Left),
         ("friction angle (°)", Align::Right),
         ("cohesion (kPa)", Align::Right),
@@ -35,6 +42,9 @@ fn soils(caption: &str, soils: &[SoilEntry]) -> Result<Table, PageError> {
         ("tension at most (kPa)", Align::Right),
         ("pore pressure ratio", Align::Right),
     ];
+    if is_permeable {
+        columns.push(("permeability (m/s)", Align::Right));
+    }
     let mut table = Table::new(caption, columns);
     for soil in soils {
         let mut cohesion = number(soil.cohesion_kpa);
@@ -52,14 +62,18 @@ fn soils(caption: &str, soils: &[SoilEntry]) -> Result<Table, PageError> {
             (friction, cohesion) = (law, "by the law".to_owned());
         }
         let tension = soil.tension_kpa.map_or_else(|| "as strength allows".to_owned(), number);
-        table.row([
+        let mut row = vec![
             soil.name.clone(),
             friction,
             cohesion,
             number(soil.unit_weight_kn_m3),
             tension,
             number(soil.pore_pressure_ratio),
-        ])?;
+        ];
+        if is_permeable {
+            row.push(permeability(soil));
+        }
+        table.row(row)?;
     }
     Ok(table)
 }
