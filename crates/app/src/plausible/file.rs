@@ -57,6 +57,9 @@ fn of_one(d: &Description) -> Vec<String> {
         all.push(weight(&entry, "unit_weight_kn_m3", soil.unit_weight_kn_m3));
         all.push(soil.phi_deg.and_then(|deg| friction(&entry, "phi_deg", deg)));
         all.push(lessened(&entry, soil));
+        all.push(soil.law_words().map(|law| {
+            format!("{entry}: {law}; the friction angle and the cohesion of an area of it are those at the least pressure")
+        }));
         all.push(stress(&entry, "cohesion_kpa", soil.cohesion_kpa, soil.cohesion_kpa));
     }
     let structures = d.structures.iter().map(|s| {
