@@ -32,7 +32,7 @@ part that several have in common can be kept.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Literal, TypedDict
+from typing import Literal, TypeAlias, TypedDict
 
 from ._problem import Entries, Points
 
@@ -40,6 +40,8 @@ __all__ = ["Factors", "Interface", "Problem", "SoilInterface"]
 '''
 #: Entries within entries.
 PARTS = ("Factors", "Interface", "SoilInterface")
+#: Values of several kinds, and what their classes are called beside the kind.
+LAWS = {"StrengthLaw": "Strength"}
 #: Arguments with a unit in their name are given by it.
 UNIT = re.compile(r"_(deg|kpa|m|m3|kn_per_m)$")
 
@@ -47,8 +49,9 @@ UNIT = re.compile(r"_(deg|kpa|m|m3|kn_per_m)$")
 def problem(schema: dict[str, Any]) -> str:
     """The text of `problem.py`."""
     definitions = schema["$defs"]
-    scope = Scope("", {name: one for name, one in definitions.items() if name not in PARTS})
+    scope = Scope("", {name: one for name, one in definitions.items() if name not in PARTS and name not in LAWS})
     parts = [part(name, definitions[name], scope) for name in PARTS]
+    parts += [law(name, definitions[name], scope) for name in LAWS]
     single, methods = {}, []
     for key, about in schema["properties"].items():
         reference = next((one["$ref"] for one in [about, *about.get("anyOf", [])] if "$ref" in one), "")
@@ -68,15 +71,25 @@ def problem(schema: dict[str, Any]) -> str:
 
 
 def kind_of(about: dict[str, Any], scope: Scope) -> str:
+    if "const" in about:
+        return f"Literal[{json.dumps(about['const'])}]"
     kind = " | ".join(one for one in scope.type(about).split(" | ") if one != "None")
     kind = kind.replace("list[list[float]]", "Points")
     return kind.replace("list[", "Sequence[").replace("dict[", "Mapping[")
 
 
+def law(name: str, schema: dict[str, Any], scope: Scope) -> str:
+    """A class for each kind, and what they are together."""
+    kinds = {one["properties"]["kind"]["const"]: one for one in schema["oneOf"]}
+    classes = {kind.title().replace("-", "") + LAWS[name]: one for kind, one in kinds.items()}
+    text = "".join(part(one, about, scope) for one, about in classes.items())
+    return f"{text}\n\n#: {sentences(schema)}\n{name}: TypeAlias = {' | '.join(classes)}\n"
+
+
 def part(name: str, schema: dict[str, Any], scope: Scope) -> str:
     lines = []
     for key, about in schema["properties"].items():
-        lines.append(f"    {key}: {kind_of(about, scope)}\n" + docstring(sentences(about), 4))
+        lines.append(f"    {key}: {kind_of(about, scope)}\n" + docstring(sentences(about) or "Which kind it is.", 4))
     return f"\nclass {name}(TypedDict, total=False):\n{docstring(sentences(schema), 4)}\n" + "".join(lines)
 
 

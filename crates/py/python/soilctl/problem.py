@@ -20,7 +20,7 @@ part that several have in common can be kept.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Literal, TypedDict
+from typing import Literal, TypeAlias, TypedDict
 
 from ._problem import Entries, Points
 
@@ -66,6 +66,53 @@ class SoilInterface(TypedDict, total=False):
     """Friction angle."""
     soil: str
     """Name of the soil."""
+
+
+class PointsStrength(TypedDict, total=False):
+    """Through points, straight between them; before the first and beyond the last as between the nearest two."""
+
+    kind: Literal["points"]
+    """Which kind it is."""
+    points_kpa: Points
+    """Normal stress and shear strength, at least two; both grow, and the slope does not."""
+
+class PowerStrength(TypedDict, total=False):
+    """``factor (sigma + tension_kpa)^exponent``."""
+
+    exponent: float
+    """0.3 to 0.999."""
+    factor: float
+    """The shear strength in kPa where ``sigma + tension_kpa`` is 1 kPa: 0.01 to 1e4."""
+    kind: Literal["power"]
+    """Which kind it is."""
+    tension_kpa: float
+    """The tension at which there is no strength left."""
+    up_to_kpa: float
+    """The normal stress up to which the curve is followed; a multiple of what the weight and the loads make if it
+    is left out.
+    """
+
+class HoekBrownStrength(TypedDict, total=False):
+    """Rock after Hoek, Carranza-Torres and Corkum (2002): ``sigma_1 = sigma_3 + ucs (m_b sigma_3/ucs + s)^a``."""
+
+    disturbance: float
+    """Disturbance factor, 0 to 1."""
+    gsi: float
+    """Geological strength index, 5 to 100."""
+    kind: Literal["hoek-brown"]
+    """Which kind it is."""
+    mi: float
+    """The constant of the intact rock, 1 to 50."""
+    ucs_mpa: float
+    """Uniaxial compressive strength of the intact rock, 0.01 to 1000 MPa."""
+    up_to_kpa: float
+    """The least principal stress up to which the curve is followed; a multiple of what the weight and the loads
+    make if it is left out.
+    """
+
+
+#: How the shear strength of a soil grows with the effective normal stress. Stresses are in kPa.
+StrengthLaw: TypeAlias = PointsStrength | PowerStrength | HoekBrownStrength
 
 
 class Problem(Entries):
@@ -300,7 +347,7 @@ class Problem(Entries):
         permeability_ratio: float | None = None,
         phi_deg: float | None = None,
         pore_pressure_ratio: float | None = None,
-        strength: Mapping[str, Any] | None = None,
+        strength: StrengthLaw | None = None,
         strength_factor: float | None = None,
         tension_kpa: float | None = None,
     ) -> Problem:
