@@ -310,7 +310,7 @@ def test_a_file_that_is_no_problem_is_shown_and_kept(serve, tmp_path):
     _, page = serve(file)
     settled(page)
     assert page.locator("#toml").input_value() == text
-    assert "phi_deg" in page.locator("#toml-wrong").text_content()
+    assert "unit_weight_kn_m3" in page.locator("#toml-wrong").text_content()
     page.keyboard.press("Control+s")
     until(page, "document.getElementById('told').textContent.includes('no problem file yet')")
     assert file.read_text(encoding="utf-8") == text
