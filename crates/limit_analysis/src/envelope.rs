@@ -28,6 +28,11 @@ impl Line {
         self.sin / self.cos
     }
 
+    /// Tension at which it bears nothing.
+    fn apex(&self) -> f64 {
+        self.cohesion / self.tan()
+    }
+
     /// Where this and a flatter line bear the same circle: mean stress and radius.
     fn meets(&self, flatter: &Self) -> Point {
         let more = flatter.cohesion * flatter.cos - self.cohesion * self.cos;
@@ -68,21 +73,21 @@ impl Envelope {
             lines(&envelope.outside)
         };
         let (first, flattest) = (*outside.first()?, *outside.last()?);
-        let apex = first.cohesion / first.tan();
-        let tension = material.tension.filter(|t| *t < apex);
-        let corners = |meets: fn(&Line, &Line) -> Point, cut: fn(&Line, f64) -> Point| {
+        let tension = material.tension.filter(|t| *t < first.apex());
+        let corners = |lines: &[Line], meets: fn(&Line, &Line) -> Point, cut: fn(&Line, f64) -> Point| {
             let ends = match tension {
                 Some(t) => vec![[t, 0.0], cut(&first, t)],
-                None => vec![[apex, 0.0]],
+                None => vec![[lines[0].apex(), 0.0]],
             };
-            ends.into_iter().chain(outside.windows(2).map(|two| meets(&two[0], &two[1]))).collect()
+            ends.into_iter().chain(lines.windows(2).map(|two| meets(&two[0], &two[1]))).collect()
         };
         let circle = |line: &Line, t: f64| {
             let radius = ((line.cohesion * line.cos - t * line.sin) / (1.0 - line.sin)).max(0.0);
             [t - radius, radius]
         };
         let traction = |line: &Line, t: f64| [t, line.cohesion - t * line.tan()];
-        let (circles, tractions) = (corners(Line::meets, circle), corners(Line::crosses, traction));
+        let circles = corners(&touched(&outside), Line::meets, circle);
+        let tractions = corners(&outside, Line::crosses, traction);
         Some(Self { inside, circles, tractions, flattest })
     }
 
@@ -97,6 +102,22 @@ impl Envelope {
             flattest: line(&self.flattest),
         }
     }
+}
+
+/// The lines that circles of Mohr touch: where an envelope bends more than the circle below it, none does.
+fn touched(lines: &[Line]) -> Vec<Line> {
+    let mut kept: Vec<Line> = Vec::new();
+    for line in lines {
+        while let Some(last) = kept.last() {
+            let first = kept.len().checked_sub(2).map_or_else(|| last.apex(), |i| kept[i].meets(last)[0]);
+            if last.meets(line)[0] < first {
+                break;
+            }
+            kept.pop();
+        }
+        kept.push(*line);
+    }
+    kept
 }
 
 /// The greatest power of some stresses, for one unit of the first and the second kind of rate.

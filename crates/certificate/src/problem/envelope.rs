@@ -21,6 +21,8 @@ pub(crate) struct Envelope {
     pub(crate) inside: Vec<Straight>,
     /// All those of the strength of upper bounds. Never empty.
     pub(crate) outside: Vec<Straight>,
+    /// Those of them that circles of Mohr touch.
+    pub(crate) touched: Vec<Straight>,
 }
 
 /// A stress at which lines meet: a mean effective stress, tension positive, and the radius of Mohr's circle; or a normal stress and the
@@ -57,6 +59,23 @@ impl Straight {
     }
 }
 
+/// The lines that circles of Mohr touch: where an envelope bends more than the circle below it, none does. Any of them bound what soil
+/// bears, so which are chosen matters for tightness only.
+fn touched(lines: &[Straight]) -> Vec<Straight> {
+    let mut kept: Vec<Straight> = Vec::new();
+    for line in lines {
+        while let Some(last) = kept.last() {
+            let first = kept.len().checked_sub(2).map_or_else(|| last.apex(), |i| kept[i].meets(last).0);
+            if last.meets(line).0.middle() < first.middle() {
+                break;
+            }
+            kept.pop();
+        }
+        kept.push(*line);
+    }
+    kept
+}
+
 /// The line of a material's own friction angle and cohesion.
 fn own(material: &Material) -> StrengthLine {
     StrengthLine { phi_deg: material.phi_deg, cohesion: material.cohesion.at_origin }
@@ -65,13 +84,13 @@ fn own(material: &Material) -> StrengthLine {
 impl Envelope {
     pub(crate) fn new(material: &Material, envelope: &statement::Envelope) -> Self {
         let inside: Vec<Straight> = envelope.inside.iter().copied().map(Straight::new).collect();
-        let outside = if envelope.outside.is_empty() {
+        let outside: Vec<Straight> = if envelope.outside.is_empty() {
             let own = Straight::new(own(material));
             std::iter::once(own).chain(inside.iter().copied()).collect()
         } else {
             envelope.outside.iter().copied().map(Straight::new).collect()
         };
-        Self { inside, outside }
+        Self { touched: touched(&outside), inside, outside }
     }
 }
 
@@ -104,7 +123,9 @@ pub(super) fn check(material: &Material, place: impl Fn() -> String) -> Result<(
     let flattest = inside.last().map_or(0.0, |line| line.phi_deg);
     for outer in &envelope.outside {
         let line = Straight::new(*outer);
-        let is_above = |(mean, radius): &StressPoint| (line.radius(*mean) - *radius).is_at_least_zero();
+        let is_above = |(normal, shear): &StressPoint| {
+            (line.cohesion - line.friction.tan() * *normal - *shear).is_at_least_zero()
+        };
         if outer.phi_deg < flattest || !corners.iter().all(is_above) {
             return bad("the outer lines of an envelope must be nowhere below the inner ones");
         }
@@ -112,9 +133,9 @@ pub(super) fn check(material: &Material, place: impl Fn() -> String) -> Result<(
     Ok(())
 }
 
-/// Where lines that follow each other meet; first, where the first ends.
+/// Where lines that follow each other bear the same shear stress; first, where the first ends.
 fn corners(lines: &[StrengthLine]) -> Vec<StressPoint> {
     let lines: Vec<Straight> = lines.iter().copied().map(Straight::new).collect();
     let apex = lines.first().map(|line| (line.apex(), Interval::ZERO));
-    apex.into_iter().chain(lines.windows(2).map(|two| two[0].meets(&two[1]))).collect()
+    apex.into_iter().chain(lines.windows(2).map(|two| two[0].crosses(&two[1]))).collect()
 }

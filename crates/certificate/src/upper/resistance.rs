@@ -21,7 +21,7 @@
 
 use super::means;
 use crate::interval::{Angle, Interval, Vector};
-use crate::problem::{Straight, Strength, StressPoint};
+use crate::problem::{Envelope, Straight, Strength, StressPoint};
 
 /// Power of the stresses in soil that flows.
 #[derive(Debug, Clone, Copy)]
@@ -45,8 +45,7 @@ pub(super) struct Resistance<'a, const N: usize> {
     cohesion: [Interval; N],
     pore_pressure: [Interval; N],
     tension: Option<Interval>,
-    /// The lines of an envelope, in order.
-    lines: Option<&'a [Straight]>,
+    envelope: Option<&'a Envelope>,
 }
 
 impl<'a, const N: usize> Resistance<'a, N> {
@@ -58,7 +57,7 @@ impl<'a, const N: usize> Resistance<'a, N> {
             cohesion: points.map(|p| strength.cohesion.enclosed(p).or_zero()),
             pore_pressure: points.map(|p| strength.pore_pressure.enclosed(p)),
             tension: strength.tension,
-            lines: strength.envelope.as_ref().map(|envelope| envelope.outside.as_slice()),
+            envelope: strength.envelope.as_ref(),
         }
     }
 
@@ -84,7 +83,8 @@ impl<'a, const N: usize> Resistance<'a, N> {
     }
 
     /// The circles at which the greatest power of an envelope can be found.
-    fn circles(&self, lines: &[Straight]) -> Vec<StressPoint> {
+    fn circles(&self, envelope: &Envelope) -> Vec<StressPoint> {
+        let lines = &envelope.touched;
         let cut = self.tension.and_then(|t| lines.first().map(|line| cut_of(line, t)));
         self.vertices(lines, Straight::meets, cut)
     }
@@ -148,8 +148,8 @@ impl Resistance<'_, 3> {
         let mean = means::over_triangle;
         let one = [Interval::ONE; 3];
         let water = mean(self.pore_pressure, dilation);
-        if let Some(lines) = self.lines {
-            let vertices = self.circles(lines);
+        if let Some(envelope) = self.envelope {
+            let vertices = self.circles(envelope);
             let at_corners = [0, 1, 2].map(|i| greatest(&vertices, dilation[i], shearing[i]));
             return Resisted { strength: mean_of_three(at_corners), water };
         }
@@ -172,7 +172,8 @@ impl Resistance<'_, 2> {
         let sliding = slip.map(Interval::abs);
         let tan = self.friction.tan();
         let water = mean(self.pore_pressure, opening);
-        if let Some(lines) = self.lines {
+        if let Some(envelope) = self.envelope {
+            let lines = &envelope.outside;
             let cut = |t: Interval| lines.first().map(|line| (t, line.cohesion - t * line.friction.tan()));
             let vertices = self.vertices(lines, Straight::crosses, self.tension.and_then(cut));
             let at_points = [0, 1, 2].map(|i| greatest(&vertices, opening[i], bond * sliding[i]));
@@ -196,8 +197,8 @@ impl Resistance<'_, 2> {
         let mean = means::over_edge;
         let one = [Interval::ONE; 2];
         let water = mean(self.pore_pressure, opening);
-        if let Some(lines) = self.lines {
-            let vertices = self.circles(lines);
+        if let Some(envelope) = self.envelope {
+            let vertices = self.circles(envelope);
             let rate = |i: usize| {
                 if opening[i].is_zero() {
                     slip[i].abs()

@@ -52,8 +52,7 @@ pub(super) fn material(
     let level = [0.0, soil.cohesion_level_m.unwrap_or(0.0)];
     let mut cohesion = units.linear(level, soil.cohesion_kpa, [0.0, -soil.cohesion_gradient_kpa_per_m]);
     let (mut phi_deg, mut envelope) = (soil.phi_deg.unwrap_or(0.0), None);
-    if soil.strength.is_some() {
-        let lines = soil.lines(description.expected_kpa());
+    if let Some(lines) = soil.lines(description.expected_kpa()) {
         if let Some(first) = lines.inside.first() {
             (phi_deg, cohesion) = (first.phi_deg, Linear::uniform(units.stress(first.cohesion)));
         }

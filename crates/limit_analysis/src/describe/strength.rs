@@ -21,8 +21,8 @@ const BETWEEN: f64 = 0.008;
 const FIRST: f64 = 3e-3;
 /// Factors on loads, and forces on structures, are not known before: stresses may be so many times those of the weight.
 const UNKNOWN_LOAD: f64 = 30.0;
-/// Intercepts are moved outwards by this part, more than their rounding.
-const ROUNDING: f64 = 1e-12;
+/// Lines are moved outwards by this part of the strength, more than what is rounded here and where they are proven to be in order.
+const ROUNDING: f64 = 1e-10;
 /// Slopes that differ by less are one.
 const SAME_SLOPE: f64 = 1e-9;
 
@@ -94,10 +94,6 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    fn one(phi_deg: f64, cohesion: f64) -> Self {
-        Self { inside: vec![StrengthLine { phi_deg, cohesion }], outside: Vec::new() }
-    }
-
     /// The friction angle where pressure is greatest.
     pub(super) fn flattest_deg(&self) -> f64 {
         self.outside.last().or(self.inside.last()).map_or(0.0, |line| line.phi_deg)
@@ -150,53 +146,27 @@ impl Curve<'_> {
             let power = f64::from(chords - i) / f64::from(chords - 1);
             if i == 0 { self.tip } else { self.tip + reach * FIRST.powf(power) }
         };
-        let moved =
-            |line: StrengthLine, by: f64| StrengthLine { cohesion: line.cohesion * (1.0 + by), ..line };
+        let times = |part: f64, slope: f64, cohesion: f64| of_slope(part * slope, part * cohesion);
+        let [less, more] = [1.0 - ROUNDING, 1.0 + ROUNDING];
         let chord = |i: i32| {
             let [a, b] = [knot(i), knot(i + 1)].map(self.at);
             let slope = (b.shear - a.shear) / (b.normal - a.normal);
-            moved(of_slope(slope, a.shear - slope * a.normal), -ROUNDING)
+            times(less, slope, a.shear - slope * a.normal)
         };
         let tangent = |measure: f64| {
             let At { normal, shear, slope } = (self.at)(measure);
-            moved(of_slope(slope, shear - slope * normal), ROUNDING)
+            times(more, slope, shear - slope * normal)
         };
         let between = |i: i32| {
             let [a, b] = [knot(i), knot(i + 1)].map(|x| x - self.tip);
             self.tip + if i == 0 { 0.25 * b } else { (a * b).sqrt() }
         };
-        let level = moved(of_slope(0.0, (self.at)(self.up_to).shear), -ROUNDING);
+        let level = times(less, 0.0, (self.at)(self.up_to).shear);
         Lines {
             inside: (0..chords).map(chord).chain([level]).collect(),
             outside: (0..chords).map(|i| tangent(between(i))).chain([tangent(self.up_to)]).collect(),
         }
     }
-}
-
-/// The lines that some circle of Mohr touches before the others: where a curve bends more than the circle below it, none does.
-fn needed(lines: Vec<StrengthLine>) -> Vec<StrengthLine> {
-    let radius = |l: &StrengthLine| {
-        let (sin, cos) = l.phi_deg.to_radians().sin_cos();
-        (l.cohesion * cos, sin)
-    };
-    // Tension at which two lines bear the same circle, and at which one bears none.
-    let meet = |a: &StrengthLine, b: &StrengthLine| {
-        let ((a, falls), (b, falls_less)) = (radius(a), radius(b));
-        (a - b) / (falls - falls_less)
-    };
-    let apex = |l: &StrengthLine| radius(l).0 / radius(l).1;
-    let mut kept: Vec<StrengthLine> = Vec::new();
-    for line in lines {
-        while let Some(last) = kept.last() {
-            let first = kept.len().checked_sub(2).map_or_else(|| apex(last), |i| meet(&kept[i], last));
-            if meet(last, &line) < first {
-                break;
-            }
-            kept.pop();
-        }
-        kept.push(line);
-    }
-    kept
 }
 
 fn of_slope(slope: f64, cohesion: f64) -> StrengthLine {
@@ -322,43 +292,28 @@ fn slopes(points: &[[f64; 2]]) -> impl Iterator<Item = f64> {
 }
 
 impl SoilEntry {
-    /// Its strength at the reference level, where stresses are about so great.
-    pub(super) fn lines(&self, about_kpa: f64) -> Lines {
-        let factor = self.strength_factor.unwrap_or(1.0);
-        match &self.strength {
-            None => Lines::one(self.phi_deg.unwrap_or(0.0), self.cohesion_kpa),
-            Some(law) => {
-                let Lines { inside, outside } = law.lines(about_kpa).times(factor);
-                Lines { inside: needed(inside), outside: needed(outside) }
-            }
-        }
+    /// The lines of its law of strength, if it has one, where stresses are about so great.
+    pub(super) fn lines(&self, about_kpa: f64) -> Option<Lines> {
+        Some(self.strength.as_ref()?.lines(about_kpa).times(self.strength_factor.unwrap_or(1.0)))
     }
 
     /// Its shear strength at the reference level where there is no pressure, in kPa.
     pub(super) fn at_no_pressure_kpa(&self) -> f64 {
-        match &self.strength {
-            None => self.cohesion_kpa,
-            Some(_) => {
-                self.lines(GREAT_KPA).inside.iter().map(|line| line.cohesion).fold(f64::INFINITY, f64::min)
-            }
-        }
+        let least = |lines: Lines| lines.inside.iter().map(|l| l.cohesion).fold(f64::INFINITY, f64::min);
+        self.lines(GREAT_KPA).map_or(self.cohesion_kpa, least)
     }
 
     /// The steepest friction angle in degrees of its strength, which is that near no pressure if it is curved.
     pub(super) fn steepest_deg(&self) -> f64 {
-        match &self.strength {
-            None => self.friction_deg(),
-            Some(_) => self.lines(GREAT_KPA).inside.first().map_or(0.0, |line| line.phi_deg),
-        }
+        let steepest = |lines: &Lines| lines.inside.first().map(|line| line.phi_deg);
+        self.lines(GREAT_KPA).as_ref().and_then(steepest).unwrap_or_else(|| self.friction_deg())
     }
 
     /// Its friction angle in degrees, that at great pressure if its strength is curved.
     #[must_use]
     pub fn friction_deg(&self) -> f64 {
-        match &self.strength {
-            None => self.after_davis().phi_deg.unwrap_or(0.0),
-            Some(_) => self.lines(GREAT_KPA).flattest_deg(),
-        }
+        let straight = || self.after_davis().phi_deg.unwrap_or(0.0);
+        self.lines(GREAT_KPA).map_or_else(straight, |lines| lines.flattest_deg())
     }
 
     /// Its law of strength in words, if it has one.

@@ -4,6 +4,8 @@ use soilctl_certificate::{Envelope, Material, StrengthLine};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::{Aim, SoilEntry, StrengthLaw};
 
+use crate::common::refusals;
+
 fn slope(soil: SoilEntry) -> Description {
     let mut it = Description::strip_load(soil, 2.0);
     it.objective = Aim::StrengthReduction {};
@@ -68,6 +70,9 @@ fn a_power_is_between_its_chords_and_tangents() {
             let near = |k: i32| -tension_kpa + (mean + tension_kpa) * 1e-4 * f64::from(k);
             let to = |sigma: f64| (sigma - mean).hypot(factor * (sigma + tension_kpa).powf(exponent));
             let curve = (0..=10_000).map(|k| to(near(k))).fold(f64::INFINITY, f64::min);
+            let [low, high] = [&inside, &outside].map(|lines| shear(lines, mean));
+            let strength = factor * (mean + tension_kpa).powf(exponent);
+            assert!(low <= strength && strength <= high, "{exponent} at {mean}: {low} {strength} {high}");
             let [low, high] = [&inside, &outside].map(|lines| radius(lines, mean));
             assert!(
                 low <= curve && curve <= high * (1.0 + 1e-6),
@@ -104,6 +109,37 @@ fn hoek_and_brown_s_strength_is_between_its_lines() {
             if (0.005 * ucs..0.5 * ucs).contains(&least) {
                 assert!(high - low < 0.02 * (curve - least), "at {least}: {low} {curve} {high}");
             }
+        }
+    }
+}
+
+/// The checker takes each law, however strength is divided: its lines stay in order, and the outer ones outside.
+#[test]
+fn divided_laws_are_laws() {
+    let power =
+        |factor, exponent, tension_kpa| StrengthLaw::Power { factor, exponent, tension_kpa, up_to_kpa: None };
+    let rock = |ucs_mpa, gsi, mi, disturbance| StrengthLaw::HoekBrown {
+        ucs_mpa,
+        gsi,
+        mi,
+        disturbance,
+        up_to_kpa: None,
+    };
+    let laws = [
+        power(1.1, 0.86, 0.0),
+        power(3.0, 0.6, 5.0),
+        power(5.0, 0.3, 40.0),
+        power(0.6, 0.999, 1.0),
+        rock(0.5, 30.0, 8.0, 0.7),
+        rock(100.0, 100.0, 50.0, 0.0),
+        rock(0.01, 5.0, 1.0, 1.0),
+        StrengthLaw::Points { points_kpa: vec![[0.0, 20.0], [5.0, 40.0], [10.0, 45.0], [200.0, 50.0]] },
+    ];
+    for law in laws {
+        for factor in [0.3, 1.0, 1.14, 4.0] {
+            let found = slope(of_law(law.clone())).reduced(factor).described().unwrap();
+            let refused = refusals(&found.statement);
+            assert!(refused.is_empty(), "{law} over {factor}: {refused:?}");
         }
     }
 }
