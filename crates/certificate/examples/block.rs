@@ -25,6 +25,7 @@ fn main() -> Result<(), soilctl_certificate::CertificateError> {
                 pore_pressure: Linear::default(),
                 tension: None,
                 envelope: None,
+                anisotropy: None,
             },
         }],
         gravity: [0.0, -1.0],

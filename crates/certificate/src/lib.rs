@@ -42,6 +42,9 @@
 //! `(p - u) e + r g` of the corners at which these meet, if `e >= g sin(phi)` for the flattest. The static theorem takes the inner lines, the
 //! kinematic one the outer ones, which are proven to be nowhere below them; so both hold for every strength between.
 //!
+//! Of [clay whose strength depends on the direction](Anisotropy) `r` is the distance from the middle of the ellipse over its half-axes, and `D(v) =
+//! c (E (exx - eyy) + sqrt((A (exx - eyy))^2 + (B 2 exy)^2))` with `E`, `A`, `B` middle and half-axes for a cohesion of one.
+//!
 //! Let `b` be the dead body force, `T` the dead tractions, `m` the factor on the live ones `b'`, `T'`, and `F` the force of
 //! the structure on the soil per unit width, times its velocity `V`.
 //!
@@ -358,7 +361,7 @@ pub use shown::{
 };
 pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
 pub use statement::{
-    Bending, Boundary, Condition, Envelope, Line, LineUse, Linear, Material, Member, Objective, Region,
-    Statement, StrengthLine,
+    Anisotropy, Bending, Boundary, Condition, Envelope, Line, LineUse, Linear, Material, Member, Objective,
+    Region, Statement, StrengthLine,
 };
 pub use upper::prove_upper;

@@ -198,6 +198,26 @@ pub struct Material {
     /// above zero and the cohesion is the same everywhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub envelope: Option<Envelope>,
+    /// Clay whose strength depends on the direction of the stress; the cohesion is that under the greatest pressure upright then. The friction
+    /// angle is zero, and tension is not limited.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub anisotropy: Option<Anisotropy>,
+}
+
+/// Undrained strength that depends on the direction of the stress: with `c` the cohesion and stresses positive in tension, the soil bears
+///
+/// ```text
+/// (((xx - yy)/2 - c (1 - passive)/2) / (c (1 + passive)/2))^2 + (xy / (c shear))^2 <= 1
+/// ```
+///
+/// in plane strain, an ellipse (Davis and Christian 1971; the plane form of NGI-ADP, Grimstad, Andresen and Jostad 2012).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Anisotropy {
+    /// Strength over the cohesion where the greatest pressure is level; above zero.
+    pub passive: f64,
+    /// The greatest shear stress on level and upright planes over the cohesion; above zero.
+    pub shear: f64,
 }
 
 /// A curved strength envelope, between two made of straight lines. Lower bounds hold for soil that bears what the inner one says, upper

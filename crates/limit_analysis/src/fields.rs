@@ -3,6 +3,7 @@
 use soilctl_certificate::Side;
 use soilctl_conic::Form;
 
+use crate::anisotropy::Ellipse;
 use crate::lower::macro_element::{Curvature, curvatures};
 use crate::lower::{Lower, SectionForces, node_stresses};
 use crate::members::MemberEdge;
@@ -57,7 +58,7 @@ pub(crate) struct VelocityField {
 }
 
 /// Strain rates `[exx, eyy, 2 exy]` at corners, and the rate that a second kind of strength works on: the shear rate beyond the dilation
-/// where tension is cut off, all of it where there is no friction; of an envelope all power.
+/// where tension is cut off, all of it, directed, where there is no friction; of an envelope all power.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
     pub(crate) corners: [Point; 3],
@@ -116,7 +117,7 @@ impl VelocityField {
             })
             .collect();
         let pieces = (0..control.len()).map(|t| match upper.stream_values(t, x) {
-            Some(local) => thirds(&upper.corners[t], &local),
+            Some(local) => thirds(&upper.corners[t], &local, &upper.ellipses[t]),
             None => vec![whole(&upper.corners[t], &control[t], &upper.limits[t])],
         });
         let value = |forms: &[Form; 3]| forms.each_ref().map(|f| f.value(x));
@@ -142,14 +143,14 @@ fn whole(v: &[Point; 3], control: &[Point; 6], limit: &Limit) -> Piece {
 }
 
 /// Those of a stream function.
-fn thirds(v: &[Point; 3], local: &[f64; 12]) -> Vec<Piece> {
+fn thirds(v: &[Point; 3], local: &[f64; 12], ellipse: &Ellipse) -> Vec<Piece> {
     let centre = centroid(v);
     let piece = |(k, part): (usize, &[Curvature; 3])| Piece {
         corners: [v[(k + 1) % 3], v[(k + 2) % 3], centre],
         rates: part.map(|curvature| {
             let [difference, shear] =
                 shear_rates(&curvature).map(|row| row.iter().zip(local).map(|(r, l)| r * l).sum::<f64>());
-            [0.5 * difference, -0.5 * difference, shear, difference.hypot(shear)]
+            [0.5 * difference, -0.5 * difference, shear, ellipse.rate(difference, shear)]
         }),
     };
     curvatures(v, [false; 3]).iter().enumerate().map(piece).collect()

@@ -92,6 +92,7 @@
 
 mod accuracy;
 mod adapt;
+mod anisotropy;
 mod bound;
 mod decide;
 pub mod describe;

@@ -113,6 +113,7 @@ impl EmbeddedPlate {
             pore_pressure: Linear::default(),
             tension: None,
             envelope: None,
+            anisotropy: None,
         };
         Problem::new(Statement {
             points,

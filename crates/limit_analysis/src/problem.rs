@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use soilctl_certificate::{Boundary, Condition, LineUse, Linear, Material, Member, Objective, Statement};
 
+use crate::anisotropy::{Ellipse, ROUND};
 use crate::envelope::Envelope;
 use crate::error::{LimitError, in_range};
 use crate::mesh::check;
@@ -23,6 +24,8 @@ pub(crate) struct Soil {
     pub(crate) unit_weight: f64,
     /// What limits the strength beside friction and cohesion.
     pub(crate) envelope: Option<Envelope>,
+    /// How the strength depends on the direction.
+    pub(crate) ellipse: Ellipse,
 }
 
 impl Soil {
@@ -38,6 +41,7 @@ impl Soil {
             cut_off: m.tension,
             unit_weight: m.unit_weight,
             envelope: Envelope::of(m),
+            ellipse: Ellipse::of(m),
         }
     }
 
@@ -209,9 +213,9 @@ impl Problem {
                 advice: "leave the width out, which gives bounds in plane strain",
             });
         }
-        if self.soils.iter().any(|soil| soil.envelope.is_some()) {
+        if self.soils.iter().any(|soil| soil.envelope.is_some() || soil.ellipse != ROUND) {
             return Err(LimitError::NotCovered {
-                what: "the ends of a structure in soil with a curved strength envelope",
+                what: "the ends of a structure in soil whose strength is curved or depends on the direction",
                 advice: "leave the width out, which gives bounds in plane strain",
             });
         }

@@ -39,7 +39,7 @@ from ._problem import Entries, Points
 __all__ = ["Factors", "Interface", "Problem", "SoilInterface"]
 '''
 #: Entries within entries.
-PARTS = ("Factors", "Interface", "SoilInterface")
+PARTS = ("Anisotropy", "Factors", "Interface", "SoilInterface")
 #: Values of several kinds, and what their classes are called beside the kind.
 LAWS = {"StrengthLaw": "Strength"}
 #: Arguments with a unit in their name are given by it.

@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_certificate::{
-    Bending, Condition, Envelope, LineUse, Linear, Material, Member, Objective, Region, Scale, Statement,
-    StrengthLine,
+    Anisotropy, Bending, Condition, Envelope, LineUse, Linear, Material, Member, Objective, Region, Scale,
+    Statement, StrengthLine,
 };
 
 /// Most lines of one kind; of the others their number is told.
@@ -86,7 +86,8 @@ fn place(statement: &Statement, index: usize) -> String {
 }
 
 fn soil(statement: &Statement, region: &Region) -> String {
-    let Material { phi_deg, cohesion, unit_weight, pore_pressure, tension, ref envelope } = region.material;
+    let Material { phi_deg, cohesion, unit_weight, pore_pressure, tension, ref envelope, anisotropy } =
+        region.material;
     let mut text =
         format!("friction {phi_deg} deg, cohesion {}, unit weight {unit_weight}", linear(cohesion));
     if !pore_pressure.is_zero() {
@@ -94,6 +95,12 @@ fn soil(statement: &Statement, region: &Region) -> String {
     }
     if let Some(tension) = tension {
         text += &format!(", no tension above {tension}");
+    }
+    if let Some(Anisotropy { passive, shear }) = anisotropy {
+        text += &format!(
+            ", which is the strength under the greatest pressure upright; {passive} of it where that is level, and no shear stress above {shear} of it on \
+             level and upright planes"
+        );
     }
     if let Some(Envelope { inside, outside }) = envelope {
         let lines = |lines: &[StrengthLine]| {

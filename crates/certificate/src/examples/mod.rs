@@ -28,6 +28,7 @@ pub(crate) fn soil(phi_deg: f64) -> Material {
         pore_pressure: Linear::default(),
         tension: None,
         envelope: None,
+        anisotropy: None,
     }
 }
 

@@ -5,7 +5,7 @@ use crate::CertificateError;
 use crate::ends::{Splice, SpliceLimit};
 use crate::fields::LowerField;
 use crate::interval::{Angle, Interval, Vector};
-use crate::problem::{Straight, Strength, Stress};
+use crate::problem::{Anisotropy, Straight, Strength, Stress};
 use crate::statement::{Objective, Statement};
 use crate::tiling::after;
 
@@ -46,17 +46,19 @@ pub(super) struct Limit<'a> {
     divisor: Option<Divisor>,
     pub(super) pore_pressure: Interval,
     tension: Option<Interval>,
+    anisotropy: Option<Anisotropy>,
     /// What follows from the ends of a structure.
     splice: Option<SpliceLimit>,
 }
 
 impl<'a> Limit<'a> {
     pub(super) fn at(strength: &'a Strength, divisor: Divisor, splice: Option<&Splice>, p: Vector) -> Self {
-        let Strength { friction, cohesion, pore_pressure, tension, envelope: _ } = strength;
+        let Strength { friction, cohesion, pore_pressure, tension, envelope: _, anisotropy } = strength;
         let (cohesion, pore_pressure) = (divisor.part(cohesion.enclosed(p)), pore_pressure.enclosed(p));
         let (tension, splice) = (tension.map(|t| divisor.part(t)), splice.map(|splice| splice.at(p)));
         let (further, divisor) = (strength.further(), Some(divisor));
-        Self { friction: *friction, cohesion, further, divisor, pore_pressure, tension, splice }
+        let anisotropy = *anisotropy;
+        Self { friction: *friction, cohesion, further, divisor, pore_pressure, tension, anisotropy, splice }
     }
 
     /// What a change of stress must be within so that any multiple of it can be added to a state within strength, where the
@@ -75,6 +77,7 @@ impl<'a> Limit<'a> {
             divisor: None,
             pore_pressure,
             tension,
+            anisotropy: strength.anisotropy,
             splice,
         }
     }
@@ -88,10 +91,15 @@ impl<'a> Limit<'a> {
 
     /// The least that there may be to spare; at least zero if the state is proven to be one the soil can bear. With the
     /// effective stress, `r = sqrt(((xx - yy)/2)^2 + xy^2)` and `m = (xx + yy)/2`, that is one with
-    /// `c cos(phi) - sin(phi) m >= r` for all lines of the strength and, if tension is limited, `tension - m >= r`; ends limit `r` twice more.
+    /// `c cos(phi) - sin(phi) m >= r` for all lines of the strength and, if tension is limited, `tension - m >= r`; ends limit `r` twice more. Of strength
+    /// that depends on the direction `r` is the distance from the middle of the ellipse over its half-axes.
     fn spare(&self, mean: Interval, half_difference: Interval, xy: Interval) -> f64 {
         let Self { pore_pressure, tension, splice, .. } = *self;
         let mean = mean + pore_pressure;
+        let [half_difference, xy] = match self.anisotropy {
+            Some(anisotropy) => anisotropy.round(self.cohesion, half_difference, xy),
+            None => [half_difference, xy],
+        };
         let radius_square = half_difference.square() + xy.square();
         let [greatest, least] = splice.map_or([None; 2], |splice| splice.radii(mean).map(Some));
         let lines = self.lines().map(|(friction, cohesion)| cohesion * friction.cos - friction.sin * mean);

@@ -1,5 +1,6 @@
 //! A statement that has been checked, with what the proofs look up in it.
 
+mod anisotropy;
 mod envelope;
 mod far;
 mod members;
@@ -12,6 +13,7 @@ use crate::CertificateError;
 use crate::interval::{Angle, Interval, Vector, angle};
 use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 
+pub(crate) use anisotropy::Anisotropy;
 pub(crate) use envelope::{Envelope, Straight, StressPoint};
 pub(crate) use far::FarFrame;
 pub(crate) use members::{Attached, Piece};
@@ -27,6 +29,8 @@ pub(crate) struct Strength {
     pub(crate) tension: Option<Interval>,
     /// What limits it beside friction and cohesion.
     pub(crate) envelope: Option<Envelope>,
+    /// How it depends on the direction, where it does.
+    pub(crate) anisotropy: Option<Anisotropy>,
 }
 
 impl Strength {
@@ -37,12 +41,21 @@ impl Strength {
             pore_pressure: material.pore_pressure,
             tension: material.tension.map(Interval::point),
             envelope: material.envelope.as_ref().map(|envelope| Envelope::new(material, envelope)),
+            anisotropy: material.anisotropy.as_ref().map(Anisotropy::new),
         }
     }
 
     /// The lines of which a lower bound obeys each, beside that of friction and cohesion.
     pub(crate) fn further(&self) -> &[Straight] {
         self.envelope.as_ref().map_or(&[], |envelope| &envelope.inside)
+    }
+
+    /// What counts as the shear rate, from `exx - eyy` and `2 exy`.
+    pub(crate) fn shear_rate(&self, difference: Interval, shear: Interval) -> Interval {
+        match &self.anisotropy {
+            Some(anisotropy) => anisotropy.rate(difference, shear),
+            None => (difference.square() + shear.square()).sqrt(),
+        }
     }
 
     /// The friction that the flow rule asks for: where pressure is greatest.

@@ -1,7 +1,7 @@
 use super::envelope;
 use crate::CertificateError;
 use crate::interval::Vector;
-use crate::statement::{Condition, Linear, Objective, Statement};
+use crate::statement::{Anisotropy, Condition, Linear, Material, Objective, Statement};
 
 /// Most lines of a statement: some checks compare all pairs.
 const MAX_LINES: usize = 1024;
@@ -49,8 +49,9 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
             at_least_zero("cohesion of a line of the envelope", place, line.cohesion, "stress")?;
         }
         envelope::check(m, place)?;
-        if statement.width.is_some() && m.envelope.is_some() {
-            let what = "a curved strength envelope beside a structure with ends";
+        check_anisotropy(m, place)?;
+        if statement.width.is_some() && (m.envelope.is_some() || m.anisotropy.is_some()) {
+            let what = "strength that is curved or depends on the direction beside a structure with ends";
             return Err(CertificateError::NotCovered { place: place(), what });
         }
     }
@@ -72,6 +73,18 @@ pub(super) fn check(statement: &Statement) -> Result<(), CertificateError> {
         finite("the objective's velocity or gravity", whole, x, "")?;
     }
     check_boundaries(statement)
+}
+
+fn check_anisotropy(m: &Material, place: impl Fn() -> String) -> Result<(), CertificateError> {
+    let Some(Anisotropy { passive, shear }) = m.anisotropy else { return Ok(()) };
+    for (quantity, value) in [("passive strength", passive), ("greatest shear stress", shear)] {
+        within(quantity, &place, value, "of the cohesion", "finite and above 0", value > 0.0)?;
+    }
+    if m.phi_deg == 0.0 && m.tension.is_none() && m.envelope.is_none() {
+        return Ok(());
+    }
+    let what = "strength that depends on the direction beside friction, a limit to tension or an envelope";
+    Err(CertificateError::NotCovered { place: place(), what })
 }
 
 fn check_boundaries(statement: &Statement) -> Result<(), CertificateError> {

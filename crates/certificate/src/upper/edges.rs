@@ -155,6 +155,7 @@ impl VelocityField<'_> {
             pore_pressure: soil.pore_pressure,
             tension: bears_pressure_only.then_some(Interval::ZERO),
             envelope: None,
+            anisotropy: None,
         };
         self.layer(side, &strength, relative)
     }

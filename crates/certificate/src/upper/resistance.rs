@@ -21,7 +21,7 @@
 
 use super::means;
 use crate::interval::{Angle, Interval, Vector};
-use crate::problem::{Envelope, Straight, Strength, StressPoint};
+use crate::problem::{Anisotropy, Envelope, Straight, Strength, StressPoint};
 
 /// Power of the stresses in soil that flows.
 #[derive(Debug, Clone, Copy)]
@@ -46,6 +46,9 @@ pub(super) struct Resistance<'a, const N: usize> {
     pore_pressure: [Interval; N],
     tension: Option<Interval>,
     envelope: Option<&'a Envelope>,
+    anisotropy: Option<Anisotropy>,
+    /// The points.
+    at: [Vector; N],
 }
 
 impl<'a, const N: usize> Resistance<'a, N> {
@@ -58,6 +61,8 @@ impl<'a, const N: usize> Resistance<'a, N> {
             pore_pressure: points.map(|p| strength.pore_pressure.enclosed(p)),
             tension: strength.tension,
             envelope: strength.envelope.as_ref(),
+            anisotropy: strength.anisotropy,
+            at: points,
         }
     }
 
@@ -163,6 +168,17 @@ impl Resistance<'_, 3> {
 }
 
 impl Resistance<'_, 2> {
+    /// The rate that slip in a thin layer along the edge takes up. With `t` along the edge and `n` that turned left, the soil on the left moves by the
+    /// slip along `t` relative to that on the right, so strain rates are half of `n t' + t n'` times the slip.
+    fn directed(&self, anisotropy: Anisotropy, slip: Interval) -> Interval {
+        let [from, to] = self.at;
+        let d = to - from;
+        let square = d.x.square() + d.y.square();
+        let two = Interval::point(2.0);
+        let (difference, shear) = (-(two * d.x * d.y) / square, (d.x.square() - d.y.square()) / square);
+        anisotropy.rate(difference * slip, shear * slip)
+    }
+
     /// What a layer dissipates that bears the part `bond` of the soil's shear strength at each normal stress, likewise. With `t`
     /// the greatest tension, it opens by at least `bond |slip| tan(phi)`, and the greatest power of what it bears is found where the normal
     /// stress is `t`, at most `t opening + bond max(0, c - t tan(phi)) |slip|`; without a limit `t` is `c cot(phi)`.
@@ -192,7 +208,7 @@ impl Resistance<'_, 2> {
 
     /// What a layer dissipates, from opening and slip at the control points, times the length. The flow rule holds, and
     /// without friction nor a limit to tension the opening is zero. The dilation of a layer is its opening, its shear rate
-    /// the length of the vector of opening and slip.
+    /// the length of the vector of opening and slip. Of strength that depends on the direction it is what a layer along the edge takes up.
     pub(super) fn of_layer(&self, opening: [Interval; 3], slip: [Interval; 3]) -> Resisted {
         let mean = means::over_edge;
         let one = [Interval::ONE; 2];
@@ -211,6 +227,9 @@ impl Resistance<'_, 2> {
         }
         let beyond = [0, 1, 2].map(|i| {
             let (o, s) = (opening[i], slip[i]);
+            if let Some(anisotropy) = self.anisotropy {
+                return self.directed(anisotropy, s);
+            }
             if o.is_zero() { s.abs() } else { ((o.square() + s.square()).sqrt() - o).or_zero() }
         });
         self.least(

@@ -12,7 +12,7 @@ impl VelocityField<'_> {
     /// What a triangle adds to the power. The flow does not change the volume, by construction.
     ///
     /// The rates are `exx = -eyy = s_xy` and `exy = (s_yy - s_xx)/2`, linear in each part of the element. In terms of the
-    /// stresses that would belong to the function, the shear rate is `sqrt((xx - yy)^2 + 4 xy^2)`.
+    /// stresses that would belong to the function, `exx - eyy` is `-2 xy` and `2 exy` is `xx - yy`.
     pub(super) fn stream(&self, triangle: usize, copies: [usize; 3]) -> Power {
         let (local, rigid) = self.local(triangle, copies);
         let [p, q, r] = local.corners;
@@ -21,10 +21,7 @@ impl VelocityField<'_> {
         let strength = &self.problem.strengths[self.tiling.region(triangle)];
         let mut dissipation = Interval::ZERO;
         for (k, nodes) in local.stresses().into_iter().enumerate() {
-            let rates = nodes.map(|s| {
-                let (stretch, shear) = (s.xx - s.yy, Interval::point(2.0) * s.xy);
-                (stretch.square() + shear.square()).sqrt()
-            });
+            let rates = nodes.map(|s| strength.shear_rate(Interval::point(-2.0) * s.xy, s.xx - s.yy));
             let points = [local.corners[after(k, 1)], local.corners[after(k, 2)], centroid];
             let part = Resistance::new(strength, points).of_triangle([Interval::ZERO; 3], rates).all();
             dissipation = dissipation + part * area.third();

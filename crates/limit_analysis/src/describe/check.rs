@@ -1,7 +1,7 @@
 //! Numbers, names and amounts, before any geometry.
 
 use super::error::DescriptionError;
-use super::input::{Aim, Description, SoilEntry};
+use super::input::{Aim, AnisotropyEntry, Description, SoilEntry};
 use super::parts::{Interface, Kind, Profile, SoilInterface};
 
 /// Most points of all polygons and lines together.
@@ -340,6 +340,7 @@ fn check_soil(entry: &str, soil: &SoilEntry) -> Result<(), DescriptionError> {
     let ratio = Range { low: 0.0, high: 1.0, words: "0 to 1" };
     let weight = Range { low: 0.0, high: 1e6, words: "0 to 1e6 kN/m3" };
     check_strength(entry, soil)?;
+    check_anisotropy(entry, soil)?;
     number(entry, "cohesion_kpa", soil.cohesion_kpa, STRESS)?;
     let gradient = ("cohesion_gradient_kpa_per_m", soil.cohesion_gradient_kpa_per_m);
     number(entry, gradient.0, gradient.1, Range { low: -LARGEST, ..STRESS })?;
@@ -355,6 +356,19 @@ fn check_soil(entry: &str, soil: &SoilEntry) -> Result<(), DescriptionError> {
         return Err(DescriptionError::entry(entry, problem));
     }
     Ok(())
+}
+
+/// Strength that depends on the direction is that of clay whose tension is not limited.
+fn check_anisotropy(entry: &str, soil: &SoilEntry) -> Result<(), DescriptionError> {
+    let Some(AnisotropyEntry { passive, shear }) = soil.anisotropy else { return Ok(()) };
+    let ratio = Range { low: 0.1, high: 10.0, words: "0.1 to 10, over cohesion_kpa" };
+    number(entry, "anisotropy.passive", passive, ratio)?;
+    number(entry, "anisotropy.shear", shear, ratio)?;
+    if soil.phi_deg == Some(0.0) && soil.tension_kpa.is_none() {
+        return Ok(());
+    }
+    let problem = "anisotropy goes with phi_deg = 0, and without strength and tension_kpa";
+    Err(DescriptionError::entry(entry, problem))
 }
 
 /// A soil has a friction angle or a law of strength, not both.

@@ -1,11 +1,11 @@
 //! The material of each piece of soil, in the units of the statement.
 
-use soilctl_certificate::{LineUse, Linear, Material};
+use soilctl_certificate::{Anisotropy, LineUse, Linear, Material};
 
 use super::columns::overburden;
 use super::error::DescriptionError;
 use super::faces::Face;
-use super::input::{Description, SoilEntry};
+use super::input::{AnisotropyEntry, Description, SoilEntry};
 use super::plan::Plan;
 use super::segments::Drawing;
 use crate::vector::Point;
@@ -81,6 +81,7 @@ pub(super) fn material(
         },
         tension: soil.tension_kpa.map(|t| units.stress(t)),
         envelope,
+        anisotropy: soil.anisotropy.map(|AnisotropyEntry { passive, shear }| Anisotropy { passive, shear }),
     })
 }
 

@@ -91,6 +91,9 @@ pub struct SoilEntry {
     /// Greatest effective tension; left out: what friction and cohesion allow.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension_kpa: Option<f64>,
+    /// How the strength of clay (`phi_deg` 0) depends on the direction of the stress; `cohesion_kpa` is that under the greatest pressure upright then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub anisotropy: Option<AnisotropyEntry>,
     /// Strength that grows less and less with pressure, in place of `phi_deg` and cohesion.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strength: Option<StrengthLaw>,
@@ -110,6 +113,17 @@ pub struct SoilEntry {
     /// Permeability along x over that downwards, 1e-3 to 1e3; 1 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub permeability_ratio: Option<f64>,
+}
+
+/// Undrained strength that depends on the direction of the stress, an ellipse in plane strain: strengths over the active one, `cohesion_kpa`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Anisotropy")]
+pub struct AnisotropyEntry {
+    /// Passive strength, where the greatest pressure is level, over the active one; 0.1 to 10.
+    pub passive: f64,
+    /// Greatest shear stress on level and upright planes over the active strength, 0.1 to 10; what direct simple shear finds.
+    pub shear: f64,
 }
 
 /// An area of one soil.

@@ -44,7 +44,9 @@ pub use described::{Described, Quantity};
 pub use entry_place::{Entry, Place, Section};
 pub use error::DescriptionError;
 pub use file::PROBLEM_SCHEMA;
-pub use input::{Aim, Description, HeadEntry, RegionEntry, Seepage, Seismic, SoilEntry, Water};
+pub use input::{
+    Aim, AnisotropyEntry, Description, HeadEntry, RegionEntry, Seepage, Seismic, SoilEntry, Water,
+};
 pub use parts::{
     Action, BoundaryEntry, Hold, Interface, Kind, MemberEnd, MemberEntry, PlateEntry, Profile, Side,
     SoilInterface, StructureEntry,

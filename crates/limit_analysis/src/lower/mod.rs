@@ -82,20 +82,24 @@ fn stress(c: &Curvature, local: &[Form; 12], reference: &Stress) -> Stress {
     [form(&c[1], 1.0, &reference[0]), form(&c[0], 1.0, &reference[1]), form(&c[2], -1.0, &reference[2])]
 }
 
-/// The cone of Mohr and Coulomb for the effective stress at a point, scaled.
+/// The cone of Mohr and Coulomb for the effective stress at a point, scaled. Of strength that depends on the direction it is that of its ellipse.
 ///
 /// Of cohesion and tension there is the given part.
 fn mohr_coulomb(soil: &Soil, part: &Form, [xx, yy, xy]: &Stress, at: Point, scale: f64) -> [Form; 3] {
     let mean = -0.5 * soil.sin * scale;
     let cohesion = soil.cohesion.at(at).max(0.0);
     let water = soil.pore_pressure.at(at);
+    let level = 0.5 * scale / soil.ellipse.level;
     [
         Form::constant(-scale * soil.sin * water)
             .plus(scale * (cohesion * soil.cos), part)
             .plus(mean, xx)
             .plus(mean, yy),
-        Form::default().plus(0.5 * scale, xx).plus(-0.5 * scale, yy),
-        Form::default().plus(scale, xy),
+        Form::default()
+            .plus(level, xx)
+            .plus(-level, yy)
+            .plus(-soil.ellipse.middle * cohesion * level * 2.0, part),
+        Form::default().plus(scale / soil.ellipse.shear, xy),
     ]
 }
 

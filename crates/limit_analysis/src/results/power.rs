@@ -43,15 +43,18 @@ impl FlowResults {
     #[must_use]
     pub fn dissipation(&self) -> Vec<Vec<f64>> {
         self.each_piece(|triangle, piece| {
-            let [e, g] = dilation_and_shear(piece);
-            Strength::of_soil(self.material(triangle)).in_triangle(piece.corners, e, g)
+            let strength = Strength::of_soil(self.material(triangle));
+            let [e, g] = dilation_and_shear(piece, &strength);
+            strength.in_triangle(piece.corners, e, g)
         })
     }
 
     /// Greatest shear strain rate, on average over each piece of each triangle (velocity over length).
     #[must_use]
     pub fn shear_rate(&self) -> Vec<Vec<f64>> {
-        self.each_piece(|_, piece| over_triangle([1.0; 3], dilation_and_shear(piece)[1]))
+        self.each_piece(|_, piece| {
+            over_triangle([1.0; 3], strain_rates(piece).map(|rate| invariants(rate)[1]))
+        })
     }
 
     fn each_piece(&self, of: impl Fn(usize, &FlowPiece) -> f64) -> Vec<Vec<f64>> {
@@ -80,8 +83,9 @@ impl FlowResults {
 
     fn add_piece(&self, triangle: usize, piece: &FlowPiece, power: &mut Power) {
         let material = self.material(triangle);
-        let (area, [e, g]) = (area(piece), dilation_and_shear(piece));
-        power.in_soil += area * Strength::of_soil(material).in_triangle(piece.corners, e, g);
+        let (area, strength) = (area(piece), Strength::of_soil(material));
+        let [e, g] = dilation_and_shear(piece, &strength);
+        power.in_soil += area * strength.in_triangle(piece.corners, e, g);
         let pore = piece.corners.map(|p| material.pore_pressure.at(p));
         power.by_water += area * over_triangle(pore, e);
         let mean = [0, 1].map(|axis| piece.control.iter().map(|b| b[axis]).sum::<f64>() / 6.0);
@@ -126,7 +130,7 @@ impl FlowResults {
 }
 
 /// At the corners of a piece.
-fn dilation_and_shear(piece: &FlowPiece) -> [[f64; 3]; 2] {
-    let both = strain_rates(piece).map(invariants);
-    [both.map(|b| b[0]), both.map(|b| b[1])]
+fn dilation_and_shear(piece: &FlowPiece, strength: &Strength) -> [[f64; 3]; 2] {
+    let rates = strain_rates(piece);
+    [rates.map(|rate| invariants(rate)[0]), rates.map(|rate| strength.shear_rate(rate))]
 }

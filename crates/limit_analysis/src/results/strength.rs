@@ -7,7 +7,9 @@
 use soilctl_certificate::{Linear, Material};
 
 use super::Point;
+use crate::anisotropy::{Ellipse, ROUND};
 use crate::envelope::{Envelope, greatest};
+use crate::vector::between;
 
 /// Strength of a soil or a face.
 #[derive(Debug, Clone)]
@@ -17,17 +19,30 @@ pub(super) struct Strength {
     cohesion: Linear,
     tension: Option<f64>,
     envelope: Option<Envelope>,
+    ellipse: Ellipse,
 }
 
 impl Strength {
     pub(super) fn of_soil(m: &Material) -> Self {
         let (sin, cos) = m.phi_deg.to_radians().sin_cos();
-        Self { sin, cos, cohesion: m.cohesion, tension: m.tension, envelope: Envelope::of(m) }
+        Self {
+            sin,
+            cos,
+            cohesion: m.cohesion,
+            tension: m.tension,
+            envelope: Envelope::of(m),
+            ellipse: Ellipse::of(m),
+        }
     }
 
     pub(super) fn of_face(delta_deg: f64, adhesion: f64) -> Self {
         let (sin, cos) = delta_deg.to_radians().sin_cos();
-        Self { sin, cos, cohesion: Linear::uniform(adhesion), tension: None, envelope: None }
+        Self { sin, cos, cohesion: Linear::uniform(adhesion), tension: None, envelope: None, ellipse: ROUND }
+    }
+
+    /// What counts as the shear rate, from strain rates `[exx, eyy, 2 exy]`.
+    pub(super) fn shear_rate(&self, [exx, eyy, shear]: [f64; 3]) -> f64 {
+        self.ellipse.rate(exx - eyy, shear)
     }
 
     /// Opening over slip that the flow rule demands.
@@ -95,7 +110,14 @@ impl Strength {
             let power = |i: usize| greatest(&envelope.circles, opening[i], opening[i].hypot(slip[i]));
             return [0, 1, 2].map(power).iter().sum::<f64>() / 3.0;
         }
-        let beyond = [0, 1, 2].map(|i| (opening[i].hypot(slip[i]) - opening[i].max(0.0)).max(0.0));
+        let rate = |i: usize| {
+            if self.ellipse == ROUND {
+                (opening[i].hypot(slip[i]) - opening[i].max(0.0)).max(0.0)
+            } else {
+                self.ellipse.along(between(points[0], points[1]), slip[i])
+            }
+        };
+        let beyond = [0, 1, 2].map(rate);
         self.least(points, |on_e, on_rest| over_edge(on_e, opening) + over_edge(on_rest, beyond))
     }
 }

@@ -17,6 +17,7 @@ const SOIL: Material = Material {
     pore_pressure: Linear::uniform(0.0),
     tension: None,
     envelope: None,
+    anisotropy: None,
 };
 
 /// A smooth wall, two high, pushed against level sand of 30 degrees: Rankine's force is `Kp h^2/2` = 6.

@@ -1,7 +1,7 @@
 use soilctl_certificate::FlowPiece;
 
 use super::finder::centroid;
-use super::flow::{FlowResults, invariants, strain_rates};
+use super::flow::{FlowResults, strain_rates};
 use super::strength::Strength;
 use super::stress::StressResults;
 
@@ -22,7 +22,8 @@ pub fn shear_work(flow: &FlowResults, stress: &StressResults) -> Vec<Vec<f64>> {
         found = near;
         let material = flow.material(triangle);
         let mean = 0.5 * (xx + yy) + material.pore_pressure.at(p);
-        Strength::of_soil(material).shear(mean, p) * invariants(rate)[1]
+        let strength = Strength::of_soil(material);
+        strength.shear(mean, p) * strength.shear_rate(rate)
     };
     let all = flow.pieces().iter().enumerate();
     all.map(|(t, pieces)| pieces.iter().map(|piece| of(t, piece)).collect()).collect()

@@ -4,6 +4,7 @@ use soilctl_conic::Form;
 
 use super::Builder;
 use super::strength::over_triangle;
+use crate::anisotropy::Ellipse;
 use crate::lower::macro_element::{Curvature, curvatures};
 use crate::vector::{centroid, twice_area};
 
@@ -30,11 +31,11 @@ impl Builder<'_> {
         for (k, part) in curvature.iter().enumerate() {
             let [a, b, c] = over_triangle([v[(k + 1) % 3], v[(k + 2) % 3], centre].map(cohesion));
             let share = area / 9.0 / h;
-            self.add_rate(&part[0], &local, h, a * share);
-            self.add_rate(&part[1], &local, h, b * share);
+            self.add_rate(&soil.ellipse, &part[0], &local, h, a * share);
+            self.add_rate(&soil.ellipse, &part[1], &local, h, b * share);
             at_centre += c * share;
         }
-        self.add_rate(&curvature[0][2], &local, h, at_centre);
+        self.add_rate(&soil.ellipse, &curvature[0][2], &local, h, at_centre);
 
         // With Gauss the integral of the velocity is the sum, over the edges, of the function's mean times the edge vector,
         // with the sign changed; the mean of a cubic follows from values and slopes at the ends.
@@ -55,7 +56,7 @@ impl Builder<'_> {
     }
 
     /// A shear rate times `h`, with its cost.
-    fn add_rate(&mut self, curvature: &Curvature, local: &[Form; 12], h: f64, cost: f64) {
+    fn add_rate(&mut self, of: &Ellipse, curvature: &Curvature, local: &[Form; 12], h: f64, cost: f64) {
         let [difference, shear] = shear_rates(curvature).map(|row| {
             let mut form = Form::default();
             row.iter().zip(local).for_each(|(r, l)| form.add(h * r, l));
@@ -64,7 +65,9 @@ impl Builder<'_> {
         if cost > 0.0 && !(difference.terms.is_empty() && shear.terms.is_empty()) {
             let rate = Form::unknown(self.program.unknown(), 1.0);
             self.power.dissipate(cost, &rate);
-            self.program.second_order([rate, difference, shear]);
+            let round = [(of.level, &difference), (of.shear, &shear)];
+            let [level, across] = round.map(|(times, form)| Form::default().plus(times, form));
+            self.program.second_order([rate.plus(-of.middle, &difference), level, across]);
         }
     }
 }

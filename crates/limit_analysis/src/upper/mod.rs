@@ -38,6 +38,7 @@ use nodes::Elements;
 use power::{Power, live_size, objective_unit};
 use stream::StreamFunction;
 
+use crate::anisotropy::Ellipse;
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
@@ -65,6 +66,8 @@ pub(crate) struct Upper {
     pub(crate) live: f64,
     /// Which limit of each triangle's strength counts.
     pub(crate) limits: Vec<Limit>,
+    /// How each triangle's strength depends on the direction.
+    pub(crate) ellipses: Vec<Ellipse>,
 }
 
 /// A program in the making.
@@ -120,6 +123,7 @@ impl Upper {
         }
         program.objective.extend(force.terms.iter().map(|(index, c)| (*index, c * unit)));
         let corners: Vec<[Point; 3]> = (0..mesh.triangles.len()).map(|t| meshed.corners(t)).collect();
+        let ellipses = (0..corners.len()).map(|t| meshed.soil(t).ellipse).collect();
         let limits = (0..corners.len()).map(|t| Limit::around(meshed.soil(t), &corners[t])).collect();
         Self {
             program,
@@ -132,6 +136,7 @@ impl Upper {
             corners,
             live,
             limits,
+            ellipses,
             #[cfg(test)]
             force,
         }

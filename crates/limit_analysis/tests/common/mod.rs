@@ -13,6 +13,7 @@ pub(crate) fn soil(phi_deg: f64, cohesion: f64) -> Material {
         pore_pressure: Linear::default(),
         tension: None,
         envelope: None,
+        anisotropy: None,
     }
 }
 

@@ -15,6 +15,7 @@ pub(crate) fn region(loops: Vec<Vec<LineUse>>) -> Region {
         pore_pressure: Linear::default(),
         tension: None,
         envelope: None,
+        anisotropy: None,
     };
     Region { loops, material }
 }

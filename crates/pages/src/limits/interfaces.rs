@@ -30,6 +30,7 @@ pub(crate) fn between_soils(statement: &Statement) -> Vec<Vec<Point>> {
             || a.unit_weight != b.unit_weight
             || a.tension != b.tension
             || a.envelope != b.envelope
+            || a.anisotropy != b.anisotropy
     };
     inside(statement).filter(|(_, soils)| differ(soils)).map(|(ends, _)| ends.to_vec()).collect()
 }

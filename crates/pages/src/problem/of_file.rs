@@ -139,6 +139,9 @@ fn soil_words(soil: &SoilEntry) -> String {
     if let Some(dilation_deg) = soil.dilation_deg {
         words += &format!(", ψ {}°", number(dilation_deg));
     }
+    if let Some(of) = soil.anisotropy {
+        words += &format!(", passive {} c, shear {} c", number(of.passive), number(of.shear));
+    }
     if soil.cohesion_gradient_kpa_per_m != 0.0 {
         let level = soil.cohesion_level_m.unwrap_or(0.0);
         words +=

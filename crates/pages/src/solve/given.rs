@@ -52,6 +52,9 @@ fn soils(caption: &str, soils: &[SoilEntry]) -> Result<Table, PageError> {
             let level = number(soil.cohesion_level_m.unwrap_or_default());
             cohesion += &format!(" at y = {level} m, + {} per m", number(soil.cohesion_gradient_kpa_per_m));
         }
+        if let Some(of) = soil.anisotropy {
+            cohesion += &format!("; passive {} of it, shear {}", number(of.passive), number(of.shear));
+        }
         let mut friction = number(soil.phi_deg.unwrap_or_default());
         if let Some(dilation_deg) = soil.dilation_deg {
             let less = soil.after_davis();

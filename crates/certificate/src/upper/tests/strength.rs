@@ -36,6 +36,7 @@ fn strength_with_a_limit_to_tension_is_its_support_function() {
             pore_pressure: Linear::default(),
             tension: Some(point(t)),
             envelope: None,
+            anisotropy: None,
         };
         let at = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Vector::point);
         let bound = Resistance::new(&strength, at).of_triangle([point(e); 3], [point(g); 3]).all();
@@ -53,6 +54,51 @@ fn strength_with_a_limit_to_tension_is_its_support_function() {
         near += usize::from(t < c / phi.to_radians().tan());
     }
     assert!((20..60).contains(&near));
+}
+
+/// The greatest `(xx - yy)/2 g + xy h` of all stresses that clay bears whose strength depends on the direction, by trying them, also in a layer
+/// along any edge; and no stress that is borne lies outside the circle that counts in their place.
+#[test]
+fn strength_that_depends_on_the_direction_is_its_support_function() {
+    let point = Interval::point;
+    let mut random = Random::new(23);
+    for _ in 0..40 {
+        let mut next = |top: f64| top * 0.5 * (1.001 + random.next());
+        let (passive, shear, c) = (next(2.0), next(2.0), next(3.0));
+        let of = crate::Anisotropy { passive, shear };
+        let material = Material { anisotropy: Some(of), ..crate::examples::material(0.0, c, 0.0) };
+        let strength = Strength::new(&material);
+        let borne: Vec<[f64; 2]> = (0..20_000)
+            .map(|i| (f64::from(i) * 1e-4 * std::f64::consts::PI).sin_cos())
+            .map(|(sin, cos)| [c * (0.5 * (1.0 - passive) + 0.5 * (1.0 + passive) * cos), c * shear * sin])
+            .collect();
+        let greatest =
+            |g: f64, h: f64| borne.iter().map(|[x, y]| x * g + y * h).fold(f64::NEG_INFINITY, f64::max);
+        let (g, h) = (next(2.0) - 1.0, next(2.0) - 1.0);
+        let rate = strength.shear_rate(point(g), point(h));
+        let at = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Vector::point);
+        let bound = Resistance::new(&strength, at).of_triangle([Interval::ZERO; 3], [rate; 3]).all().hi();
+        let tried = greatest(g, h);
+        assert!(bound >= tried - 1e-12 && bound <= tried + 1e-6, "{bound} {tried}");
+
+        let (edge, slip) = ([next(2.0) - 1.0, next(2.0) - 1.0], next(2.0) - 1.0);
+        let square = edge[0] * edge[0] + edge[1] * edge[1];
+        let ends = [[0.0, 0.0], edge].map(Vector::point);
+        let layer =
+            Resistance::new(&strength, ends).of_layer([Interval::ZERO; 3], [point(slip); 3]).all().hi();
+        // Half of n t' + t n', with n that is t turned left.
+        let (t, n) = ([edge[0], edge[1]], [-edge[1], edge[0]]);
+        let strain = |i: usize, j: usize| 0.5 * (n[i] * t[j] + t[i] * n[j]) / square * slip;
+        let tried = greatest(strain(0, 0) - strain(1, 1), 2.0 * strain(0, 1));
+        assert!(layer >= tried - 1e-12 && layer <= tried + 1e-6, "{layer} {tried}");
+
+        if let Some(ellipse) = strength.anisotropy {
+            let [x, y] = borne[(next(1.0) * 19_999.0) as usize];
+            let [round_x, round_y] = ellipse.round(point(c), point(x), point(y));
+            let radius = (round_x.square() + round_y.square()).sqrt();
+            assert!(radius.lo() <= c + 1e-12 && radius.hi() >= c - 1e-12, "{radius:?} {c}");
+        }
+    }
 }
 
 /// A parabola of Mohr, `tau^2 = 1 + 2 s` at the pressure `s`, between chords and tangents: with the normal to the envelope at the angle
@@ -128,6 +174,7 @@ fn what_is_bounded_is_above_sums_and_not_by_much() {
             pore_pressure: Linear { at_origin: next(), gradient: [next(), next()] },
             tension: tension.map(point),
             envelope: None,
+            anisotropy: None,
         };
         let at = |l: &Linear, q: [f64; 2]| l.at_origin + l.gradient[0] * q[0] + l.gradient[1] * q[1];
         // Components of the shear rate at the corners, and dilation with some to spare.

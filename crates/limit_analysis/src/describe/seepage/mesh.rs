@@ -47,6 +47,7 @@ pub(super) fn outline(map: &Map, faces: &[Face]) -> Statement {
         pore_pressure: Linear::default(),
         tension: None,
         envelope: None,
+        anisotropy: None,
     };
     let region = |face: &Face| Region { loops: face.loops.clone(), material: material.clone() };
     Statement {

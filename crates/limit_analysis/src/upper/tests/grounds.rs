@@ -12,6 +12,7 @@ pub(super) fn soil(phi_deg: f64, cohesion: f64, unit_weight: f64) -> Material {
         pore_pressure: Linear::default(),
         tension: None,
         envelope: None,
+        anisotropy: None,
     }
 }
 
