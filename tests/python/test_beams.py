@@ -50,14 +50,18 @@ def footing(soilctl, tmp_path, pressure, shear=0.0, tension=""):
     return solved(soilctl, tmp_path, text, "--max-gap", "0.04", "--max-elements", "4000")
 
 
-@pytest.mark.parametrize("h", [0.3, 0.7])
-def test_inclined_load_on_clay(soilctl, tmp_path, h):
+def test_leaning_loads_on_clay(soilctl):
     """Green (1954): V / (B c) = 1 + pi / 2 + acos(h) + sqrt(1 - h^2) with h = H / (B c)."""
-    v = 1 + math.pi / 2 + math.acos(h) + math.sqrt(1 - h * h)
-    answer = footing(soilctl, tmp_path, 1.0, h / v)
-    exact = 10 * v
-    assert answer["lower"] <= exact * 1.001 and answer["upper"] >= exact * 0.999
-    assert answer["gap"] < 0.06
+    answer = soilctl.json("solve", "data/problems/footing_loads.toml", "--max-gap", "0.04", "--max-elements", "4000")
+    cases = {case["name"]: case for case in answer["cases"]}
+    for name, h in {"H/V 0": 0, "H/V 0.0626": 0.3, "H/V 0.1396": 0.6, "H/V 0.2603": 0.9}.items():
+        v = 1 + math.pi / 2 + math.acos(h) + math.sqrt(1 - h * h)
+        assert float(name.split()[1]) == pytest.approx(h / v, abs=1e-4)
+        case = cases.pop(name)
+        assert case["lower"] <= 10 * v * 1.001 and case["upper"] >= 10 * v * 0.999
+        assert case["gap"] < 0.045
+    # Off the middle nothing is borne that is not borne there.
+    assert len(cases) == 3 and all(case["lower"] < answer["cases"][0]["upper"] for case in cases.values())
 
 
 @pytest.mark.parametrize("eccentricity", [1 / 3, 0.2])
