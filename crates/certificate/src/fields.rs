@@ -131,6 +131,25 @@ pub enum StreamJet {
         /// What the slope across is more, over the length of `n`.
         jump: f64,
     },
+    /// Across the edge towards another vertex from another copy: the value is that there, and slopes are `jump n` more, `n` being the edge vector
+    /// turned left. So soil slips along the edge, and none passes through it, though none of it slips at the edge's other end. This is for the
+    /// toe of a wall that moves on ground that does not, where all velocities meet.
+    Slip {
+        /// Index of the other copy of the same vertex.
+        copy: usize,
+        /// Index of the vertex at the other end of the edge.
+        towards: usize,
+        /// What the slope across is more, over the length of `n`.
+        jump: f64,
+    },
+    /// The same on one side of a wall, which the other copy, or that on which it depends and so on, is on next to it: slopes are those along
+    /// the side, and along the edge those of the other copy.
+    SlipAtWall {
+        /// Index of the other copy of the same vertex.
+        copy: usize,
+        /// Index of the vertex at the other end of the edge.
+        towards: usize,
+    },
     /// Where two sides of a wall meet that are not parallel: both slopes follow from them. Also where they are parallel and
     /// move alike: the soil moves with them then.
     Corner {

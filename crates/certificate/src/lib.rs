@@ -246,6 +246,10 @@
 //! continuous. Beside soil that keeps its volume it is that soil's: the stream functions of both sides have one value and one slope along
 //! `t` there ([`StreamJet::Kinked`]).
 //!
+//! At the toe of a wall that moves, on ground that does not, all velocities between meet. There triangles have jets of their own, which differ across an edge by a
+//! multiple of the edge's normal ([`StreamJet::Slip`], [`StreamJet::SlipAtWall`]): the stream function and its slope along the edge are one on both sides, so nothing passes
+//! through the edge, and what slips along it dissipates as in any other layer.
+//!
 //! A *beam* is a member with [`Bending`]. It bears a moment and a shear force besides, `|M| <= moment`, `|V| <= shear`, whatever its other
 //! forces are, and is stiff across itself. With `T` as above, `u` its velocity to its left, and the load on its other side in place of
 //! `T` where it [lines](Condition::Lined) the soil,

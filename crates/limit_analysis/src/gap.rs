@@ -13,12 +13,13 @@ mod members;
 
 use soilctl_certificate::{Condition, Side};
 
+use crate::anisotropy::Ellipse;
 use crate::envelope::greatest;
 use crate::fields::{StressField, VelocityField, near};
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
 use crate::topology::Topology;
-use crate::upper::{Edge, Limit, MeshedProblem};
+use crate::upper::{Edge, Limit, MeshedProblem, Toes};
 use crate::vector::{Point, between, centroid, twice_area};
 
 /// The part of a convex polygon on the left of the line from `a` to `b`.
@@ -52,7 +53,8 @@ pub(crate) fn shares(
     velocity: &VelocityField,
     stress: &StressField,
 ) -> Vec<f64> {
-    let meshed = &MeshedProblem { problem, mesh, topology };
+    let toes = Toes::new(problem, mesh, topology);
+    let meshed = &MeshedProblem { problem, mesh, topology, toes: &toes };
     let soils: Vec<Soil> = problem.soils.iter().map(|soil| soil.part(stress.part)).collect();
     let mut shares = vec![0.0; mesh.triangles.len()];
     let mut seen = vec![usize::MAX; stress.corners.len()];
@@ -152,6 +154,8 @@ enum Rate<'a> {
     Slip,
     OfCircles(&'a [Point]),
     OfTractions(Vec<Point>),
+    /// What slip along an edge takes up in soil without friction.
+    Along(Ellipse, Point),
 }
 
 impl Rate<'_> {
@@ -160,6 +164,8 @@ impl Rate<'_> {
             Self::Beyond => (open.hypot(slip) - open.max(0.0)).max(0.0),
             Self::Slip => slip.abs(),
             Self::OfCircles(circles) => greatest(circles, open, open.hypot(slip)),
+            // Slip is counted against the edge here.
+            Self::Along(ellipse, edge) => ellipse.along(*edge, -slip),
             Self::OfTractions(tractions) => greatest(tractions, open, slip.abs()),
         }
     }
@@ -209,6 +215,13 @@ fn jumps(
                 // Both sides see the jump; each takes half.
                 let tension = |p| limit.tension(soil, p) - soil.pore_pressure.at(p);
                 (there, ends.map(tension), ends.map(|p| limit.radius(soil, p)), 0.5)
+            }
+            Edge::Slip { other: o } => {
+                let on = |n: usize| velocity.control[o.triangle][n];
+                let soil = &soils[meshed.mesh.triangles[triangle].region];
+                rate = Rate::Along(soil.ellipse, between(ends[0], ends[1]));
+                let there = [on((o.corner + 2) % 3), on(3 + o.corner), on((o.corner + 1) % 3)];
+                (there, [0.0; 2], ends.map(|p| soil.cohesion.at(p).max(0.0)), 0.5)
             }
             Edge::Member { .. } | Edge::Boundary(Condition::Lined { .. }) => {
                 let (there, bond) = members::beside(meshed.problem, velocity, side)?;

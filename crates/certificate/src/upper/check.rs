@@ -81,6 +81,15 @@ pub(super) fn numbers(problem: &Problem, field: &UpperField) -> Result<(), Certi
                 exists(place, "line", line, lines)?;
                 finite("slope across", place, across, "")?;
             }
+            StreamJet::Slip { copy, towards, jump } => {
+                exists(place, "vertex copy", copy, field.stream.len())?;
+                exists(place, "vertex", towards, field.mesh.vertices.len())?;
+                finite("jump of the slope", place, jump, "")?;
+            }
+            StreamJet::SlipAtWall { copy, towards } => {
+                exists(place, "vertex copy", copy, field.stream.len())?;
+                exists(place, "vertex", towards, field.mesh.vertices.len())?;
+            }
             StreamJet::Corner { wall } => exists(place, "wall", wall, field.walls.len())?,
             StreamJet::Kinked { copy, line, jump } => {
                 exists(place, "vertex copy", copy, field.stream.len())?;

@@ -29,7 +29,10 @@ impl VelocityField<'_> {
     /// What a jump of the velocity across an edge dissipates. A jump is a thin layer of the soil of either side: the
     /// traction there is within the strength of both, each with its own pore pressure, so either proves a bound.
     fn interface(&self, side: Side, other: Side) -> Result<Power, CertificateError> {
-        let jump = self.jump(side, other);
+        let mut jump = self.jump(side, other);
+        if self.slips_along(side, other) {
+            jump.opening = [Interval::ZERO; 3];
+        }
         if jump.opening.iter().chain(&jump.slip).all(|x| x.is_zero()) {
             return Ok(Power::ZERO);
         }

@@ -1,11 +1,12 @@
 //! What the numbers of the stream function's vertex copies mean.
 
+use super::slips;
 use super::walls::{WallSide, Walls, way};
 use crate::CertificateError;
 use crate::fields::{StreamCopy, StreamJet, UpperField};
 use crate::interval::{Interval, Vector};
 use crate::problem::Problem;
-use crate::tiling::fraction;
+use crate::tiling::{Tiling, fraction};
 
 /// Value and slopes of the stream function.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +25,7 @@ impl StreamValue {
 /// Values and slopes at all vertex copies. Numbers and indices have been checked.
 pub(super) fn values(
     problem: &Problem,
+    tiling: &Tiling,
     field: &UpperField,
     walls: &Walls,
 ) -> Result<Vec<StreamValue>, CertificateError> {
@@ -34,16 +36,19 @@ pub(super) fn values(
                     Ok(StreamValue { value: s.into(), slopes: Vector::point([sx, sy]) })
                 }
                 // Once the other copy is known.
-                (StreamJet::Kinked { .. }, [None, None]) => {
+                (StreamJet::Kinked { .. } | StreamJet::Slip { .. }, [None, None])
+                | (StreamJet::SlipAtWall { .. }, [Some(_), None]) => {
                     Ok(StreamValue { value: Interval::ZERO, slopes: Vector::ZERO })
                 }
                 (jet, [Some(side), other]) => on_wall(problem, field, copy, jet, side, other),
-                (StreamJet::Wall { .. } | StreamJet::Corner { .. }, _) => {
-                    Err("no edge on its wall ends there")
-                }
-                (StreamJet::Free { .. } | StreamJet::Kinked { .. }, [None, Some(_)]) => {
-                    Err("it is on a wall")
-                }
+                (
+                    StreamJet::Wall { .. } | StreamJet::Corner { .. } | StreamJet::SlipAtWall { .. },
+                    [None, _],
+                ) => Err("no edge on its wall ends there"),
+                (
+                    StreamJet::Free { .. } | StreamJet::Kinked { .. } | StreamJet::Slip { .. },
+                    [None, Some(_)],
+                ) => Err("it is on a wall"),
             };
             value.map_err(|problem| CertificateError::BadField {
                 place: format!("vertex copy {copy}"),
@@ -51,7 +56,10 @@ pub(super) fn values(
             })
         })
         .collect::<Result<Vec<_>, _>>()?;
-    (0..field.stream.len()).map(|copy| kinked(problem, field, &beside, copy)).collect()
+    let beside = (0..field.stream.len())
+        .map(|copy| kinked(problem, field, &beside, copy))
+        .collect::<Result<Vec<_>, _>>()?;
+    (0..field.stream.len()).map(|copy| slips::value(problem, tiling, field, walls, &beside, copy)).collect()
 }
 
 /// Value and slopes of a copy, given those of all that depend on no other.
@@ -86,10 +94,11 @@ fn on_wall(
     other: Option<WallSide>,
 ) -> Result<StreamValue, &'static str> {
     let (wall, slopes) = match (jet, other) {
-        (StreamJet::Free { .. } | StreamJet::Kinked { .. }, _) => {
+        (StreamJet::Free { .. } | StreamJet::Kinked { .. } | StreamJet::Slip { .. }, _) => {
             return Err("it is on a wall, which says what its value is");
         }
         (StreamJet::Corner { wall }, Some(other)) => (wall, corner(problem, &side, &other)?),
+        (StreamJet::SlipAtWall { .. }, _) => return Err("it slips, and two sides of a wall meet here"),
         (StreamJet::Corner { .. }, None) => return Err("there is only one side of a wall here"),
         (StreamJet::Wall { wall, line, across }, _) => {
             let on = [Some(side), other].into_iter().flatten().find(|s| s.side.line == line);

@@ -9,6 +9,7 @@ mod members;
 mod power;
 mod quadratic;
 mod resistance;
+mod slips;
 mod stream;
 #[cfg(test)]
 mod tests;
@@ -90,7 +91,7 @@ impl<'a> VelocityField<'a> {
             field.velocities.iter().map(|v| quadratic::velocity(problem, *v)).collect();
         check::flows(problem, tiling, field, &velocities)?;
         let walls = Walls::new(problem, tiling, field)?;
-        let stream = jets::values(problem, field, &walls)?;
+        let stream = jets::values(problem, tiling, field, &walls)?;
         Ok(Self { problem, tiling, field, velocities, stream })
     }
 

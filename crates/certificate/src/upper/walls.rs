@@ -37,6 +37,15 @@ impl WallSide {
         self.velocity.cross(problem.direction(self.side.line))
     }
 
+    /// Whether a side is the next one of the same wall, and a place where they meet.
+    pub(super) fn leads_to(&self, problem: &Problem, next: &Self, place: Place) -> bool {
+        let [end, start] = [self.ends(problem)[1], next.ends(problem)[0]];
+        self.wall == next.wall
+            && self.next == Some(next.at)
+            && end == start
+            && place == Place::Corner { point: end }
+    }
+
     /// Point at which it starts, point at which it ends.
     fn ends(&self, problem: &Problem) -> [usize; 2] {
         problem.statement.lines[self.side.line].walked(self.side.forward)
@@ -99,10 +108,6 @@ impl Walls {
 
     /// Notes that a vertex copy is on a side. It may be on two if it is where one leads to the other.
     fn note(&mut self, problem: &Problem, copy: usize, place: Place, side: &WallSide) -> bool {
-        let leads = |a: &WallSide, b: &WallSide| {
-            let [end, start] = [a.ends(problem)[1], b.ends(problem)[0]];
-            a.wall == b.wall && a.next == Some(b.at) && end == start && place == Place::Corner { point: end }
-        };
         match &mut self.at[copy] {
             [Some(a), _] if a.side == side.side => true,
             [_, Some(b)] if b.side == side.side => true,
@@ -110,7 +115,9 @@ impl Walls {
                 *slot = Some(*side);
                 true
             }
-            [Some(a), slot @ None] if leads(a, side) || leads(side, a) => {
+            [Some(a), slot @ None]
+                if a.leads_to(problem, side, place) || side.leads_to(problem, a, place) =>
+            {
                 *slot = Some(*side);
                 true
             }

@@ -31,6 +31,8 @@ impl Builder<'_> {
         match self.meshed.edge(side) {
             // Members are looked at from end to end.
             Edge::Glued | Edge::Member { .. } => {}
+            Edge::Slip { other } if other.triangle < side.triangle => {}
+            Edge::Slip { other } => self.add_slip(side, other),
             Edge::Jump { other, .. } if other.triangle < side.triangle => {}
             Edge::Jump { other, region } => self.add_jump(side, other, region),
             Edge::Boundary(Condition::Face { delta_deg, adhesion }) => {
@@ -104,6 +106,24 @@ impl Builder<'_> {
         let circles = soil.envelope.as_ref().map(|envelope| &*envelope.circles);
         let layer = Layer { tan: soil.flow_tan(), tension, water, radius, circles };
         self.add_layer(&layer, &jump, length);
+    }
+
+    /// Slip along an edge in soil without friction, which opens nowhere.
+    fn add_slip(&mut self, side: Side, other: Side) {
+        let (d, length) = self.vector(side);
+        let jump = self.slide(side).less(&self.slide(other).reversed());
+        let soil = self.meshed.soil(side.triangle);
+        let cohesion = over_edge(self.meshed.ends(side).map(|p| soil.cohesion.at(p).max(0.0)));
+        for (slip, cohesion) in jump.slip.iter().zip(cohesion) {
+            let cost = cohesion * length / 3.0;
+            if cost > 0.0 && !slip.terms.is_empty() {
+                let most = Form::unknown(self.program.unknown(), 1.0);
+                self.power.dissipate(cost, &most);
+                let [forwards, backwards] = [1.0, -1.0].map(|slip| soil.ellipse.along(d, slip));
+                self.program.non_negative(most.clone().plus(-forwards, slip));
+                self.program.non_negative(most.plus(backwards, slip));
+            }
+        }
     }
 
     fn add_face(&mut self, side: Side, delta_deg: f64, adhesion: f64) {

@@ -2,6 +2,7 @@
 
 use soilctl_certificate::{Condition, Side};
 
+use super::toes::Toes;
 use crate::mesh::Mesh;
 use crate::problem::{Problem, Soil};
 use crate::topology::Topology;
@@ -13,6 +14,7 @@ pub(crate) struct MeshedProblem<'a> {
     pub(crate) problem: &'a Problem,
     pub(crate) mesh: &'a Mesh,
     pub(crate) topology: &'a Topology,
+    pub(crate) toes: &'a Toes,
 }
 
 /// What a flow meets at an edge.
@@ -25,6 +27,10 @@ pub(crate) enum Edge {
     Jump {
         other: Side,
         region: usize,
+    },
+    /// It may slip, at the toe of a wall.
+    Slip {
+        other: Side,
     },
     /// A member, in which either soil may slide.
     Member {
@@ -65,6 +71,7 @@ impl<'a> MeshedProblem<'a> {
         let [here, there] = [triangle, other.triangle].map(|t| self.mesh.triangles[t].region);
         let jump = |region| Edge::Jump { other, region };
         match [triangle, other.triangle].map(|t| self.is_isochoric(t)) {
+            [true, true] if self.toes.slips(side) => Edge::Slip { other },
             [true, true] => Edge::Glued,
             // Isochoric soil cannot open, dilatant soil must.
             [true, false] => jump(there),

@@ -18,6 +18,7 @@ mod stream;
 mod strength;
 #[cfg(test)]
 mod tests;
+mod toes;
 mod walls;
 
 use std::collections::BTreeMap;
@@ -31,12 +32,13 @@ pub(crate) use meshed::{Edge, MeshedProblem};
 pub(crate) use nodes::Element;
 pub(crate) use quadratic::gradients;
 pub(crate) use strength::Limit;
+pub(crate) use toes::Toes;
 
 use beams::BeamMotion;
 use freedom::{Freedom, freedoms};
 use nodes::Elements;
 use power::{Power, live_size, objective_unit};
-use stream::StreamFunction;
+use stream::{Depending, StreamFunction};
 
 use crate::anisotropy::Ellipse;
 use crate::mesh::Mesh;
@@ -93,13 +95,21 @@ impl Upper {
         still: &[bool],
         tighten: f64,
     ) -> Self {
-        let meshed = MeshedProblem { problem, mesh, topology };
+        let toes = Toes::new(problem, mesh, topology);
+        let meshed = MeshedProblem { problem, mesh, topology, toes: &toes };
         let mut program = Program::default();
-        let Elements { of: elements, control_points, copies, kinks } = Elements::new(&meshed, still);
+        let Elements { of: elements, control_points, copies, kinks, slips } = Elements::new(&meshed, still);
         let freedoms = freedoms(&meshed, &elements, control_points, still, &mut program);
         let velocities: Vec<Velocity> = freedoms.iter().map(|m| m.velocity(problem)).collect();
         let mut beams = beams::motions(&meshed, &mut program);
-        let stream = StreamFunction::new(&meshed, &elements, copies, &kinks, &mut beams, &mut program);
+        let stream = StreamFunction::new(
+            &meshed,
+            &elements,
+            copies,
+            Depending { kinks, slips },
+            &mut beams,
+            &mut program,
+        );
         let power = Power::default();
         let all = problem.statement().objective == Objective::Everything;
         let mut builder =

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use soilctl_certificate::{Condition, Side};
 
 use super::meshed::{Edge, MeshedProblem};
+use super::toes::SlipEdge;
 use crate::members::member_edges;
 
 /// What the flow on a triangle is made of.
@@ -25,6 +26,16 @@ pub(super) struct Elements {
     pub(super) copies: Vec<usize>,
     /// Copies on one side of a member that depend on others on the other side, with these and the line.
     pub(super) kinks: BTreeMap<usize, (usize, usize)>,
+    /// Copies at toes of walls, with those from which they slip and the vertices towards which they do, one after the other.
+    pub(super) slips: Vec<Slipping>,
+}
+
+/// A vertex copy that slips.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slipping {
+    pub(super) own: usize,
+    pub(super) copy: usize,
+    pub(super) towards: usize,
 }
 
 impl Elements {
@@ -89,7 +100,8 @@ impl Elements {
             }
         }
         let kinks = kinks(meshed, &elements);
-        Self { of: elements, control_points, copies, kinks }
+        let slips = slips(meshed, &elements);
+        Self { of: elements, control_points, copies, kinks, slips }
     }
 }
 
@@ -164,6 +176,20 @@ fn kinks(meshed: &MeshedProblem, elements: &[Element]) -> BTreeMap<usize, (usize
     kinks
 }
 
+/// Which vertex copies slip from others at toes.
+fn slips(meshed: &MeshedProblem, elements: &[Element]) -> Vec<Slipping> {
+    let of = |edge: &SlipEdge| {
+        let [Element::Stream(before), Element::Stream(after)] =
+            edge.sides.map(|side| elements[side.triangle])
+        else {
+            return None;
+        };
+        let (copy, own) = (before[edge.corners[0]], after[edge.corners[1]]);
+        (copy != own).then_some(Slipping { own, copy, towards: edge.towards })
+    };
+    meshed.toes.edges.iter().filter_map(of).collect()
+}
+
 /// Triangles of soil without friction around which all is held: it could not make way for what must open there.
 fn enclosed(meshed: &MeshedProblem, still: &[bool]) -> Vec<bool> {
     let count = meshed.mesh.triangles.len();
@@ -190,7 +216,7 @@ fn enclosed(meshed: &MeshedProblem, still: &[bool]) -> Vec<bool> {
                         touches_dilatant = true;
                         is_held &= is_still(other.triangle);
                     }
-                    Edge::Glued | Edge::Member { .. } => {
+                    Edge::Glued | Edge::Slip { .. } | Edge::Member { .. } => {
                         for next in meshed.topology.across[triangle][corner].iter().map(|o| o.triangle) {
                             if !done[next] {
                                 done[next] = true;
@@ -229,7 +255,7 @@ fn weld_sharp_bends(meshed: &MeshedProblem, corners: &mut [[usize; 3]], count: u
                         jumps[copy].push(corners[other.triangle][at]);
                     }
                     Edge::Jump { .. } | Edge::Member { .. } | Edge::Boundary(_) => other_rim[copy] = true,
-                    Edge::Glued => {}
+                    Edge::Glued | Edge::Slip { .. } => {}
                 }
             }
         }

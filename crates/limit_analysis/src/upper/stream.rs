@@ -1,17 +1,17 @@
 //! The stream function of soil without friction: `v = (s_y, -s_x)`, on the same element as the stress function of the
 //! lower bound. No volume changes and nothing jumps, whatever the unknowns are.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use soilctl_certificate::{LineUse, Place, Side, StreamCopy, StreamJet};
 use soilctl_conic::{Form, Program};
 
 use super::beams::BeamMotion;
 use super::meshed::{Edge, MeshedProblem};
-use super::nodes::Element;
+use super::nodes::{Element, Slipping};
 use super::walls::{WallSide, wall_sides};
 use crate::members::member_edges;
-use crate::vector::{Point, distance, turned};
+use crate::vector::{Point, between, cross, distance, turned};
 
 /// What is known about a vertex copy; the same kinds as [`StreamJet`].
 #[derive(Debug, Clone)]
@@ -20,6 +20,14 @@ enum UnknownJet {
     Wall { wall: usize, line: usize, across: Form },
     Corner { wall: usize },
     Kinked { copy: usize, line: usize, jump: Form },
+    Slip { copy: usize, towards: usize, jump: Form },
+    SlipAtWall { copy: usize, towards: usize },
+}
+
+/// Vertex copies that depend on others: across members, and at toes.
+pub(super) struct Depending {
+    pub(super) kinks: BTreeMap<usize, (usize, usize)>,
+    pub(super) slips: Vec<Slipping>,
 }
 
 #[derive(Debug, Default)]
@@ -40,7 +48,7 @@ impl StreamFunction {
         meshed: &MeshedProblem,
         elements: &[Element],
         vertices: Vec<usize>,
-        kinks: &BTreeMap<usize, (usize, usize)>,
+        Depending { kinks, slips }: Depending,
         beams: &mut BTreeMap<usize, BeamMotion>,
         program: &mut Program,
     ) -> Self {
@@ -49,7 +57,7 @@ impl StreamFunction {
         }
         let (sides, walls) = wall_sides(meshed.problem);
         let on = sides_at(meshed, elements, &sides, vertices.len());
-        let (gauge_walls, gauge_copies) = gauges(elements, &on, walls, kinks);
+        let (gauge_walls, gauge_copies) = gauges(elements, &on, walls, &kinks, &slips);
         let size = sizes(meshed, elements, vertices.len());
         let on_beams = on_beams(meshed, elements, vertices.len());
         for (beam, motion) in beams.iter_mut() {
@@ -73,9 +81,13 @@ impl StreamFunction {
             constants.push(if given { Form::default() } else { unknown(wall_size[wall]) });
         }
         let mut stream = Self { vertices, walls: constants, ..Self::default() };
+        let slipping: BTreeSet<usize> = slips.iter().map(|slip| slip.own).collect();
         for (copy, sides) in on.iter().enumerate() {
             let (shape, jet) = match sides.as_slice() {
                 // Once all others are known.
+                [] | [_] if slipping.contains(&copy) => {
+                    (UnknownJet::Free, [Form::default(), Form::default(), Form::default()])
+                }
                 [] if kinks.contains_key(&copy) => {
                     (UnknownJet::Free, [Form::default(), Form::default(), Form::default()])
                 }
@@ -99,13 +111,16 @@ impl StreamFunction {
             stream.shapes.push(shape);
             stream.jets.push(jet);
         }
-        for (&own, &(copy, line)) in kinks {
+        for (&own, &(copy, line)) in &kinks {
             let [p, q] = meshed.problem.ends(line);
             let n = [p[1] - q[1], q[0] - p[0]];
             let jump = unknown(1.0 / n[0].hypot(n[1]));
             let [s, sx, sy] = stream.jets[copy].clone();
             stream.jets[own] = [s, sx.plus(n[0], &jump), sy.plus(n[1], &jump)];
             stream.shapes[own] = UnknownJet::Kinked { copy, line, jump };
+        }
+        for slip in &slips {
+            stream.add_slipping(meshed, *slip, &on[slip.own], &mut unknown);
         }
         stream.slopes = vec![[Form::default(), Form::default(), Form::default()]; elements.len()];
         for (triangle, element) in elements.iter().enumerate() {
@@ -124,6 +139,34 @@ impl StreamFunction {
             }
         }
         stream
+    }
+
+    /// Value and slopes of a copy that slips, given those of the copy from which it does.
+    fn add_slipping(
+        &mut self,
+        meshed: &MeshedProblem,
+        Slipping { own, copy, towards }: Slipping,
+        sides: &[WallSide],
+        unknown: &mut impl FnMut(f64) -> Form,
+    ) {
+        let position = |vertex: usize| meshed.mesh.vertices[vertex].position;
+        let q = between(position(self.vertices[own]), position(towards));
+        let [s, sx, sy] = self.jets[copy].clone();
+        let Some(side) = sides.first() else {
+            let n = turned(q);
+            let jump = unknown(1.0 / n[0].hypot(n[1]));
+            self.jets[own] = [s, sx.plus(n[0], &jump), sy.plus(n[1], &jump)];
+            self.shapes[own] = UnknownJet::Slip { copy, towards, jump };
+            return;
+        };
+        let place = meshed.mesh.vertices[self.vertices[own]].place;
+        let value = Form::constant(side.value(way(meshed, place, side.line)));
+        let (p, along_edge) = (side.direction, Form::default().plus(q[0], &sx).plus(q[1], &sy));
+        let area = cross(p, q);
+        let ([px, py], [qx, qy]) = (turned(p), turned(q));
+        let of = |p: f64, q: f64| Form::constant(-q * side.flow() / area).plus(p / area, &along_edge);
+        self.jets[own] = [self.walls[side.wall].clone().plus(1.0, &value), of(px, qx), of(py, qy)];
+        self.shapes[own] = UnknownJet::SlipAtWall { copy, towards };
     }
 
     /// Value and slopes at the corners of a triangle, then the slopes across the middles of its edges.
@@ -149,6 +192,12 @@ impl StreamFunction {
                     StreamJet::Wall { wall: *wall, line: *line, across: across.value(x) }
                 }
                 UnknownJet::Corner { wall } => StreamJet::Corner { wall: *wall },
+                UnknownJet::Slip { copy, towards, jump } => {
+                    StreamJet::Slip { copy: *copy, towards: *towards, jump: jump.value(x) }
+                }
+                UnknownJet::SlipAtWall { copy, towards } => {
+                    StreamJet::SlipAtWall { copy: *copy, towards: *towards }
+                }
                 UnknownJet::Kinked { copy, line, jump } => {
                     StreamJet::Kinked { copy: *copy, line: *line, jump: jump.value(x) }
                 }
@@ -302,6 +351,7 @@ fn gauges(
     on: &[Vec<WallSide>],
     walls: usize,
     kinks: &BTreeMap<usize, (usize, usize)>,
+    slips: &[Slipping],
 ) -> (Vec<bool>, Vec<bool>) {
     // Walls come first, so the root of a part is its first wall if it has one.
     let mut root: Vec<usize> = (0..walls + on.len()).collect();
@@ -327,6 +377,7 @@ fn gauges(
     for (own, (copy, _)) in kinks {
         join(walls + own, walls + copy);
     }
+    slips.iter().for_each(|slip| join(walls + slip.own, walls + slip.copy));
     let mut is_root: Vec<bool> = (0..root.len()).map(|i| root[i] == i).collect();
     for (own, (copy, _)) in kinks {
         // What depends on another has no value of its own.

@@ -17,6 +17,7 @@ mod rates;
 mod rows;
 mod slides;
 mod strips;
+mod toes;
 
 use soilctl_certificate::{Statement, prove_lower, prove_upper};
 use soilctl_limit_analysis::{Bounds, IDENTITY, Options, Problem, bound};

@@ -54,7 +54,8 @@ proptest! {
                 StreamJet::Free { s, sx, sy } => [s, sx, sy].into_iter().for_each(&mut add),
                 StreamJet::Wall { across, .. } => add(across),
                 StreamJet::Kinked { jump, .. } => add(jump),
-                StreamJet::Corner { .. } => {}
+                StreamJet::Slip { jump, .. } => add(jump),
+                StreamJet::Corner { .. } | StreamJet::SlipAtWall { .. } => {}
             }
         }
         for flow in &mut field.flows {
