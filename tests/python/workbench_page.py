@@ -31,7 +31,7 @@ class Workbench:
         return err
 
 
-def open_page(browser, url, **options):
+def open_page(browser, url, ready="window.workbench?.state.greeted", **options):
     """A page in a context of its own; it carries `problems` and `requests` to elsewhere."""
     context = browser.new_context(**{"viewport": {"width": 1280, "height": 800}, "reduced_motion": "reduce", "accept_downloads": True, **options})
     page = context.new_page()
@@ -42,7 +42,7 @@ def open_page(browser, url, **options):
     page.on("request", lambda r: page.requests.append(r.url) if own not in r.url and not r.url.startswith(("data:", "blob:")) else None)
     page.set_default_timeout(LONG_S * 1000)
     page.goto(url)
-    until(page, "window.workbench?.state.greeted")
+    until(page, ready)
     return page
 
 
@@ -85,13 +85,13 @@ def click(page, x_m, y_m, **options):
 
 @pytest.fixture
 def serve(soilctl, browser):
-    """Function that starts a workbench and opens its page; all ends with the test, without errors on the page."""
+    """Function that starts a workbench and opens one of its pages; all ends with the test, without errors on the page."""
     started, pages = [], []
 
-    def run(*words, **looks):
+    def run(*words, path="", **looks):
         workbench = Workbench(soilctl.binary, *words)
         started.append(workbench)
-        page = open_page(browser, workbench.url, **looks)
+        page = open_page(browser, workbench.url.replace("#", f"{path}#"), **looks)
         pages.append(page)
         return workbench, page
 

@@ -34,10 +34,14 @@ pub(crate) fn make(workspace: &Workspace, folder: &Path) -> Result<(), XtaskErro
     for entry in std::fs::read_dir(&page).map_err(|problem| XtaskError::file(STEP, &page, problem))? {
         let path = entry.map_err(|problem| XtaskError::file(STEP, &page, problem))?.path();
         let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        if name == "page.html" {
-            write(&folder.join("index.html"), inside(&read(&path)?)?.as_bytes())?;
+        if name.ends_with(".html") {
+            let own = if name == "page.html" { "index.html" } else { &name };
+            write(&folder.join(own), inside(&read(&path)?)?.as_bytes())?;
         } else {
             write(&folder.join(&name), read(&path)?.as_bytes())?;
+        }
+        // The first page is what the folder itself answers with.
+        if name != "page.html" {
             files.push(name);
         }
     }
@@ -102,9 +106,11 @@ mod tests {
 
     #[test]
     fn the_page_is_told_that_it_has_no_server() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/workbench/page/page.html");
-        let page = inside(&std::fs::read_to_string(root).unwrap()).unwrap();
-        assert!(page.contains("data-solver=\"inside\"") && page.contains("wasm-unsafe-eval"));
+        for name in ["page.html", "plate.html"] {
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/workbench/page").join(name);
+            let page = inside(&std::fs::read_to_string(file).unwrap()).unwrap();
+            assert!(page.contains("data-solver=\"inside\"") && page.contains("wasm-unsafe-eval"));
+        }
         assert!(inside("<html>").is_err());
     }
 

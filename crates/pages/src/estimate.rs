@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use soilctl_app::estimate::Estimation;
 use soilctl_app::text::number;
-use soilctl_estimator::{Region, bands as estimator_bands};
+use soilctl_estimator::{Region, Setup, bands as estimator_bands};
 use soilctl_figure::{Axis, Band, Dash, Figure, Line, Marker, Points, Polygon, Polygons, Span};
 use soilctl_soil::{Angle, WidthRatio};
 
@@ -123,17 +123,11 @@ pub(crate) fn bands(work: &Estimation) -> Result<Figure, PageError> {
     let setup = work.setup()?;
     let shared = soilctl_estimator::section(&setup, delta)?;
     let regions = estimator_bands(&setup, delta)?;
-    // Show what lies around the answer, or around the densities of sands if there is none.
-    let window = match (work.answer.phi_deg, work.answer.density_kg_m3) {
-        (Some(p), Some(d)) => Some((p, d)),
-        _ => work.inputs.density_kg_m3.map(|(l, h)| (phi_window(&regions, l, h), [l, h])),
-    };
     let (mut x, mut y) = (Axis::linear(PHI), Axis::linear(DENSITY));
-    if let Some((p, d)) = window {
-        let (dp, dd) = ((p[1] - p[0]).max(1.5), (d[1] - d[0]).max(0.15 * d[1]));
-        let range = setup.phi_range_deg();
-        x = x.range((p[0] - 0.8 * dp).max(range.0), (p[1] + 0.8 * dp).min(range.1))?;
-        y = y.range((d[0] - 0.8 * dd).max(0.0), d[1] + 0.8 * dd)?;
+    if work.answer.consistent || work.inputs.density_kg_m3.is_some() {
+        let [phi, density] = extent(work, &setup, &regions);
+        x = x.range(phi[0], phi[1])?;
+        y = y.range(density[0], density[1])?;
     }
     let title = format!("Band of each measurement at δ = {}°", number(delta));
     let mut figure = Figure::new(title, x, y);
@@ -144,6 +138,27 @@ pub(crate) fn bands(work: &Estimation) -> Result<Figure, PageError> {
     push_region(&mut figure, "all together", &shared, regions.len())?;
     push_nothing(&mut figure, "no band in range")?;
     Ok(figure)
+}
+
+/// Densities of sands, which are worth to be seen where nothing is known.
+const SANDS_KG_M3: (f64, f64) = (1000.0, 2000.0);
+
+/// Friction angles (deg) and densities (kg/m3) around the answer, or around what is known of the density if there is none.
+#[must_use]
+pub fn extent(work: &Estimation, setup: &Setup<'_>, bands: &[Region]) -> [[f64; 2]; 2] {
+    let (phi, density) = match (work.answer.phi_deg, work.answer.density_kg_m3) {
+        (Some(phi), Some(density)) => (phi, density),
+        _ => {
+            let (low, high) = work.inputs.density_kg_m3.unwrap_or(SANDS_KG_M3);
+            (phi_window(bands, low, high), [low, high])
+        }
+    };
+    let (wide, tall) = ((phi[1] - phi[0]).max(1.5), (density[1] - density[0]).max(0.15 * density[1]));
+    let range = setup.phi_range_deg();
+    [
+        [(phi[0] - 0.8 * wide).max(range.0), (phi[1] + 0.8 * wide).min(range.1)],
+        [(density[0] - 0.8 * tall).max(0.0), density[1] + 0.8 * tall],
+    ]
 }
 
 /// Friction angles at which bands cross a range of densities.

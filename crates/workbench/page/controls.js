@@ -3,14 +3,8 @@ import {get, html} from './dom.js';
 import {TOOLS} from './editor.js';
 import {KINDS} from './fields.js';
 import {parse} from './form.js';
-import {keep} from './keep.js';
 import * as model from './model.js';
-
-// Light or dark, from now on; null for what the system says.
-export function theme(name) {
-  if (name) document.documentElement.dataset.theme = name;
-  keep('local', 'theme', name ?? '');
-}
+import {turnTheme} from './theme.js';
 
 export function controls({store, view, editor, flow, text, solver, files, section, tab, showFlow, later}) {
   for (const [tool, {name, key}] of Object.entries(TOOLS)) {
@@ -40,11 +34,7 @@ export function controls({store, view, editor, flow, text, solver, files, sectio
   on('mirror', () => store.change(draft => model.mirror(draft)));
   on('begin-open', () => get('begin').showModal());
   on('help-open', () => get('help').showModal());
-  on('theme', () => {
-    const now = document.documentElement.dataset.theme || (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
-    theme(now === 'dark' ? 'light' : 'dark');
-    later();
-  });
+  on('theme', () => { turnTheme(); later(); });
   on('play', () => { const now = get('play').getAttribute('aria-pressed') !== 'true'; get('play').setAttribute('aria-pressed', String(now)); flow.play(now); });
   on('amount', () => { flow.amount = Number(get('amount').value); get('play').setAttribute('aria-pressed', 'false'); flow.play(false); }, 'input');
   on('closer', () => view.fit(flow.moving?.length ? flow.moving : model.allPoints(store.problem)));

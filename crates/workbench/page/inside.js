@@ -1,11 +1,11 @@
 // In place of a server: the same program as a module, in two workers of this browser. One looks at problems, so that it always answers;
-// the other one solves, and is ended to stop it, since a worker that works hears nothing.
+// the other one solves and estimates, and is ended to stop it, since a worker that works hears nothing.
 import {Messages} from './messages.js';
 
 const AGAIN_MS = 4000;
 const BROKEN = 'the solver broke off: there was too little memory, or this is a fault of the program. The problem is still on the page';
 // What is asked of the worker that solves, because it knows what it found.
-const OF_SOLVER = ['solve', 'stop', 'certificate', 'report'];
+const OF_SOLVER = ['solve', 'stop', 'certificate', 'report', 'next'];
 
 export class Inside extends Messages {
   constructor(hear, lost) {
@@ -63,6 +63,7 @@ export class Inside extends Messages {
       if (/^{"type":"(solved|failed)"/.test(text)) this.run = null;
     }, () => {
       const {run} = this;
+      this.forget();
       this.startSolver();
       if (run !== null) this.hear({type: 'failed', id: run, error: {words: BROKEN}});
     });

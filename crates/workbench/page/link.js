@@ -6,9 +6,10 @@ const LIFELESS_MS = 15000, MOST_WAIT_MS = 4000;
 
 // A message has at most 4 MiB, with all that JSON adds to a text.
 export class Link extends Messages {
-  constructor(hear, lost) {
+  // Who wants no file shows no token.
+  constructor(hear, lost, {wantsFile = true} = {}) {
     super(hear, lost);
-    Object.assign(this, {wait: 250, last: performance.now(), mostBytes: 3 << 20});
+    Object.assign(this, {wantsFile, wait: 250, last: performance.now(), mostBytes: 3 << 20});
     this.open();
     setInterval(() => this.check(), 1000);
   }
@@ -19,7 +20,7 @@ export class Link extends Messages {
     socket.onopen = () => {
       this.connected = true;
       const token = takeToken();
-      if (token) this.send({type: 'authorize', token});
+      if (token && this.wantsFile) this.send({type: 'authorize', token});
     };
     socket.onmessage = event => {
       this.last = performance.now();

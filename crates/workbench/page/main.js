@@ -1,6 +1,6 @@
 // What holds all parts together.
 import {begin} from './begin.js';
-import {controls, theme} from './controls.js';
+import {controls} from './controls.js';
 import {get, html, say, short} from './dom.js';
 import {Editor, TOOLS} from './editor.js';
 import {Files} from './files.js';
@@ -15,6 +15,7 @@ import {draw} from './section.js';
 import {Solver} from './solver.js';
 import {Store} from './store.js';
 import {TextTab} from './text.js';
+import {keptTheme} from './theme.js';
 import {View} from './view.js';
 import {WhatIf} from './whatif.js';
 
@@ -258,7 +259,7 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', later);
 store.listen(changed);
 view.listen(later);
 controls({store, view, editor, flow, text, solver, files, section, tab, showFlow, later});
-theme(kept('local', 'theme') || null);
+keptTheme();
 tab(kept('session', 'tab') ?? 'problem');
 tools();
 changed();

@@ -12,12 +12,12 @@ use soilctl_limit_analysis::Description;
 
 use crate::messages::{Certificate, Told, Wrong, problem};
 use crate::shown::Shown;
-use crate::templates;
+use crate::{plate, strokes, templates};
 
 /// The first message.
 pub(crate) fn hello(file: Option<String>) -> String {
     let version = env!("CARGO_PKG_VERSION");
-    Told::Hello { version, file, templates: templates::all() }.text()
+    Told::Hello { version, file, templates: templates::all(), strokes: strokes::EXAMPLE }.text()
 }
 
 /// What is understood of a problem, or what is wrong with it.
@@ -152,4 +152,43 @@ pub(crate) fn certified(id: u64, name: &str, text: &str) -> String {
     let error = found.as_ref().err().map(Wrong::from);
     let answer = found.ok().map(|found| found.answer);
     Told::Certified { id, sha256: sha256(text.as_bytes()), answer, error }.text()
+}
+
+/// What a plate in a soil needs.
+pub(crate) fn plate(id: u64, given: &plate::Given) -> String {
+    match plate::shown(given) {
+        Ok(shown) => Told::Plate { id, shown: Some(shown), error: None }.text(),
+        Err(problem) => no_plate(id, &problem.to_string()),
+    }
+}
+
+/// Why there is nothing to tell of a plate.
+pub(crate) fn no_plate(id: u64, words: &str) -> String {
+    Told::Plate { id, shown: None, error: Some(Wrong::words(words)) }.text()
+}
+
+/// What strokes say of their soil.
+pub(crate) fn strokes(id: u64, given: strokes::Given) -> String {
+    match strokes::shown(given) {
+        Ok(shown) => Told::Strokes { id, shown: Some(Box::new(shown)), error: None }.text(),
+        Err(problem) => no_strokes(id, &problem.to_string()),
+    }
+}
+
+/// Why there is nothing to tell of strokes.
+pub(crate) fn no_strokes(id: u64, words: &str) -> String {
+    Told::Strokes { id, shown: None, error: Some(Wrong::words(words)) }.text()
+}
+
+/// Which stroke would tell most.
+pub(crate) fn next(id: u64, given: strokes::Given) -> String {
+    match strokes::next(given) {
+        Ok(strokes) => Told::Next { id, strokes: Some(strokes), error: None }.text(),
+        Err(problem) => no_next(id, &problem.to_string()),
+    }
+}
+
+/// Why there is no stroke to make next.
+pub(crate) fn no_next(id: u64, words: &str) -> String {
+    Told::Next { id, strokes: None, error: Some(Wrong::words(words)) }.text()
 }

@@ -9,12 +9,11 @@ use soilctl_app::solve::Solved;
 use soilctl_limit_analysis::Description;
 use soilctl_web::{Feed, Heard, is_same};
 
-use crate::WorkbenchError;
-use crate::answers;
-use crate::checker::Checker;
 use crate::file::ProblemFile;
+use crate::latest::Latest;
 use crate::messages::{Request, Spend, Told, Wrong, problem};
 use crate::run::Run;
+use crate::{WorkbenchError, answers, plate, strokes};
 
 /// Tokens that a page may try.
 const MOST_WRONG_TOKENS: u32 = 5;
@@ -24,7 +23,10 @@ pub(crate) struct Page {
     file: Option<Arc<ProblemFile>>,
     token: Arc<str>,
     running: Arc<AtomicUsize>,
-    checker: Checker,
+    checks: Latest<Value>,
+    plates: Latest<plate::Given>,
+    strokes: Latest<strokes::Given>,
+    next: Latest<strokes::Given>,
     run: Option<Run>,
     found: Option<Box<Solved>>,
     greeted: bool,
@@ -38,13 +40,19 @@ impl Page {
         token: Arc<str>,
         running: Arc<AtomicUsize>,
     ) -> Result<Self, String> {
-        let checker =
-            Checker::start().map_err(|problem| format!("there is no thread for checks: {problem}"))?;
+        let unchecked = |id, words: &str| answers::unchecked(id, None, Wrong::words(words));
+        let checks = Latest::start("check", answers::checked, unchecked)?;
+        let plates = Latest::start("plate", |id, plate| answers::plate(id, &plate), answers::no_plate)?;
+        let strokes = Latest::start("estimate", answers::strokes, answers::no_strokes)?;
+        let next = Latest::start("choose", answers::next, answers::no_next)?;
         Ok(Self {
             file,
             token,
             running,
-            checker,
+            checks,
+            plates,
+            strokes,
+            next,
             run: None,
             found: None,
             greeted: false,
@@ -125,7 +133,10 @@ impl Feed for Page {
             let file = self.file.as_ref().map(|file| file.name());
             tell(answers::hello(file));
         }
-        self.checker.poll(tell);
+        self.checks.poll(tell);
+        self.plates.poll(tell);
+        self.strokes.poll(tell);
+        self.next.poll(tell);
         if self.run.as_ref().is_some_and(|run| run.poll(tell, &mut self.found)) {
             self.run = None;
         }
@@ -136,7 +147,19 @@ impl Feed for Page {
             Err(problem) => self.refuse(&format!("this is no message of a page: {problem}"), false),
             Ok(Request::Authorize { token }) => self.authorize(&token),
             Ok(Request::Check { id, problem }) => {
-                self.checker.ask(id, problem);
+                self.checks.ask(id, problem);
+                Heard::default()
+            }
+            Ok(Request::Plate { id, plate }) => {
+                self.plates.ask(id, plate);
+                Heard::default()
+            }
+            Ok(Request::Strokes { id, strokes }) => {
+                self.strokes.ask(id, strokes);
+                Heard::default()
+            }
+            Ok(Request::Next { id, next }) => {
+                self.next.ask(id, next);
                 Heard::default()
             }
             Ok(Request::Read { id, text }) => said(answers::read(id, &text)),

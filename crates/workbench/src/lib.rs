@@ -3,7 +3,9 @@
 mod answers;
 mod desk;
 mod messages;
+mod plate;
 mod shown;
+mod strokes;
 mod templates;
 mod watched;
 
@@ -11,13 +13,13 @@ mod watched;
 #[cfg(not(target_family = "wasm"))]
 mod bench;
 #[cfg(not(target_family = "wasm"))]
-mod checker;
-#[cfg(not(target_family = "wasm"))]
 mod error;
 #[cfg(not(target_family = "wasm"))]
 mod feed;
 #[cfg(not(target_family = "wasm"))]
 mod file;
+#[cfg(not(target_family = "wasm"))]
+mod latest;
 #[cfg(not(target_family = "wasm"))]
 mod page;
 #[cfg(not(target_family = "wasm"))]

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use soilctl_app::estimate::NextStroke;
 use soilctl_app::solve::{Answer, check};
 use soilctl_app::{AppError, Proven, certify};
 use soilctl_limit_analysis::describe::Place;
@@ -10,6 +11,7 @@ use soilctl_pages::solve::Understood;
 
 use crate::shown::Shown;
 use crate::templates::Given;
+use crate::{plate, strokes};
 
 /// From a page.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -42,6 +44,12 @@ pub(crate) enum Request {
     Report { id: u64, name: String },
     /// Proves anew what a saved solution claims.
     Certify { id: u64, name: String, text: String },
+    /// What a plate in a soil needs; of several that wait, only the last is answered.
+    Plate { id: u64, plate: plate::Given },
+    /// What strokes say of their soil; of several that wait, only the last is answered.
+    Strokes { id: u64, strokes: strokes::Given },
+    /// Which stroke would tell most of it, which takes longer; of several that wait, only the last is answered.
+    Next { id: u64, next: strokes::Given },
 }
 
 /// What a run may spend.
@@ -96,6 +104,8 @@ pub(crate) enum Told<'a> {
         /// Name of the file; null if there is none.
         file: Option<String>,
         templates: Vec<Given>,
+        /// Strokes to begin with.
+        strokes: strokes::Example,
     },
     /// The token was right. What the file holds: its text, and the problem or what is wrong with it.
     File { text: Option<String>, problem: Option<&'a Description>, error: Option<Wrong> },
@@ -146,6 +156,12 @@ pub(crate) enum Told<'a> {
     Report { id: u64, html: Option<String>, error: Option<Wrong> },
     /// What a saved solution proves, or why it is none; with the hash of its bytes.
     Certified { id: u64, sha256: String, answer: Option<certify::Answer>, error: Option<Wrong> },
+    /// Forces of a plate in a soil, or why there are none.
+    Plate { id: u64, shown: Option<plate::Shown>, error: Option<Wrong> },
+    /// What strokes say of their soil, or what is wrong with their table.
+    Strokes { id: u64, shown: Option<Box<strokes::Shown>>, error: Option<Wrong> },
+    /// Which stroke would shrink the region most, the best first.
+    Next { id: u64, strokes: Option<Vec<NextStroke>>, error: Option<Wrong> },
     /// A message was refused.
     Error { error: Wrong },
 }

@@ -1,10 +1,10 @@
-//! The page: one document, its style and its modules, each at a path of its own.
+//! The pages: documents, their styles and their modules, each at a path of its own.
 
 use std::borrow::Cow;
 
 use soilctl_web::Content;
 
-/// The policy that allows the page its own style and modules, its own server, and pictures that it makes; nothing else.
+/// The policy that allows a page its own style and modules, its own server, and pictures that it makes; nothing else.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data: blob:; \
                       base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
@@ -36,6 +36,7 @@ macro_rules! files {
 files! {
     "/" Document "page.html"
     "/style.css" Style "style.css"
+    "/asker.js" Module "asker.js"
     "/begin.js" Module "begin.js"
     "/controls.js" Module "controls.js"
     "/dom.js" Module "dom.js"
@@ -54,14 +55,27 @@ files! {
     "/model.js" Module "model.js"
     "/palette.js" Module "palette.js"
     "/panel.js" Module "panel.js"
+    "/plate.css" Style "plate.css"
+    "/plate.html" Document "plate.html"
+    "/plate.js" Module "plate.js"
+    "/plate_borne.js" Module "plate_borne.js"
+    "/plate_forces.js" Module "plate_forces.js"
+    "/plate_section.js" Module "plate_section.js"
     "/proof.js" Module "proof.js"
     "/scale.js" Module "scale.js"
     "/section.js" Module "section.js"
+    "/sliders.js" Module "sliders.js"
     "/snap.js" Module "snap.js"
     "/solver.js" Module "solver.js"
     "/store.js" Module "store.js"
+    "/stroke_bands.js" Module "stroke_bands.js"
+    "/stroke_next.js" Module "stroke_next.js"
+    "/stroke_rows.js" Module "stroke_rows.js"
+    "/stroke_table.js" Module "stroke_table.js"
+    "/strokes.js" Module "strokes.js"
     "/symbols.js" Module "symbols.js"
     "/text.js" Module "text.js"
+    "/theme.js" Module "theme.js"
     "/view.js" Module "view.js"
     "/whatif.js" Module "whatif.js"
 }
@@ -89,10 +103,10 @@ mod tests {
 
     #[test]
     fn everything_that_is_asked_for_is_served_and_nothing_is_asked_for_elsewhere() {
-        let page = FILES[0].2;
-        let asked = quoted(page, "src=\"", '"').chain(quoted(page, "rel=\"stylesheet\" href=\"", '"'));
-        let asked: Vec<_> = asked.map(str::to_owned).collect();
-        assert_eq!(asked.len(), 2);
+        let pages = || FILES.iter().filter(|(_, kind, _)| *kind == Kind::Document).map(|(.., text)| *text);
+        let of = |before| pages().flat_map(move |page| quoted(page, before, '"'));
+        let asked: Vec<_> = of("src=\"").chain(of("rel=\"stylesheet\" href=\"")).map(str::to_owned).collect();
+        assert_eq!(asked.len(), 5);
         let modules = FILES.iter().flat_map(|(_, _, text)| quoted(text, "from './", '\''));
         for name in asked.into_iter().chain(modules.map(str::to_owned)) {
             assert!(at(&format!("/{name}")).is_some(), "{name}");

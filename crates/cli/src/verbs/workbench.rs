@@ -18,7 +18,7 @@ use crate::output::{Output, Words};
     after_help = "Prints the page's address, serves it on this machine only, and ends at Ctrl-C. The page draws and edits what a problem \
     file says, checks it as it is typed, and bounds it with proof as `soilctl solve` does. FILE is the only file that it reads or writes; \
     one that is not there yet is begun. The address carries a token, without which FILE is neither shown nor saved. \
-    docs/workbench.md tells keys, messages and limits."
+    Its button Plate leads to the plate's bench: forces by each model, and strokes (docs/bench.md). docs/workbench.md tells keys, messages and limits."
 )]
 pub(crate) struct Args {
     /// Problem file to edit, .toml or .json; without one the page downloads what is drawn
