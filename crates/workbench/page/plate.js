@@ -18,7 +18,7 @@ const MAIN = [one('alpha_deg', 'Tool angle α', '°', 1, 20, 140, 1), one('depth
 const FURTHER = [one('beta_deg', 'Slope β', '°', 1, -35, 35, 1), one('cohesion_pa', 'Cohesion', 'kPa', .001, 0, 10, .05), one('adhesion_pa', 'Adhesion', 'kPa', .001, 0, 10, .05), one('surcharge_pa', 'Surcharge', 'kPa', .001, 0, 10, .05), one('gravity_m_s2', 'Gravity', 'm/s²', 1, .5, 12, .01)];
 
 const values = {...FIRST, ...keptValues()};
-const state = {shown: null, answered: 0, asked: 0, greeted: false};
+const state = {shown: null, answered: 0, asked: 0, greeted: false, wrong: null};
 const link = new (document.documentElement.dataset.solver === 'inside' ? Inside : Link)(hear, reason => connection('lost', reason ? `lost: ${reason}` : 'no connection'), {wantsFile: false});
 const asker = new Asker(link, 'plate', told);
 const main = new Sliders(values, MAIN, changed), further = new Sliders(values, FURTHER, changed);
@@ -57,12 +57,11 @@ function told(answer, question) {
   if (!answer) return;
   const isNow = Object.keys(values).every(key => values[key] === question[key]);
   state.answered++;
-  get('bracket').classList.toggle('bad', Boolean(answer.error));
   if (answer.error) {
-    if (isNow) { get('bracket').textContent = answer.error.words; say(answer.error.words); }
+    if (isNow && state.wrong !== answer.error.words) { state.wrong = answer.error.words; say(state.wrong); draw(); }
     return;
   }
-  Object.assign(state, {shown: answer.shown, of: question});
+  Object.assign(state, {shown: answer.shown, of: question, wrong: null});
   draw();
   if (question.slow && isNow) say(get('bracket').textContent);
   if (!state.models) {
@@ -78,7 +77,9 @@ function draw() {
   section(of, shown, all);
   borne(of, shown);
   forces(shown.models, model => swatch(all, model));
-  get('bracket').textContent = bracketWords(shown.models);
+  // What was before is pale while something is wrong.
+  get('plate').classList.toggle('stale', Boolean(state.wrong));
+  get('bracket').textContent = state.wrong ?? bracketWords(shown.models);
 }
 
 function put(some) {

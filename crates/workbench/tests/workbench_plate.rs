@@ -134,7 +134,7 @@ fn slip_lines_end_at_the_surface() {
     assert!((pair(&shown["top_m"])[1] - 0.05).abs() < 1e-12);
     for model in shown["models"].as_array().unwrap() {
         let Some(points) = model["surface_m"].as_array() else { continue };
-        assert_eq!(pair(&points[0]), [0.0, 0.0]);
+        assert!(pair(&points[0]).iter().all(|x| x.abs() < 1e-9), "{model}");
         let [x, y] = pair(points.last().unwrap());
         assert!((y - 0.05).abs() < 1e-9, "{model}");
         // At 45 deg less half the friction angle, in front of a smooth upright plate.
@@ -244,7 +244,7 @@ fn tables_that_make_no_sense_are_refused_with_their_line() {
         assert!(told["error"]["words"].as_str().unwrap().contains(words), "{told}");
     }
     // Strokes that no soil explains are an answer that says which.
-    let csv = format!("{SMOOTH}90,0.05,0.127,30,0.5\n");
+    let csv = format!("{SMOOTH}90,0.1,0.127,9,0.5\n");
     let answer = ask(&strokes(&csv, &json!({})))["shown"]["answer"].take();
     assert_eq!(answer["consistent"], false);
     assert!(!answer["disagreement"]["pairs"].as_array().unwrap().is_empty(), "{answer}");
