@@ -1,5 +1,5 @@
-"""Makes the pictures of docs/images that show pages: the monitor during a stroke, the same log in Rerun's viewer, the page of a plate, and the
-workbench with a solved footing.
+"""Makes the pictures of docs/images that show pages: the monitor during a stroke, the same log in Rerun's viewer, the page of a plate, the
+workbench with a solved footing, and the plate's bench.
 
     cargo xtask pictures
 """
@@ -13,6 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "python"))
 
+from bench_page import READY, estimated, rested  # noqa: E402
 from monitor_page import CHROMIUM_ARGS, Monitor, open_page, seek, still, write_plan  # noqa: E402
 from playwright.sync_api import sync_playwright  # noqa: E402
 from rerun_page import Viewer  # noqa: E402
@@ -82,6 +83,21 @@ def workbench(binary, browser, folder, path):
     print(f"{path}: {Path(path).stat().st_size} bytes")
 
 
+def bench(binary, browser, _, path):
+    """A plate in dense sand, and what four published strokes say."""
+    running = Workbench(binary)
+    shown = open_workbench(browser, running.url.replace("#", "plate.html#"), ready=READY, color_scheme="light", viewport={"width": 1400, "height": 900})
+    shown.locator("#example").click()
+    rested(shown)
+    estimated(shown, with_next=True)
+    shown.evaluate("document.querySelector('header').style.position = 'static'")
+    shown.wait_for_timeout(300)
+    shown.screenshot(path=path, full_page=True)
+    shown.context.close()
+    running.end()
+    print(f"{path}: {Path(path).stat().st_size} bytes")
+
+
 def main():
     binary = Path(os.environ["SOILCTL"]).resolve()
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
@@ -90,6 +106,7 @@ def main():
         viewer(binary, browser, Path(folder), IMAGES / "rerun.png")
         page(binary, browser, Path(folder), IMAGES / "page.png")
         workbench(binary, browser, Path(folder), IMAGES / "workbench.png")
+        bench(binary, browser, Path(folder), IMAGES / "bench.png")
         browser.close()
 
 

@@ -2,7 +2,7 @@
 import {get, html, short, svg} from './dom.js';
 
 export const NAMES = {
-  coulomb: 'Coulomb', 'log-spiral': 'Log-spiral', 'log-spiral-thesis': 'Log-spiral, as once printed', caquot: 'Caquot & Kérisel', chen: 'Chen & Liu', 'thesis-ub': 'Hong, upper bound', 'thesis-lb': 'Hong, lower bound',
+  coulomb: 'Coulomb', 'log-spiral': 'Log-spiral', 'log-spiral-thesis': 'Log-spiral, as once printed', caquot: 'Caquot & Kerisel', chen: 'Chen & Liu', 'thesis-ub': 'Hong, upper bound', 'thesis-lb': 'Hong, lower bound',
   mckyes: 'McKyes & Ali', perumpral: 'Perumpral', 'godwin-spoor': 'Godwin & Spoor', ovesen: 'Ovesen', 'blocks-3d': 'Blocks in space', table: 'Proven bounds',
 };
 const GROUPS = [['none', 'Part of an endless plate'], ['finite', 'Plate with ends']];
