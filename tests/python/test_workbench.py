@@ -462,3 +462,94 @@ def test_sliders_solve_again_and_a_drag_is_one_step_back(serve):
     assert page.evaluate("workbench.store.past.length") == steps + 1
     page.locator("#undo").click()
     assert settled(page)["soil"][0]["cohesion_kpa"] == 40
+
+
+def test_two_variants_stand_side_by_side(serve):
+    _, page = serve()
+    begin(page, "strip-load")
+    before = solve(page)
+    page.locator("#keep-a").click()
+    assert page.locator("#section-a .region").count() == 1 and page.locator("#view-a").is_visible()
+    kept = page.evaluate("workbench.store.problem")
+    page.locator("#tab-problem").click()
+    cohesion = kept["soil"][0]["cohesion_kpa"]
+    page.locator("[id='soil.0.cohesion_kpa']").fill(str(2 * cohesion))
+    settled(page)
+    page.locator("#tab-result").click()
+    assert "not solved" in page.locator("#ratio-a").text_content()
+    now = solve(page)
+    rows = {name: [float(cell.get_attribute("data-value")) for cell in page.locator(f"[data-variant='{name}'] td").all()] for name in ["A", "now"]}
+    assert rows == {"A": before, "now": now}
+    # Soil without friction bears in proportion to its cohesion.
+    words = page.locator("#ratio-a").text_content()
+    low, high = (float(word) for word in [words.split()[2], words.split()[4]])
+    assert low <= 2 <= high and high / low < 1.3
+    assert f"cohesion_kpa: {cohesion} → {2 * cohesion}" in page.locator("#variant").text_content()
+    page.locator("#back-to-a").click()
+    assert settled(page) == kept
+    page.locator("#forget-a").click()
+    assert page.locator("#view-a").is_hidden()
+
+
+def test_curved_strength_has_fields(serve, soilctl, tmp_path):
+    file = tmp_path / "curved.toml"
+    _, page = serve(file)
+    begin(page, "slope")
+    page.locator("#panel-problem summary").first.click()
+    page.locator("[id='soil.0.strength.kind']").select_option("power")
+    soil = settled(page)["soil"][0]
+    assert soil["strength"]["kind"] == "power" and "phi_deg" not in soil
+    page.locator("[id='soil.0.strength.exponent']").fill("2")
+    settled(page)
+    assert "exponent" in page.locator("[data-path='soil.0.strength.exponent'] .wrong").text_content()
+    page.locator("[id='soil.0.strength.exponent']").fill("0.7")
+    settled(page)
+    page.locator("[id='soil.0.strength.kind']").select_option("points")
+    assert len(settled(page)["soil"][0]["strength"]["points_kpa"]) == 3
+    # A strength that falls is refused; then there is one point more.
+    page.locator("[id='soil.0.strength.points_kpa.1.1']").fill("0")
+    settled(page)
+    assert "must grow" in page.locator("#messages").text_content()
+    page.locator("[id='soil.0.strength.points_kpa.1.1']").fill("30")
+    page.locator("[aria-label='Insert a point after point 3']").click()
+    page.locator("[id='soil.0.strength.points_kpa.3.1']").fill("110")
+    points = settled(page)["soil"][0]["strength"]["points_kpa"]
+    assert len(points) == 4 and points[3] == [350, 110]
+    page.locator("[id='soil.0.strength.kind']").select_option("hoek-brown")
+    assert settled(page)["soil"][0]["strength"] == {"kind": "hoek-brown", "ucs_mpa": 10, "gsi": 40, "mi": 10}
+    save(page)
+    soilctl("solve", file, "--check", code=0)
+    page.locator("[id='soil.0.strength.kind']").select_option("")
+    assert "strength" not in settled(page)["soil"][0]
+
+
+def test_a_section_line_tells_stresses(serve):
+    _, page = serve()
+    begin(page, "strip-load")
+    page.evaluate("workbench.store.change(draft => { for (const one of draft.boundary) if (one.kind === 'far') one.kind = 'smooth'; })")
+    settled(page)
+    solve(page)
+    problem = page.evaluate("workbench.store.problem")
+    xs, ys = zip(*problem["region"][0]["polygon"], strict=True)
+    page.locator("#section").focus()
+    page.keyboard.press("c")
+    depth = 0.5 * (min(ys) + max(ys))
+    for x in [min(xs), max(xs)]:
+        page.locator("#exact-point").fill(f"{x}, {depth}")
+        page.keyboard.press("Enter")
+    until(page, "!document.getElementById('probe').hidden")
+    # A level line carries the weight above it and the load: smooth sides take nothing of either.
+    load = next(one for one in problem["boundary"] if one["kind"] == "load")
+    wide = abs(load["line"][1][0] - load["line"][0][0]) * load["pressure_kpa"]
+    lower = page.evaluate("workbench.solver.answer.lower")
+    weight = problem["soil"][0]["unit_weight_kn_m3"] * (max(ys) - depth) * (max(xs) - min(xs)) + lower * wide
+    normal = float(page.locator("[data-normal]").get_attribute("data-normal"))
+    assert abs(normal / weight - 1) < 0.01
+    assert settled(page) == problem and page.locator("#section .probe").count() == 1
+    # It is read by keyboard, and goes when it is closed.
+    page.locator("#probe-at").focus()
+    before = page.locator("#probe-place").text_content()
+    page.keyboard.press("End")
+    assert page.locator("#probe-place").text_content() != before
+    page.locator("#probe-off").click()
+    until(page, "document.querySelectorAll('#section .probe').length === 0")

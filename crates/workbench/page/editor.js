@@ -17,15 +17,16 @@ export const TOOLS = {
   plate: {key: 'p', name: 'Plate', least: 2},
   member: {key: 'k', name: 'Sheet', least: 2, most: 2},
   head: {key: 'h', name: 'Head', least: 2},
+  probe: {key: 'c', name: 'Section line', least: 2, most: 2},
 };
 const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 // Fewer pixels of travel are no drag.
 const DRAG_PX = 4;
 
 export class Editor {
-  // `changed` is told when something other than the document is to be drawn anew.
-  constructor(store, view, element, changed) {
-    Object.assign(this, {store, view, element, changed, tool: 'select', chosen: null, point: null, drawn: [], cursor: null, snapped: null});
+  // `changed` is told when something other than the document is to be drawn anew, `probed` the points of a section line.
+  constructor(store, view, element, changed, probed) {
+    Object.assign(this, {store, view, element, changed, probed, tool: 'select', chosen: null, point: null, drawn: [], cursor: null, snapped: null});
     Object.assign(this, {grid: true, points: true, soil: 0, kind: 'fixed', pointers: new Map(), drag: null});
     const listen = (name, hear, options) => element.addEventListener(name, hear, options);
     listen('pointerdown', event => this.down(event));
@@ -172,6 +173,8 @@ export class Editor {
     if (!this.drawn.length) return;
     if (points.length < least) { say(`this needs ${least} points at least`); return; }
     this.drawn = [];
+    // A section line is no part of the document.
+    if (this.tool === 'probe') { this.tool = 'select'; this.probed(points); this.changed('tool'); return; }
     const made = this.store.change(draft => model.add(draft, this.tool, points, {soil: this.soil, kind: this.kind}));
     this.tool = 'select';
     this.choose(made);

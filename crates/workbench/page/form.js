@@ -9,7 +9,7 @@ export function parse(words) {
 }
 
 // What a field of numbers says while it is no number.
-function complain(input, words) {
+export function complain(input, words) {
   input.setCustomValidity(words);
   input.toggleAttribute('aria-invalid', Boolean(words));
   if (words) input.setAttribute('aria-invalid', 'true');

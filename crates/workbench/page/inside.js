@@ -5,7 +5,7 @@ import {Messages} from './messages.js';
 const AGAIN_MS = 4000;
 const BROKEN = 'the solver broke off: there was too little memory, or this is a fault of the program. The problem is still on the page';
 // What is asked of the worker that solves, because it knows what it found.
-const OF_SOLVER = ['solve', 'stop', 'certificate', 'report', 'next'];
+const OF_SOLVER = ['solve', 'stop', 'certificate', 'report', 'probe', 'next'];
 
 export class Inside extends Messages {
   constructor(hear, lost) {

@@ -10,12 +10,14 @@ import {Inside} from './inside.js';
 import {Link} from './link.js';
 import * as model from './model.js';
 import {Panel} from './panel.js';
+import {Probe} from './probe.js';
 import {Proof} from './proof.js';
 import {draw} from './section.js';
 import {Solver} from './solver.js';
 import {Store} from './store.js';
 import {TextTab} from './text.js';
 import {keptTheme} from './theme.js';
+import {Variant} from './variant.js';
 import {View} from './view.js';
 import {WhatIf} from './whatif.js';
 
@@ -26,7 +28,7 @@ const section = get('section');
 const store = new Store(model.empty()), view = new View();
 // `of` is the document that was understood, `checked` the one that was looked at last.
 const state = {understood: null, of: null, checked: null, errors: [], notes: [], checks: 0, asked: 0, answered: 0, templates: [], greeted: false};
-const editor = new Editor(store, view, section, what => { if (what === 'choice') chosen(); if (what) tools(); later(); });
+const editor = new Editor(store, view, section, what => { if (what === 'choice') chosen(); if (what) tools(); later(); }, points => probe.along(points));
 const panel = new Panel(store, editor);
 const flow = new Flow(get('flow'), view);
 // A page of a static site has no server.
@@ -36,6 +38,8 @@ const text = new TextTab(store, link);
 const solver = new Solver(store, link, showFlow);
 const whatIf = new WhatIf(store, editor, solver);
 const files = new Files(store, link, {settle, take, section, view, flow, certify: (name, text) => proof.check(name, text)});
+const variant = new Variant({store, view, solver, flow, state, later: () => later()});
+const probe = new Probe(link, solver, {tell: (words, tone) => files.tell(words, tone), tab, later: () => later()});
 const proof = new Proof(link, solver, {tell: (words, tone) => files.tell(words, tone), tab});
 
 // Shows what is chosen in the panel, where that stands beside the drawing.
@@ -63,8 +67,9 @@ function later() {
     waiting = false;
     if (due) fill();
     const isStale = state.of !== store.problem, isChecked = state.checked === store.problem;
-    draw(section, {problem: store.problem, view, editor, understood: state.understood, isStale, errors: isChecked ? state.errors : [], notes: isChecked ? state.notes : [], hasFlow: Boolean(flow.field)});
+    draw(section, {problem: store.problem, view, editor, understood: state.understood, isStale, errors: isChecked ? state.errors : [], notes: isChecked ? state.notes : [], hasFlow: Boolean(flow.field), probe: probe.line});
     flow.draw();
+    variant.draw();
     status();
   });
 }
@@ -163,6 +168,7 @@ function take(words, problem) {
 
 function showFlow(field, problem) {
   flow.show(field, problem);
+  if (problem) probe.again();
   get('motion').hidden = !field;
   const isCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   get('play').setAttribute('aria-pressed', String(Boolean(field) && !isCalm));
@@ -266,4 +272,4 @@ changed();
 solver.draw();
 
 // For whoever looks at the page from outside.
-window.workbench = {store, view, editor, model, state, solver, flow, files, link, settle, say};
+window.workbench = {store, view, editor, model, state, solver, flow, variant, files, link, settle, say};

@@ -94,8 +94,16 @@ function drawing(view, {tool, drawn, cursor, snapped}) {
   return parts;
 }
 
+// A section line, and the place on it that is read.
+function probes(view, probe) {
+  if (!probe) return [];
+  const parts = [svg('path', {d: path(view, [probe.from, probe.to], false), class: 'probe'})];
+  if (probe.at) { const [cx, cy] = view.px(probe.at); parts.push(svg('circle', {cx, cy, r: 5, class: 'probe-at'})); }
+  return parts;
+}
+
 // Draws all into an element. `isStale`: what was understood is not of this document.
-export function draw(into, {problem, view, editor, understood, isStale, errors, notes, hasFlow}) {
+export function draw(into, {problem, view, editor, understood, isStale, errors, notes, hasFlow, probe = null}) {
   into.replaceChildren(
     svg('defs', null, ...patterns()),
     grid(view),
@@ -104,6 +112,7 @@ export function draw(into, {problem, view, editor, understood, isStale, errors, 
     understood ? svg('g', {class: isStale ? 'understood stale' : 'understood'}, ...symbols(view, understood)) : svg('g'),
     svg('g', {class: 'bodies'}, ...bodies(view, problem)),
     svg('g', {class: 'names'}, ...(hasFlow ? [] : names(view, problem)).filter(Boolean)),
+    svg('g', {class: 'probes'}, ...probes(view, probe)),
     svg('g', {class: 'faults'}, ...faults(view, problem, notes, 'note'), ...faults(view, problem, errors, 'bad')),
     svg('g', {class: 'editing'}, ...selection(view, problem, editor).filter(Boolean), ...drawing(view, editor)),
   );

@@ -12,7 +12,7 @@ use soilctl_limit_analysis::Description;
 
 use crate::messages::{Certificate, Told, Wrong, problem};
 use crate::shown::Shown;
-use crate::{plate, strokes, templates};
+use crate::{plate, probe, strokes, templates};
 
 /// The first message.
 pub(crate) fn hello(file: Option<String>) -> String {
@@ -141,6 +141,15 @@ pub(crate) fn report(id: u64, found: Option<&Solved>, name: &str) -> String {
             Told::Report { id, html: Some(page.to_html()), error: None }.text()
         }
         Err(error) => Told::Report { id, html: None, error: Some(error) }.text(),
+    }
+}
+
+/// Stresses and velocities of what was found last, along a line.
+pub(crate) fn probed(id: u64, found: Option<&Solved>, from: [f64; 2], to: [f64; 2]) -> String {
+    let found = found.ok_or_else(|| "there is no solution to look into; solve the problem first".to_owned());
+    match found.and_then(|found| probe::shown(&found.fields, from, to)) {
+        Ok(shown) => Told::Probed { id, shown: Some(shown), error: None }.text(),
+        Err(words) => Told::Probed { id, shown: None, error: Some(Wrong::words(words)) }.text(),
     }
 }
 

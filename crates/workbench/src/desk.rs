@@ -54,6 +54,9 @@ impl Desk {
             }
             Ok(Request::Certificate { id }) => tell(answers::certificate(id, self.found.as_deref())),
             Ok(Request::Report { id, name }) => tell(answers::report(id, self.found.as_deref(), &name)),
+            Ok(Request::Probe { id, from, to }) => {
+                tell(answers::probed(id, self.found.as_deref(), from, to));
+            }
             Ok(Request::Certify { id, name, text }) => tell(answers::certified(id, &name, &text)),
             Ok(Request::Plate { id, plate }) => tell(answers::plate(id, &plate)),
             Ok(Request::Strokes { id, strokes }) => tell(answers::strokes(id, strokes)),

@@ -173,6 +173,7 @@ impl Feed for Page {
             Ok(Request::Save { id, text, anyway }) => self.save(id, &text, anyway),
             Ok(Request::Certificate { id }) => said(answers::certificate(id, self.found.as_deref())),
             Ok(Request::Report { id, name }) => said(answers::report(id, self.found.as_deref(), &name)),
+            Ok(Request::Probe { id, from, to }) => said(answers::probed(id, self.found.as_deref(), from, to)),
             Ok(Request::Certify { id, name, text }) => said(answers::certified(id, &name, &text)),
         }
     }

@@ -4,6 +4,7 @@ mod answers;
 mod desk;
 mod messages;
 mod plate;
+mod probe;
 mod shown;
 mod strokes;
 mod templates;

@@ -11,7 +11,7 @@ use soilctl_pages::solve::Understood;
 
 use crate::shown::Shown;
 use crate::templates::Given;
-use crate::{plate, strokes};
+use crate::{plate, probe, strokes};
 
 /// From a page.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -42,6 +42,8 @@ pub(crate) enum Request {
     Certificate { id: u64 },
     /// The calculation of what was found last; `name` is what the problem file is called.
     Report { id: u64, name: String },
+    /// Stresses and velocities of what was found last, along a line in m.
+    Probe { id: u64, from: [f64; 2], to: [f64; 2] },
     /// Proves anew what a saved solution claims.
     Certify { id: u64, name: String, text: String },
     /// What a plate in a soil needs; of several that wait, only the last is answered.
@@ -154,6 +156,8 @@ pub(crate) enum Told<'a> {
     Certificate { id: u64, files: Vec<Certificate>, error: Option<Wrong> },
     /// The calculation of what was found last, as a page.
     Report { id: u64, html: Option<String>, error: Option<Wrong> },
+    /// What is found along a line, or why nothing is.
+    Probed { id: u64, shown: Option<probe::Shown>, error: Option<Wrong> },
     /// What a saved solution proves, or why it is none; with the hash of its bytes.
     Certified { id: u64, sha256: String, answer: Option<certify::Answer>, error: Option<Wrong> },
     /// Forces of a plate in a soil, or why there are none.

@@ -61,6 +61,7 @@ files! {
     "/plate_borne.js" Module "plate_borne.js"
     "/plate_forces.js" Module "plate_forces.js"
     "/plate_section.js" Module "plate_section.js"
+    "/probe.js" Module "probe.js"
     "/proof.js" Module "proof.js"
     "/scale.js" Module "scale.js"
     "/section.js" Module "section.js"
@@ -68,6 +69,7 @@ files! {
     "/snap.js" Module "snap.js"
     "/solver.js" Module "solver.js"
     "/store.js" Module "store.js"
+    "/strength.js" Module "strength.js"
     "/stroke_bands.js" Module "stroke_bands.js"
     "/stroke_next.js" Module "stroke_next.js"
     "/stroke_rows.js" Module "stroke_rows.js"
@@ -76,6 +78,7 @@ files! {
     "/symbols.js" Module "symbols.js"
     "/text.js" Module "text.js"
     "/theme.js" Module "theme.js"
+    "/variant.js" Module "variant.js"
     "/view.js" Module "view.js"
     "/whatif.js" Module "whatif.js"
 }

@@ -73,10 +73,12 @@ struct Borne {
     error: Option<String>,
 }
 
+/// A model by its id, or why it could not be made.
+type Made = (&'static str, Result<Box<dyn ForceModel>, EarthPressureError>);
+
 /// All models, made once.
-fn models() -> &'static [(&'static str, Result<Box<dyn ForceModel>, EarthPressureError>)] {
-    static MODELS: OnceLock<Vec<(&'static str, Result<Box<dyn ForceModel>, EarthPressureError>)>> =
-        OnceLock::new();
+fn models() -> &'static [Made] {
+    static MODELS: OnceLock<Vec<Made>> = OnceLock::new();
     MODELS.get_or_init(|| MODEL_IDS.iter().map(|id| (*id, model(id))).collect())
 }
 

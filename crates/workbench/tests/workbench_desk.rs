@@ -99,3 +99,38 @@ fn a_certificate_is_proven_by_its_fields_and_not_by_its_claim() {
     }
     assert!(!html.contains("plotly"));
 }
+
+/// What a level line through the ground carries is the weight above it and the load, since smooth sides take nothing of either: the field balances.
+#[test]
+fn a_section_line_carries_what_is_above_it() {
+    let _one = ONE.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut desk = Desk::open(tell);
+    let line = |y: f64| json!({"type": "probe", "id": 6, "from": [-8, y], "to": [8, y]});
+    let none = last(&mut desk, &line(-3.0));
+    assert!(none["error"]["words"].as_str().unwrap().contains("solve"), "{none}");
+    let mut problem = strip_load();
+    problem["boundary"][0] = json!({"kind": "smooth", "sides": ["left", "right", "bottom"]});
+    let budget = json!({"max_gap": 0.1, "max_seconds": null});
+    let bounds = last(&mut desk, &json!({"type": "solve", "id": 2, "problem": problem, "budget": budget}));
+    let lower = bounds["answer"]["lower"].as_f64().unwrap();
+    for y in [-5.5, -3.0, -0.7] {
+        let shown = last(&mut desk, &line(y))["shown"].take();
+        let weight = 18.0 * -y * 16.0 + 2.0 * lower;
+        let normal = shown["normal_kn_per_m"].as_f64().unwrap();
+        assert!((normal / weight - 1.0).abs() < 0.01, "{y}: {normal} {weight}");
+        assert_eq!(shown["outside_m"], 0.0);
+        // Clay that yields nowhere beyond its cohesion.
+        for place in shown["places"].as_array().unwrap() {
+            let [major, minor] = ["major_kpa", "minor_kpa"].map(|key| place["stress"][key].as_f64().unwrap());
+            assert!(major - minor <= 20.0 * (1.0 + 1e-6), "{place}");
+        }
+    }
+    // A line that leaves the ground says by how much, and one beside it is refused.
+    let shown =
+        last(&mut desk, &json!({"type": "probe", "id": 6, "from": [0, -4], "to": [0, 4]}))["shown"].take();
+    assert!((shown["outside_m"].as_f64().unwrap() - 4.0).abs() < 0.05, "{}", shown["outside_m"]);
+    for (from, to) in [([20, 1], [30, 1]), ([1, 1], [1, 1])] {
+        let told = last(&mut desk, &json!({"type": "probe", "id": 6, "from": from, "to": to}));
+        assert!(told["error"]["words"].as_str().unwrap().len() > 20);
+    }
+}
