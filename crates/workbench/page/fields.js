@@ -19,8 +19,8 @@ export const SOIL = [
   number('unit_weight_kn_m3', 'γ', 'kN/m³', {title: 'unit weight, with the water in the pores'}),
 ];
 export const SOIL_MORE = [
-  number('cohesion_gradient_kpa_per_m', 'c grows by', 'kPa/m', {zero: true}),
-  number('cohesion_level_m', 'below y', 'm', {optional}),
+  number('cohesion_gradient_kpa_per_m', 'c grows by', 'kPa/m', {zero: true, only: of => !of.strength}),
+  number('cohesion_level_m', 'below y', 'm', {optional, only: of => !of.strength}),
   number('strength_factor', 'Strength times', '', {optional, title: 'what the law of strength is multiplied by', only: of => of.strength}),
   number('dilation_deg', 'Dilation ψ', '°', {optional, title: 'less than the flow rule says: strength after Davis, an approximation', only: of => !of.strength}),
   number('tension_kpa', 'Tension at most', 'kPa', {optional}),

@@ -14,7 +14,8 @@ const three = value => Number(value.toPrecision(3));
 
 // A law to begin with, which is near what the soil has at 50 kPa.
 function first(kind, {phi_deg = 30, cohesion_kpa = 5}) {
-  const tan = Math.tan(phi_deg * Math.PI / 180), at = cohesion_kpa + 50 * tan;
+  // Strength through points must grow.
+  const tan = Math.max(.1, Math.tan(phi_deg * Math.PI / 180)), at = cohesion_kpa + 50 * tan;
   if (kind === 'points') return {kind, points_kpa: [[0, cohesion_kpa], [50, three(at)], [200, three(at + 135 * tan)]]};
   if (kind === 'power') return {kind, factor: three(Math.max(.1, at) / 50 ** .8), exponent: .8};
   return {kind, ucs_mpa: 10, gsi: 40, mi: 10};

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from bench_page import READY, estimated, force, rested
 from monitor_page import until
 from workbench_page import begin, open_page, settled
 
@@ -214,4 +215,23 @@ def test_a_phone_shows_all_of_it(site, browser):
     solve(page)
     assert page.evaluate("document.documentElement.scrollWidth") <= 360
     assert page.problems == []
+    page.context.close()
+
+
+def test_the_bench_tells_what_the_program_tells(site, browser, soilctl):
+    page = open_page(browser, site()[0] + "plate.html", ready=READY)
+    page.locator("#example").click()
+    rested(page)
+    given = ["--alpha", 80, "--depth", 0.05, "--width", 0.127, "--phi", 40, "--delta", 20, "--density", 1450]
+    for model, ends in [("chen", "none"), ("log-spiral", "none"), ("mckyes", "finite"), ("blocks-3d", "finite"), ("table", "finite")]:
+        low, high = force(page, model, ends)
+        answer = soilctl.json("predict", "--model", model, "--ends", ends, *given)
+        # Sines are others there, in the last digit; what is searched differs by what a search leaves.
+        assert (low * high) ** 0.5 == pytest.approx(answer["force_n"], rel=1e-6)
+    csv = Path(__file__).resolve().parents[3] / "data" / "soils" / "ticino_rained" / "strokes.csv"
+    shown, there = estimated(page, with_next=True)["answer"], soilctl.json("estimate", csv)
+    for key in ["phi_deg", "density_kg_m3"]:
+        assert shown[key] == pytest.approx(there[key], rel=1e-6)
+    assert page.evaluate("bench.strokes.candidates[0].alpha_deg") == 40
+    assert page.problems == [] and page.requests == []
     page.context.close()
