@@ -59,6 +59,25 @@ pub enum EstimatorError {
         /// What was asked for.
         task: &'static str,
     },
+    /// A task that does not know cohesion, adhesion, surcharge or slope as unknowns.
+    #[error(
+        "{task} takes cohesion, adhesion, surcharge and the slope of the surface as known; leave it out, or give each as one number"
+    )]
+    KnownLoadsOnly {
+        /// What was asked for.
+        task: &'static str,
+    },
+    /// A surface that may be steeper than the soil's friction.
+    #[error(
+        "the surface may slope by {steepest_deg} deg, and friction angles are searched from {least_deg} deg on: a surface steeper than the friction angle slides by \
+         itself; search from above {steepest_deg} deg on, or give a narrower interval of the slope"
+    )]
+    SteepSurface {
+        /// Steepest slope in degrees.
+        steepest_deg: f64,
+        /// Least friction angle searched, in degrees.
+        least_deg: f64,
+    },
     /// Too little data for what was asked.
     #[error("{task} needs {needed}, but there {found}")]
     TooLittle {

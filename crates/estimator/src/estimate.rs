@@ -1,5 +1,6 @@
 use crate::cover::{cover, cover_section};
 use crate::end_factor::EndFactors;
+use crate::joint::{self, Joint, Quantity, Unknowns};
 use crate::piece::Piece;
 use crate::region::Region;
 use crate::sliced::sliced;
@@ -21,6 +22,8 @@ pub struct Estimate {
     pub end_factor: Option<[f64; 2]>,
     /// The consistent set by slope of the law of stress, in slices of growing slope; empty without a law, or if no soil is consistent.
     pub slices: Vec<Slice>,
+    /// What is left of all unknowns, where cohesion, adhesion, surcharge or slope are among them; otherwise `None`.
+    pub joint: Option<Joint>,
 }
 
 /// The consistent soils whose friction falls with stress by slopes of an interval.
@@ -87,6 +90,9 @@ impl Estimate {
 /// a tool angle or a load.
 pub fn estimate(setup: &Setup<'_>) -> Result<Estimate, EstimatorError> {
     setup.check()?;
+    if let Some(unknowns) = &setup.unknowns {
+        return with_unknowns(setup, unknowns);
+    }
     let found = sliced(setup, cover)?;
     let pieces = || found.iter().flat_map(|(_, pieces)| pieces);
     let region = region_of(pieces());
@@ -102,6 +108,21 @@ pub fn estimate(setup: &Setup<'_>) -> Result<Estimate, EstimatorError> {
             .map(|ends| [ends.low, ends.high]),
         slices: found.iter().filter_map(|(law, pieces)| slice(law.as_ref()?, pieces)).collect(),
         region,
+        joint: None,
+    })
+}
+
+/// The estimate of a setup with unknowns beside friction and density.
+fn with_unknowns(setup: &Setup<'_>, unknowns: &Unknowns) -> Result<Estimate, EstimatorError> {
+    let joint = joint::joint(setup, unknowns)?;
+    let bounds = joint.range(Quantity::Friction).zip(joint.range(Quantity::Density));
+    Ok(Estimate {
+        region: joint.pair(Quantity::Friction, Quantity::Density),
+        phi_deg: bounds.map(|b| b.0),
+        density_kg_m3: bounds.map(|b| b.1),
+        limits: bounds.map_or_else(Limits::default, |b| touched(setup, b)),
+        joint: Some(joint),
+        ..Estimate::default()
     })
 }
 
@@ -118,6 +139,7 @@ fn slice(law: &FrictionLaw, pieces: &[Piece]) -> Option<Slice> {
 /// As [`estimate`].
 pub fn projections(setup: &Setup<'_>) -> Result<Projections, EstimatorError> {
     setup.check()?;
+    setup.check_known_loads("the volume of the consistent set")?;
     if setup.delta_deg.0 == setup.delta_deg.1 {
         return Ok(Projections::default());
     }
@@ -147,6 +169,9 @@ fn region_of<'p>(pieces: impl IntoIterator<Item = &'p Piece>) -> Region {
 
 /// Whether any soil is consistent: the cheapest question.
 pub(crate) fn is_consistent(setup: &Setup<'_>) -> Result<bool, EstimatorError> {
+    if let Some(unknowns) = &setup.unknowns {
+        return joint::may_be_consistent(setup, unknowns);
+    }
     Ok(sliced(setup, cover)?.iter().any(|(_, pieces)| !pieces.is_empty()))
 }
 
@@ -157,6 +182,7 @@ pub(crate) fn is_consistent(setup: &Setup<'_>) -> Result<bool, EstimatorError> {
 pub fn section(setup: &Setup<'_>, delta_deg: f64) -> Result<Region, EstimatorError> {
     let setup = Setup { delta_deg: (delta_deg, delta_deg), ..setup.clone() };
     setup.check()?;
+    setup.check_known_loads("a section at one interface friction")?;
     let found = sliced(&setup, |setup, constraints| cover_section(setup, constraints, delta_deg))?;
     Ok(region_of(found.iter().flat_map(|(_, pieces)| pieces)))
 }

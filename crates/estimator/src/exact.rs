@@ -33,6 +33,7 @@ const STEPS: usize = 240;
 pub fn exact_section(setup: &Setup<'_>, delta_deg: f64) -> Result<ExactSection, EstimatorError> {
     setup.check()?;
     setup.check_one_friction("the estimate from exact forces")?;
+    setup.check_known_loads("the estimate from exact forces")?;
     let n = setup.observations.len();
     if n < 2 {
         return Err(EstimatorError::TooLittle {

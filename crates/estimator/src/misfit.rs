@@ -107,6 +107,7 @@ impl<'m> Misfit<'m> {
 /// # Errors
 /// As [`crate::estimate`].
 pub fn best_fit(setup: &Setup<'_>, estimate: &Estimate) -> Result<Option<Fit>, EstimatorError> {
+    setup.check_known_loads("the soil of least misfit")?;
     let Some(law) = setup.friction_law else {
         return estimate.phi_deg.map_or(Ok(None), |phi| best_fit_within(setup, phi));
     };

@@ -69,6 +69,7 @@ pub fn next_strokes<'m>(
         });
     }
     setup.check_one_friction("the choice of the next stroke")?;
+    setup.check_known_loads("the choice of the next stroke")?;
     let own = Stage::new(setup.clone(), now.clone())?;
     let outside = |alpha: f64| {
         let (low, high) = setup.model.valid_range().alpha_deg;

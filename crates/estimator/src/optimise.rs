@@ -125,6 +125,7 @@ pub fn local_minima(
 ) -> Result<Vec<LocalMinimum>, EstimatorError> {
     setup.check()?;
     setup.check_one_friction("the search for local minima")?;
+    setup.check_known_loads("the search for local minima")?;
     let (misfit, domain) = (Misfit::new(setup)?, Box3::of(setup));
     let mut found = Vec::with_capacity(starts.len());
     for &start in starts {

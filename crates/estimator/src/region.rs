@@ -32,6 +32,15 @@ impl Region {
         Self::union(pieces, 1.0)
     }
 
+    /// Union of the hulls of point sets whose coordinates were divided by scales.
+    pub(crate) fn of_scaled(pieces: impl IntoIterator<Item = (Strip, Vec<Point>)>, scales: [f64; 2]) -> Self {
+        let mut scaled = Self::union(pieces, 1.0);
+        for point in scaled.polygons.iter_mut().flatten().flatten() {
+            *point = [point[0] * scales[0], point[1] * scales[1]];
+        }
+        scaled
+    }
+
     /// Pieces that stand in the same narrow strip and overlap are replaced by their convex hull, which differs from
     /// their union by the square of the strip's width; the hulls are united by the library on its 64-bit integer
     /// grid. Every contour is counter-clockwise, so "non-zero" means "in any of them".

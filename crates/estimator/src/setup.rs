@@ -1,6 +1,7 @@
 use soilctl_earth_pressure::{Case, ForceModel, Loads, check_loads};
 use soilctl_soil::{Angle, Plate, STANDARD_GRAVITY_M_S2, WidthRatio};
 
+use crate::joint::Unknowns;
 use crate::law::{FrictionLaw, ShearBand};
 use crate::stress_level::StressLevel;
 use crate::{EstimatorError, Observation};
@@ -29,6 +30,9 @@ pub struct Setup<'m> {
     pub gravity_m_s2: f64,
     /// Known cohesion, adhesion and surcharge.
     pub loads: Loads,
+    /// Cohesion, adhesion, surcharge and slope of the surface that are not all known, in place of [`Setup::loads`] and of the slopes of the plates; `None` if they
+    /// are known.
+    pub unknowns: Option<Unknowns>,
     /// By how much the end factor of a stroke may differ from one that all share, 0 to 1; 1 if they share nothing. The end
     /// factor is the part of what ends add at most, by a bracket that knows of them, which the ends of a plate do add.
     pub end_tolerance: f64,
@@ -51,6 +55,7 @@ impl<'m> Setup<'m> {
             phi_search_deg: None,
             gravity_m_s2: STANDARD_GRAVITY_M_S2,
             loads: Loads::default(),
+            unknowns: None,
             end_tolerance: 1.0,
             friction_law: None,
             shear_tests: Vec::new(),
@@ -100,6 +105,14 @@ impl<'m> Setup<'m> {
         if self.model.has_ends() { plate.width_ratio() } else { WidthRatio::PLANE_STRAIN }
     }
 
+    /// Refuses unknown loads and slopes, for tasks that do not know them.
+    pub(crate) fn check_known_loads(&self, task: &'static str) -> Result<(), EstimatorError> {
+        match self.unknowns {
+            Some(_) => Err(EstimatorError::KnownLoadsOnly { task }),
+            None => Ok(()),
+        }
+    }
+
     /// Refuses a law of stress, for tasks that do not know one.
     pub(crate) fn check_one_friction(&self, task: &'static str) -> Result<(), EstimatorError> {
         match self.friction_law {
@@ -146,6 +159,9 @@ impl<'m> Setup<'m> {
         interval("the tolerance of the end factor", tolerance, "", (0.0, 1.0), "the estimator")?;
         for load in [self.loads.cohesion_pa, self.loads.adhesion_pa, self.loads.surcharge_pa] {
             interval("a load", (load, load), "Pa", (0.0, 1e9), "the estimator")?;
+        }
+        if let Some(unknowns) = &self.unknowns {
+            return unknowns.check(self);
         }
         for observation in &self.observations {
             let plate = observation.plate();

@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use soilctl_app::estimate::Estimation;
 use soilctl_app::text::number;
-use soilctl_estimator::{Region, Setup, bands as estimator_bands};
+use soilctl_estimator::{EstimatorError, Region, Setup, bands as estimator_bands};
 use soilctl_figure::{Axis, Band, Dash, Figure, Line, Marker, Points, Polygon, Polygons, Span};
 use soilctl_soil::{Angle, WidthRatio};
 
@@ -116,8 +116,17 @@ pub(crate) fn region(work: &Estimation) -> Result<Figure, PageError> {
     Ok(figure)
 }
 
+/// Refuses a figure that shows the soil's weight alone where loads or slope are unknowns.
+fn knows_loads(work: &Estimation, task: &'static str) -> Result<(), PageError> {
+    match work.answer.unknowns {
+        Some(_) => Err(EstimatorError::KnownLoadsOnly { task }.into()),
+        None => Ok(()),
+    }
+}
+
 /// Band of each measurement at the middle delta, and what they share.
 pub(crate) fn bands(work: &Estimation) -> Result<Figure, PageError> {
+    knows_loads(work, "the figure of bands")?;
     let (low, high) = work.inputs.delta_deg;
     let delta = f64::midpoint(low, high);
     let setup = work.setup()?;
@@ -190,6 +199,7 @@ pub(crate) fn delta_density(work: &Estimation) -> Result<Figure, PageError> {
 
 /// Measured coefficients over the tool angle with the model at the ends and the best of phi.
 pub(crate) fn fit(work: &Estimation) -> Result<Figure, PageError> {
+    knows_loads(work, "the figure of measured coefficients")?;
     let setup = work.setup()?;
     let density = match (&work.answer.best_estimate, work.inputs.density_kg_m3) {
         (Some(best), _) => best.density_kg_m3,

@@ -5,7 +5,7 @@ use serde::Serialize;
 use soilctl_estimator::{Candidate, Estimate, Fit, LocalMinimum, Observation, Optimiser, Ring};
 use soilctl_strokes::PooledBand;
 
-use super::{ExactAnswer, LawAnswer};
+use super::{ExactAnswer, LawAnswer, UnknownsAnswer};
 use crate::Outcome;
 use crate::request::Ends;
 
@@ -36,7 +36,7 @@ pub struct Measured {
     /// Strokes behind it.
     pub strokes: usize,
     /// Equivalent normal stress on its slip surfaces (Pa), at which the soil has the friction that it measured; null if no soil is
-    /// consistent, or no mechanism fits the tool angle.
+    /// consistent, or no mechanism fits the tool angle, or loads or slope are unknowns.
     pub slip_stress_pa: Option<[f64; 2]>,
     /// How the band came about, where strokes of one kind are taken together; otherwise null.
     pub pooled: Option<Pooled>,
@@ -296,11 +296,13 @@ pub struct Answer {
     pub slip_stress_pa: Option<[f64; 2]>,
     /// Friction as a law of stress; null unless asked for.
     pub friction_law: Option<LawAnswer>,
+    /// What is left of cohesion, adhesion, surcharge, slope and all others together; null if those four are known.
+    pub unknowns: Option<UnknownsAnswer>,
     /// Gravity (m/s2) under which the strokes were made.
     pub gravity_m_s2: f64,
     /// Range of the density (kg/m3) over the whole interval of delta; null if inconsistent.
     pub density_kg_m3: Option<[f64; 2]>,
-    /// Sections at chosen deltas; empty if inconsistent.
+    /// Sections at chosen deltas; empty if inconsistent, or where loads or slope are unknowns.
     pub regions: Vec<Section>,
     /// Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi, density].
     pub region: Vec<Vec<Ring>>,
@@ -310,7 +312,7 @@ pub struct Answer {
     pub phi_delta: Vec<Vec<Ring>>,
     /// Area of the region (deg kg/m3).
     pub area_deg_kg_m3: f64,
-    /// Volume of the consistent set (deg2 kg/m3); null with a law of stress, which has one unknown more.
+    /// Volume of the consistent set (deg2 kg/m3); null with a law of stress or other unknowns more.
     pub volume_deg2_kg_m3: Option<f64>,
     /// What was known of delta (deg).
     pub delta_deg: [f64; 2],
@@ -318,7 +320,7 @@ pub struct Answer {
     pub density_known_kg_m3: Option<[f64; 2]>,
     /// Centroid of the region.
     pub centre: Option<Centre>,
-    /// Soil of least misfit inside the region.
+    /// Soil of least misfit inside the region; null where loads or slope are unknowns.
     pub best_estimate: Option<Point>,
     /// Limits of the search that the region touches: it may reach further.
     pub cut_by: Vec<&'static str>,

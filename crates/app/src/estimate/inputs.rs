@@ -71,7 +71,7 @@ impl Inputs {
         let Files { table, campaign, .. } = files;
         let confidence = match request.band_kind()? {
             BandKind::Joint(confidence) => Some(confidence),
-            BandKind::AsTold(confidence) => bands::tells_scatter(table).then_some(confidence),
+            BandKind::AsTold(confidence) => bands::tells_scatter(request, table).then_some(confidence),
             BandKind::Own => None,
         };
         let bands = match confidence {
@@ -128,6 +128,7 @@ impl Inputs {
         setup.phi_search_deg = request.phi_range_deg;
         setup.gravity_m_s2 = request.loads.gravity_m_s2;
         setup.loads = request.loads.into();
+        setup.unknowns = request.intervals.unknowns(&request.loads);
         setup.end_tolerance = request.end_tolerance;
         law::add(&mut setup, request)?;
         Ok(setup)

@@ -6,12 +6,14 @@ mod exact;
 mod inputs;
 mod law;
 mod request;
+mod unknowns;
 mod words;
 
 use soilctl_earth_pressure::{ChenLiu, ForceModel, InPlaneStrain, model};
 use soilctl_estimator::{
-    Conflict, Estimate, Optimiser, Projections, Region, Setup, StrokeMenu, agreement_factor, best_fit,
-    conflict, estimate, local_minima, next_strokes, projections, section, slip_stress_pa, spread_starts,
+    Conflict, Estimate, Optimiser, Projections, Quantity, Region, Setup, StrokeMenu, agreement_factor,
+    best_fit, conflict, estimate, local_minima, next_strokes, projections, section, slip_stress_pa,
+    spread_starts,
 };
 
 pub use answer::{
@@ -24,6 +26,7 @@ use inputs::Files;
 pub use inputs::Inputs;
 pub use law::{LawAnswer, LawRange, LawSlice, ShearTest};
 pub use request::{Request, Uncertainty};
+pub use unknowns::{Cost, Intervals, Name, Pair, Unknown, UnknownsAnswer};
 
 use soilctl_strokes::Measurement;
 
@@ -65,6 +68,13 @@ impl Estimation {
 /// an answer.
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError> {
     requests::check(request)?;
+    request.intervals.refuse(&[
+        ("--exact", request.exact),
+        ("--next-strokes", request.next_strokes),
+        ("--compare", request.compare),
+        ("--friction-law", request.friction_law.is_some()),
+        ("--sections", !request.sections_deg.is_empty()),
+    ])?;
     let exact_data = request.exact;
     let known = model(&request.model)?;
     let knows_ends = known.has_ends();
@@ -78,8 +88,18 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     let deltas = inputs.sections(request);
     // Exact data have bands of no width, which meet nowhere but in theory: contours take their place.
     let estimate = if exact_data { Estimate::default() } else { estimate(&setup)? };
-    let projections = if exact_data { Projections::default() } else { projections(&setup)? };
-    let sections = if exact_data { &[] } else { &deltas[..] };
+    let projections = match &estimate.joint {
+        Some(joint) => Projections {
+            delta_density: joint.pair(Quantity::InterfaceFriction, Quantity::Density),
+            phi_delta: joint.pair(Quantity::Friction, Quantity::InterfaceFriction),
+            volume: None,
+        },
+        None if exact_data => Projections::default(),
+        None => projections(&setup)?,
+    };
+    // What takes all loads as known is not asked about unknown ones.
+    let knows_loads = setup.unknowns.is_none();
+    let sections = if exact_data || !knows_loads { &[] } else { &deltas[..] };
     let sections = sections
         .iter()
         .map(|&delta| Ok((delta, section(&setup, delta)?)))
@@ -98,7 +118,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
         None
     };
     let optimisers = if request.compare { Some(compare(&setup, &estimate)?) } else { None };
-    let best_estimate = best_fit(&setup, &estimate)?.map(Into::into);
+    let best_estimate = if knows_loads { best_fit(&setup, &estimate)?.map(Into::into) } else { None };
     let plane_strain = if ends == Ends::Finite && !exact_data {
         Some(PlaneStrain::from(&in_plane_strain(request, &files)?))
     } else {
@@ -106,6 +126,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     };
     let slip_stress_pa = estimate
         .phi_deg
+        .filter(|_| knows_loads)
         .map_or_else(|| vec![None; setup.observations.len()], |phi_deg| slip_stress_pa(&setup, phi_deg));
     let mut answer = Answer {
         model: model.id().into(),
@@ -122,6 +143,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
             .copied()
             .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]),
         friction_law: LawAnswer::of(&setup, &estimate)?,
+        unknowns: UnknownsAnswer::of(&setup, &estimate, request.intervals.costs)?,
         gravity_m_s2: setup.gravity_m_s2,
         density_kg_m3: estimate.density_kg_m3,
         regions: Vec::new(),

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::MODEL_IDS;
 use soilctl_estimator::MAX_SLOPE_DEG;
 
+use super::unknowns::Intervals;
 use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help};
 use crate::{AppError, TableSource};
 
@@ -129,6 +130,11 @@ pub struct Request {
     #[allow(missing_docs)]
     pub loads: Loads,
 
+    #[command(flatten)]
+    #[serde(flatten)]
+    #[allow(missing_docs)]
+    pub intervals: Intervals,
+
     /// Values of delta at which sections are shown (deg); default: the ends and the middle
     #[arg(long = "sections", value_name = "DEG,...", value_delimiter = ',', value_parser = finite)]
     pub sections_deg: Vec<f64>,
@@ -186,6 +192,7 @@ impl Default for Request {
             shear_tol_deg: 2.0,
             phi_range_deg: None,
             loads: Loads::default(),
+            intervals: Intervals::default(),
             sections_deg: Vec::new(),
             next_strokes: false,
             next_alpha_deg: vec![40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0],

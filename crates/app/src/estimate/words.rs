@@ -3,9 +3,10 @@
 use crate::request::Ends;
 use soilctl_estimator::Estimate;
 
-use super::answer::{Answer, Disagreement, PlaneStrain};
+use super::answer::{Answer, Disagreement, Measured, PlaneStrain};
 use super::law::{LawAnswer, LawRange};
 use super::request::Request;
+use super::unknowns::{Name, UnknownsAnswer};
 use crate::text::{number, to_two_digits};
 
 /// Pairs in conflict that are named; the JSON answer has all.
@@ -60,6 +61,9 @@ pub(super) fn verdict(answer: &Answer) -> String {
                 density[0],
                 density[1]
             );
+            if let Some(unknowns) = &answer.unknowns {
+                text += &left_of(unknowns);
+            }
             if let Some(plane) = &answer.plane_strain {
                 text += &without_ends(plane);
             }
@@ -73,6 +77,9 @@ pub(super) fn verdict(answer: &Answer) -> String {
             if let Some([low, high]) = answer.density_known_kg_m3 {
                 text += &format!(" and density {low:.0} to {high:.0} kg/m3");
             }
+            if let Some(unknowns) = &answer.unknowns {
+                text += &known_of(unknowns);
+            }
             text += ".";
             if let Some(law) = &answer.friction_law {
                 text += &plates_and_shear(law);
@@ -83,6 +90,40 @@ pub(super) fn verdict(answer: &Answer) -> String {
             text
         }
     }
+}
+
+/// The unknowns beside friction and density.
+fn others(unknowns: &UnknownsAnswer) -> impl Iterator<Item = &super::Unknown> {
+    unknowns
+        .quantities
+        .iter()
+        .filter(|unknown| !matches!(unknown.name, Name::PhiDeg | Name::DeltaDeg | Name::DensityKgM3))
+}
+
+/// What is left of them, in a sentence.
+fn left_of(unknowns: &UnknownsAnswer) -> String {
+    let told = others(unknowns).filter_map(|unknown| {
+        let (name, unit, digits) = unknown.name.in_words();
+        let [low, high] = unknown.range?;
+        Some(format!("{name} between {} and {} {unit}", fixed(low, digits), fixed(high, digits)))
+    });
+    format!(" Of what else is unknown they leave {}.", told.collect::<Vec<_>>().join(", "))
+}
+
+/// What was known of them.
+fn known_of(unknowns: &UnknownsAnswer) -> String {
+    let told = others(unknowns).map(|unknown| {
+        let (name, unit, _) = unknown.name.in_words();
+        format!(", {name} {} to {} {unit}", number(unknown.known[0]), number(unknown.known[1]))
+    });
+    told.collect()
+}
+
+/// A number with so many digits, never as minus nought.
+fn fixed(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    let is_nought = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    if is_nought { format!("{:.digits$}", 0.0) } else { text }
 }
 
 /// At which stress a friction angle is told, if that is one stress.
@@ -178,6 +219,70 @@ pub(super) fn warnings(answer: &Answer, request: &Request, knows_ends: bool) -> 
     }
     if answer.consistent {
         warnings.extend(stresses(answer));
+    }
+    if let Some(unknowns) = answer.unknowns.as_ref().filter(|_| answer.consistent) {
+        warnings.extend(not_told(answer, unknowns));
+    }
+    warnings
+}
+
+/// What strokes leave as it was known is no larger than this share less.
+const TOLD: f64 = 0.05;
+/// Strokes whose depths or plates' lengths differ by no more than this share are of one depth.
+const SAME_DEPTH: f64 = 0.15;
+
+/// What the strokes cannot tell of unknowns.
+fn not_told(answer: &Answer, unknowns: &UnknownsAnswer) -> Vec<String> {
+    let mut warnings = vec![
+        "phi is that of the stresses in these strokes, which unknown loads and slopes leave open; at larger stresses it is several degrees lower"
+            .to_owned(),
+    ];
+    let untold: Vec<&str> = others(unknowns)
+        .filter(|unknown| {
+            let width = |[low, high]: [f64; 2]| high - low;
+            unknown.known[0] < unknown.known[1]
+                && unknown.range.is_some_and(|range| width(range) >= (1.0 - TOLD) * width(unknown.known))
+        })
+        .map(|unknown| unknown.name.in_words().0)
+        .collect();
+    if !untold.is_empty() {
+        warnings.push(format!(
+            "of {} the strokes tell nothing that was not known before; the other ranges hold for all of it",
+            untold.join(" and ")
+        ));
+    }
+    let is_unknown = |names: &[Name]| {
+        others(unknowns).any(|unknown| names.contains(&unknown.name) && unknown.known[0] < unknown.known[1])
+    };
+    let sticks = is_unknown(&[Name::CohesionPa, Name::AdhesionPa]);
+    let presses = is_unknown(&[Name::SurchargePa]);
+    if sticks && presses {
+        warnings.push(
+            "cohesion and surcharge cannot be told apart by depth: the force of both goes with the length of the plate, and only tool angles tell \
+             them apart, by a few per cent; their region together says what trades for what"
+                .into(),
+        );
+    }
+    let ends = |of: fn(&Measured) -> f64| {
+        let values = answer.measurements.iter().map(of);
+        values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)))
+    };
+    let depths = ends(|m| m.depth_m);
+    let lengths = ends(|m| m.depth_m / m.alpha_deg.to_radians().sin());
+    let is_same = |(low, high): (f64, f64)| high <= (1.0 + SAME_DEPTH) * low;
+    if (sticks || presses) && (is_same(depths) || is_same(lengths)) {
+        let which = match (sticks, presses) {
+            (true, true) => "cohesion, surcharge and the soil's weight",
+            (true, false) => "cohesion and the soil's weight",
+            (false, _) => "a surcharge and the soil's weight",
+        };
+        let mm = |depth_m: f64| number((1e4 * depth_m).round() / 10.0);
+        warnings.push(format!(
+            "strokes of one depth ({} to {} mm) can hardly tell {which} apart, whose forces differ by how they grow with depth; add strokes at half or \
+             twice the depth",
+            mm(depths.0),
+            mm(depths.1)
+        ));
     }
     warnings
 }

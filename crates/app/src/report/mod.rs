@@ -103,6 +103,11 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Report, AppError> {
             "a report has bands, so --exact has no meaning for it; use estimate".into(),
         ));
     }
+    if request.estimate.intervals.any() {
+        return Err(AppError::Request(
+            "a report takes cohesion, adhesion, surcharge and slope as known; give each of them as one number, or use estimate".into(),
+        ));
+    }
     let estimation = estimate::run(&request.estimate, watch)?;
     let shear = match &request.shear {
         Some(file) => shear::compare(file, request.soil.as_ref(), &estimation)?,

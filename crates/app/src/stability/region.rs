@@ -30,6 +30,8 @@ struct Estimated {
     reference_stress_pa: Option<f64>,
     #[serde(default)]
     friction_law: Option<Law>,
+    #[serde(default)]
+    unknowns: Option<serde::de::IgnoredAny>,
 }
 
 /// What is read of an answer of `soils`.
@@ -164,6 +166,11 @@ impl Soils {
     fn estimated(found: Estimated) -> Result<Self, String> {
         if !found.consistent {
             return Err("no soil explains all strokes, so nothing can be said of what stands on it".into());
+        }
+        if found.unknowns.is_some() {
+            return Err("its soils have cohesion, adhesion, surcharge or slope as unknowns, of which stability knows nothing yet; estimate with each of them \
+                        as one number"
+                .into());
         }
         let missing = |what: &str| format!("{what} is missing; estimate anew with this version");
         let tried_pa = found.slip_stress_pa.ok_or_else(|| missing("slip_stress_pa"))?;

@@ -15,6 +15,8 @@ const SAME_FRICTION_DEG: f64 = 6.0;
 /// their depths by no more than this share, and their widths by no more than the other. Models are exact in depth, and the friction is
 /// that at failure, which is closer together than what was asked for.
 const SAME_DEPTH: f64 = 0.35;
+/// The same where loads are unknowns: how a force grows with depth is then not known, and to first order a mean depth needs it not.
+const SAME_DEPTH_OF_LOADS: f64 = 0.05;
 const SAME_WIDTH: f64 = 1e-3;
 /// Dense soil whose friction on the plate is held further below that of other strokes, in deg, yields slowly and before it bears all it
 /// can: its forces are up to 15 % low (`docs/process.md`).
@@ -98,9 +100,14 @@ pub(super) fn friction_deg(request: &Request, row: &StrokeRow) -> Option<f64> {
     }
 }
 
+/// Depths of strokes of one kind differ by this share at most.
+pub(super) fn same_depth(request: &Request) -> f64 {
+    if request.intervals.any() { SAME_DEPTH_OF_LOADS } else { SAME_DEPTH }
+}
+
 /// Places of the strokes of each kind, in the order in which kinds first appear. Which strokes are of one kind does not depend on their
 /// order: each kind begins with the least tool angle, then depth, that is left.
-pub(super) fn kinds(strokes: &[Stroke]) -> Vec<Vec<usize>> {
+pub(super) fn kinds(strokes: &[Stroke], same_depth: f64) -> Vec<Vec<usize>> {
     let mut sorted: Vec<(usize, &Stroke)> = strokes.iter().enumerate().collect();
     let rank = |stroke: &Stroke| [stroke.row.alpha_deg, stroke.row.depth_m, asked_deg(stroke).unwrap_or(0.0)];
     sorted.sort_by(|(_, a), (_, b)| {
@@ -113,7 +120,7 @@ pub(super) fn kinds(strokes: &[Stroke]) -> Vec<Vec<usize>> {
             members
                 .first()
                 .and_then(|first| strokes.get(*first))
-                .is_some_and(|first| are_alike(first, stroke))
+                .is_some_and(|first| are_alike(first, stroke, same_depth))
         };
         match kinds.iter_mut().find(of) {
             Some(members) => members.push(place),
@@ -130,7 +137,7 @@ fn asked_deg(stroke: &Stroke) -> Option<f64> {
     stroke.row.delta_set_deg.or(stroke.friction_deg)
 }
 
-fn are_alike(first: &Stroke, other: &Stroke) -> bool {
+fn are_alike(first: &Stroke, other: &Stroke, same_depth: f64) -> bool {
     let (a, b) = (&first.row, &other.row);
     let friction = match (asked_deg(first), asked_deg(other)) {
         (Some(a), Some(b)) => (a - b).abs() <= SAME_FRICTION_DEG,
@@ -139,7 +146,7 @@ fn are_alike(first: &Stroke, other: &Stroke) -> bool {
     };
     friction
         && (a.alpha_deg - b.alpha_deg).abs() <= SAME_ALPHA_DEG
-        && (b.depth_m / a.depth_m - 1.0).abs() <= SAME_DEPTH
+        && (b.depth_m / a.depth_m - 1.0).abs() <= same_depth
         && (b.width_m / a.width_m - 1.0).abs() <= SAME_WIDTH
 }
 
@@ -164,9 +171,9 @@ mod tests {
     #[test]
     fn the_order_of_strokes_does_not_say_which_are_of_one_kind() {
         let plates = [(70.9, 0.02), (71.5, 0.02), (70.0, 0.02), (90.0, 0.02), (70.0, 0.04)];
-        assert_eq!(kinds(&strokes(&plates)), [vec![0, 2], vec![1], vec![3], vec![4]]);
+        assert_eq!(kinds(&strokes(&plates), SAME_DEPTH), [vec![0, 2], vec![1], vec![3], vec![4]]);
         let turned: Vec<_> = plates.iter().rev().copied().collect();
-        assert_eq!(kinds(&strokes(&turned)), [vec![0], vec![1], vec![2, 4], vec![3]]);
+        assert_eq!(kinds(&strokes(&turned), SAME_DEPTH), [vec![0], vec![1], vec![2, 4], vec![3]]);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use soilctl_strokes::{Campaign, Kind, Measurement, Pool, StrokeRow, StrokeTable,
 
 use self::carrier::{Carrier, Reference};
 pub(super) use self::chosen::SAME_ALPHA_DEG;
-use self::chosen::{Chosen, Stroke, chosen, friction_deg, kinds};
+use self::chosen::{Chosen, Stroke, chosen, friction_deg, kinds, same_depth};
 use super::answer::LeftOut;
 use super::request::Request;
 use crate::AppError;
@@ -31,9 +31,10 @@ pub struct Bands {
 }
 
 /// Whether the table says how forces scatter, or how well depths are known: strokes are repeated, or depths have a deviation.
-pub(super) fn tells_scatter(table: &StrokeTable) -> bool {
+pub(super) fn tells_scatter(request: &Request, table: &StrokeTable) -> bool {
     let strokes: Vec<Stroke> = table.rows().map(|row| Stroke { row, friction_deg: None }).collect();
-    strokes.iter().any(|stroke| stroke.row.depth_sd_m.is_some()) || kinds(&strokes).len() < strokes.len()
+    strokes.iter().any(|stroke| stroke.row.depth_sd_m.is_some())
+        || kinds(&strokes, same_depth(request)).len() < strokes.len()
 }
 
 /// The bands of a table.
@@ -61,7 +62,7 @@ pub(super) fn bands(
     };
     let mut measurements = Vec::new();
     let mut all = Vec::new();
-    for members in kinds(&strokes) {
+    for members in kinds(&strokes, same_depth(request)) {
         let members: Vec<&Stroke> = members.into_iter().filter_map(|place| strokes.get(place)).collect();
         let Some((reference, kind)) = carrier.kind(table.name(), &members)? else { continue };
         measurements.push(measurement(&reference, &kind, &members));

@@ -1,6 +1,6 @@
 //! The estimate in words.
 
-use soilctl_app::estimate::{Answer, distinct};
+use soilctl_app::estimate::{Answer, UnknownsAnswer, distinct};
 use soilctl_app::text::{columns, number, range};
 
 use crate::output::Words;
@@ -26,6 +26,11 @@ impl Words for Answer {
             }
             text += "\n";
             text += &columns(&rows);
+        }
+        if let Some(unknowns) = &self.unknowns {
+            text += "\n";
+            text += &all(unknowns);
+            text += &costs(self, unknowns);
         }
         if let Some([low, high]) = self.end_factor {
             text += &format!(
@@ -79,6 +84,45 @@ impl Words for Answer {
         }
         text
     }
+}
+
+/// All unknowns: what was known, and what is left.
+fn all(unknowns: &UnknownsAnswer) -> String {
+    let mut rows = vec![["unknown", "known from", "to", "left from", "to"].map(String::from).to_vec()];
+    for unknown in &unknowns.quantities {
+        let (name, unit, digits) = unknown.name.in_words();
+        // What is nought is not minus nought.
+        let cell = |x: f64| format!("{:.digits$}", if x.abs() < 1e-9 { 0.0 } else { x });
+        let left = unknown.range.map_or_else(|| ["-".to_owned(), "-".to_owned()], |range| range.map(cell));
+        rows.push(
+            [format!("{name} ({unit})")].into_iter().chain(unknown.known.map(cell)).chain(left).collect(),
+        );
+    }
+    columns(&rows)
+}
+
+/// What each unknown costs in width of friction angle and density.
+fn costs(answer: &Answer, unknowns: &UnknownsAnswer) -> String {
+    let Some(costs) = &unknowns.costs else { return String::new() };
+    let mut rows = vec![
+        ["if it were known", "at", "phi width (deg)", "density width (kg/m3)"].map(String::from).to_vec(),
+    ];
+    let width = |range: Option<[f64; 2]>| range.map(|[low, high]| high - low);
+    let cell = |x: Option<f64>, digits: usize| x.map_or_else(|| "-".into(), |x| format!("{x:.digits$}"));
+    let widths = |phi: Option<f64>, density: Option<f64>| [cell(phi, 2), cell(density, 0)];
+    let now = widths(width(answer.phi_deg), width(answer.density_kg_m3));
+    rows.push(["nothing of it".into(), "-".into()].into_iter().chain(now).collect());
+    for cost in costs {
+        let (name, unit, digits) = cost.name.in_words();
+        let value = format!("{:.digits$} {unit}", if cost.value.abs() < 1e-9 { 0.0 } else { cost.value });
+        rows.push(
+            [name.into(), value]
+                .into_iter()
+                .chain(widths(cost.phi_width_deg, cost.density_width_kg_m3))
+                .collect(),
+        );
+    }
+    format!("\n{}", columns(&rows))
 }
 
 /// The measurements with their bands, and how these came about.
