@@ -17,6 +17,12 @@ pub fn normal_tail(value: f64) -> f64 {
     Normal::standard().sf(value)
 }
 
+/// The standard normal number that is exceeded with probability `tail`, in (0, 1).
+#[must_use]
+pub fn normal_quantile(tail: f64) -> f64 {
+    -Normal::standard().inverse_cdf(tail)
+}
+
 /// Two-sided probability of a t value at least so large by chance; 1 without freedom.
 #[must_use]
 pub fn two_sided_p(t: f64, freedom: f64) -> f64 {
@@ -74,6 +80,9 @@ mod tests {
         ] {
             // `statrs` is 9e-11 off at 1.
             assert!((normal_tail(value) / expected - 1.0).abs() < 2e-10, "{value}");
+        }
+        for (tail, expected) in [(0.025, 1.959_963_984_540_054), (0.5, 0.0), (1e-6, 4.753_424_308_822_899)] {
+            assert!((normal_quantile(tail) - expected).abs() < 1e-8, "{tail}");
         }
         assert_eq!((chi_square_tail(-1.0, 3), chi_square_tail(5.0, 0)), (1.0, 1.0));
     }
