@@ -88,6 +88,21 @@ columns! {
             "Motor minus external angle of the shoulder before failure, above that in free air before the stroke", [diagnose], Logs;
         elbow_loop_deg: Option<f64>, "deg", Range::Signed,
             "The same of the elbow", [diagnose], Logs;
+        #[schemars(skip)]
+        place: Option<String>, "text", Range::Text,
+            "Name of the place where the stroke was made; strokes of one name are at one place", [places], Hand;
+        #[schemars(skip)]
+        place_x_m: Option<f64>, "m", Range::Signed,
+            "Where that is in the field, along an axis of one's own or to the east", [places], Hand;
+        #[schemars(skip)]
+        place_y_m: Option<f64>, "m", Range::Signed,
+            "The same across it, counter-clockwise from the first, or to the north", [places], Hand;
+        #[schemars(skip)]
+        break_distance_m: Option<f64>, "m", Range::Positive,
+            "From the plate's face at the surface, along the surface ahead, to where the ground broke at failure", [surface], Hand;
+        #[schemars(skip)]
+        break_distance_sd_m: Option<f64>, "m", Range::Deviation,
+            "Standard deviation of `break_distance_m`", [surface], Hand;
     }
 }
 
