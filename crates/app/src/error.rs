@@ -17,8 +17,8 @@ use thiserror::Error;
 
 #[cfg(not(target_family = "wasm"))]
 use {
-    soilctl_bag::BagError, soilctl_campaign::CampaignError, soilctl_motion::MotionError,
-    soilctl_process::ProcessError, soilctl_session::SessionError,
+    soilctl_bag::BagError, soilctl_campaign::CampaignError, soilctl_ground::GroundError,
+    soilctl_motion::MotionError, soilctl_process::ProcessError, soilctl_session::SessionError,
 };
 
 /// Why a use case gave no answer.
@@ -105,6 +105,10 @@ pub enum AppError {
     /// Work of another run, a store or a journal.
     #[error(transparent)]
     Jobs(#[from] JobsError),
+    /// Places.
+    #[cfg(not(target_family = "wasm"))]
+    #[error(transparent)]
+    Ground(#[from] GroundError),
     /// A simulated campaign.
     #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]

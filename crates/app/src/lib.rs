@@ -32,6 +32,8 @@ pub mod limits;
 #[cfg(not(target_family = "wasm"))]
 pub mod log;
 mod machine;
+#[cfg(not(target_family = "wasm"))]
+pub mod places;
 mod plausible;
 pub mod predict;
 #[cfg(not(target_family = "wasm"))]
@@ -47,6 +49,8 @@ pub mod simulate;
 pub mod soils;
 pub mod solve;
 pub mod stability;
+#[cfg(not(target_family = "wasm"))]
+pub mod surface;
 pub mod table;
 pub mod table_file;
 mod table_source;
@@ -86,6 +90,8 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("table merge", table::merge, table::merge::run),
     use_case!("table check", table::check, table::check::run),
     use_case!("estimate", estimate, |request, watch| Ok(estimate::run(request, watch)?.answer)),
+    use_case!("places", places, places::run),
+    use_case!("surface", surface, surface::run),
     use_case!("shear", shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", simulate, simulate::run),
     use_case!("process", process, process::run),

@@ -14,6 +14,8 @@ pub mod diagnose;
 mod error;
 pub mod estimate;
 pub mod limits;
+#[cfg(not(target_family = "wasm"))]
+pub mod places;
 pub mod predict;
 mod problem;
 #[cfg(not(target_family = "wasm"))]
@@ -22,6 +24,8 @@ pub mod process;
 pub mod report;
 pub mod shear;
 pub mod solve;
+#[cfg(not(target_family = "wasm"))]
+pub mod surface;
 mod write;
 
 pub use error::PageError;

@@ -44,6 +44,12 @@ pub(super) struct Files {
 }
 
 impl Files {
+    /// A table and its campaign, with nothing taken out of the forces.
+    #[cfg(not(target_family = "wasm"))]
+    pub(super) const fn of(table: StrokeTable, campaign: Campaign) -> Self {
+        Self { table, campaign, without_ends: None }
+    }
+
     pub(super) fn read(request: &Request, exact: bool) -> Result<Self, AppError> {
         let mut table = request.file.strokes(ReadOptions { allow_zero_sd: exact })?;
         let mut without_ends = None;

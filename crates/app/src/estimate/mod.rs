@@ -29,6 +29,8 @@ pub use request::{Request, Uncertainty};
 pub use unknowns::{Cost, Intervals, Name, Pair, Unknown, UnknownsAnswer};
 
 use soilctl_strokes::Measurement;
+#[cfg(not(target_family = "wasm"))]
+use soilctl_strokes::{Campaign, StrokeTable};
 
 use crate::request::Ends;
 use crate::{AppError, Watch, request as requests};
@@ -68,6 +70,20 @@ impl Estimation {
 /// an answer.
 pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError> {
     requests::check(request)?;
+    of_files(request, &Files::read(request, request.exact)?)
+}
+
+/// The same for a part of a table that was read, such as the strokes of one place.
+#[cfg(not(target_family = "wasm"))]
+pub(crate) fn of_part(
+    request: &Request,
+    table: StrokeTable,
+    campaign: Campaign,
+) -> Result<Estimation, AppError> {
+    of_files(request, &Files::of(table, campaign))
+}
+
+fn of_files(request: &Request, files: &Files) -> Result<Estimation, AppError> {
     request.intervals.refuse(&[
         ("--exact", request.exact),
         ("--next-strokes", request.next_strokes),
@@ -78,12 +94,11 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     let exact_data = request.exact;
     let known = model(&request.model)?;
     let knows_ends = known.has_ends();
-    let files = Files::read(request, exact_data)?;
-    let (ends, model) = match ends(request, &files, &*known)? {
+    let (ends, model) = match ends(request, files, &*known)? {
         Ends::Finite => (Ends::Finite, known),
         Ends::None => (Ends::None, InPlaneStrain::of(known)),
     };
-    let inputs = Inputs::new(request, &files, exact_data, &*model)?;
+    let inputs = Inputs::new(request, files, exact_data, &*model)?;
     let setup = inputs.setup(request, &*model)?;
     let deltas = inputs.sections(request);
     // Exact data have bands of no width, which meet nowhere but in theory: contours take their place.
@@ -120,7 +135,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Estimation, AppError
     let optimisers = if request.compare { Some(compare(&setup, &estimate)?) } else { None };
     let best_estimate = if knows_loads { best_fit(&setup, &estimate)?.map(Into::into) } else { None };
     let plane_strain = if ends == Ends::Finite && !exact_data {
-        Some(PlaneStrain::from(&in_plane_strain(request, &files)?))
+        Some(PlaneStrain::from(&in_plane_strain(request, files)?))
     } else {
         None
     };

@@ -17,6 +17,7 @@ mod log;
 mod man;
 mod monitor;
 mod pages;
+mod places;
 mod predict;
 mod process;
 mod replay;
@@ -29,6 +30,7 @@ mod simulate;
 mod soils;
 mod solve;
 mod stability;
+mod surface;
 mod table;
 mod view;
 mod workbench;
@@ -62,6 +64,10 @@ pub(crate) enum Verb {
     Certify(certify::Args),
     /// Every soil that could have produced the measured forces
     Estimate(Box<estimate::Args>),
+    /// Whether the soil is the same at several places, what it is at each, and what lies between
+    Places(places::Args),
+    /// What the crack ahead of the plate says of the soil, beside what the force says
+    Surface(surface::Args),
     /// Where model and measurement disagree, which effect is missing, and the gap after it is added
     Diagnose(diagnose::Args),
     /// One HTML page: the estimate with its figures and what they mean
@@ -119,6 +125,8 @@ impl Verb {
             Self::Workbench(args) => workbench::run(&args, output),
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
+            Self::Places(args) => places::run(&args, output),
+            Self::Surface(args) => surface::run(&args, output),
             Self::Diagnose(args) => diagnose::run(&args, output),
             Self::Report(args) => report::run(&args, output),
             Self::Shear(args) => shear::run(&args, output),
