@@ -56,6 +56,9 @@ pub fn page(answer: &Answer) -> Result<HtmlReport, PageError> {
     Ok(page)
 }
 
+/// Title, unit, and value in a cell of a map.
+type Shown<'a> = (&'a str, &'a str, &'a dyn Fn(&Cell) -> f64);
+
 /// Colour of a group; places without one have the last.
 fn color(place: &PlaceFound) -> usize {
     place.group.map_or(7, |group| group % 7)
@@ -176,7 +179,7 @@ fn maps(page: &mut HtmlReport, answer: &Answer, between: &Between) -> Result<(),
     let half = |[low, high]: [f64; 2]| 0.5 * (high - low);
     let phi = |cell: &Cell| cell.phi_deg;
     let density = |cell: &Cell| cell.density_kg_m3;
-    let shown: [(&str, &str, &dyn Fn(&Cell) -> f64); 4] = [
+    let shown: [Shown<'_>; 4] = [
         ("Friction angle, middle of its interval", "φ (deg)", &|cell| middle(phi(cell))),
         ("Friction angle, half width of its interval", "± φ (deg)", &|cell| half(phi(cell))),
         ("Density, middle of its interval", "ρ (kg/m³)", &|cell| middle(density(cell))),

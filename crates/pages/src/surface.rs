@@ -73,7 +73,9 @@ fn frictions(answer: &Answer) -> Result<Figure, PageError> {
         none = false;
         let y = f64::from(place);
         let line = vec![(low, y), (high, y)];
-        figure.push(soilctl_figure::Line::new(said.surface.name(), line).width(8.0))?;
+        figure.push(
+            soilctl_figure::Line::new(said.surface.name(), line).width(8.0).dash(soilctl_figure::Dash::Solid),
+        )?;
     }
     if none && answer.force.phi_deg.is_none() {
         figure.push(RefLine::vertical("nothing explains surface or forces", 0.0))?;
