@@ -69,7 +69,7 @@ proptest! {
 
     /// Leaving all places behind, what kriging errs by grows.
     #[test]
-    fn uncertainty_grows_with_the_distance(seed in 0u64..100, turn in 0.0..6.28f64) {
+    fn uncertainty_grows_with_the_distance(seed in 0u64..100, turn in 0.0..std::f64::consts::TAU) {
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let field = Field::new(&random_sites(&mut random, 8), 1.96).unwrap();
         let at = |distance: f64| field.at(5.0 + distance * turn.cos(), 5.0 + distance * turn.sin()).sd;
