@@ -34,6 +34,7 @@ pub mod log;
 mod machine;
 #[cfg(not(target_family = "wasm"))]
 pub mod places;
+pub mod obstacle;
 mod plausible;
 pub mod predict;
 #[cfg(not(target_family = "wasm"))]
@@ -55,6 +56,7 @@ pub mod table;
 pub mod table_file;
 mod table_source;
 pub mod text;
+pub mod tool;
 #[cfg(not(target_family = "wasm"))]
 pub mod topics;
 #[cfg(not(target_family = "wasm"))]
@@ -76,6 +78,8 @@ pub use watch::{Interrupted, Proven, Unwatched, Watch};
 pub const USE_CASES: &[UseCase] = &[
     use_case!("predict", predict, predict::run),
     use_case!("bound", bound, |request, watch| bound::run(request, watch)?.complete()),
+    use_case!("tool", tool, |request, watch| tool::run(request, watch)?.complete()),
+    use_case!("obstacle", obstacle, |request, watch| obstacle::run(request, watch)?.complete()),
     use_case!("solve", solve, |request, watch| solve::run(request, watch)?.complete()),
     use_case!("solve check", solve::check, |request, watch| {
         Ok(solve::check::run(request, watch)?.answer)

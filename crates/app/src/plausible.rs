@@ -4,9 +4,11 @@
 mod edges;
 mod file;
 mod plate;
+mod tool;
 
 pub(crate) use file::notes as of_file;
 pub(crate) use plate::notes as of_plate;
+pub(crate) use tool::notes as of_tool;
 
 use crate::text::number;
 

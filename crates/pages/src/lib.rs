@@ -16,6 +16,7 @@ pub mod estimate;
 pub mod limits;
 #[cfg(not(target_family = "wasm"))]
 pub mod places;
+pub mod obstacle;
 pub mod predict;
 mod problem;
 #[cfg(not(target_family = "wasm"))]
@@ -26,6 +27,7 @@ pub mod shear;
 pub mod solve;
 #[cfg(not(target_family = "wasm"))]
 pub mod surface;
+pub mod tool;
 mod write;
 
 pub use error::PageError;

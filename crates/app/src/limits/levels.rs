@@ -8,7 +8,7 @@ use crate::Watch;
 use crate::text::number;
 
 /// One level of meshes.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct LevelAnswer {
     /// The upper bound on this level's mesh.
     pub upper: SolveAnswer,
@@ -20,7 +20,7 @@ pub struct LevelAnswer {
 }
 
 /// One solve.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct SolveAnswer {
     /// Triangles.
     pub elements: usize,

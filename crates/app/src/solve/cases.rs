@@ -12,7 +12,7 @@ use soilctl_limit_analysis::describe::Case;
 use web_time::Instant;
 
 use super::answer::gap;
-use super::{Asked, Request, Solved, solve_one};
+use super::{Asked, Request, Solved, one};
 use crate::limits::Budget;
 use crate::{AppError, Interrupted, Watch};
 
@@ -158,7 +158,7 @@ pub(super) fn run(request: &Request, cases: &[Case], watch: &dyn Watch) -> Resul
         let budget = Budget { threads: 1, max_seconds: seconds, ..request.budget.clone() };
         let save = request.save.as_ref().map(|path| save_as(path, *index));
         let watch = OneOfMany { watch, stop: &stop, name: &case.name };
-        Ok(Some(solve_one(&budget, save.as_deref(), case.description.clone(), &watch)))
+        Ok(Some(one(&budget, save.as_deref(), case.description.clone(), &watch)))
     };
     watch.begin(cases.len() as u64, "cases");
     let done = each(&todo, request.budget.threads as usize, &stop, work, |(index, case), result| {

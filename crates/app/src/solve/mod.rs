@@ -97,7 +97,7 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
     let notes = plausible::of_file(&description, &cases);
     notes.iter().for_each(|note| watch.note(note));
     let mut solved = if cases.is_empty() {
-        solve_one(&request.budget, request.save.as_deref(), description, watch)?
+        one(&request.budget, request.save.as_deref(), description, watch)?
     } else {
         cases::run(request, &cases, watch)?
     };
@@ -109,7 +109,7 @@ pub fn of(description: Description, request: &Request, watch: &dyn Watch) -> Res
 }
 
 /// Bounds what a description without cases asks for.
-fn solve_one(
+pub(crate) fn one(
     budget: &Budget,
     save: Option<&Path>,
     description: Description,

@@ -16,6 +16,7 @@ mod limits;
 mod log;
 mod man;
 mod monitor;
+mod obstacle;
 mod pages;
 mod places;
 mod predict;
@@ -32,6 +33,7 @@ mod solve;
 mod stability;
 mod surface;
 mod table;
+mod tool;
 mod view;
 mod workbench;
 
@@ -48,6 +50,10 @@ pub(crate) enum Verb {
     Predict(predict::Args),
     /// Proven lower and upper bounds on a plate's force, by limit analysis
     Bound(bound::Args),
+    /// Proven bounds on the force of a curved blade, a bucket, or any other tool in section
+    Tool(tool::Args),
+    /// From what distance on the force of a tool says that something is buried ahead
+    Obstacle(obstacle::Args),
     /// Proven bounds for any plane-strain collapse problem described in a file
     Solve(solve::Args),
     /// The least of something that is enough, by proven bounds: a strength, a length, a slope, a water level
@@ -117,6 +123,8 @@ impl Verb {
         match self {
             Self::Predict(args) => predict::run(&args, output),
             Self::Bound(args) => bound::run(&args, output),
+            Self::Tool(args) => tool::run(&args, output),
+            Self::Obstacle(args) => obstacle::run(&args, output),
             Self::Solve(args) => solve::run(&args, output),
             Self::Design(args) => design::run(&args, output),
             Self::Stability(args) => stability::run(&args, output),

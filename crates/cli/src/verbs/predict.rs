@@ -1,10 +1,12 @@
 //! `soilctl predict`: force and coefficients of a plate from a named model.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use soilctl_app::Outcome;
 use soilctl_app::predict::{self, Answer, Request, StrokePrediction};
+use soilctl_app::request::NumberOrColumn;
 use soilctl_app::text::{columns, number, number_or_dash};
+use soilctl_app::tool;
+use soilctl_app::{Answer as _, Outcome};
 use soilctl_pages::predict::{Kind, save};
 
 use crate::error::CliError;
@@ -15,11 +17,17 @@ use crate::output::{Output, Words};
     after_help = "Coefficients are per slant length, K = 2 F / (gamma L^2 w) with L = depth / sin(alpha); the net \
     one is passive minus active. Without --depth, --width and --density the force is null. \
     The models mckyes, perumpral, godwin-spoor, ovesen and blocks-3d know that soil fails beside the plate's ends as well, so they \
-    take --depth and --width; blocks-3d is an upper bound."
+    take --depth and --width; blocks-3d is an upper bound. --tool answers what `soilctl tool` does, with its defaults.",
+    mut_arg("alpha_deg", |alpha| alpha.required_unless_present("tool")),
+    mut_arg("delta_deg", |delta| delta.required_unless_present("tool"))
 )]
 pub(crate) struct Args {
     #[command(flatten)]
     request: Request,
+
+    /// A tool that is not flat, as a tool file: proven bounds on its force per metre of width, as `soilctl tool` has them; needs --density
+    #[arg(long, value_name = "FILE", requires = "density_kg_m3", conflicts_with_all = ["strokes", "model", "model_table", "model_file", "width_m", "ends", "plot"])]
+    tool: Option<PathBuf>,
 
     /// Draws a figure (.svg, .png) or writes its data (.csv)
     #[arg(long, value_name = "FILE", conflicts_with_all = ["strokes", "model_file"])]
@@ -31,6 +39,11 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    if let Some(file) = &args.tool {
+        let answer = tool::run(&of_tool(&args.request, file)?, output)?.complete()?;
+        output.answer(&answer)?;
+        return Ok(answer.outcome());
+    }
     let answer = predict::run(&args.request, output)?;
     if let Some(path) = &args.plot
         && let Some(case) = args.request.case()?
@@ -39,6 +52,29 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     }
     output.answer(&answer)?;
     Ok(Outcome::Done)
+}
+
+/// The same question about a tool.
+fn of_tool(request: &Request, file: &Path) -> Result<tool::Request, CliError> {
+    let number = |option: &str, given: Option<NumberOrColumn>| match given {
+        Some(NumberOrColumn::Column) => Err(CliError::Usage(format!(
+            "--{option} is the word column, which is of a stroke table; give a number with --tool"
+        ))),
+        Some(NumberOrColumn::Number(number)) => Ok(Some(number)),
+        None => Ok(None),
+    };
+    let missing = |option: &str| CliError::Usage(format!("--tool needs --{option}"));
+    let setting = tool::Setting {
+        tool: file.to_owned(),
+        alpha_deg: request.alpha_deg,
+        phi_deg: request.phi_deg.ok_or_else(|| missing("phi DEG"))?,
+        delta_deg: number("delta", request.delta_deg)?,
+        density_kg_m3: number("density", request.density_kg_m3)?.ok_or_else(|| missing("density KG/M3"))?,
+        depth_m: request.depth_m,
+        loads: request.loads,
+        ..tool::Setting::default()
+    };
+    Ok(tool::Request { setting, ..tool::Request::default() })
 }
 
 impl Words for Answer {

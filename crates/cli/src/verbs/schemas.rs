@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
+use soilctl_app::tool::{TOOL_SCHEMA, ToolFile};
 use soilctl_app::{Answer, Outcome, USE_CASES, log, report};
 use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
@@ -30,6 +31,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write::<report::Answer>(&args.dir)?;
     write::<log::Answer>(&args.dir)?;
     write_file::<Description>(&args.dir, PROBLEM_SCHEMA)?;
+    write_file::<ToolFile>(&args.dir, TOOL_SCHEMA)?;
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
     write::<run_verb::RunAnswer>(&args.dir)?;
     write::<monitor::MonitorAnswer>(&args.dir)?;

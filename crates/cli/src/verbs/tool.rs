@@ -1,0 +1,105 @@
+//! `soilctl tool TOOL`: proven bounds on the force of a tool that need not be flat.
+
+use soilctl_app::text::{columns, number};
+use soilctl_app::tool::{self, Answer, Request, ToolAnswer};
+use soilctl_app::{Answer as _, Outcome};
+
+use super::limits::{Show, level_table, results_text};
+use crate::error::CliError;
+use crate::output::{Output, Words};
+
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Forces are along the motion, per metre of width, of a tool without ends: nothing is said of side plates. Coefficients are 2 F / (gamma L^2) with \
+    the straight line from the tip to the surface as L. Both bounds are proven with interval arithmetic; the true force of the rigid-plastic \
+    soil with associated flow lies between them. Tool files are in docs/files.md, examples in data/tools. Exit code 3: the budget ended before \
+    the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
+)]
+pub(crate) struct Args {
+    #[command(flatten)]
+    request: Request,
+
+    #[command(flatten)]
+    show: Show,
+}
+
+pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    args.show.check()?;
+    let mut found = tool::run(&args.request, output)?;
+    let mut written = args.show.write(&found.solved.fields, || soilctl_pages::tool::page(&found), output);
+    found.answer.results.files = std::mem::take(&mut written.files);
+    output.answer(&found.answer)?;
+    written.with_solution(found.solved.unsaved).end(found.answer.outcome(), output)
+}
+
+/// The tool in its place, in a few words.
+pub(super) fn tool_text(tool: &ToolAnswer) -> String {
+    let mut text = tool.title.as_ref().map_or_else(String::new, |title| format!("{title}\n"));
+    let cover = if tool.cover_m > 0.0 {
+        format!(", below {} m of soil", number(rounded(tool.cover_m)))
+    } else {
+        String::new()
+    };
+    text += &format!(
+        "in the ground: {} pieces, {} m deep{cover}; chord of {} m at {} deg\n",
+        tool.pieces.len(),
+        number(rounded(tool.depth_m)),
+        number(rounded(tool.chord_m)),
+        number(rounded(tool.chord_alpha_deg)),
+    );
+    text
+}
+
+/// The pieces as a table.
+fn pieces(tool: &ToolAnswer) -> String {
+    let mut rows =
+        vec![["piece", "from, m", "to, m", "alpha, deg", "delta, deg"].map(str::to_owned).to_vec()];
+    for (index, piece) in tool.pieces.iter().enumerate() {
+        let point = |[x, y]: [f64; 2]| format!("{} {}", number(rounded(x)), number(rounded(y)));
+        rows.push(vec![
+            (index + 1).to_string(),
+            point(piece.from_m),
+            point(piece.to_m),
+            number(rounded(piece.alpha_deg)),
+            number(piece.delta_deg),
+        ]);
+    }
+    columns(&rows)
+}
+
+/// Four digits: lengths and angles for people.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+impl Words for Answer {
+    fn text(&self) -> String {
+        let mut text = tool_text(&self.tool);
+        text += &format!(
+            "force along the motion, per metre of width:\nlower  {} N/m\nupper  {} N/m\n",
+            number(self.lower_n_per_m),
+            number(self.upper_n_per_m)
+        );
+        if let Some(gap) = self.gap {
+            text += &format!("gap    {} %\n", number(100.0 * gap));
+        }
+        text += &format!(
+            "coefficient, 2 F / (gamma L^2) with the chord as L: {} to {}\n",
+            number(self.coefficient_lower),
+            number(self.coefficient_upper)
+        );
+        if let (Some(lower), Some(upper)) = (self.slant_lower, self.slant_upper) {
+            text += &format!(
+                "as bound counts it, of the force inclined at delta: {} to {}\n",
+                number(lower),
+                number(upper)
+            );
+        }
+        text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
+        text += &pieces(&self.tool);
+        text += "\nlevels, in kN/m\n";
+        text += &level_table(&self.levels);
+        text += "\n";
+        text + &results_text(&self.results)
+    }
+}

@@ -1,0 +1,81 @@
+//! The page of bounds on a tool's force.
+
+use soilctl_app::text::{number, rounded_down, rounded_up};
+use soilctl_app::tool::{Answer, Bounded};
+use soilctl_figure::{Align, HtmlReport, Table};
+
+use crate::PageError;
+use crate::limits::{self, PageContent, bounds_table, level_table, proven, round};
+use crate::problem::Scene;
+
+/// The page of bounds on a tool's force.
+///
+/// # Errors
+/// [`PageError`] if a figure cannot be drawn.
+pub fn page(found: &Bounded) -> Result<HtmlReport, PageError> {
+    let scene = Scene::of_file(&found.solved.description, &found.solved.described);
+    limits::page(&found.solved.fields, &scene, content(&found.answer)?, &found.answer.results)
+}
+
+fn content(answer: &Answer) -> Result<PageContent, PageError> {
+    let mut bounds = bounds_table();
+    bounds.row([
+        "Force along the motion, per metre of width (N/m)".into(),
+        number(answer.lower_n_per_m),
+        number(answer.upper_n_per_m),
+    ])?;
+    bounds.row([
+        "Its coefficient 2F/(γL²), with the length of the chord as L".into(),
+        number(answer.coefficient_lower),
+        number(answer.coefficient_upper),
+    ])?;
+    if let (Some(lower), Some(upper)) = (answer.slant_lower, answer.slant_upper) {
+        bounds.row([
+            "Net coefficient per slant length K = 2F/(γL²w), as of a plate".into(),
+            number(lower),
+            number(upper),
+        ])?;
+    }
+    let (kind, text) = proven(answer.gap, answer.max_gap, answer.ended);
+    let title = format!(
+        "The force lies between {} and {} N per metre of width",
+        rounded_down(answer.lower_n_per_m),
+        rounded_up(answer.upper_n_per_m)
+    );
+    Ok(PageContent {
+        kind: "Bounds on a tool's force",
+        subtitle: "A rigid tool is pushed through soil; what it bears just before the soil fails".into(),
+        verdict: (kind, title, text),
+        bounds,
+        inputs: vec![pieces(answer)?],
+        given: given(answer),
+        steps: level_table(&answer.levels)?,
+    })
+}
+
+fn pieces(answer: &Answer) -> Result<Table, PageError> {
+    let columns = ["piece", "from (m)", "to (m)", "tool angle (°)", "friction (°)", "adhesion (Pa)"];
+    let mut table = Table::new("The tool in the ground, from its tip", columns.map(|c| (c, Align::Right)));
+    for (index, piece) in answer.tool.pieces.iter().enumerate() {
+        let point = |[x, y]: [f64; 2]| format!("{}, {}", number(round(x)), number(round(y)));
+        table.row([
+            (index + 1).to_string(),
+            point(piece.from_m),
+            point(piece.to_m),
+            number(round(piece.alpha_deg)),
+            number(piece.delta_deg),
+            number(piece.adhesion_pa),
+        ])?;
+    }
+    Ok(table)
+}
+
+fn given(answer: &Answer) -> Vec<(&'static str, String)> {
+    let tool = &answer.tool;
+    vec![
+        ("Direction of motion", format!("{}° above the horizontal", number(answer.direction_deg))),
+        ("Depth", format!("{} m", number(round(tool.depth_m)))),
+        ("Soil above the tool", format!("{} m", number(round(tool.cover_m)))),
+        ("Chord", format!("{} m at {}°", number(round(tool.chord_m)), number(round(tool.chord_alpha_deg)))),
+    ]
+}
