@@ -2,16 +2,15 @@
 
 use std::path::Path;
 
-use soilctl_app::obstacle::{Answer, BodyKind, Found, Verdict};
+use soilctl_app::obstacle::{Answer, BodyKind, DistanceAnswer, Found, Verdict};
 use soilctl_app::text::{number, number_or_dash};
 use soilctl_figure::{
-    Align, Axis, Band, CalloutKind, Dash, Figure, HtmlReport, Legend, Line, Marker, Points, RefLine, Size,
-    Table,
+    Align, Axis, Band, CalloutKind, Dash, Figure, HtmlReport, Legend, Line, Marker, Paths, Points, Polygon,
+    Polygons, RefLine, Size, Table,
 };
 
 use crate::PageError;
 use crate::limits::round;
-use crate::problem::Scene;
 use crate::write::save_figure;
 
 /// Both bounds on the ratio to the force without the body, over the distance.
@@ -19,35 +18,32 @@ use crate::write::save_figure;
 /// # Errors
 /// [`PageError`] if there is nothing to draw.
 pub fn figure(answer: &Answer) -> Result<Figure, PageError> {
-    let both: Vec<(f64, f64, f64)> = answer
-        .distances
-        .iter()
-        .filter_map(|one| Some((one.ahead_m, one.ratio_lower?, one.ratio_upper?)))
-        .collect();
-    if both.is_empty() {
-        return Err(PageError::Nothing(
-            "there is nothing to draw: at no distance are both bounds on the ratio known".into(),
-        ));
+    let known = |pick: fn(&DistanceAnswer) -> Option<f64>| -> Vec<(f64, f64)> {
+        answer.distances.iter().filter_map(|one| Some((one.ahead_m, pick(one)?))).collect()
+    };
+    let (lower, upper) = (known(|one| one.ratio_lower), known(|one| one.ratio_upper));
+    if lower.is_empty() {
+        return Err(PageError::Nothing("there is nothing to draw: the force without the body is no push, so nothing is told as a ratio to it".into()));
     }
     let title = match answer.body {
         BodyKind::Fixed => "Force near a fixed body",
-        BodyKind::Smooth => "Force near a fixed body with smooth faces",
         BodyKind::Stone => "Force near a stone",
     };
-    let most = both.iter().map(|one| one.2).fold(1.0 + answer.scatter, f64::max);
-    let least = both.iter().map(|one| one.1).fold(1.0, f64::min);
-    let margin = 0.08 * (most - least).max(0.05);
-    let y = Axis::linear("force over that without the body").range(least - margin, most + margin)?;
+    let most = lower.iter().chain(&upper).map(|point| point.1).fold(1.0 + answer.scatter, f64::max);
+    let margin = 0.08 * (most - 1.0).max(0.05);
+    let y = Axis::linear("force over that without the body").range(1.0 - margin, most + margin)?;
     let mut figure = Figure::new(title, Axis::linear("distance of the body ahead of the tip (m)"), y)
         .with_legend(Legend::Below);
-    let [x, low, high] =
-        [0, 1, 2].map(|i| both.iter().map(|one| [one.0, one.1, one.2][i]).collect::<Vec<_>>());
-    if both.len() > 1 {
-        figure.push(Band::new("between the bounds, joined by straight lines", x, low, high).color(0))?;
+    // A band wherever both bounds are known from one distance to the next.
+    let both = |one: &DistanceAnswer| Some((one.ahead_m, one.ratio_lower?, one.ratio_upper?));
+    let runs = answer.distances.split(|one| both(one).is_none()).filter(|run| run.len() > 1);
+    for (index, run) in runs.enumerate() {
+        let run: Vec<(f64, f64, f64)> = run.iter().filter_map(both).collect();
+        let [x, low, high] =
+            [0, 1, 2].map(|i| run.iter().map(|one| [one.0, one.1, one.2][i]).collect::<Vec<_>>());
+        let name = if index == 0 { "between the bounds, joined by straight lines" } else { "" };
+        figure.push(Band::new(name, x, low, high).color(0))?;
     }
-    let points =
-        |pick: fn(&(f64, f64, f64)) -> f64| both.iter().map(|one| (one.0, pick(one))).collect::<Vec<_>>();
-    let (upper, lower) = (points(|one| one.2), points(|one| one.1));
     figure.push(Line::new("", upper.clone()).color(0).dash(Dash::Dash))?;
     figure.push(Line::new("", lower.clone()).color(0))?;
     figure.push(Points::new("upper bound", upper).color(1).marker(Marker::Square))?;
@@ -94,10 +90,33 @@ pub fn page(found: &Found) -> Result<HtmlReport, PageError> {
     for note in &answer.notes {
         page.paragraph(note.clone());
     }
-    let (description, described) = &found.nearest;
-    let (drawing, size) = Scene::of_file(description, described).figure()?;
-    page.heading("The problem").figure(&drawing, size, "Tool and body at the least distance.")?;
+    page.heading("Tool and body").figure(
+        &drawing(answer)?,
+        Size::new(820, 420)?,
+        "Tool and body at the least distance, along the surface.",
+    )?;
     Ok(page)
+}
+
+/// Tool and body at the least distance.
+fn drawing(answer: &Answer) -> Result<Figure, PageError> {
+    let mut figure =
+        Figure::new("", Axis::linear("ahead (m)"), Axis::linear("up (m)")).with_equal_aspect()?;
+    let pieces = &answer.tool.pieces;
+    let tip = pieces.first().map_or([0.0; 2], |piece| piece.from_m);
+    let line: Vec<(f64, f64)> =
+        std::iter::once(tip).chain(pieces.iter().map(|piece| piece.to_m)).map(|[x, y]| (x, y)).collect();
+    let near = tip[0] + answer.distances.first().map_or(0.0, |one| one.ahead_m);
+    let (far, top) = (near + answer.body_length_m, -answer.body_top_m);
+    let bottom = top - answer.body_height_m;
+    let block = Polygon::new(vec![(near, bottom), (far, bottom), (far, top), (near, top)]);
+    let left = line.iter().map(|p| p.0).fold(near, f64::min) - answer.tool.depth_m;
+    figure.push(
+        Paths::new("surface", vec![vec![(left, 0.0), (far + answer.tool.depth_m, 0.0)]]).width(1.0).color(7),
+    )?;
+    figure.push(Polygons::new("body", vec![block]).color(1))?;
+    figure.push(Paths::new("tool", vec![line]).width(4.0).color(0))?;
+    Ok(figure)
 }
 
 fn subtitle(answer: &Answer) -> String {

@@ -72,8 +72,6 @@ pub struct Answer {
     /// Cohesion of a stone, whose friction angle is that of the soil: the bounds are those of a stone of this strength, which is far above
     /// that of the soil; null for bodies that do not move.
     pub stone_cohesion_pa: Option<f64>,
-    /// Whether the body is proven to take nothing from the force, whatever its distance.
-    pub adds: bool,
     /// The tool.
     pub tool: ToolAnswer,
     /// Direction of the motion, from the horizontal.

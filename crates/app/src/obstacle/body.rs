@@ -21,7 +21,6 @@ pub(super) struct Body {
     far_m: f64,
     top_m: f64,
     bottom_m: f64,
-    stone_weight_kn_m3: f64,
 }
 
 impl Body {
@@ -29,14 +28,12 @@ impl Body {
     pub(super) fn new(request: &Request, placed: &Placed, ahead_m: f64) -> Result<Self, AppError> {
         let near_m = placed.tip()[0] + ahead_m;
         let length = request.body_length_m.unwrap_or(request.body_height_m);
-        let density = request.stone_density_kg_m3.map_or(1.0, |stone| stone / request.setting.density_kg_m3);
         let body = Self {
             kind: request.body,
             near_m,
             far_m: near_m + length,
             top_m: request.body_top_m,
             bottom_m: request.body_top_m + request.body_height_m,
-            stone_weight_kn_m3: density * placed.unit_weight_kn_m3,
         };
         if placed.lines().any(|line| body.meets(line)) {
             return Err(AppError::Request(format!(
@@ -71,7 +68,6 @@ impl Body {
         let corners = self.corners();
         let hold = match self.kind {
             BodyKind::Fixed => Hold::Fixed,
-            BodyKind::Smooth => Hold::Smooth,
             BodyKind::Stone => {
                 let middle = 0.5 * (self.near_m + self.far_m);
                 let [b, c, d, a] = corners;
@@ -127,18 +123,8 @@ impl Body {
             name: BODY.into(),
             phi_deg: Some(request.setting.phi_deg),
             cohesion_kpa: 1e-3 * self.stone_cohesion_pa(request, placed).unwrap_or(0.0),
-            unit_weight_kn_m3: placed.across_surface(self.stone_weight_kn_m3),
+            unit_weight_kn_m3: placed.across_surface(placed.unit_weight_kn_m3),
             ..SoilEntry::default()
-        }
-    }
-
-    /// Whether the force is proven to be no less than without the body. Soil that sticks to a body at rest may not move there, and strength in the
-    /// place of soil of the same weight takes motions away: the flows that are left are flows without the body as well.
-    pub(super) fn adds(&self, placed: &Placed) -> bool {
-        match self.kind {
-            BodyKind::Fixed => true,
-            BodyKind::Smooth => false,
-            BodyKind::Stone => self.stone_weight_kn_m3 == placed.unit_weight_kn_m3,
         }
     }
 }

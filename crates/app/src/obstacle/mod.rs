@@ -11,7 +11,7 @@ pub use answer::{Answer, DistanceAnswer, Verdict};
 use body::Body;
 use one::Series;
 pub use request::{BodyKind, Request};
-use soilctl_limit_analysis::{Described, Description};
+use soilctl_limit_analysis::Description;
 use web_time::Instant;
 
 use crate::files::can_be_written;
@@ -29,8 +29,6 @@ const MOST: usize = 100;
 pub struct Found {
     /// The answer.
     pub answer: Answer,
-    /// The problem at the least distance, as a description and in the units of the solver.
-    pub nearest: (Description, Described),
     /// Why the first file that was not saved was not: bounds that took their time are not lost with a file.
     pub unsaved: Option<AppError>,
 }
@@ -55,12 +53,6 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Found, AppError> {
         can_be_written(path)?;
     }
     request.table.as_deref().map(answer::form).transpose()?;
-    if request.body != BodyKind::Stone && request.stone_density_kg_m3.is_some() {
-        return Err(AppError::Request(
-            "--stone-density is of a stone, and this body does not move; say --body stone, or leave it out"
-                .into(),
-        ));
-    }
     let begun = Instant::now();
     let placed = Placed::new(&request.setting)?;
     let distances = distances(request, &placed)?;
@@ -69,20 +61,18 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Found, AppError> {
     let Some(nearest) = bodies.first() else {
         return Err(AppError::Request("give at least one distance with --ahead".into()));
     };
-    let adds = nearest.adds(&placed);
     let stone_cohesion_pa = nearest.stone_cohesion_pa(request, &placed);
-    let notes = all_notes(request, &placed, adds);
+    let notes = all_notes(request, &placed);
     notes.iter().for_each(|note| watch.note(note));
     let alone = placed.alone(&request.setting);
     let with: Vec<Description> = bodies.iter().map(|body| body.description(request, &placed)).collect();
     // What is wrong with any of them is said before the first proof, which may take minutes.
-    let described = with.iter().map(Description::described).collect::<Result<Vec<_>, _>>()?;
-    let nearest = with.first().cloned().zip(described.into_iter().next());
-    let nearest =
-        nearest.ok_or_else(|| AppError::Request("give at least one distance with --ahead".into()))?;
+    for description in &with {
+        description.described()?;
+    }
     write_problems(request, &alone, &with)?;
     let Series { without, rows, work, unsaved } =
-        Series::run(request, alone, distances.into_iter().zip(with).collect(), adds, watch)?;
+        Series::run(request, alone, distances.into_iter().zip(with).collect(), watch)?;
     let [without_lower_n_per_m, without_upper_n_per_m] = one::newtons(&without);
     let mut answer = Answer {
         answer: Verdict::Open,
@@ -98,7 +88,6 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Found, AppError> {
         body_height_m: request.body_height_m,
         body_length_m: request.body_length_m.unwrap_or(request.body_height_m),
         stone_cohesion_pa,
-        adds,
         tool: ToolAnswer::new(&placed, &request.setting),
         direction_deg: request.setting.direction_deg,
         verdict: String::new(),
@@ -110,7 +99,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Found, AppError> {
     };
     answer.conclude();
     let table = request.table.as_deref().and_then(|path| answer.write_table(path).err());
-    Ok(Found { answer, nearest, unsaved: unsaved.or(table) })
+    Ok(Found { answer, unsaved: unsaved.or(table) })
 }
 
 /// Distances near to far.
@@ -130,19 +119,15 @@ fn distances(request: &Request, placed: &Placed) -> Result<Vec<f64>, AppError> {
     Ok(all)
 }
 
-/// What hardly anybody means, and where the body may take something from the force.
-fn all_notes(request: &Request, placed: &Placed, adds: bool) -> Vec<String> {
+/// What hardly anybody means, and what the solver does not find.
+fn all_notes(request: &Request, placed: &Placed) -> Vec<String> {
     let mut notes = notes(&request.setting, placed);
-    if !adds {
-        let note = match request.body {
-            BodyKind::Smooth => {
-                "a body with smooth faces lets soil slide where it would have to break otherwise, so the force may also be less than without it"
-            }
-            BodyKind::Fixed | BodyKind::Stone => {
-                "a stone of another density than the soil may also lessen the force"
-            }
-        };
-        notes.push(note.into());
+    if request.body == BodyKind::Fixed && placed.has_smooth_face() {
+        notes.push(
+            "beside a tool with a perfectly smooth face no stresses around a body at rest are found, so lower bounds are those without the body; a \
+             friction angle of a degree or two has some"
+                .into(),
+        );
     }
     notes
 }

@@ -17,9 +17,7 @@ pub enum BodyKind {
     /// It does not move, and soil sticks to it: rock, a foundation
     #[default]
     Fixed,
-    /// It does not move, and soil slides along it freely
-    Smooth,
-    /// A stone, which moves with the soil: strong, and as rough as the soil beside it
+    /// A stone, which moves with the soil: strong, as rough as the soil beside it and as heavy
     Stone,
 }
 
@@ -56,11 +54,6 @@ pub struct Request {
     #[arg(long, value_name = "KIND", value_enum, default_value_t)]
     pub body: BodyKind,
 
-    /// Density of a stone (kg/m3); that of the soil if not given
-    #[arg(long = "stone-density", value_name = "KG/M3", value_parser = finite, allow_negative_numbers = true)]
-    #[schemars(extend("exclusiveMinimum" = 0.0))]
-    pub stone_density_kg_m3: Option<f64>,
-
     /// Relative scatter of measured forces: the body shows where it adds more than that
     #[arg(long, value_name = "FRACTION", default_value_t = Request::default().scatter, value_parser = finite, allow_negative_numbers = true)]
     #[schemars(range(min = 0.0, max = 10.0))]
@@ -93,7 +86,6 @@ impl Default for Request {
             body_height_m: 0.0,
             body_length_m: None,
             body: BodyKind::Fixed,
-            stone_density_kg_m3: None,
             scatter: 0.1,
             budget: Budget { max_gap: 0.03, ..Budget::default() },
             save: None,

@@ -22,7 +22,7 @@ pub use seepage::{HeadAnswer, SeepageAnswer};
 use serde::{Deserialize, Serialize};
 use soilctl_limit_analysis::describe::{Aim, Case, Quantity};
 use soilctl_limit_analysis::results::problem_units;
-use soilctl_limit_analysis::{Described, Description, LimitError};
+use soilctl_limit_analysis::{Described, Description, LimitError, OneSide};
 
 use crate::files::can_be_written;
 use crate::limits::{self, Budget, Fields, ResultsAnswer};
@@ -119,12 +119,37 @@ pub(crate) fn one(
     if description.objective == (Aim::StrengthReduction {}) {
         return safety::run(budget, save, description, described, watch);
     }
+    let side_of = described.clone();
+    found(budget, save, description, described, watch)
+        .map_err(|problem| one_side::of_problem(problem, &side_of))
+}
+
+/// Bounds what a description without cases asks for, or the one side that is proven.
+pub(crate) fn one_or_side(
+    budget: &Budget,
+    save: Option<&Path>,
+    description: Description,
+    watch: &dyn Watch,
+) -> Result<Solved, (Option<OneSide>, AppError)> {
+    let described = description.described().map_err(|problem| (None, problem.into()))?;
+    let side_of = described.clone();
+    found(budget, save, description, described, watch)
+        .map_err(|problem| (one_side::proven(&problem, &side_of), one_side::of_problem(problem, &side_of)))
+}
+
+/// Bounds a described problem other than a factor of safety.
+fn found(
+    budget: &Budget,
+    save: Option<&Path>,
+    description: Description,
+    described: Described,
+    watch: &dyn Watch,
+) -> Result<Solved, AppError> {
     let unit = match described.quantity {
         Quantity::ForceKnPerM => described.length_m * described.stress_kpa,
         Quantity::LoadFactor | Quantity::WeightFactor | Quantity::Acceleration => 1.0,
     };
-    let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, unit, watch)
-        .map_err(|problem| one_side::of_problem(problem, &described))?;
+    let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, unit, watch)?;
     let kept = save::both(&described, &bounds);
     let unsaved = save.and_then(|path| save::write(&kept, path).err());
     let statement = &described.statement;

@@ -26,11 +26,25 @@ pub(super) fn of_problem(problem: AppError, described: &Described) -> AppError {
         Quantity::WeightFactor => "the factor on the unit weights",
         Quantity::Acceleration => "the horizontal acceleration over gravity",
     };
-    let side = match side {
+    words(what, in_units(side, described), &error)
+}
+
+/// In the units of the file, rounded outwards.
+fn in_units(side: OneSide, described: &Described) -> OneSide {
+    match side {
         OneSide::Lower(value) => OneSide::Lower(described.in_units([value; 2])[0]),
         OneSide::Upper(value) => OneSide::Upper(described.in_units([value; 2])[1]),
-    };
-    words(what, side, &error)
+    }
+}
+
+/// The side that a failed run has proven, in the units of its file; none if it proved nothing.
+pub(super) fn proven(problem: &AppError, described: &Described) -> Option<OneSide> {
+    match problem {
+        AppError::Limit(LimitError::NothingProven { proven: Some(side), .. }) => {
+            Some(in_units(*side, described))
+        }
+        _ => None,
+    }
 }
 
 /// The same of a factor of safety.

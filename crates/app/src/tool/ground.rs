@@ -103,6 +103,11 @@ impl Placed {
         self.shape.pieces().iter().map(|piece| piece.ends)
     }
 
+    /// Whether soil slides freely along some of it.
+    pub(crate) fn has_smooth_face(&self) -> bool {
+        self.shape.pieces().iter().any(|piece| piece.delta_deg == 0.0)
+    }
+
     /// Left, right and bottom of the soil that is meshed, for something of this size.
     pub(crate) fn extents(&self, phi_deg: f64, size_m: f64) -> [f64; 3] {
         let reach = 1.0 + 1.5 * (phi_deg / 25.0).powi(3);

@@ -41,8 +41,8 @@ pub(super) fn tool_text(tool: &ToolAnswer) -> String {
         String::new()
     };
     text += &format!(
-        "in the ground: {} pieces, {} m deep{cover}; chord of {} m at {} deg\n",
-        tool.pieces.len(),
+        "in the ground: {}, {} m deep{cover}; chord of {} m at {} deg\n",
+        if tool.pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", tool.pieces.len()) },
         number(rounded(tool.depth_m)),
         number(rounded(tool.chord_m)),
         number(rounded(tool.chord_alpha_deg)),
