@@ -44,7 +44,7 @@ def bucket(soilctl, tmp_path_factory):
     folder = tmp_path_factory.mktemp("bucket")
     tool = written(folder, "points_m = [[0.06, 0], [0, 0], [0, 0.1]]\npiece = [{ number = 1, delta_deg = 0 }]\n")
     files = ["--save", "proof.json", "--problem", "problem.toml", "--report", "page.html", "--plot", "plot.svg"]
-    answer = soilctl.json("tool", tool, *SOIL, "--delta", 20, *QUICK, *files, cwd=folder)
+    answer = soilctl.json("tool", tool, *SOIL, "--delta", 20, *QUICK, *files, cwd=folder, code=None)
     return folder, answer
 
 
@@ -76,7 +76,7 @@ def test_the_problem_file_is_the_same_problem(bucket, soilctl):
     folder, answer = bucket
     problem = tomllib.loads((folder / "problem.toml").read_text())
     assert problem["objective"]["name"] == "tool" and len(problem["plate"]) == 2
-    solved = soilctl.json("solve", folder / "problem.toml", *QUICK)
+    solved = soilctl.json("solve", folder / "problem.toml", *QUICK, code=None)
     assert [1e3 * solved[key] for key in ("lower", "upper")] == pytest.approx(bounds(answer), rel=1e-12)
 
 
@@ -84,8 +84,8 @@ def test_the_problem_file_is_the_same_problem(bucket, soilctl):
 def test_a_flat_tool_in_two_pieces_is_the_plate_of_bound(soilctl, tmp_path, alpha, beta):
     tool = written(tmp_path, "points_m = [[0, 0], [0, 0.04], [0, 0.1]]")
     words = ["--alpha", alpha, "--delta", 20, "--phi", 35, "--beta", beta, *QUICK]
-    answer = soilctl.json("tool", tool, *words, "--density", DENSITY)
-    plate = soilctl.json("bound", *words)
+    answer = soilctl.json("tool", tool, *words, "--density", DENSITY, code=None)
+    plate = soilctl.json("bound", *words, code=None)
     assert answer["slant_lower"] <= plate["upper"] and plate["lower"] <= answer["slant_upper"]
     assert answer["tool"]["chord_alpha_deg"] == pytest.approx(alpha)
     # Each is as near to the other as its own gap allows.
@@ -94,7 +94,7 @@ def test_a_flat_tool_in_two_pieces_is_the_plate_of_bound(soilctl, tmp_path, alph
 
 
 def test_a_smooth_upright_blade_is_rankines(soilctl):
-    answer = soilctl.json("tool", DATA / "tools/plate.toml", *SOIL, "--delta", 0, *QUICK)
+    answer = soilctl.json("tool", DATA / "tools/plate.toml", *SOIL, "--delta", 0, *QUICK, code=None)
     exact = half_weight(0.1) * (RANKINE - 1 / RANKINE)
     lower, upper = bounds(answer)
     assert lower <= exact * (1 + 1e-12) and upper >= exact * (1 - 1e-12)
@@ -200,6 +200,6 @@ def test_a_stone_resists_no_more_than_a_fixed_body_and_no_less_than_soil(soilctl
 def test_predict_takes_tools_too(soilctl):
     words = [*SOIL, "--delta", 0]
     tool = DATA / "tools/plate.toml"
-    [one, other] = [soilctl.json(*verb, *words) for verb in (("predict", "--tool", tool), ("tool", tool))]
+    [one, other] = [soilctl.json(*verb, *words, code=None) for verb in (("predict", "--tool", tool), ("tool", tool))]
     assert bounds(one) == bounds(other)
     soilctl.refuses("predict", "--tool", tool, "--phi", 35, mentions=["--density"])

@@ -101,7 +101,7 @@ pub fn page(found: &Found) -> Result<HtmlReport, PageError> {
 /// Tool and body at the least distance.
 fn drawing(answer: &Answer) -> Result<Figure, PageError> {
     let mut figure =
-        Figure::new("", Axis::linear("ahead (m)"), Axis::linear("up (m)")).with_equal_aspect()?;
+        Figure::new("Tool and body", Axis::linear("ahead (m)"), Axis::linear("up (m)")).with_equal_aspect()?;
     let pieces = &answer.tool.pieces;
     let tip = pieces.first().map_or([0.0; 2], |piece| piece.from_m);
     let line: Vec<(f64, f64)> =
@@ -112,7 +112,7 @@ fn drawing(answer: &Answer) -> Result<Figure, PageError> {
     let block = Polygon::new(vec![(near, bottom), (far, bottom), (far, top), (near, top)]);
     let left = line.iter().map(|p| p.0).fold(near, f64::min) - answer.tool.depth_m;
     figure.push(
-        Paths::new("surface", vec![vec![(left, 0.0), (far + answer.tool.depth_m, 0.0)]]).width(1.0).color(7),
+        Paths::new("surface", vec![vec![(left, 0.0), (far + answer.tool.depth_m, 0.0)]]).width(1.0).color(3),
     )?;
     figure.push(Polygons::new("body", vec![block]).color(1))?;
     figure.push(Paths::new("tool", vec![line]).width(4.0).color(0))?;
