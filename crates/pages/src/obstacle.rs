@@ -100,8 +100,8 @@ pub fn page(found: &Found) -> Result<HtmlReport, PageError> {
 
 /// Tool and body at the least distance.
 fn drawing(answer: &Answer) -> Result<Figure, PageError> {
-    let mut figure =
-        Figure::new("Tool and body", Axis::linear("ahead (m)"), Axis::linear("up (m)")).with_equal_aspect()?;
+    let mut figure = Figure::new("Tool and body", Axis::linear("ahead (m)"), Axis::linear("up (m)"))
+        .with_equal_aspect()?;
     let pieces = &answer.tool.pieces;
     let tip = pieces.first().map_or([0.0; 2], |piece| piece.from_m);
     let line: Vec<(f64, f64)> =

@@ -46,13 +46,13 @@ impl Series {
             Ok(without) => Self { work: without.answer.work, without, rows: Vec::new(), unsaved: None },
             Err((_, problem)) => {
                 watch.end();
-                return Err(problem);
+                return Err(*problem);
             }
         };
         series.unsaved = series.without.unsaved.take();
         for (index, (ahead_m, description)) in with.into_iter().enumerate() {
             let found = if all.load(Ordering::Relaxed) {
-                Err((None, AppError::Request("the run was ended before this distance".into())))
+                Err((None, Box::new(AppError::Request("the run was ended before this distance".into()))))
             } else {
                 one(count - index, &(index + 1).to_string(), description)
             };
@@ -63,7 +63,7 @@ impl Series {
         Ok(series)
     }
 
-    fn add(&mut self, ahead_m: f64, found: Result<Solved, (Option<OneSide>, AppError)>) {
+    fn add(&mut self, ahead_m: f64, found: Result<Solved, (Option<OneSide>, Box<AppError>)>) {
         let (bounds, problem) = match found {
             Ok(mut found) => {
                 self.work += found.answer.work;

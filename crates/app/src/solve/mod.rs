@@ -130,11 +130,12 @@ pub(crate) fn one_or_side(
     save: Option<&Path>,
     description: Description,
     watch: &dyn Watch,
-) -> Result<Solved, (Option<OneSide>, AppError)> {
-    let described = description.described().map_err(|problem| (None, problem.into()))?;
+) -> Result<Solved, (Option<OneSide>, Box<AppError>)> {
+    let described = description.described().map_err(|problem| (None, Box::new(AppError::from(problem))))?;
     let side_of = described.clone();
-    found(budget, save, description, described, watch)
-        .map_err(|problem| (one_side::proven(&problem, &side_of), one_side::of_problem(problem, &side_of)))
+    found(budget, save, description, described, watch).map_err(|problem| {
+        (one_side::proven(&problem, &side_of), Box::new(one_side::of_problem(problem, &side_of)))
+    })
 }
 
 /// Bounds a described problem other than a factor of safety.
