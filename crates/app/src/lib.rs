@@ -101,6 +101,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("process", process, process::run),
     use_case!("diagnose", diagnose, |request, watch| Ok(diagnose::run(request, watch)?.answer)),
     use_case!("diagnose self-test", diagnose::self_test, diagnose::self_test::run),
+    use_case!("diagnose self-test-logs", diagnose::self_test_logs, diagnose::self_test_logs::run),
     use_case!("demo", demo, |request, watch| Ok(demo::run(request, watch)?.answer)),
     use_case!("log info", log::info, log::info::run),
     use_case!("log doctor", log::doctor, log::doctor::run),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_campaign::{BatchReport, Notice, Options, Plan, simulate};
+use soilctl_campaign::{BatchReport, Content, Notice, Options, Plan, simulate};
 use soilctl_effects::ModelFile;
 
 use crate::machine::cores;
@@ -77,6 +77,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         out: &request.out,
         seed: request.seed.unwrap_or(plan.file().seed),
         threads: request.threads.map_or_else(cores, |threads| threads as usize),
+        content: Content::Whole,
     };
     let model_file = model_file.as_ref().map(|(file, name)| (file, name.as_str()));
     campaign(&plan, model_file, &options, watch)

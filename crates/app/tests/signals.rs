@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use serde_json::{Value, json};
+use soilctl_app::diagnose::self_test_logs;
 use soilctl_app::{Unwatched, diagnose, process, simulate};
 
 /// The twin's plant, and what is different in the arm that made the logs: its mobilisation, the friction of its drives, and its noise.
@@ -119,4 +120,34 @@ fn what_a_controller_hides_is_found_in_other_signals() {
             assert_eq!((answer.status.as_str(), &names[..]), ("named", &[expected][..]));
         }
     }
+}
+
+/// Campaigns in which nothing is hidden, of arms that the twin does not know: none may get a firm name. A run that is repeated takes what is there.
+#[test]
+#[ignore = "takes many minutes: some 250 simulated strokes"]
+#[allow(clippy::print_stdout, reason = "what was found, for who runs it")]
+fn nothing_is_named_where_nothing_is_hidden() {
+    let folder = tempfile::tempdir().unwrap();
+    let request = self_test_logs::Request {
+        folder: folder.path().to_owned(),
+        campaigns: 4,
+        hidden: Some("none".into()),
+        ..self_test_logs::Request::default()
+    };
+    let answer = self_test_logs::run(&request, &Unwatched).unwrap();
+    println!("{:?}", answer.confusion);
+    assert_eq!(answer.campaigns.len(), 4);
+    assert!(
+        answer.campaigns.iter().all(|of| of.status != "named" && of.strokes == 12),
+        "{:?}",
+        answer.campaigns
+    );
+    // All of it is there: nothing is simulated again, and another effect is another run.
+    let clock = std::time::Instant::now();
+    let again = self_test_logs::run(&request, &Unwatched).unwrap();
+    assert_eq!(again.campaigns, answer.campaigns);
+    assert!(clock.elapsed().as_secs() < 10);
+    let other = self_test_logs::Request { hidden: Some("backlash".into()), ..request };
+    let message = self_test_logs::run(&other, &Unwatched).unwrap_err().to_string();
+    assert!(message.contains("another --hidden (none; this one: backlash)"), "{message}");
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use criterion::{Criterion, SamplingMode};
-use soilctl_campaign::{Options, Plan, simulate};
+use soilctl_campaign::{Content, Options, Plan, simulate};
 use soilctl_controller::TICK_S;
 
 const PLAN: &str = r#"
@@ -24,7 +24,7 @@ strokes = [
 fn batch() -> u64 {
     let folder = tempfile::tempdir().unwrap();
     let plan = Plan::from_toml(PLAN, "plan", Path::new("")).unwrap();
-    let options = Options { out: folder.path(), seed: 1, threads: 1 };
+    let options = Options { out: folder.path(), seed: 1, threads: 1, content: Content::Whole };
     let report = simulate(&plan, None, &options, &AtomicBool::new(false), &|_| {}).unwrap();
     report.batches.iter().map(|batch| batch.steps).sum()
 }

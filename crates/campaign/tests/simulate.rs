@@ -1,12 +1,14 @@
 //! Campaigns: the same bytes whatever the threads, resumed after an interruption, replayed.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use soilctl_campaign::{CampaignError, Notice, Options, Plan, Report, simulate};
+use soilctl_campaign::{CampaignError, Content, Notice, Options, Plan, Report, simulate};
 use soilctl_effects::ModelFile;
+use soilctl_session::read::{Item, scan};
+use soilctl_session::{SessionError, topics};
 
 const PLAN: &str = r#"
 version = 1
@@ -25,7 +27,7 @@ fn plan() -> Plan {
 }
 
 fn run(out: &Path, seed: u64, threads: usize) -> Result<Report, CampaignError> {
-    let options = Options { out, seed, threads };
+    let options = Options { out, seed, threads, content: Content::Whole };
     simulate(&plan(), None, &options, &AtomicBool::new(false), &|_| {})
 }
 
@@ -57,7 +59,10 @@ fn the_same_bytes_however_it_is_run() {
     assert_eq!(run(two.path(), 3, 2).unwrap(), report);
     assert!(files(two.path()) == expected);
 
-    let (stop, options) = (AtomicBool::new(false), Options { out: resumed.path(), seed: 3, threads: 1 });
+    let (stop, options) = (
+        AtomicBool::new(false),
+        Options { out: resumed.path(), seed: 3, threads: 1, content: Content::Whole },
+    );
     let first = simulate(&plan(), None, &options, &stop, &|notice| {
         if matches!(notice, Notice::Finished { .. }) {
             stop.store(true, Ordering::Relaxed);
@@ -79,6 +84,46 @@ fn the_same_bytes_however_it_is_run() {
     }
     let message = run(one.path(), 4, 1).unwrap_err().to_string();
     assert!(message.contains("another seed (3; this one: 4)"), "{message}");
+}
+
+/// Messages of a log that strokes are read from and a replay needs, with their times, and all records.
+fn essence(log: &Path) -> (Vec<String>, Vec<String>) {
+    let (mut messages, mut others) = (Vec::new(), BTreeSet::new());
+    scan::<SessionError>(log, &mut |item| {
+        match item {
+            Item::Message(message) => {
+                let topic = message.channel.topic.as_str();
+                if [topics::STEP, topics::KEYFRAME, topics::TF_STATIC].contains(&topic) {
+                    messages.push(format!("{topic} {} {:?}", message.log_time_ns, message.data));
+                } else {
+                    others.insert(topic.to_owned());
+                }
+            }
+            Item::Metadata { name, content } => messages.push(format!("{name} {content:?}")),
+            _ => {}
+        }
+        Ok(())
+    })
+    .unwrap();
+    (messages, others.into_iter().collect())
+}
+
+/// A log of steps alone has all that is in the whole one but what follows from it and the truth, and replays.
+#[test]
+fn a_log_of_steps_is_the_whole_one_without_what_follows() {
+    let (whole, steps) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    run(whole.path(), 3, 2).unwrap();
+    let options = Options { out: steps.path(), seed: 3, threads: 2, content: Content::Steps };
+    let report = simulate(&plan(), None, &options, &AtomicBool::new(false), &|_| {}).unwrap();
+    let sizes = |dir: &Path| files(dir).values().map(Vec::len).sum::<usize>();
+    assert!(2 * sizes(steps.path()) < sizes(whole.path()), "{} {}", sizes(steps.path()), sizes(whole.path()));
+    for batch in &report.batches {
+        let [of_whole, of_steps] = [whole.path(), steps.path()].map(|dir| essence(&dir.join(&batch.log)));
+        assert!(of_steps.0 == of_whole.0);
+        assert_eq!((of_whole.1.len(), &of_steps.1[..]), (7, &[topics::ROBOT_DESCRIPTION.to_owned()][..]));
+        let replay = soilctl_session::replay(&steps.path().join(&batch.log), 0).unwrap();
+        assert!(replay.is_identical() && replay.ending.is_whole(), "{:?}", replay.first_difference);
+    }
 }
 
 fn patch(effects: &str) -> ModelFile {
@@ -106,7 +151,7 @@ fn effect(id: &str, parameter: &str, value: f64) -> String {
 fn an_effect_that_the_plant_cannot_show_is_named() {
     let dir = tempfile::tempdir().unwrap();
     let file = patch(&effect("rate_effect", "n", 0.05));
-    let options = Options { out: dir.path(), seed: 1, threads: 1 };
+    let options = Options { out: dir.path(), seed: 1, threads: 1, content: Content::Whole };
     let error = simulate(&plan(), Some((&file, "patch.json")), &options, &AtomicBool::new(true), &|_| {});
     let message = error.unwrap_err().to_string();
     assert!(message.starts_with("patch.json: the effect `rate_effect` cannot be simulated: "), "{message}");

@@ -224,6 +224,11 @@ impl Data {
             columns(&self.rows, true).into_iter().chain(std::mem::take(&mut self.channels)).collect();
     }
 
+    /// Whether a simulated arm said what to expect.
+    pub(crate) fn is_compared(&self) -> bool {
+        !self.expected.is_empty()
+    }
+
     /// What a column reads beyond what is expected of it.
     pub(crate) fn beyond_expected(&self, channel: Channel) -> Vec<f64> {
         let expected = self.expected.get(&channel);

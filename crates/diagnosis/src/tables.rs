@@ -118,7 +118,13 @@ mod tests {
             ..StrokeRow::default()
         };
         let readings = vec![Channel::HeapHeight];
-        let next = NextExperiment { text: String::new(), rows: vec![row.clone(), row], readings, power: 1.0 };
+        let next = NextExperiment {
+            text: String::new(),
+            rows: vec![row.clone(), row],
+            readings,
+            power: 1.0,
+            by_plan: false,
+        };
         let table = String::from_utf8(next.design_csv().unwrap()).unwrap();
         assert_eq!(
             table,

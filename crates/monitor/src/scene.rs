@@ -9,7 +9,7 @@ use soilctl_kinematics::Arm;
 use soilctl_live::protocol::{COMMANDS, Configuration, SafeForce};
 use soilctl_plant::PlantParams;
 use soilctl_robot::Urdf;
-use soilctl_session::SessionSetup;
+use soilctl_session::{Content, SessionSetup};
 
 use crate::MonitorError;
 use crate::arm::ArmMessage;
@@ -49,6 +49,7 @@ impl Scene {
             seed: 0,
             model: configuration.model.clone(),
             notes: BTreeMap::new(),
+            content: Content::Whole,
         };
         let params = setup.params().map_err(|error| refused(&error))?;
         let plan = Plan::from_record(&configuration.plan);

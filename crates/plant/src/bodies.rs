@@ -18,12 +18,17 @@ pub(crate) struct PointForce {
     pub(crate) point_m: [f64; 3],
 }
 
+/// Way in rad from a stop within which Rapier is told of it: more than a joint turns in a substep.
+const NEAR_A_STOP_RAD: f64 = 0.2;
+
 /// The bodies and their state.
 pub(crate) struct Bodies {
     world: PhysicsWorld,
     links: [RigidBodyHandle; 5],
     multibody: MultibodyIndex,
     plate: ColliderHandle,
+    /// Stops of the joints in rad.
+    stops_rad: [[f64; 2]; 5],
     dt_s: f64,
 }
 
@@ -80,7 +85,8 @@ impl Bodies {
             insert_box(&mut world, sandbox, config.wall_friction);
         }
 
-        let mut bodies = Self { world, links, multibody, plate, dt_s };
+        let stops_rad = std::array::from_fn(|i| [arm.lower_limits().0[i], arm.upper_limits().0[i]]);
+        let mut bodies = Self { world, links, multibody, plate, stops_rad, dt_s };
         // Rapier knows which links hang together, and their coordinates, after a first pass without time.
         bodies.world.integration_parameters.dt = 0.0;
         bodies.world.step();
@@ -151,7 +157,19 @@ impl Bodies {
         for load in loads {
             hand.add_force_at_point(load.force_n.into(), load.point_m.into(), false);
         }
+        self.look_for_stops();
         self.world.step();
+    }
+
+    /// Away from the stops Rapier need not know of them: a constraint that does nothing takes time in every step, and leaves the same bits.
+    fn look_for_stops(&mut self) {
+        if let Some(mb) = self.world.multibody_joints.get_multibody_mut(self.multibody) {
+            for ([low, high], link) in self.stops_rad.iter().zip(mb.links_mut().skip(1)) {
+                let angle = link.joint.coords()[3];
+                let free = angle > low + NEAR_A_STOP_RAD && angle < high - NEAR_A_STOP_RAD;
+                link.joint.data.limit_axes.set(JointAxesMask::ANG_X, !free);
+            }
+        }
     }
 
     /// Frame of the hand: origin at the wrist, z along the hand.

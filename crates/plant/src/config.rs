@@ -107,6 +107,10 @@ pub struct ForceSensorConfig {
     pub noise_n: f64,
     /// Standard deviation of a moment reading in N m; 0 to 10.
     pub noise_nm: f64,
+    /// Correlation of the noise of two readings that follow each other (an autoregressive process of first order, whose spectrum falls with
+    /// frequency); 0 to 0.999. Left out: 0, white noise.
+    #[serde(default)]
+    pub noise_correlation: f64,
     /// Reading without load in N and N m; within the range.
     pub bias: [f64; 6],
     /// Reading over load; 0.5 to 2.

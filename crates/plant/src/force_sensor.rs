@@ -34,6 +34,8 @@ pub(crate) struct ForceSensor {
     count: f64,
     /// The mean load of the last tick in N and N m.
     pub(crate) load: [f64; 6],
+    /// Noise of the last reading, in its standard deviation.
+    noise: [f64; 6],
     damaged: bool,
 }
 
@@ -45,6 +47,7 @@ impl ForceSensor {
             sum: [0.0; 6],
             count: 0.0,
             load: [0.0; 6],
+            noise: [0.0; 6],
             damaged: false,
         }
     }
@@ -76,10 +79,13 @@ impl ForceSensor {
             self.load = self.sum.map(|sum| sum / self.count);
         }
         (self.sum, self.count) = ([0.0; 6], 0.0);
+        let correlation = self.config.noise_correlation;
+        let fresh = (1.0 - correlation * correlation).sqrt();
         let wrench = std::array::from_fn(|i| {
             self.damaged |= self.load[i].abs() > overloads[i];
             let sd = if i < 3 { self.config.noise_n } else { self.config.noise_nm };
-            let value = self.config.scale[i] * self.load[i] + self.config.bias[i] + sd * noise.normal();
+            self.noise[i] = correlation * self.noise[i] + fresh * noise.normal();
+            let value = self.config.scale[i] * self.load[i] + self.config.bias[i] + sd * self.noise[i];
             // The last step below the end of the range is where the converter stops.
             let step = 2.0 * ranges[i] / libm::exp2(f64::from(self.config.bits));
             let end = ranges[i] - step;
@@ -105,6 +111,7 @@ mod tests {
         bits: 16,
         noise_n: 0.0,
         noise_nm: 0.0,
+        noise_correlation: 0.0,
         bias: [0.0; 6],
         scale: [1.0; 6],
         overload_shear_n: 1300.0,
@@ -144,6 +151,26 @@ mod tests {
         assert!(sensor.read(&mut Noise::new(0)).overload);
         sensor.add(&UPRIGHT, 9.81, &[]);
         assert!(sensor.read(&mut Noise::new(0)).overload, "it stays damaged");
+    }
+
+    /// Neighbours are correlated as stated, the standard deviation does not depend on it.
+    #[test]
+    fn noise_remembers() {
+        for expected in [0.0, 0.6] {
+            let config = ForceSensorConfig { noise_n: 1.0, noise_correlation: expected, ..SENSOR };
+            let (mut sensor, mut noise) = (ForceSensor::new(&config, 0.0889, 0.0635), Noise::new(3));
+            let read: Vec<f64> = (0..100_000).map(|_| sensor.read(&mut noise).wrench[2]).collect();
+            let of = |lag: usize| {
+                let pairs = read.iter().zip(&read[lag..]);
+                pairs.map(|(a, b)| a * b).sum::<f64>() / read.len() as f64
+            };
+            assert!((of(0) - 1.0).abs() < 0.03, "{}", of(0));
+            assert!(
+                (of(1) - expected).abs() < 0.02 && (of(2) - expected * expected).abs() < 0.02,
+                "{expected}: {}",
+                of(1)
+            );
+        }
     }
 
     #[test]

@@ -76,6 +76,7 @@ fn force_sensor(rules: &Rules<'_>, sensor: &ForceSensorConfig) -> Checked {
     rules.range(&key("bits"), f64::from(sensor.bits), "", 4.0, 32.0)?;
     rules.range(&key("noise_n"), sensor.noise_n, "N", 0.0, 100.0)?;
     rules.range(&key("noise_nm"), sensor.noise_nm, "N m", 0.0, 10.0)?;
+    rules.range(&key("noise_correlation"), sensor.noise_correlation, "", 0.0, 0.999)?;
     for (i, range) in sensor.ranges().into_iter().enumerate() {
         let unit = if i < 3 { "N" } else { "N m" };
         rules.range(&format!("force_sensor.bias[{i}]"), sensor.bias[i], unit, -range, range)?;

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use criterion::{Criterion, SamplingMode, Throughput};
-use soilctl_campaign::{Options, Plan, simulate};
+use soilctl_campaign::{Content, Options, Plan, simulate};
 use soilctl_process::log::{Candidate, LogSettings, read_log};
 
 const PLAN: &str = r#"
@@ -44,7 +44,7 @@ fn strokes_with(log: &Path, settings: &LogSettings) -> usize {
 fn main() {
     let folder = tempfile::tempdir().unwrap();
     let plan = Plan::from_toml(PLAN, "plan", Path::new("")).unwrap();
-    let options = Options { out: folder.path(), seed: 1, threads: 1 };
+    let options = Options { out: folder.path(), seed: 1, threads: 1, content: Content::Whole };
     simulate(&plan, None, &options, &AtomicBool::new(false), &|_| {}).unwrap();
     let zstd = folder.path().join("batch_000.mcap");
     let plain = folder.path().join("plain.mcap");

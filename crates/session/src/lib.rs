@@ -29,7 +29,7 @@ pub use record::{KEYFRAME_STEPS, StepRecord, Truth};
 pub use recover::{Recovery, recover, recover_until};
 pub use replay::{Difference, Replay, replay, replay_until};
 pub use setup::{
-    CONFIGURATION_RECORD, END_RECORD, FORMAT_VERSION, SESSION_RECORD, STROKE_RECORD, SessionSetup,
+    CONFIGURATION_RECORD, Content, END_RECORD, FORMAT_VERSION, SESSION_RECORD, STROKE_RECORD, SessionSetup,
 };
 pub use soilctl_columns::{Cell, Form};
 pub use write::LogWriter;

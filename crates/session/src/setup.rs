@@ -18,6 +18,17 @@ pub const STROKE_RECORD: &str = "soilctl.stroke";
 /// Name of the metadata record that a log ends with.
 pub const END_RECORD: &str = "soilctl.end";
 
+/// Which topics a log has.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Content {
+    /// All of them, for every tool that reads logs.
+    #[default]
+    Whole,
+    /// Inputs and outputs of every step, key frames and what does not move: all that strokes are read from and that a replay needs. Joints,
+    /// motors, wrench, moving frames and the truth of a simulation are left out; all but the truth follow from the steps.
+    Steps,
+}
+
 /// What a session is made from. It stands in the log as text, so that a replay starts from the same bits.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SessionSetup {
@@ -33,6 +44,8 @@ pub struct SessionSetup {
     pub model: String,
     /// Further texts for the record of the configuration, such as the campaign, by name.
     pub notes: BTreeMap<String, String>,
+    /// Which topics the log has; not written down.
+    pub content: Content,
 }
 
 impl SessionSetup {
@@ -54,6 +67,7 @@ impl SessionSetup {
             seed,
             model: model.to_owned(),
             notes: BTreeMap::new(),
+            content: Content::Whole,
         })
     }
 
@@ -122,6 +136,7 @@ impl SessionSetup {
             seed: session.get("seed").and_then(|seed| seed.parse().ok()).ok_or_else(|| missing("seed"))?,
             model: session.get("model").cloned().ok_or_else(|| missing("model"))?,
             notes,
+            content: Content::Whole,
         })
     }
 }

@@ -13,6 +13,7 @@ use crate::messages::{
     ControllerStep, Header, JointState, Keyframe, StringMessage, Time, Wrench, WrenchStamped, definition,
 };
 use crate::record::Entry;
+use crate::setup::Content;
 use crate::setup::{CONFIGURATION_RECORD, END_RECORD, SESSION_RECORD, STROKE_RECORD, SessionSetup};
 use crate::strokes::Strokes;
 use crate::{SessionError, StepRecord, Truth, cdr, frames, topics};
@@ -56,6 +57,7 @@ pub struct LogWriter<W: Write> {
     steps: u64,
     log_time: u64,
     surface_z_m: Option<f64>,
+    content: Content,
 }
 
 impl<W: Write> LogWriter<W> {
@@ -102,6 +104,7 @@ impl<W: Write> LogWriter<W> {
             steps: 0,
             log_time: 0,
             surface_z_m: None,
+            content: setup.content,
         };
         writer.message(topics::ROBOT_DESCRIPTION, &StringMessage { data: robot })?;
         let surface_z_m = writer.params.config().site.surface_z_m;
@@ -134,6 +137,25 @@ impl<W: Write> LogWriter<W> {
         self.steps = self.steps.saturating_add(1);
         let StepRecord { sensed, commands, outputs, .. } = record;
         self.message(topics::STEP, &ControllerStep::new(number, sensed, commands, outputs))?;
+        if self.content == Content::Whole {
+            self.derived(number, record)?;
+        }
+        let found = outputs.events.as_slice().iter().any(|event| event.kind == EventKind::SurfaceFound);
+        if found && self.surface_z_m.map(f64::to_bits) != Some(record.surface_z_m.to_bits()) {
+            self.surface(record.surface_z_m)?;
+        }
+        if let (Content::Whole, Some(truth)) = (self.content, &record.truth) {
+            self.truth(truth)?;
+        }
+        match self.strokes.step(record) {
+            Some(stroke) => self.metadata(STROKE_RECORD, stroke),
+            None => Ok(()),
+        }
+    }
+
+    /// What follows from a step, for tools that know nothing of controllers.
+    fn derived(&mut self, number: u64, record: &StepRecord) -> Result<(), SessionError> {
+        let StepRecord { sensed, outputs, .. } = record;
         let seen = &outputs.telemetry;
         let joints = self.joint_state(
             &Joint::ALL.map(Joint::name),
@@ -153,17 +175,7 @@ impl<W: Write> LogWriter<W> {
         {
             self.message(topics::TF, &transforms)?;
         }
-        let found = outputs.events.as_slice().iter().any(|event| event.kind == EventKind::SurfaceFound);
-        if found && self.surface_z_m.map(f64::to_bits) != Some(record.surface_z_m.to_bits()) {
-            self.surface(record.surface_z_m)?;
-        }
-        if let Some(truth) = &record.truth {
-            self.truth(truth)?;
-        }
-        match self.strokes.step(record) {
-            Some(stroke) => self.metadata(STROKE_RECORD, stroke),
-            None => Ok(()),
-        }
+        Ok(())
     }
 
     /// Ends the chunk and hands everything to the system: what was written until here survives a kill.

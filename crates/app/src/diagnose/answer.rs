@@ -11,6 +11,7 @@ use super::Against;
 use super::Simulated;
 use super::disagreements::disagreements;
 use super::files::Written;
+use super::follow_up::FollowUp;
 use super::logs::Resimulation;
 use crate::Outcome;
 use crate::text::measured;
@@ -174,6 +175,11 @@ pub struct NextAnswer {
     pub text: String,
     /// File with the strokes to make.
     pub design_csv: String,
+    /// Plan of the campaign with these strokes after its own, for `simulate` and `run`; null if the campaign was not compared with the simulated
+    /// arm, or a plan cannot say them.
+    pub plan: Option<String>,
+    /// Why not, where there could have been one; null otherwise.
+    pub no_plan_because: Option<String>,
     /// Chance that it settles the question.
     pub power: f64,
 }
@@ -199,6 +205,7 @@ impl Answer {
         (simulated, resimulated, not_resimulated_because): (&Simulated, Resimulation, Option<String>),
         traces: usize,
         written: &Written,
+        follow_up: FollowUp,
     ) -> Self {
         let gap = &d.comparison.gap;
         Self {
@@ -262,6 +269,8 @@ impl Answer {
             next_experiment: d.next.as_ref().zip(written.next.as_ref()).map(|(next, path)| NextAnswer {
                 text: next.text.clone(),
                 design_csv: path.display().to_string(),
+                plan: follow_up.plan,
+                no_plan_because: follow_up.refused,
                 power: next.power,
             }),
             patch: written.patch.display().to_string(),

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use soilctl_campaign::{CampaignError, Options, Plan};
+use soilctl_campaign::{CampaignError, Content, Options, Plan};
 use soilctl_diagnosis::{Data, Learnt, RecordedTraces, Shown, simulated_as};
 use soilctl_effects::{Effect, EffectEntry, EffectId, ModelFile, ParameterValue};
 use soilctl_jobs::fnv1a;
@@ -117,12 +117,14 @@ impl<'a> Learning<'a> {
     /// Strokes with the soil and the effects of a model file; `None` if no stroke has a failure force, or it was stopped.
     fn table(&self, file: &ModelFile) -> Result<Option<Data>, AppError> {
         let text = serde_json::to_string(file)?;
-        let of = format!("{}\n{}\n{}\n{text}", env!("CARGO_PKG_VERSION"), SEED, self.plan.text());
+        // Files that the plan names may change under the same name.
+        let named = format!("{:?}{:?}", self.plan.plant().config(), self.plan.controller());
+        let of = format!("{}\n{}\n{}\n{text}\n{named}", env!("CARGO_PKG_VERSION"), SEED, self.plan.text());
         let folder = self.store.join(fnv1a(of.as_bytes()));
         let strokes = folder.join("strokes.csv");
         if !strokes.is_file() {
             let name = folder.display().to_string();
-            let options = Options { out: &folder, seed: SEED, threads: cores() };
+            let options = Options { out: &folder, seed: SEED, threads: cores(), content: Content::Steps };
             let made = simulate::campaign(&self.plan, Some((file, name.as_str())), &options, self.watch)?;
             if !made.complete {
                 return Ok(None);
@@ -173,7 +175,7 @@ fn amplitudes(effect: &Effect) -> Vec<f64> {
 }
 
 /// The model file with one more effect.
-fn with(plain: &ModelFile, effect: &Effect, amplitude: f64) -> ModelFile {
+pub(super) fn with(plain: &ModelFile, effect: &Effect, amplitude: f64) -> ModelFile {
     let value = |value: f64, unit: &str| ParameterValue { value, sd: 0.0, unit: unit.to_owned() };
     let shape = effect.simulated_shape();
     let mut parameters = std::collections::BTreeMap::from([(
@@ -189,7 +191,7 @@ fn with(plain: &ModelFile, effect: &Effect, amplitude: f64) -> ModelFile {
 }
 
 /// Logs of single strokes are some 15 MB each, and all that is wanted of them is in the table.
-fn remove_logs(folder: &Path) -> Result<(), AppError> {
+pub(super) fn remove_logs(folder: &Path) -> Result<(), AppError> {
     for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
         let path = entry.map_err(failed(folder))?.path();
         if path.extension().is_some_and(|ending| ending == "mcap") {

@@ -4,11 +4,13 @@ mod against;
 mod answer;
 mod disagreements;
 mod files;
+mod follow_up;
 mod learn;
 mod logs;
 mod request;
 mod resimulated;
 pub mod self_test;
+pub mod self_test_logs;
 
 use std::path::Path;
 
@@ -17,6 +19,7 @@ pub use answer::{
     Answer, ChannelGapAnswer, EffectAnswer, GapAnswer, NextAnswer, ParameterAnswer, SignalAnswer,
     TestabilityAnswer, WhereAnswer,
 };
+use follow_up::FollowUp;
 use logs::Asked;
 pub use logs::Resimulation;
 pub use request::Request;
@@ -51,6 +54,15 @@ pub struct Diagnosed {
 /// # Errors
 /// [`AppError`] if the request or a file makes no sense, or a file cannot be read or written.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Diagnosed, AppError> {
+    diagnosed(request, true, watch)
+}
+
+/// The same without simulating what was found once more, which only the page shows.
+fn without_page(request: &Request, watch: &dyn Watch) -> Result<Diagnosed, AppError> {
+    diagnosed(request, false, watch)
+}
+
+fn diagnosed(request: &Request, shows_found: bool, watch: &dyn Watch) -> Result<Diagnosed, AppError> {
     crate::request::check(request)?;
     let dir = &request.dir;
     let strokes = dir.join("strokes.csv");
@@ -73,18 +85,23 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Diagnosed, AppError> 
         Ok(found?)
     };
     let mut diagnosis = weigh(&data)?;
+    let mut follow_up = FollowUp::default();
     let (simulated, resimulated, why) = match logs::asked(request, &data)? {
         Asked::Not(how, why) => (Simulated::default(), how, why),
         Asked::Again(plan, seed) => {
-            let again = Again { plan: *plan, seed, out: &out, watch };
+            let again = Again { plan: *plan, seed, out: &out, shows_found, watch };
             let (simulated, how) = again.compare(&against, &mut data, &mut diagnosis, &weigh)?;
+            if let (Resimulation::Compared, Some(next)) = (how, &diagnosis.next) {
+                follow_up = follow_up::write(&again.plan, request.logs.as_ref().unwrap_or(dir), next, &out)?;
+            }
             (simulated, how, None)
         }
     };
     let title = dir.file_name().map_or_else(|| "campaign".into(), |name| name.to_string_lossy().into_owned());
     let written = files::write(&against, &data, &diagnosis, &strokes, &out)?;
     let used = traces.as_ref().map_or(0, |traces| traces.used);
-    let answer = Answer::new(&against, &data, &diagnosis, (&simulated, resimulated, why), used, &written);
+    let answer =
+        Answer::new(&against, &data, &diagnosis, (&simulated, resimulated, why), used, &written, follow_up);
     Ok(Diagnosed { title, against, data, diagnosis, traces, simulated, answer })
 }
 

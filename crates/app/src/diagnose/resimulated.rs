@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use soilctl_campaign::{CampaignError, Options, Plan};
+use soilctl_campaign::{CampaignError, Content, Options, Plan};
 use soilctl_diagnosis::{Course, Data, Diagnosis, RecordedTraces};
 use soilctl_effects::{EffectId, Loaded, ModelFile};
 use soilctl_jobs::fnv1a;
@@ -49,6 +49,8 @@ pub(super) struct Again<'a> {
     pub(super) plan: Plan,
     pub(super) seed: u64,
     pub(super) out: &'a Path,
+    /// Whether the campaign is also run with what was found.
+    pub(super) shows_found: bool,
     pub(super) watch: &'a dyn Watch,
 }
 
@@ -140,7 +142,7 @@ impl Again<'_> {
         data: &Data,
         diagnosis: &Diagnosis,
     ) -> Result<Option<Resimulated>, AppError> {
-        if diagnosis.effects.is_empty() {
+        if diagnosis.effects.is_empty() || !self.shows_found {
             return Ok(None);
         }
         self.watch.note("the same commands on the simulated arm, with the effects");
@@ -159,7 +161,12 @@ impl Again<'_> {
     fn simulate(&self, file: &ModelFile, campaign: &Campaign) -> Result<Option<Resimulated>, AppError> {
         let text = serde_json::to_string(file)?;
         let folder = self.out.join("resimulated").join(fnv1a(text.as_bytes()));
-        let options = Options { out: &folder, seed: self.seed ^ OTHER_NOISE, threads: cores() };
+        let options = Options {
+            out: &folder,
+            seed: self.seed ^ OTHER_NOISE,
+            threads: cores(),
+            content: Content::Whole,
+        };
         let name = folder.display().to_string();
         let simulated = simulate::campaign(&self.plan, Some((file, name.as_str())), &options, self.watch)?;
         if !simulated.complete {

@@ -3,6 +3,7 @@
 mod apart;
 mod demonstration;
 pub mod file;
+mod further;
 mod live;
 mod logged;
 

@@ -11,7 +11,7 @@ pub use batch::logged_truth;
 use soilctl_effects::{Active, ModelFile};
 use soilctl_jobs::each;
 use soilctl_plant::Simulation;
-use soilctl_session::SessionSetup;
+use soilctl_session::{Content, SessionSetup};
 
 use crate::effects::{self, PlantEffects};
 use crate::journal::{BatchReport, Journal};
@@ -26,6 +26,8 @@ pub struct Options<'a> {
     pub seed: u64,
     /// Threads, at least 1; results do not depend on it.
     pub threads: usize,
+    /// Which topics the logs have.
+    pub content: Content,
 }
 
 /// What goes on, for whoever wants to see it. Notices of different batches come in any order.
@@ -94,6 +96,7 @@ pub fn simulate(
         model_text,
         out: options.out,
         seed: options.seed,
+        content: options.content,
     };
     std::fs::create_dir_all(options.out).map_err(|error| CampaignError::file(options.out, &error))?;
     let mut journal = Journal::new(options.seed, &job.fingerprint()?, &job.model_text);
@@ -123,6 +126,7 @@ struct Job<'a> {
     model_text: String,
     out: &'a Path,
     seed: u64,
+    content: Content,
 }
 
 impl Job<'_> {
@@ -136,6 +140,7 @@ impl Job<'_> {
     /// Arm, soil and record of a batch, and where its effects look up which stroke is being made.
     fn prepare(&self, batch: usize) -> Result<(Simulation, SessionSetup, Arc<AtomicUsize>), CampaignError> {
         let mut setup = self.plan.setup(self.seed)?;
+        setup.content = self.content;
         let stroke = Arc::new(AtomicUsize::new(self.plan.strokes_of(batch).start));
         let mut simulation = self.plan.simulation(&setup, self.seed, batch)?;
         if let Some(file) = self.model_file {

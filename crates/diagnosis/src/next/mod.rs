@@ -23,6 +23,8 @@ pub struct NextExperiment {
     pub readings: Vec<Channel>,
     /// Chance that it settles the question.
     pub power: f64,
+    /// Whether a plan of the arm can say it.
+    pub by_plan: bool,
 }
 
 /// Sizes of a follow-up (two, four and eight preparations), and the power from which a larger one is not needed. Empirical.
@@ -127,14 +129,21 @@ fn best_on_menu(
     let with = if names.is_empty() { String::new() } else { format!(", with {}", names.join(" and ")) };
     let mut best: Option<NextExperiment> = None;
     for count in STROKES {
-        for entry in &MENU {
+        // Who has a simulated arm beside the real one has a plan that both can run.
+        for entry in MENU.iter().filter(|entry| entry.by_plan || !data.is_compared()) {
             let rows = design(data, entry, &readings, count);
             let Some(lambda) = separation(setup, soil, explanations, &rows, &readings) else { continue };
             let power = normal_tail(NEEDED - lambda.sqrt());
             if best.as_ref().is_none_or(|b| power > b.power + 1e-6) {
                 let doubt = if power < LEAST_POWER { ", though it will hardly settle it" } else { "" };
                 let text = format!("{}{with}: {question}{doubt}", entry.name);
-                best = Some(NextExperiment { text, rows, readings: readings.clone(), power });
+                best = Some(NextExperiment {
+                    text,
+                    rows,
+                    readings: readings.clone(),
+                    power,
+                    by_plan: entry.by_plan,
+                });
             }
         }
         if best.as_ref().is_some_and(|best| best.power >= ENOUGH) {
@@ -162,6 +171,7 @@ fn more_of(data: &Data, over: Dependence, log_bayes: f64) -> Option<NextExperime
         rows: design(data, entry, &[], count),
         readings: Vec::new(),
         power: power(count),
+        by_plan: entry.by_plan,
     })
 }
 

@@ -43,6 +43,12 @@ pub(super) struct Span {
     pub(super) batches: f64,
 }
 
+/// A random size of an effect as hidden campaigns have it, in the unit of its parameter.
+#[must_use]
+pub fn hidden_size(id: EffectId, random: &mut Random) -> f64 {
+    draw(Cause::Effect(id), random).size
+}
+
 /// A cause of a random size. Sizes are as in the catalogue's ranges, but for those that no campaign could show.
 pub(super) fn draw(cause: Cause, random: &mut Random) -> Hidden {
     let r = random;

@@ -12,6 +12,7 @@ mod traces;
 pub use campaign::HiddenCampaign;
 pub use cause::{Cause, Outside};
 pub use design::Design;
-pub use hidden::Hidden;
+pub use hidden::{Hidden, hidden_size};
+pub use random::Random;
 pub use run::{Case, Kind, Outcome, SelfTest, cases, run_case};
 pub use tally::{Rate, Tally, tally};

@@ -234,6 +234,11 @@ fn next(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {
                 100.0 * next.power,
                 next.design_csv
             ));
+            if let Some(plan) = &next.plan {
+                page.paragraph(format!(
+                    "{plan} is the plan of the campaign with these strokes after those that were made."
+                ));
+            }
         }
         None => {
             page.paragraph("No follow-up on the menu would tell more.");

@@ -1,8 +1,12 @@
 //! `soilctl diagnose`: where model and measurement disagree, which effect is missing, and the gap after it is added.
 
 mod self_test;
+mod self_test_logs;
 mod words;
 
+use std::path::PathBuf;
+
+use clap::builder::ArgPredicate;
 use soilctl_app::diagnose::{self, Request};
 use soilctl_app::{Answer as _, Outcome};
 
@@ -12,15 +16,19 @@ use crate::output::Output;
 
 #[derive(Debug, clap::Args)]
 #[command(
+    group = clap::ArgGroup::new("hidden_campaigns").args(["self_test", "self_test_logs"]),
     after_help = "Writes patch.json (the model file), predictions.csv, gap.csv, next_experiment.csv and report.html into --out.",
     // Hidden campaigns are in no folder; the name that stands for theirs is never used.
-    mut_arg("dir", |dir| dir.required(false).required_unless_present("self_test").conflicts_with("self_test")
-        .default_value_if("self_test", "true", "hidden campaigns")),
-    mut_arg("model_file", |file| file.conflicts_with("self_test")),
-    mut_arg("traces", |traces| traces.conflicts_with("self_test")),
-    mut_arg("logs", |logs| logs.conflicts_with("self_test")),
-    mut_arg("no_resimulate", |none| none.conflicts_with("self_test")),
-    mut_arg("out", |out| out.conflicts_with("self_test"))
+    mut_arg("dir", |dir| dir.required(false).required_unless_present("hidden_campaigns").conflicts_with("hidden_campaigns")
+        .default_value_ifs([
+            ("self_test", ArgPredicate::Equals("true".into()), Some("hidden campaigns")),
+            ("self_test_logs", ArgPredicate::IsPresent, Some("hidden campaigns")),
+        ])),
+    mut_arg("model_file", |file| file.conflicts_with("hidden_campaigns")),
+    mut_arg("traces", |traces| traces.conflicts_with("hidden_campaigns")),
+    mut_arg("logs", |logs| logs.conflicts_with("hidden_campaigns")),
+    mut_arg("no_resimulate", |none| none.conflicts_with("hidden_campaigns")),
+    mut_arg("out", |out| out.conflicts_with("hidden_campaigns"))
 )]
 pub(crate) struct Args {
     #[command(flatten)]
@@ -38,13 +46,39 @@ pub(crate) struct Args {
           requires = "self_test")]
     rounds: u64,
 
-    /// Seed of the self-test
+    /// Diagnose hidden campaigns in logs of simulated arms that the twin does not know, and count how often it is right: they are made
+    /// in this folder, and a run that was ended goes on there
+    #[arg(long, value_name = "FOLDER")]
+    self_test_logs: Option<PathBuf>,
+
+    /// Hidden campaigns with logs, of 12 strokes each; every third hides nothing, the others an effect in turn
+    #[arg(long, value_name = "N", default_value_t = diagnose::self_test_logs::Request::default().campaigns,
+          requires = "self_test_logs", value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    campaigns: u64,
+
+    /// Hide this effect in all campaigns with logs, or `none`
+    #[arg(long, value_name = "EFFECT", requires = "self_test_logs")]
+    hidden: Option<String>,
+
+    /// Seed of hidden campaigns
     #[arg(long, value_name = "N", default_value_t = diagnose::self_test::Request::default().seed,
-          requires = "self_test")]
+          requires = "hidden_campaigns")]
     seed: u64,
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
+    if let Some(folder) = &args.self_test_logs {
+        let test = diagnose::self_test_logs::Request {
+            folder: folder.clone(),
+            model: args.request.model.clone(),
+            campaigns: args.campaigns,
+            hidden: args.hidden.clone(),
+            seed: args.seed,
+        };
+        let answer = diagnose::self_test_logs::run(&test, output)?;
+        output.answer(&answer)?;
+        return Ok(answer.outcome());
+    }
     if args.self_test {
         let Args { request, rounds, seed, .. } = args;
         let test =

@@ -58,6 +58,11 @@ impl Words for Answer {
         }
         if let Some(next) = &self.next_experiment {
             text += &format!("next: {} (power {:.2}; {})\n", next.text, next.power, next.design_csv);
+            if let Some(plan) = &next.plan {
+                text += &format!("next: {plan} is a plan of it, after the strokes that were made\n");
+            } else if let Some(why) = &next.no_plan_because {
+                text += &format!("next: no plan of it: {why}\n");
+            }
         }
         text += &format!("patch: {}\n", self.patch);
         if let Some(report) = &self.report {

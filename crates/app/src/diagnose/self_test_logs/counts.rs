@@ -1,0 +1,167 @@
+//! What diagnoses of hidden campaigns said, counted.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_stats::median;
+
+use super::super::self_test::Rate;
+use super::hidden::Case;
+use crate::diagnose::Diagnosed;
+
+/// Status of a campaign of which no stroke failed the soil.
+const NO_FAILURES: &str = "no_failures";
+
+/// One hidden campaign, and what was said of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Entry {
+    /// Its number, from 0.
+    pub number: u64,
+    /// The effect that was hidden; null for none.
+    pub hidden: Option<String>,
+    /// Its amplitude in the unit of its parameter; null for none.
+    pub amplitude: Option<f64>,
+    /// Preset of the soil.
+    pub soil: String,
+    /// Strokes that failed the soil.
+    pub strokes: usize,
+    /// Status of the diagnosis; `no_failures` if no stroke failed the soil.
+    pub status: String,
+    /// Effects that were given, best first.
+    pub given: Vec<String>,
+    /// What was not told apart.
+    pub equivalence_set: Vec<String>,
+    /// Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given.
+    pub found: Option<(f64, f64)>,
+}
+
+impl Entry {
+    pub(super) fn new(case: &Case, found: &Diagnosed) -> Self {
+        let answer = &found.answer;
+        let of_hidden = case.hidden.and_then(|(id, _)| found.diagnosis.effects.iter().find(|of| of.id == id));
+        Self {
+            strokes: answer.strokes,
+            status: answer.status.clone(),
+            given: answer.effects.iter().map(|effect| effect.id.to_string()).collect(),
+            equivalence_set: answer.equivalence_set.clone(),
+            found: of_hidden.map(|of| (of.amplitude, of.amplitude_sd)),
+            ..Self::without_failures(case)
+        }
+    }
+
+    pub(super) fn without_failures(case: &Case) -> Self {
+        Self {
+            number: case.number,
+            hidden: case.hidden.map(|(id, _)| id.to_string()),
+            amplitude: case.hidden.map(|(_, size)| size),
+            soil: case.soil.to_owned(),
+            strokes: 0,
+            status: NO_FAILURES.to_owned(),
+            given: Vec::new(),
+            equivalence_set: Vec::new(),
+            found: None,
+        }
+    }
+
+    /// Status, with the first effect where one was given.
+    #[must_use]
+    pub fn said(&self) -> String {
+        match self.given.first() {
+            Some(first) => format!("{} {first}", self.status),
+            None => self.status.clone(),
+        }
+    }
+
+    fn is_firm(&self) -> bool {
+        self.status == "named"
+    }
+
+    /// Whether a firm answer has an effect that is not hidden.
+    fn is_firm_and_wrong(&self) -> bool {
+        self.is_firm() && self.given.iter().any(|id| Some(id) != self.hidden.as_ref())
+    }
+}
+
+/// Rates, and what was said of each hidden effect how often.
+pub(super) fn count(entries: &[Entry]) -> (Vec<Rate>, BTreeMap<String, BTreeMap<String, usize>>) {
+    let entries: Vec<&Entry> = entries.iter().filter(|entry| entry.status != NO_FAILURES).collect();
+    let (hidden, null): (Vec<&Entry>, Vec<&Entry>) = entries.iter().partition(|entry| entry.hidden.is_some());
+    let rate = |name: &str, of: &[&Entry], is: &dyn Fn(&Entry) -> bool| {
+        let right = of.iter().filter(|entry| is(entry)).count();
+        let share = (!of.is_empty()).then(|| right as f64 / of.len() as f64);
+        Rate { name: name.to_owned(), rate: share, of: of.len() }
+    };
+    let is_first = |entry: &Entry| entry.given.first() == entry.hidden.as_ref();
+    let in_set = |entry: &Entry| entry.hidden.as_ref().is_some_and(|id| entry.equivalence_set.contains(id));
+    let found: Vec<((f64, f64), f64)> =
+        hidden.iter().filter(|e| is_first(e)).filter_map(|e| e.found.zip(e.amplitude)).collect();
+    let within = found.iter().filter(|((value, sd), truth)| (value - truth).abs() <= 2.0 * sd).count();
+    let mut ratios: Vec<f64> = found.iter().map(|((value, _), truth)| value / truth).collect();
+    let of_found =
+        |name: &str, value: Option<f64>| Rate { name: name.to_owned(), rate: value, of: found.len() };
+    let rates = vec![
+        rate("nothing hidden: firm name", &null, &Entry::is_firm),
+        rate("one effect hidden: right name first", &hidden, &is_first),
+        rate("one effect hidden: right name in the set", &hidden, &in_set),
+        rate("one effect hidden: firm wrong name", &hidden, &Entry::is_firm_and_wrong),
+        of_found(
+            "right name first: parameter within 2 sd",
+            (!found.is_empty()).then(|| within as f64 / found.len() as f64),
+        ),
+        of_found(
+            "right name first: median of parameter over truth",
+            (!ratios.is_empty()).then(|| median(&mut ratios)),
+        ),
+    ];
+    let mut confusion: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
+    for entry in entries {
+        let of = entry.hidden.clone().unwrap_or_else(|| "none".to_owned());
+        *confusion.entry(of).or_default().entry(entry.said()).or_default() += 1;
+    }
+    (rates, confusion)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entry(hidden: Option<(&str, f64)>, status: &str, given: &[&str], found: Option<(f64, f64)>) -> Entry {
+        let names = |ids: &[&str]| ids.iter().map(|id| (*id).to_owned()).collect::<Vec<_>>();
+        Entry {
+            number: 0,
+            hidden: hidden.map(|(id, _)| id.to_owned()),
+            amplitude: hidden.map(|(_, size)| size),
+            soil: "ticino_loose".to_owned(),
+            strokes: 12,
+            status: status.to_owned(),
+            given: names(given),
+            equivalence_set: names(given),
+            found,
+        }
+    }
+
+    /// Two of nothing, one of them firmly named; of two effects one right and within 2 sd, one firmly taken for another; strokes that never
+    /// failed count nowhere.
+    #[test]
+    fn rates_by_hand() {
+        let (rates, confusion) = count(&[
+            entry(None, "none", &[], None),
+            entry(None, "named", &["backlash"], None),
+            entry(Some(("force_bias", 0.2)), "ambiguous", &["force_bias", "backlash"], Some((0.3, 0.06))),
+            entry(Some(("force_drift", 0.5)), "named", &["force_bias"], None),
+            entry(Some(("force_drift", 0.5)), NO_FAILURES, &[], None),
+        ]);
+        let all: Vec<(Option<f64>, usize)> = rates.iter().map(|rate| (rate.rate, rate.of)).collect();
+        let half = (Some(0.5), 2);
+        let ratio = (Some(0.3 / 0.2), 1);
+        assert_eq!(all, [half, half, half, half, (Some(1.0), 1), ratio]);
+        assert_eq!(confusion["none"]["named backlash"], 1);
+        assert_eq!(confusion["force_drift"], BTreeMap::from([("named force_bias".to_owned(), 1)]));
+    }
+
+    #[test]
+    fn nothing_has_no_rates() {
+        assert!(count(&[]).0.iter().all(|rate| rate.rate.is_none() && rate.of == 0));
+    }
+}
