@@ -123,7 +123,9 @@ fn best_on_menu(
 ) -> Option<NextExperiment> {
     let data = setup.data;
     let shows = |channel: &Channel| explanations.iter().any(|of| of.effect.linked.contains(channel));
-    let lacking = BY_HAND.into_iter().filter(|channel| !data.channels.contains_key(channel));
+    // Neither a simulated arm nor a log of the real one has what is read by hand.
+    let by_hand = BY_HAND.into_iter().filter(|_| !data.is_compared());
+    let lacking = by_hand.filter(|channel| !data.channels.contains_key(channel));
     let readings: Vec<Channel> = lacking.filter(shows).collect();
     let names: Vec<&str> = readings.iter().map(|channel| channel.column()).collect();
     let with = if names.is_empty() { String::new() } else { format!(", with {}", names.join(" and ")) };
