@@ -32,9 +32,9 @@ pub mod limits;
 #[cfg(not(target_family = "wasm"))]
 pub mod log;
 mod machine;
+pub mod obstacle;
 #[cfg(not(target_family = "wasm"))]
 pub mod places;
-pub mod obstacle;
 mod plausible;
 pub mod predict;
 #[cfg(not(target_family = "wasm"))]

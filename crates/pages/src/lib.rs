@@ -14,9 +14,9 @@ pub mod diagnose;
 mod error;
 pub mod estimate;
 pub mod limits;
+pub mod obstacle;
 #[cfg(not(target_family = "wasm"))]
 pub mod places;
-pub mod obstacle;
 pub mod predict;
 mod problem;
 #[cfg(not(target_family = "wasm"))]
