@@ -36,7 +36,7 @@ from typing import Literal, TypeAlias, TypedDict
 
 from ._problem import Entries, Points
 
-__all__ = ["Factors", "Interface", "Problem", "SoilInterface"]
+__all__ = ["Anisotropy", "Factors", "Interface", "Problem", "SoilInterface"]
 '''
 #: Entries within entries.
 PARTS = ("Anisotropy", "Factors", "Interface", "SoilInterface")

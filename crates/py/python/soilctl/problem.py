@@ -24,7 +24,20 @@ from typing import Literal, TypeAlias, TypedDict
 
 from ._problem import Entries, Points
 
-__all__ = ["Factors", "Interface", "Problem", "SoilInterface"]
+__all__ = ["Anisotropy", "Factors", "Interface", "Problem", "SoilInterface"]
+
+
+class Anisotropy(TypedDict, total=False):
+    """Undrained strength that depends on the direction of the stress, an ellipse in plane strain: strengths over
+    the active one, ``cohesion_kpa``.
+    """
+
+    passive: float
+    """Passive strength, where the greatest pressure is level, over the active one; 0.1 to 10."""
+    shear: float
+    """Greatest shear stress on level and upright planes over the active strength, 0.1 to 10; what direct simple
+    shear finds.
+    """
 
 
 class Factors(TypedDict, total=False):
@@ -339,6 +352,7 @@ class Problem(Entries):
         name: str,
         *,
         unit_weight_kn_m3: float,
+        anisotropy: Anisotropy | None = None,
         cohesion_gradient_kpa_per_m: float | None = None,
         cohesion_kpa: float | None = None,
         cohesion_level_m: float | None = None,
@@ -356,6 +370,8 @@ class Problem(Entries):
         Args:
             name: Its name, by which regions refer to it.
             unit_weight_kn_m3: Unit weight, with the water in the pores.
+            anisotropy: How the strength of clay (``phi_deg`` 0) depends on the direction of the stress;
+                ``cohesion_kpa`` is that under the greatest pressure upright then.
             cohesion_gradient_kpa_per_m: What it grows by with each metre of depth.
             cohesion_kpa: Cohesion, at the reference level if it varies.
             cohesion_level_m: The y at which the cohesion is ``cohesion_kpa``; needed with a gradient.
@@ -371,7 +387,7 @@ class Problem(Entries):
             strength_factor: What ``strength`` is multiplied by, 0.01 to 100; 1 if left out.
             tension_kpa: Greatest effective tension; left out: what friction and cohesion allow.
         """
-        return self._add("soil", {"name": name, "unit_weight_kn_m3": unit_weight_kn_m3, "cohesion_gradient_kpa_per_m": cohesion_gradient_kpa_per_m, "cohesion_kpa": cohesion_kpa, "cohesion_level_m": cohesion_level_m, "dilation_deg": dilation_deg, "permeability_m_per_s": permeability_m_per_s, "permeability_ratio": permeability_ratio, "phi_deg": phi_deg, "pore_pressure_ratio": pore_pressure_ratio, "strength": strength, "strength_factor": strength_factor, "tension_kpa": tension_kpa})
+        return self._add("soil", {"name": name, "unit_weight_kn_m3": unit_weight_kn_m3, "anisotropy": anisotropy, "cohesion_gradient_kpa_per_m": cohesion_gradient_kpa_per_m, "cohesion_kpa": cohesion_kpa, "cohesion_level_m": cohesion_level_m, "dilation_deg": dilation_deg, "permeability_m_per_s": permeability_m_per_s, "permeability_ratio": permeability_ratio, "phi_deg": phi_deg, "pore_pressure_ratio": pore_pressure_ratio, "strength": strength, "strength_factor": strength_factor, "tension_kpa": tension_kpa})
 
     def structure(
         self,

@@ -55,6 +55,9 @@ __all__ = [
     "DiagnoseNext",
     "DiagnoseParameter",
     "DiagnoseSelfTestAnswer",
+    "DiagnoseSelfTestLogsAnswer",
+    "DiagnoseSelfTestLogsEntry",
+    "DiagnoseSelfTestLogsRate",
     "DiagnoseSelfTestRate",
     "DiagnoseSignal",
     "DiagnoseTestability",
@@ -64,6 +67,7 @@ __all__ = [
     "EstimateAnswer",
     "EstimateCentre",
     "EstimateContourSection",
+    "EstimateCost",
     "EstimateCrossing",
     "EstimateDisagreement",
     "EstimateExact",
@@ -74,17 +78,31 @@ __all__ = [
     "EstimateMeasured",
     "EstimateMinimum",
     "EstimateNextStroke",
+    "EstimatePair",
     "EstimatePlaneStrain",
     "EstimatePoint",
     "EstimatePooled",
     "EstimateSection",
     "EstimateShearTest",
+    "EstimateUnknown",
+    "EstimateUnknowns",
     "LogAnswer",
     "LogContent",
     "LogFound",
     "LogGap",
     "LogTopic",
     "LogWritten",
+    "ObstacleAnswer",
+    "ObstacleDistance",
+    "ObstaclePiece",
+    "ObstacleTool",
+    "PlacesAnswer",
+    "PlacesBetween",
+    "PlacesCell",
+    "PlacesCovariance",
+    "PlacesGroup",
+    "PlacesPair",
+    "PlacesPlaceFound",
     "PredictAnswer",
     "PredictBracketEnds",
     "PredictInputs",
@@ -150,6 +168,10 @@ __all__ = [
     "StabilityAnswer",
     "StabilitySlope",
     "StabilityTrial",
+    "SurfaceAnswer",
+    "SurfaceByForce",
+    "SurfaceSaid",
+    "SurfaceStroke",
     "TableAnswer",
     "TableBracketCell",
     "TableBracketFindings",
@@ -161,6 +183,16 @@ __all__ = [
     "TableHead",
     "TablePlan",
     "TableViolation",
+    "Tool",
+    "ToolAnswer",
+    "ToolBending",
+    "ToolContact",
+    "ToolLevel",
+    "ToolMember",
+    "ToolPiece",
+    "ToolResults",
+    "ToolSolve",
+    "ToolStretch",
     "arm_skewing",
     "arm_urdf",
     "bound",
@@ -170,12 +202,15 @@ __all__ = [
     "design",
     "diagnose",
     "diagnose_self_test",
+    "diagnose_self_test_logs",
     "doctor",
     "estimate",
     "log_doctor",
     "log_export",
     "log_info",
     "log_recover",
+    "obstacle",
+    "places",
     "predict",
     "process",
     "replay",
@@ -185,10 +220,12 @@ __all__ = [
     "solve",
     "solve_check",
     "stability",
+    "surface",
     "table_build",
     "table_check",
     "table_merge",
     "table_show",
+    "tool",
 ]
 
 
@@ -814,6 +851,552 @@ class BoundAnswer(Answer):
     """Width over vertical depth; null in plane strain."""
     work: int
     """Work spent in element steps: elements of meshes times steps of the solver on them."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolBending(Record):
+    """How a beam bends.
+
+    Attributes:
+        greatest_moment: The moment that is farthest from zero in the field of the lower bound, positive where it
+            stretches the beam's right side.
+        greatest_moment_at: Distance of that from its start.
+        greatest_shear: The shear force that is farthest from zero, per unit width.
+        hinges: Where it yields in the flow of the upper bound: distances from its start, and how fast it turns
+            there, over the speed that others are compared with (1/length).
+        moment: The moment along it: distances from its start, and the moment there.
+        moment_strength: Greatest bending moment that it bears, per unit width (force).
+        shear: The shear force along it, likewise.
+        shear_strength: Greatest shear force that it bears, per unit width.
+    """
+
+    greatest_moment: float | None
+    """The moment that is farthest from zero in the field of the lower bound, positive where it stretches the beam's
+    right side.
+    """
+    greatest_moment_at: float | None
+    """Distance of that from its start."""
+    greatest_shear: float | None
+    """The shear force that is farthest from zero, per unit width."""
+    hinges: list[list[float]]
+    """Where it yields in the flow of the upper bound: distances from its start, and how fast it turns there, over
+    the speed that others are compared with (1/length).
+    """
+    moment: list[list[float]]
+    """The moment along it: distances from its start, and the moment there."""
+    moment_strength: float
+    """Greatest bending moment that it bears, per unit width (force)."""
+    shear: list[list[float]]
+    """The shear force along it, likewise."""
+    shear_strength: float
+    """Greatest shear force that it bears, per unit width."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolContact(Record):
+    """Contact stresses along a face.
+
+    Attributes:
+        centre: Distance of the pressure's resultant from the upper end, along the face; null if there is none.
+        face: ``front``, ``back`` or ``side`` as seen along the structure's motion, ``around`` for a buried
+            structure; numbered if there are several.
+        greatest_pressure: Greatest pressure.
+        length: Length of the face.
+        normal_force: Resultant of the pressure, per unit width.
+        shear_force: Resultant of the shear stress on the soil, per unit width; positive downwards along the face,
+            from its upper end.
+    """
+
+    centre: float | None
+    """Distance of the pressure's resultant from the upper end, along the face; null if there is none."""
+    face: str
+    """``front``, ``back`` or ``side`` as seen along the structure's motion, ``around`` for a buried structure;
+    numbered if there are several.
+    """
+    greatest_pressure: float
+    """Greatest pressure."""
+    length: float
+    """Length of the face."""
+    normal_force: float
+    """Resultant of the pressure, per unit width."""
+    shear_force: float
+    """Resultant of the shear stress on the soil, per unit width; positive downwards along the face, from its upper
+    end.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolLevel(Record):
+    """One level of meshes.
+
+    Attributes:
+        identity_error: Gap of the two programs less the sum of its shares over all elements, relative to the upper
+            bound; null without both bounds.
+        lower: The lower bound on this level's mesh or one before; null if none was solved.
+        upper: The upper bound on this level's mesh.
+    """
+
+    identity_error: float | None
+    """Gap of the two programs less the sum of its shares over all elements, relative to the upper bound; null
+    without both bounds.
+    """
+    lower: ToolSolve | None
+    """The lower bound on this level's mesh or one before; null if none was solved."""
+    upper: ToolSolve
+    """The upper bound on this level's mesh."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolMember(Record):
+    """A bar, a sheet or a beam. Forces are per unit width, tension positive; for a factor of safety those of soil
+    whose strength is divided by its lower bound.
+
+    Attributes:
+        axial_force: The axial force along it: distances from its start, and the force there.
+        bending: How a beam bends; null for a bar or a sheet.
+        compressive_strength: Greatest compression that it bears.
+        gets_longer: What it gets longer in the flow of the upper bound, over the speed that others are compared
+            with; null if there is no flow. Not zero where it yields.
+        gets_shorter: What it gets shorter, likewise.
+        greatest_compression: Greatest compression likewise, as a positive number.
+        greatest_tension: Greatest tension in the field of the lower bound; zero if there is none, null if there is
+            no field.
+        greatest_tension_at: Distance of that from its start.
+        name: Its name.
+        tensile_strength: Greatest tension that it bears.
+        utilisation: The greatest of these over the strength for it: how far it is used; of a beam with its moment
+            and shear force.
+    """
+
+    axial_force: list[list[float]]
+    """The axial force along it: distances from its start, and the force there."""
+    bending: ToolBending | None
+    """How a beam bends; null for a bar or a sheet."""
+    compressive_strength: float
+    """Greatest compression that it bears."""
+    gets_longer: float | None
+    """What it gets longer in the flow of the upper bound, over the speed that others are compared with; null if
+    there is no flow. Not zero where it yields.
+    """
+    gets_shorter: float | None
+    """What it gets shorter, likewise."""
+    greatest_compression: float | None
+    """Greatest compression likewise, as a positive number."""
+    greatest_tension: float | None
+    """Greatest tension in the field of the lower bound; zero if there is none, null if there is no field."""
+    greatest_tension_at: float | None
+    """Distance of that from its start."""
+    name: str
+    """Its name."""
+    tensile_strength: float
+    """Greatest tension that it bears."""
+    utilisation: float | None
+    """The greatest of these over the strength for it: how far it is used; of a beam with its moment and shear
+    force.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolPiece(Record):
+    """A straight piece of the tool, in the ground.
+
+    Attributes:
+        adhesion_pa: Adhesion between them.
+        alpha_deg: Its tool angle from the horizontal.
+        delta_deg: Friction angle between soil and piece.
+        from_m: Its end towards the tip: along the surface, ahead of where the tool goes through it, and across,
+            upwards (m).
+        to_m: Its other end.
+    """
+
+    adhesion_pa: float
+    """Adhesion between them."""
+    alpha_deg: float
+    """Its tool angle from the horizontal."""
+    delta_deg: float
+    """Friction angle between soil and piece."""
+    from_m: list[float]
+    """Its end towards the tip: along the surface, ahead of where the tool goes through it, and across, upwards (m).
+    """
+    to_m: list[float]
+    """Its other end."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolResults(Record):
+    """What the fields behind the bounds show.
+
+    Attributes:
+        contacts: The faces of structures, with the resultants of the lower bound's contact stresses.
+        files: Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given.
+        length_unit: Unit of lengths: ``m``, or ``L`` for slant lengths of the plate.
+        members: Bars, sheets and beams: what they bear in the lower bound's field, and how they stretch in the
+            upper bound's flow.
+        moving: The fraction of the speed from which on soil is said to move.
+        moving_ground: Stretches of the ground that move in the upper bound's flow, by ascending x: at least at
+            ``moving`` times the speed of the structure, or, if none moves, the greatest speed.
+        stress_unit: Unit of stresses: ``kPa``, or ``γL`` for unit weight times slant length. Forces per width have
+            this times the unit of length.
+    """
+
+    contacts: list[ToolContact]
+    """The faces of structures, with the resultants of the lower bound's contact stresses."""
+    files: list[str]
+    """Files written for --plot, --vtu, --mesh, --report and --figures, named as they were given."""
+    length_unit: str
+    """Unit of lengths: ``m``, or ``L`` for slant lengths of the plate."""
+    members: list[ToolMember]
+    """Bars, sheets and beams: what they bear in the lower bound's field, and how they stretch in the upper bound's
+    flow.
+    """
+    moving: float
+    """The fraction of the speed from which on soil is said to move."""
+    moving_ground: list[ToolStretch]
+    """Stretches of the ground that move in the upper bound's flow, by ascending x: at least at ``moving`` times the
+    speed of the structure, or, if none moves, the greatest speed.
+    """
+    stress_unit: str
+    """Unit of stresses: ``kPa``, or ``γL`` for unit weight times slant length. Forces per width have this times the
+    unit of length.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolSolve(Record):
+    """One solve.
+
+    Attributes:
+        elements: Triangles.
+        iterations: Steps of the solver.
+        proof_seconds: Time for repair and proof in s.
+        proven: What was proven, in the units of the answer; null if nothing was.
+        seconds: Time in the solver in s.
+        status: How the solver ended; proves nothing.
+    """
+
+    elements: int
+    """Triangles."""
+    iterations: int
+    """Steps of the solver."""
+    proof_seconds: float
+    """Time for repair and proof in s."""
+    proven: float | None
+    """What was proven, in the units of the answer; null if nothing was."""
+    seconds: float
+    """Time in the solver in s."""
+    status: Literal["solved", "almost_solved", "infeasible", "unbounded", "stopped", "failed"]
+    """How the solver ended; proves nothing."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolStretch(Record):
+    """A stretch of ground, from its end at lesser x to that at greater x.
+
+    Attributes:
+        from_: First end, x and y.
+        to: Last end, x and y.
+    """
+
+    from_: list[float] = field(metadata={"key": "from"})
+    """First end, x and y."""
+    to: list[float]
+    """Last end, x and y."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Tool(Record):
+    """The tool in its place.
+
+    Attributes:
+        chord_alpha_deg: Tool angle of the straight line from the tip to where the tool goes through the surface, or
+            to the top of a buried tool.
+        chord_m: Length of that line.
+        cover_m: Depth of the highest point likewise; zero unless the tool is buried.
+        depth_m: Depth of the lowest point below the surface, at right angles to it.
+        off_arc_m: How far the straight pieces are from the arc that they stand for at most.
+        pieces: What of it is in the ground, from the tip.
+        title: What it is; null if the file does not say.
+    """
+
+    chord_alpha_deg: float
+    """Tool angle of the straight line from the tip to where the tool goes through the surface, or to the top of a
+    buried tool.
+    """
+    chord_m: float
+    """Length of that line."""
+    cover_m: float
+    """Depth of the highest point likewise; zero unless the tool is buried."""
+    depth_m: float
+    """Depth of the lowest point below the surface, at right angles to it."""
+    off_arc_m: float
+    """How far the straight pieces are from the arc that they stand for at most."""
+    pieces: list[ToolPiece]
+    """What of it is in the ground, from the tip."""
+    title: str | None
+    """What it is; null if the file does not say."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolAnswer(Answer):
+    """The answer of ``tool``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        certified: Whether both bounds are proven with interval arithmetic.
+        coefficient_lower: Lower bound on the coefficient of that force, ``2 F / (gamma L^2)``, with the length of
+            the chord for L.
+        coefficient_upper: Upper bound on it.
+        direction_deg: Direction of the motion, from the horizontal.
+        ended: Why the run ended.
+        gap: ``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero.
+        levels: All levels, coarse to fine, in kN/m.
+        lower_elements: Triangles of the mesh of the lower bound; each has three parts.
+        lower_factorisation: What factorised the solver's systems behind the lower bound; its digits may depend on
+            that, its proof does not.
+        lower_n_per_m: Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m).
+        notes: Values that are possible but unusual, and what else is to be kept in mind.
+        results: What the fields behind the bounds show, along and across the surface.
+        seconds: Time spent in s.
+        slant_lower: Of a flat tool with one interface that moves horizontally: lower bound on the coefficient that
+            ``bound`` answers, of the force inclined at delta to the normal; null for others, whose direction of
+            force is not known.
+        slant_upper: Upper bound on it; null likewise.
+        stopped_by: What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end
+            elsewhere another time.
+        tool: The tool.
+        upper_elements: Triangles of the mesh of the upper bound.
+        upper_factorisation: The same of the upper bound.
+        upper_n_per_m: Upper bound on it (N/m).
+        work: Work spent in element steps: elements of meshes times steps of the solver on them.
+    """
+
+    schema: Literal["soilctl.tool/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    certified: bool
+    """Whether both bounds are proven with interval arithmetic."""
+    coefficient_lower: float
+    """Lower bound on the coefficient of that force, ``2 F / (gamma L^2)``, with the length of the chord for L."""
+    coefficient_upper: float
+    """Upper bound on it."""
+    direction_deg: float
+    """Direction of the motion, from the horizontal."""
+    ended: Literal["gap", "time", "elements", "work", "memory", "stopped"]
+    """Why the run ended."""
+    gap: float | None
+    """``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero."""
+    levels: list[ToolLevel]
+    """All levels, coarse to fine, in kN/m."""
+    lower_elements: int
+    """Triangles of the mesh of the lower bound; each has three parts."""
+    lower_factorisation: Literal["qdldl", "faer"]
+    """What factorised the solver's systems behind the lower bound; its digits may depend on that, its proof does
+    not.
+    """
+    lower_n_per_m: float
+    """Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m)."""
+    notes: list[str]
+    """Values that are possible but unusual, and what else is to be kept in mind."""
+    results: ToolResults
+    """What the fields behind the bounds show, along and across the surface."""
+    seconds: float
+    """Time spent in s."""
+    slant_lower: float | None
+    """Of a flat tool with one interface that moves horizontally: lower bound on the coefficient that ``bound``
+    answers, of the force inclined at delta to the normal; null for others, whose direction of force is not
+    known.
+    """
+    slant_upper: float | None
+    """Upper bound on it; null likewise."""
+    stopped_by: Literal["goal", "work", "memory", "seconds", "user"]
+    """What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end elsewhere another
+    time.
+    """
+    tool: Tool
+    """The tool."""
+    upper_elements: int
+    """Triangles of the mesh of the upper bound."""
+    upper_factorisation: Literal["qdldl", "faer"]
+    """The same of the upper bound."""
+    upper_n_per_m: float
+    """Upper bound on it (N/m)."""
+    work: int
+    """Work spent in element steps: elements of meshes times steps of the solver on them."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ObstacleDistance(Record):
+    """The force at one distance.
+
+    Attributes:
+        ahead_m: Distance from the tool's tip to the body along the surface (m).
+        gap: ``(U - L) / ((U + L) / 2)`` of the forces; null without both.
+        lower_is_without: Whether the lower bound is that without the body, which holds here too, as no field found
+            here proves more.
+        lower_n_per_m: Lower bound on the force along the motion, per metre of width (N/m); null if there is none.
+        problem: Why bounds are missing; null if they are not.
+        ratio_lower: Lower bound on the force over that without the body; null likewise.
+        ratio_upper: Upper bound on that ratio; null likewise.
+        upper_n_per_m: Upper bound on it; null likewise.
+    """
+
+    ahead_m: float
+    """Distance from the tool's tip to the body along the surface (m)."""
+    gap: float | None
+    """``(U - L) / ((U + L) / 2)`` of the forces; null without both."""
+    lower_is_without: bool
+    """Whether the lower bound is that without the body, which holds here too, as no field found here proves more.
+    """
+    lower_n_per_m: float | None
+    """Lower bound on the force along the motion, per metre of width (N/m); null if there is none."""
+    problem: str | None
+    """Why bounds are missing; null if they are not."""
+    ratio_lower: float | None
+    """Lower bound on the force over that without the body; null likewise."""
+    ratio_upper: float | None
+    """Upper bound on that ratio; null likewise."""
+    upper_n_per_m: float | None
+    """Upper bound on it; null likewise."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ObstaclePiece(Record):
+    """A straight piece of the tool, in the ground.
+
+    Attributes:
+        adhesion_pa: Adhesion between them.
+        alpha_deg: Its tool angle from the horizontal.
+        delta_deg: Friction angle between soil and piece.
+        from_m: Its end towards the tip: along the surface, ahead of where the tool goes through it, and across,
+            upwards (m).
+        to_m: Its other end.
+    """
+
+    adhesion_pa: float
+    """Adhesion between them."""
+    alpha_deg: float
+    """Its tool angle from the horizontal."""
+    delta_deg: float
+    """Friction angle between soil and piece."""
+    from_m: list[float]
+    """Its end towards the tip: along the surface, ahead of where the tool goes through it, and across, upwards (m).
+    """
+    to_m: list[float]
+    """Its other end."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ObstacleTool(Record):
+    """The tool in its place.
+
+    Attributes:
+        chord_alpha_deg: Tool angle of the straight line from the tip to where the tool goes through the surface, or
+            to the top of a buried tool.
+        chord_m: Length of that line.
+        cover_m: Depth of the highest point likewise; zero unless the tool is buried.
+        depth_m: Depth of the lowest point below the surface, at right angles to it.
+        off_arc_m: How far the straight pieces are from the arc that they stand for at most.
+        pieces: What of it is in the ground, from the tip.
+        title: What it is; null if the file does not say.
+    """
+
+    chord_alpha_deg: float
+    """Tool angle of the straight line from the tip to where the tool goes through the surface, or to the top of a
+    buried tool.
+    """
+    chord_m: float
+    """Length of that line."""
+    cover_m: float
+    """Depth of the highest point likewise; zero unless the tool is buried."""
+    depth_m: float
+    """Depth of the lowest point below the surface, at right angles to it."""
+    off_arc_m: float
+    """How far the straight pieces are from the arc that they stand for at most."""
+    pieces: list[ObstaclePiece]
+    """What of it is in the ground, from the tip."""
+    title: str | None
+    """What it is; null if the file does not say."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ObstacleAnswer(Answer):
+    """The answer of ``obstacle``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        answer: Whether the force says that something is there.
+        body: What the body does.
+        body_height_m: Its height.
+        body_length_m: Its length along the motion.
+        body_top_m: Depth of its top below the surface.
+        certified: Whether all bounds that are told are proven with interval arithmetic.
+        direction_deg: Direction of the motion, from the horizontal.
+        distances: The same at each distance, near to far.
+        hidden_from_m: Least distance looked at from which on it is proven to be no more than that; null likewise.
+        notes: Values that are possible but unusual, and what else is to be kept in mind.
+        scatter: Relative scatter of measured forces.
+        seconds: Time spent in s.
+        shows_to_m: Greatest distance looked at up to which the force is proven to be more than the scatter above
+            that without the body; null if there is none.
+        stone_cohesion_pa: Cohesion of a stone, whose friction angle is that of the soil: the bounds are those of a
+            stone of this strength, which is far above that of the soil; null for bodies that do not move.
+        tool: The tool.
+        verdict: The answer in words.
+        without_lower_n_per_m: Lower bound on the force without the body, along the motion, per metre of width
+            (N/m).
+        without_upper_n_per_m: Upper bound on it (N/m).
+        work: Work spent in element steps.
+    """
+
+    schema: Literal["soilctl.obstacle/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    answer: Literal["shows", "hidden", "open"]
+    """Whether the force says that something is there."""
+    body: Literal["fixed", "stone"]
+    """What the body does."""
+    body_height_m: float
+    """Its height."""
+    body_length_m: float
+    """Its length along the motion."""
+    body_top_m: float
+    """Depth of its top below the surface."""
+    certified: bool
+    """Whether all bounds that are told are proven with interval arithmetic."""
+    direction_deg: float
+    """Direction of the motion, from the horizontal."""
+    distances: list[ObstacleDistance]
+    """The same at each distance, near to far."""
+    hidden_from_m: float | None
+    """Least distance looked at from which on it is proven to be no more than that; null likewise."""
+    notes: list[str]
+    """Values that are possible but unusual, and what else is to be kept in mind."""
+    scatter: float
+    """Relative scatter of measured forces."""
+    seconds: float
+    """Time spent in s."""
+    shows_to_m: float | None
+    """Greatest distance looked at up to which the force is proven to be more than the scatter above that without
+    the body; null if there is none.
+    """
+    stone_cohesion_pa: float | None
+    """Cohesion of a stone, whose friction angle is that of the soil: the bounds are those of a stone of this
+    strength, which is far above that of the soil; null for bodies that do not move.
+    """
+    tool: ObstacleTool
+    """The tool."""
+    verdict: str
+    """The answer in words."""
+    without_lower_n_per_m: float
+    """Lower bound on the force without the body, along the motion, per metre of width (N/m)."""
+    without_upper_n_per_m: float
+    """Upper bound on it (N/m)."""
+    work: int
+    """Work spent in element steps."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -2277,6 +2860,29 @@ class EstimateContourSection(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class EstimateCost(Record):
+    """What an unknown costs.
+
+    Attributes:
+        density_width_kg_m3: Width of the range of the density if it is known (kg/m3); null if no soil is consistent
+            then.
+        name: The unknown.
+        phi_width_deg: Width of the range of the friction angle if it is known (deg); null if no soil is consistent
+            then.
+        value: The value at which it is taken as known: the middle of what the measurements leave of it.
+    """
+
+    density_width_kg_m3: float | None
+    """Width of the range of the density if it is known (kg/m3); null if no soil is consistent then."""
+    name: Literal["phi_deg", "delta_deg", "beta_deg", "density_kg_m3", "cohesion_pa", "adhesion_pa", "surcharge_pa"]
+    """The unknown."""
+    phi_width_deg: float | None
+    """Width of the range of the friction angle if it is known (deg); null if no soil is consistent then."""
+    value: float
+    """The value at which it is taken as known: the middle of what the measurements leave of it."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class EstimateCrossing(Record):
     """Two contours that cross.
 
@@ -2428,7 +3034,8 @@ class EstimateMeasured(Record):
         label: Name.
         pooled: How the band came about, where strokes of one kind are taken together; otherwise null.
         slip_stress_pa: Equivalent normal stress on its slip surfaces (Pa), at which the soil has the friction that
-            it measured; null if no soil is consistent, or no mechanism fits the tool angle.
+            it measured; null if no soil is consistent, or no mechanism fits the tool angle, or loads or slope are
+            unknowns.
         strokes: Strokes behind it.
     """
 
@@ -2448,7 +3055,7 @@ class EstimateMeasured(Record):
     """How the band came about, where strokes of one kind are taken together; otherwise null."""
     slip_stress_pa: list[float] | None
     """Equivalent normal stress on its slip surfaces (Pa), at which the soil has the friction that it measured; null
-    if no soil is consistent, or no mechanism fits the tool angle.
+    if no soil is consistent, or no mechanism fits the tool angle, or loads or slope are unknowns.
     """
     strokes: int
     """Strokes behind it."""
@@ -2506,6 +3113,27 @@ class EstimateNextStroke(Record):
     """Expected width of the friction range after it (deg)."""
     width_m: float
     """Plate width (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class EstimatePair(Record):
+    """What is left of two quantities together.
+
+    Attributes:
+        polygons: Consistent [x, y]: polygons, each an outer ring and its holes. Of two quantities that are no
+            angles it is the convex hull.
+        x: The first coordinate of its points.
+        y: The second one.
+    """
+
+    polygons: list[list[list[list[float]]]]
+    """Consistent [x, y]: polygons, each an outer ring and its holes. Of two quantities that are no angles it is the
+    convex hull.
+    """
+    x: Literal["phi_deg", "delta_deg", "beta_deg", "density_kg_m3", "cohesion_pa", "adhesion_pa", "surcharge_pa"]
+    """The first coordinate of its points."""
+    y: Literal["phi_deg", "delta_deg", "beta_deg", "density_kg_m3", "cohesion_pa", "adhesion_pa", "surcharge_pa"]
+    """The second one."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -2614,6 +3242,42 @@ class EstimateShearTest(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class EstimateUnknown(Record):
+    """A quantity that is not known.
+
+    Attributes:
+        known: What was known of it.
+        name: Its name, which ends with its unit.
+        range: What the measurements leave of it; null if no soil is consistent.
+    """
+
+    known: list[float]
+    """What was known of it."""
+    name: Literal["phi_deg", "delta_deg", "beta_deg", "density_kg_m3", "cohesion_pa", "adhesion_pa", "surcharge_pa"]
+    """Its name, which ends with its unit."""
+    range: list[float] | None
+    """What the measurements leave of it; null if no soil is consistent."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class EstimateUnknowns(Record):
+    """What is left of all unknowns together.
+
+    Attributes:
+        costs: What each unknown costs; null unless asked for.
+        pairs: What is left of each pair of them; empty if no soil is consistent.
+        quantities: The quantities that are not known.
+    """
+
+    costs: list[EstimateCost] | None
+    """What each unknown costs; null unless asked for."""
+    pairs: list[EstimatePair]
+    """What is left of each pair of them; empty if no soil is consistent."""
+    quantities: list[EstimateUnknown]
+    """The quantities that are not known."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class EstimateAnswer(Answer):
     """The answer of ``estimate``.
 
@@ -2621,7 +3285,7 @@ class EstimateAnswer(Answer):
         schema: Id of this schema.
         version: Version of the program.
         area_deg_kg_m3: Area of the region (deg kg/m3).
-        best_estimate: Soil of least misfit inside the region.
+        best_estimate: Soil of least misfit inside the region; null where loads or slope are unknowns.
         centre: Centroid of the region.
         confidence: Probability with which all bands together hold their true forces; null if strokes of one kind
             are not taken together.
@@ -2654,14 +3318,16 @@ class EstimateAnswer(Answer):
         reference_stress_pa: Normal stress (Pa) at which ``phi_deg`` holds under a law of stress; null without one.
         region: Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi,
             density].
-        regions: Sections at chosen deltas; empty if inconsistent.
+        regions: Sections at chosen deltas; empty if inconsistent, or where loads or slope are unknowns.
         scatter_over_stated: Scatter of repeated strokes over what the table states of them; above 1 the bands are
             wider for it. Null if nothing was repeated, stated, or taken together.
         slip_stress_pa: Least and greatest normal stress (Pa) on slip surfaces of all strokes; null as that of a
             measurement.
+        unknowns: What is left of cohesion, adhesion, surcharge, slope and all others together; null if those four
+            are known.
         verdict: The result in words.
-        volume_deg2_kg_m3: Volume of the consistent set (deg2 kg/m3); null with a law of stress, which has one
-            unknown more.
+        volume_deg2_kg_m3: Volume of the consistent set (deg2 kg/m3); null with a law of stress or other unknowns
+            more.
         warnings: What to keep in mind.
         width_ratio: Least and greatest width of a plate over its vertical depth.
     """
@@ -2673,7 +3339,7 @@ class EstimateAnswer(Answer):
     area_deg_kg_m3: float
     """Area of the region (deg kg/m3)."""
     best_estimate: EstimatePoint | None
-    """Soil of least misfit inside the region."""
+    """Soil of least misfit inside the region; null where loads or slope are unknowns."""
     centre: EstimateCentre | None
     """Centroid of the region."""
     confidence: float | None
@@ -2733,21 +3399,361 @@ class EstimateAnswer(Answer):
     region: list[list[list[list[float]]]]
     """Union over the whole interval of delta: polygons, each an outer ring and its holes, of [phi, density]."""
     regions: list[EstimateSection]
-    """Sections at chosen deltas; empty if inconsistent."""
+    """Sections at chosen deltas; empty if inconsistent, or where loads or slope are unknowns."""
     scatter_over_stated: float | None
     """Scatter of repeated strokes over what the table states of them; above 1 the bands are wider for it. Null if
     nothing was repeated, stated, or taken together.
     """
     slip_stress_pa: list[float] | None
     """Least and greatest normal stress (Pa) on slip surfaces of all strokes; null as that of a measurement."""
+    unknowns: EstimateUnknowns | None
+    """What is left of cohesion, adhesion, surcharge, slope and all others together; null if those four are known.
+    """
     verdict: str
     """The result in words."""
     volume_deg2_kg_m3: float | None
-    """Volume of the consistent set (deg2 kg/m3); null with a law of stress, which has one unknown more."""
+    """Volume of the consistent set (deg2 kg/m3); null with a law of stress or other unknowns more."""
     warnings: list[str]
     """What to keep in mind."""
     width_ratio: list[float]
     """Least and greatest width of a plate over its vertical depth."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PlacesBetween(Record):
+    """What lies between places.
+
+    Attributes:
+        cell_m: Side of a cell (m).
+        cells: Cells, along x first.
+        density_covariances: Covariances of the density (kg/m3).
+        deviations: Standard deviations that an interval reaches beyond what places know.
+        hull: Convex hull of the places: [x, y] (m).
+        is_variation_open: Whether the greatest variation over the ground that was tried, fifteen times that of the
+            places, is still plausible: then it may be more, and intervals wider.
+        next_places: Where a further place would tell most, the best first: [x, y] (m).
+        phi_covariances: Covariances of the friction angle (deg).
+    """
+
+    cell_m: float
+    """Side of a cell (m)."""
+    cells: list[PlacesCell]
+    """Cells, along x first."""
+    density_covariances: list[PlacesCovariance]
+    """Covariances of the density (kg/m3)."""
+    deviations: float
+    """Standard deviations that an interval reaches beyond what places know."""
+    hull: list[list[float]]
+    """Convex hull of the places: [x, y] (m)."""
+    is_variation_open: bool
+    """Whether the greatest variation over the ground that was tried, fifteen times that of the places, is still
+    plausible: then it may be more, and intervals wider.
+    """
+    next_places: list[list[float]]
+    """Where a further place would tell most, the best first: [x, y] (m)."""
+    phi_covariances: list[PlacesCovariance]
+    """Covariances of the friction angle (deg)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PlacesCell(Record):
+    """A cell of the ground.
+
+    Attributes:
+        density_kg_m3: Range of the density (kg/m3) at its middle.
+        density_sd_kg_m3: The same of the density (kg/m3).
+        inside: Whether it is among the places, in their convex hull; beyond it the ground is carried on, not
+            interpolated.
+        phi_deg: Range of the friction angle (deg) at its middle.
+        phi_sd_deg: Standard deviation of what kriging errs by in the friction angle (deg), at most.
+        x_m: Its middle along x (m).
+        y_m: Its middle along y (m).
+    """
+
+    density_kg_m3: list[float]
+    """Range of the density (kg/m3) at its middle."""
+    density_sd_kg_m3: float
+    """The same of the density (kg/m3)."""
+    inside: bool
+    """Whether it is among the places, in their convex hull; beyond it the ground is carried on, not interpolated.
+    """
+    phi_deg: list[float]
+    """Range of the friction angle (deg) at its middle."""
+    phi_sd_deg: float
+    """Standard deviation of what kriging errs by in the friction angle (deg), at most."""
+    x_m: float
+    """Its middle along x (m)."""
+    y_m: float
+    """Its middle along y (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PlacesCovariance(Record):
+    """A covariance ``sd^2 exp(-distance / length)`` that the places leave plausible.
+
+    Attributes:
+        length_m: Its length (m).
+        sd: Greatest plausible standard deviation over the ground for that length, in the unit of the quantity.
+    """
+
+    length_m: float
+    """Its length (m)."""
+    sd: float
+    """Greatest plausible standard deviation over the ground for that length, in the unit of the quantity."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PlacesGroup(Record):
+    """Places whose soils are not found to differ, together.
+
+    Attributes:
+        density_kg_m3: Range of the density (kg/m3) if they have one soil.
+        phi_deg: Range of the friction angle (deg) if they have one soil.
+        places: Their names.
+        region: Consistent [phi, density] if they have one soil, as that of a place.
+    """
+
+    density_kg_m3: list[float]
+    """Range of the density (kg/m3) if they have one soil."""
+    phi_deg: list[float]
+    """Range of the friction angle (deg) if they have one soil."""
+    places: list[str]
+    """Their names."""
+    region: list[list[list[list[float]]]]
+    """Consistent [phi, density] if they have one soil, as that of a place."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PlacesPair(Record):
+    """Two places beside each other.
+
+    Attributes:
+        by: What they were compared by.
+        differ: Whether the soils differ.
+        force_ratio: Forces at the first over those at the second, of strokes of one kind: their geometric mean;
+            null without such strokes.
+        kinds: Kinds of strokes that both have.
+        p: Probability that places of one soil differ so much by chance, at most; null without a probability.
+        places: Their names.
+        tellable_ratio: Least ratio above 1 that would have been told as a difference, of this pair alone; null
+            without a probability.
+    """
+
+    by: Literal["forces", "sets", "nothing"]
+    """What they were compared by."""
+    differ: bool
+    """Whether the soils differ."""
+    force_ratio: float | None
+    """Forces at the first over those at the second, of strokes of one kind: their geometric mean; null without such
+    strokes.
+    """
+    kinds: int
+    """Kinds of strokes that both have."""
+    p: float | None
+    """Probability that places of one soil differ so much by chance, at most; null without a probability."""
+    places: list[str]
+    """Their names."""
+    tellable_ratio: float | None
+    """Least ratio above 1 that would have been told as a difference, of this pair alone; null without a
+    probability.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PlacesPlaceFound(Record):
+    """What was found at a place.
+
+    Attributes:
+        consistent: Whether any soil explains all of them.
+        delta_deg: What is known of the friction on the plate there (deg).
+        density_kg_m3: Range of the density (kg/m3); null if inconsistent.
+        group: Place of its group in ``groups``, from 0; null if inconsistent.
+        name: Its name.
+        phi_deg: Range of the friction angle (deg); null if inconsistent.
+        region: Consistent [phi, density]: polygons, each an outer ring and its holes.
+        strokes: Its strokes.
+        x_m: Where it is along x (m); null if the table does not say.
+        y_m: Where it is along y (m).
+    """
+
+    consistent: bool
+    """Whether any soil explains all of them."""
+    delta_deg: list[float]
+    """What is known of the friction on the plate there (deg)."""
+    density_kg_m3: list[float] | None
+    """Range of the density (kg/m3); null if inconsistent."""
+    group: int | None
+    """Place of its group in ``groups``, from 0; null if inconsistent."""
+    name: str
+    """Its name."""
+    phi_deg: list[float] | None
+    """Range of the friction angle (deg); null if inconsistent."""
+    region: list[list[list[list[float]]]]
+    """Consistent [phi, density]: polygons, each an outer ring and its holes."""
+    strokes: int
+    """Its strokes."""
+    x_m: float | None
+    """Where it is along x (m); null if the table does not say."""
+    y_m: float | None
+    """Where it is along y (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PlacesAnswer(Answer):
+    """The answer of ``places``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        between: What lies between places; null if they are too few or have no coordinates.
+        confidence: Probability with which the set of a place holds its soil; null for bounds, which hold it for
+            sure.
+        ends: Whether plates have ends.
+        false_discovery: Part of the differences that are told which may be none; null for bounds.
+        groups: Groups of places whose soils are not found to differ.
+        model: Force model.
+        pairs: Pairs of places.
+        places: Places in the order in which they first appear.
+        verdict: The result in words.
+        warnings: What to keep in mind.
+    """
+
+    schema: Literal["soilctl.places/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    between: PlacesBetween | None
+    """What lies between places; null if they are too few or have no coordinates."""
+    confidence: float | None
+    """Probability with which the set of a place holds its soil; null for bounds, which hold it for sure."""
+    ends: Literal["finite", "none"]
+    """Whether plates have ends."""
+    false_discovery: float | None
+    """Part of the differences that are told which may be none; null for bounds."""
+    groups: list[PlacesGroup]
+    """Groups of places whose soils are not found to differ."""
+    model: str
+    """Force model."""
+    pairs: list[PlacesPair]
+    """Pairs of places."""
+    places: list[PlacesPlaceFound]
+    """Places in the order in which they first appear."""
+    verdict: str
+    """The result in words."""
+    warnings: list[str]
+    """What to keep in mind."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SurfaceByForce(Record):
+    """What forces say.
+
+    Attributes:
+        density_kg_m3: Range of the density (kg/m3); null if no soil explains the forces.
+        model: Force model.
+        phi_deg: Range of the friction angle (deg); null if no soil explains the forces.
+    """
+
+    density_kg_m3: list[float] | None
+    """Range of the density (kg/m3); null if no soil explains the forces."""
+    model: str
+    """Force model."""
+    phi_deg: list[float] | None
+    """Range of the friction angle (deg); null if no soil explains the forces."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SurfaceSaid(Record):
+    """What a model of the surface says.
+
+    Attributes:
+        agreement: Whether forces agree.
+        density_both_kg_m3: Densities (kg/m3) that forces leave for these; null if there are none.
+        phi_both_deg: Friction angles (deg) that explain forces and break distances; null if there are none.
+        phi_deg: Friction angles (deg) that explain all break distances; null if none does.
+        surface: The model.
+    """
+
+    agreement: Literal["agrees", "nearer", "farther", "no-friction", "no-force"]
+    """Whether forces agree."""
+    density_both_kg_m3: list[float] | None
+    """Densities (kg/m3) that forces leave for these; null if there are none."""
+    phi_both_deg: list[float] | None
+    """Friction angles (deg) that explain forces and break distances; null if there are none."""
+    phi_deg: list[float] | None
+    """Friction angles (deg) that explain all break distances; null if none does."""
+    surface: Literal["coulomb", "log-spiral", "chen", "chen-without-dilation"]
+    """The model."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SurfaceStroke(Record):
+    """A stroke with a break distance.
+
+    Attributes:
+        distance_m: Measured distance (m) along the surface, from the plate's face to where the ground broke.
+        label: Its name, tool angle and depth.
+        line: Its line in the table.
+        predicted_m: What each of ``models`` predicts (m), from least to most, for the friction angles that forces
+            leave, or if they leave none, that the surface leaves; null where the model has no answer.
+        sd_m: Its standard deviation (m).
+    """
+
+    distance_m: float
+    """Measured distance (m) along the surface, from the plate's face to where the ground broke."""
+    label: str
+    """Its name, tool angle and depth."""
+    line: int
+    """Its line in the table."""
+    predicted_m: list[list[float] | None]
+    """What each of ``models`` predicts (m), from least to most, for the friction angles that forces leave, or if
+    they leave none, that the surface leaves; null where the model has no answer.
+    """
+    sd_m: float
+    """Its standard deviation (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class SurfaceAnswer(Answer):
+    """The answer of ``surface``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        confidence: Probability with which all bands of break distances together hold their true values; null for
+            bounds.
+        delta_deg: What is known of the friction on the plate (deg).
+        deviations: Standard deviations that a band reaches on either side.
+        force: What forces say.
+        models: What models of the surface say.
+        not_measured: How many strokes have none.
+        strokes: Strokes with a break distance.
+        verdict: The result in words.
+        warnings: What to keep in mind.
+    """
+
+    schema: Literal["soilctl.surface/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    confidence: float | None
+    """Probability with which all bands of break distances together hold their true values; null for bounds."""
+    delta_deg: list[float]
+    """What is known of the friction on the plate (deg)."""
+    deviations: float
+    """Standard deviations that a band reaches on either side."""
+    force: SurfaceByForce
+    """What forces say."""
+    models: list[SurfaceSaid]
+    """What models of the surface say."""
+    not_measured: int
+    """How many strokes have none."""
+    strokes: list[SurfaceStroke]
+    """Strokes with a break distance."""
+    verdict: str
+    """The result in words."""
+    warnings: list[str]
+    """What to keep in mind."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -3901,12 +4907,21 @@ class DiagnoseNext(Record):
 
     Attributes:
         design_csv: File with the strokes to make.
+        no_plan_because: Why not, where there could have been one; null otherwise.
+        plan: Plan of the campaign with these strokes after its own, for ``simulate`` and ``run``; null if the
+            campaign was not compared with the simulated arm, or a plan cannot say them.
         power: Chance that it settles the question.
         text: What to do and why.
     """
 
     design_csv: str
     """File with the strokes to make."""
+    no_plan_because: str | None
+    """Why not, where there could have been one; null otherwise."""
+    plan: str | None
+    """Plan of the campaign with these strokes after its own, for ``simulate`` and ``run``; null if the campaign was
+    not compared with the simulated arm, or a plan cannot say them.
+    """
     power: float
     """Chance that it settles the question."""
     text: str
@@ -4139,6 +5154,93 @@ class DiagnoseSelfTestAnswer(Answer):
     """Force model."""
     rates: list[DiagnoseSelfTestRate]
     """Rates by name, each with the number of campaigns behind it."""
+    seed: int
+    """Seed."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSelfTestLogsEntry(Record):
+    """One hidden campaign, and what was said of it.
+
+    Attributes:
+        amplitude: Its amplitude in the unit of its parameter; null for none.
+        equivalence_set: What was not told apart.
+        found: Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given.
+        given: Effects that were given, best first.
+        hidden: The effect that was hidden; null for none.
+        number: Its number, from 0.
+        soil: Preset of the soil.
+        status: Status of the diagnosis; ``no_failures`` if no stroke failed the soil.
+        strokes: Strokes that failed the soil.
+    """
+
+    amplitude: float | None
+    """Its amplitude in the unit of its parameter; null for none."""
+    equivalence_set: list[str]
+    """What was not told apart."""
+    found: list[Any] | None
+    """Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given."""
+    given: list[str]
+    """Effects that were given, best first."""
+    hidden: str | None
+    """The effect that was hidden; null for none."""
+    number: int
+    """Its number, from 0."""
+    soil: str
+    """Preset of the soil."""
+    status: str
+    """Status of the diagnosis; ``no_failures`` if no stroke failed the soil."""
+    strokes: int
+    """Strokes that failed the soil."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSelfTestLogsRate(Record):
+    """A rate.
+
+    Attributes:
+        name: What is counted.
+        of: Campaigns behind it.
+        rate: The rate; null without campaigns.
+    """
+
+    name: str
+    """What is counted."""
+    of: int
+    """Campaigns behind it."""
+    rate: float | None
+    """The rate; null without campaigns."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSelfTestLogsAnswer(Answer):
+    """The answer of ``diagnose_self_test_logs``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        campaigns: Campaigns that are diagnosed, by number.
+        confusion: How often each hidden effect, or ``none``, was answered by which status and first effect.
+        model: Force model.
+        rates: Rates by name, each with the number of campaigns behind it. Campaigns in which no stroke failed the
+            soil count nowhere.
+        seed: Seed.
+    """
+
+    schema: Literal["soilctl.diagnose-self-test-logs/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    campaigns: list[DiagnoseSelfTestLogsEntry]
+    """Campaigns that are diagnosed, by number."""
+    confusion: dict[str, dict[str, int]]
+    """How often each hidden effect, or ``none``, was answered by which status and first effect."""
+    model: str
+    """Force model."""
+    rates: list[DiagnoseSelfTestLogsRate]
+    """Rates by name, each with the number of campaigns behind it. Campaigns in which no stroke failed the soil
+    count nowhere.
+    """
     seed: int
     """Seed."""
 
@@ -4963,6 +6065,175 @@ def bound(
     return run("bound", bound, locals(), BoundAnswer)
 
 
+def tool(
+    tool: str,
+    phi_deg: float,
+    density_kg_m3: float,
+    *,
+    alpha_deg: float | None = None,
+    alpha_of: Literal["chord", "tip"] = "chord",
+    delta_deg: float | None = None,
+    depth_m: float | None = None,
+    direction_deg: float = 0.0,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
+    gravity_m_s2: float = 9.80665,
+    beta_deg: float = 0.0,
+    max_gap: float = 0.01,
+    max_elements: int = 20000,
+    max_work: int = 3000000,
+    max_seconds: float | None = None,
+    max_memory_mb: int | None = None,
+    threads: int = 1,
+    factorisation: Literal["auto", "qdldl", "faer"] = "auto",
+    segments: int | None = None,
+    dump: PathLike | None = None,
+    save: PathLike | None = None,
+    problem: PathLike | None = None,
+    progress: Progress = None,
+) -> ToolAnswer:
+    """Proven lower and upper bounds on the force of a curved blade, a bucket, or any other tool in section, by
+    limit analysis.
+
+    Args:
+        tool: Tool file, .toml, .json or .csv: points from tip to top, or an arc.
+        phi_deg: Internal friction angle of the soil (deg), above 0 and below 70. Above 0 and below 70.
+        density_kg_m3: Bulk density (kg/m3). Above 0.
+        alpha_deg: Turns the tool so that it has this tool angle from the horizontal (deg), below 90 with the tip
+            ahead; as drawn if not given. At least -180 and at most 180.
+        alpha_of: What ``alpha_deg`` is the angle of.
+        delta_deg: Friction angle between soil and tool (deg), at most phi, where the tool file says none. At least
+            0.
+        depth_m: Vertical depth of the tool's lowest point below the surface (m); with its highest point at the
+            surface if not given. Above 0.
+        direction_deg: Direction in which the tool moves, from the horizontal (deg): above 0 upwards. At least -90
+            and at most 90.
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
+        max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
+        max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+            machine. At least 1.
+        max_seconds: Time that may be spent (s); where the run ends then depends on the machine, and the answer says
+            so. Above 0.
+        max_memory_mb: Memory that may be used (MB): a mesh whose programs may need more is not made. At least 100.
+        threads: Threads; the bounds are the same for any number. At least 1 and at most 1024.
+        factorisation: What factorises the systems of the solver's steps: bounds differ in their last digits;
+            ``auto`` goes by the size of the programs.
+        segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
+            slower and wider. At least 3 and at most 1000.
+        dump: Existing folder for programs on which the solver failed, to reproduce that from.
+        save: Saves the fields that prove the bounds, for ``soilctl certify``.
+        problem: Writes the problem as a problem file (.toml), to be changed and solved by ``soilctl solve``.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("tool", tool, locals(), ToolAnswer)
+
+
+def obstacle(
+    tool: str,
+    phi_deg: float,
+    density_kg_m3: float,
+    body_top_m: float,
+    body_height_m: float,
+    *,
+    alpha_deg: float | None = None,
+    alpha_of: Literal["chord", "tip"] = "chord",
+    delta_deg: float | None = None,
+    depth_m: float | None = None,
+    direction_deg: float = 0.0,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
+    gravity_m_s2: float = 9.80665,
+    beta_deg: float = 0.0,
+    ahead_m: Sequence[float] = (),
+    body_length_m: float | None = None,
+    body: Literal["fixed", "stone"] = "fixed",
+    scatter: float = 0.1,
+    max_gap: float = 0.01,
+    max_elements: int = 20000,
+    max_work: int = 3000000,
+    max_seconds: float | None = None,
+    max_memory_mb: int | None = None,
+    threads: int = 1,
+    factorisation: Literal["auto", "qdldl", "faer"] = "auto",
+    segments: int | None = None,
+    dump: PathLike | None = None,
+    save: PathLike | None = None,
+    problem: PathLike | None = None,
+    table: PathLike | None = None,
+    progress: Progress = None,
+) -> ObstacleAnswer:
+    """From what distance on the force of a tool says that something is buried ahead: proven bounds near a rigid
+    body, over its distance.
+
+    Args:
+        tool: Tool file, .toml, .json or .csv: points from tip to top, or an arc.
+        phi_deg: Internal friction angle of the soil (deg), above 0 and below 70. Above 0 and below 70.
+        density_kg_m3: Bulk density (kg/m3). Above 0.
+        body_top_m: Depth of the body's top below the surface (m). Above 0.
+        body_height_m: Its height (m). Above 0.
+        alpha_deg: Turns the tool so that it has this tool angle from the horizontal (deg), below 90 with the tip
+            ahead; as drawn if not given. At least -180 and at most 180.
+        alpha_of: What ``alpha_deg`` is the angle of.
+        delta_deg: Friction angle between soil and tool (deg), at most phi, where the tool file says none. At least
+            0.
+        depth_m: Vertical depth of the tool's lowest point below the surface (m); with its highest point at the
+            surface if not given. Above 0.
+        direction_deg: Direction in which the tool moves, from the horizontal (deg): above 0 upwards. At least -90
+            and at most 90.
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        ahead_m: Distances from the tool's tip ahead to the body, along the surface (m); by default 0.25, 0.5, 1,
+            1.5, 2, 3 and 4 times what of the tool is in the ground. At least 1e-06.
+        body_length_m: Its length along the motion (m); as long as high if not given. Above 0.
+        body: What the body does.
+        scatter: Relative scatter of measured forces: the body shows where it adds more than that. At least 0 and at
+            most 10.
+        max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
+        max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
+        max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+            machine. At least 1.
+        max_seconds: Time that may be spent (s); where the run ends then depends on the machine, and the answer says
+            so. Above 0.
+        max_memory_mb: Memory that may be used (MB): a mesh whose programs may need more is not made. At least 100.
+        threads: Threads; the bounds are the same for any number. At least 1 and at most 1024.
+        factorisation: What factorises the systems of the solver's steps: bounds differ in their last digits;
+            ``auto`` goes by the size of the programs.
+        segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
+            slower and wider. At least 3 and at most 1000.
+        dump: Existing folder for programs on which the solver failed, to reproduce that from.
+        save: Saves the fields that prove the bounds, for ``soilctl certify``: without the body as
+            NAME.without.json, by distance as NAME.1.json and so on.
+        problem: Writes the problems as problem files likewise (.toml).
+        table: Writes the table over the distance (.csv or .parquet).
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("obstacle", obstacle, locals(), ObstacleAnswer)
+
+
 def solve(
     file: PathLike,
     *,
@@ -5389,6 +6660,12 @@ def estimate(
     surcharge_pa: float = 0.0,
     gravity_m_s2: float = 9.80665,
     beta_deg: float = 0.0,
+    cohesion_range_pa: Sequence[Any] | None = None,
+    adhesion_range_pa: Sequence[Any] | None = None,
+    adhesion_share: Sequence[Any] | None = None,
+    surcharge_range_pa: Sequence[Any] | None = None,
+    beta_range_deg: Sequence[Any] | None = None,
+    costs: bool = False,
     sections_deg: Sequence[float] = (),
     next_strokes: bool = False,
     next_alpha_deg: Sequence[float] = (40.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0, 110.0),
@@ -5442,6 +6719,18 @@ def estimate(
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
         gravity_m_s2: Gravity (m/s2), above 0.
         beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        cohesion_range_pa: Cohesion of the soil (Pa) as an unknown between LOW and HIGH, instead of
+            ````cohesion_pa````.
+        adhesion_range_pa: Adhesion between soil and plate (Pa) as an unknown between LOW and HIGH, instead of
+            ````adhesion_pa````.
+        adhesion_share: Adhesion as an unknown part of the cohesion between LOW and HIGH, 0 to 1, instead of
+            ````adhesion_pa````.
+        surcharge_range_pa: Vertical pressure on the surface (Pa) as an unknown between LOW and HIGH, instead of
+            ````surcharge_pa````.
+        beta_range_deg: Slope of the surface (deg) as an unknown between LOW and HIGH, such as an inclinometer tells
+            it, instead of ````beta_deg````.
+        costs: Also tell what each unknown costs: the widths of friction angle and density, were it known. Needs one
+            of the intervals above.
         sections_deg: Values of delta at which sections are shown (deg); default: the ends and the middle.
         next_strokes: Rank the next strokes by how much they would shrink the region.
         next_alpha_deg: Tool angles to consider for the next stroke (deg).
@@ -5460,6 +6749,119 @@ def estimate(
         FileError: If a file cannot be read or written.
     """
     return run("estimate", estimate, locals(), EstimateAnswer, tables=("file", "shear_box",))
+
+
+def places(
+    file: Table,
+    *,
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d", "table"] = "table",
+    ends: Literal["finite", "none"] | None = None,
+    delta_deg: Literal["column"] | float = "column",
+    delta_tol_deg: float = 1.0,
+    density_kg_m3: Literal["column"] | float | None = None,
+    density_tol: float = 0.04,
+    uncertainty: Literal["sigma", "bounds"] = "sigma",
+    confidence: float = 0.95,
+    false_discovery: float = 0.05,
+    cell_m: float | None = None,
+    next_places: int = 3,
+    origin_deg: Sequence[float] | None = None,
+    geojson: PathLike | None = None,
+    cells: PathLike | None = None,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
+    gravity_m_s2: float = 9.80665,
+    beta_deg: float = 0.0,
+    progress: Progress = None,
+) -> PlacesAnswer:
+    """Whether the soil is the same at several places, what it is at each, and what lies between.
+
+    Args:
+        file: Stroke table (CSV) with the columns ``place``, or ``place_x_m`` and ``place_y_m``, or all three.
+        model: Force model; ``table`` is the bracket of proven bounds.
+        ends: Whether plates have ends, each its own width; by default they have them for the models that know ends.
+        delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says of each place.
+        delta_tol_deg: Half width of what is known of delta (deg). At least 0.
+        density_kg_m3: Bulk density (kg/m3) everywhere, or ``column`` for density_kg_m3 of each place; left out:
+            unknown.
+        density_tol: Relative half width of what is known of the density. At least 0 and below 1.
+        uncertainty: What the uncertainty of a force means.
+        confidence: Probability with which all bands of a place together hold their true forces, and with which the
+            value between places is in its interval. Above 0 and below 1.
+        false_discovery: Part of the differences that are told which may be none, on average (Benjamini and
+            Hochberg); without meaning for bounds. Above 0 and below 1.
+        cell_m: Side of the cells between places (m). Above 0.
+        next_places: How many places to name where a stroke would tell most. At least 0 and at most 20.
+        origin_deg: Latitude and longitude (deg, WGS 84) of x = 0 and y = 0, x to the east: coordinates of
+            ``geojson`` are then geographic, as programs expect them.
+        geojson: Writes places and cells as GeoJSON.
+        cells: Writes the cells as a table (CSV).
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("places", places, locals(), PlacesAnswer, tables=("file",))
+
+
+def surface(
+    file: Table,
+    *,
+    break_sd_m: float | None = None,
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d", "table"] = "table",
+    ends: Literal["finite", "none"] | None = None,
+    delta_deg: Literal["column"] | float = "column",
+    delta_tol_deg: float = 1.0,
+    density_kg_m3: Literal["column"] | float | None = None,
+    density_tol: float = 0.04,
+    uncertainty: Literal["sigma", "bounds"] = "sigma",
+    confidence: float = 0.95,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
+    gravity_m_s2: float = 9.80665,
+    beta_deg: float = 0.0,
+    progress: Progress = None,
+) -> SurfaceAnswer:
+    """What the crack ahead of the plate says of the soil, beside what the force says.
+
+    Args:
+        file: Stroke table (CSV) with the columns ``break_distance_m`` and ``break_distance_sd_m``.
+        break_sd_m: Standard deviation of break distances (m) where the table does not say. Above 0.
+        model: Force model of the estimate that the surface is held against.
+        ends: Whether plates have ends in that estimate; by default they have them for the models that know ends.
+        delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says.
+        delta_tol_deg: Half width of what is known of delta (deg). At least 0.
+        density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of the table; left out: unknown.
+        density_tol: Relative half width of what is known of the density. At least 0 and below 1.
+        uncertainty: What uncertainties of forces and distances mean; as bounds, a deviation is a half width.
+        confidence: Probability with which all bands of forces together hold their true values, and likewise those
+            of distances. Above 0 and below 1.
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("surface", surface, locals(), SurfaceAnswer, tables=("file",))
 
 
 def shear(
@@ -5714,6 +7116,37 @@ def diagnose_self_test(
         FileError: If a file cannot be read or written.
     """
     return run("diagnose self-test", diagnose_self_test, locals(), DiagnoseSelfTestAnswer)
+
+
+def diagnose_self_test_logs(
+    folder: PathLike,
+    *,
+    model: str = "table",
+    campaigns: int = 3,
+    hidden: str | None = None,
+    seed: int = 1,
+    progress: Progress = None,
+) -> DiagnoseSelfTestLogsAnswer:
+    """Hides effects in logs of simulated arms that the twin does not know, diagnoses them with the twin, and counts
+    how often that is right.
+
+    Args:
+        folder: Folder for the campaigns; a run that was ended goes on from there.
+        model: Force model without effects.
+        campaigns: Hidden campaigns of 12 strokes; every third hides nothing, the others an effect in turn. At least
+            1 and at most 10000.
+        hidden: Hide this effect in all of them, or ``none``.
+        seed: Seed. At least 0.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("diagnose self-test-logs", diagnose_self_test_logs, locals(), DiagnoseSelfTestLogsAnswer)
 
 
 def demo(
