@@ -218,3 +218,39 @@ def test_the_users_clock_is_told(soilctl, validate):
     assert (answer["ended"], answer["stopped_by"]) == ("time", "seconds")
     text = soilctl("bound", *PLATE, "--max-gap", 1e-9, "--max-seconds", seconds).stdout
     assert "ended by the time allowed" in text
+
+
+def test_a_case_that_falls_by_itself_ends_no_other(soilctl, tmp_path):
+    """An upright cut of 4 m stands with 3.83 c / (weight height) (Taylor 1937): not with 2 kPa, and with 30 kPa it bears a load besides."""
+    file = tmp_path / "cut.toml"
+    file.write_text(
+        """
+default_boundary = "free"
+objective = {kind = "load"}
+[[soil]]
+name = "clay"
+phi_deg = 0
+cohesion_kpa = 30
+unit_weight_kn_m3 = 18
+[[region]]
+soil = "clay"
+polygon = [[-6, -4], [14, -4], [14, 4], [0, 4], [0, 0], [-6, 0]]
+[[boundary]]
+kind = "fixed"
+sides = ["left", "right", "bottom"]
+[[boundary]]
+kind = "load"
+line = [[1, 4], [5, 4]]
+pressure_kpa = 10
+live = true
+[[case]]
+name = "weak"
+set = {"soil.clay.cohesion_kpa" = 2}
+[[case]]
+name = "strong"
+"""
+    )
+    answer = soilctl.json("solve", file, "--max-gap", 0.1, code=3)
+    weak, strong = answer["cases"]
+    assert weak["lower"] is None and "fails under its own weight" in weak["problem"]
+    assert strong["problem"] is None and 0 < strong["lower"] <= strong["upper"]

@@ -130,7 +130,11 @@ pub struct How<'a> {
 ///
 /// The solver refuses the program, or one that failed cannot be written to [`How::dump`]. That a program has no solution is no error:
 /// see [`Answer::status`].
-pub fn solve(program: &Program, how: How<'_>, stops: [&Arc<AtomicBool>; 2]) -> Result<Answer, ConicError> {
+pub fn solve<const N: usize>(
+    program: &Program,
+    how: How<'_>,
+    stops: [&Arc<AtomicBool>; N],
+) -> Result<Answer, ConicError> {
     if cfg!(not(all(target_os = "linux", target_pointer_width = "64")))
         && program.cones.contains(&Cone::Semidefinite3)
     {
@@ -296,7 +300,7 @@ mod tests {
         let accuracy = Accuracy { gap: 1e-8, feasibility: 1e-8, steps: 1e-10, regularisation: 1e-8 };
         let stop = Arc::new(AtomicBool::new(false));
         let how = How { accuracy, factorisation: None, seconds: None, dump: Some(&path) };
-        let answer = solve(&program, how, [&stop; 2]).unwrap();
+        let answer = solve(&program, how, [&stop]).unwrap();
         assert_eq!(answer.status, Status::Failed);
         let mut file = File::open(&path).unwrap();
         let mut again: DefaultSolver<f64> = DefaultSolver::load_from_file(&mut file, None).unwrap();

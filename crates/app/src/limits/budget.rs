@@ -112,6 +112,7 @@ impl Budget {
             segments: self.segments.map(|n| n as usize),
             dump: self.dump.clone(),
             stop: watch.stop(Interrupted::KeepsResults),
+            ..Options::default()
         })
     }
 }

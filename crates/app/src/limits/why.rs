@@ -28,7 +28,7 @@ impl Statuses {
         }
         self.ask(problem, options);
         if self.locked() || self.falls_at.is_some() {
-            options.stop.store(true, Ordering::Relaxed);
+            options.end.store(true, Ordering::Relaxed);
         }
     }
 
@@ -54,9 +54,7 @@ impl Statuses {
 
     /// A failed run in physical words, as far as they are known.
     pub(super) fn explain(&mut self, error: LimitError, problem: &Problem, options: &Options) -> AppError {
-        if !matches!(error, LimitError::NothingProven { proven: None, .. }) {
-            return error.into();
-        }
+        let LimitError::NothingProven { proven, .. } = error else { return error.into() };
         self.ask(problem, options);
         let meshes = self.levels.len();
         if let Some(factor) = self.falls_at {
@@ -65,6 +63,10 @@ impl Statuses {
                  proven: it bears at most {} times these; give it more strength, or flatter and better held ground",
                 number(factor.max(0.0))
             ));
+        }
+        // Of ground that falls an upper bound on what it bears besides would say nothing.
+        if proven.is_some() {
+            return error.into();
         }
         if self.bears_all() {
             return AppError::Request(format!(

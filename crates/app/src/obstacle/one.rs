@@ -36,7 +36,7 @@ impl Series {
             let budget =
                 Budget { max_seconds: request.budget.max_seconds.map(share), ..request.budget.clone() };
             let save = request.save.as_deref().map(|path| numbered(path, word));
-            let watch = OneOfMany { watch, all: &all, own: Arc::default() };
+            let watch = OneOfMany { watch };
             solve::one_or_side(&budget, save.as_deref(), description, &watch)
         };
         watch.begin(1 + count as u64, "distances");
@@ -109,17 +109,14 @@ fn row(ahead_m: f64, [own, upper]: [Option<f64>; 2], [least, most]: [f64; 2]) ->
     }
 }
 
-/// Whoever watches the whole run, as one distance sees them: it does not tell how far it is. Its flag is its own, since a problem that has
-/// no bounds sets it to end itself; that of the whole run is looked at after each mesh.
+/// Whoever watches the whole run, as one distance sees them: it does not tell how far it is.
 struct OneOfMany<'a> {
     watch: &'a dyn Watch,
-    all: &'a AtomicBool,
-    own: Arc<AtomicBool>,
 }
 
 impl Watch for OneOfMany<'_> {
-    fn stop(&self, _: Interrupted) -> Arc<AtomicBool> {
-        Arc::clone(&self.own)
+    fn stop(&self, interrupted: Interrupted) -> Arc<AtomicBool> {
+        self.watch.stop(interrupted)
     }
 
     fn begin(&self, _: u64, _: &str) {}
@@ -128,9 +125,6 @@ impl Watch for OneOfMany<'_> {
 
     fn say(&self, text: &str) {
         self.watch.say(text);
-        if self.all.load(Ordering::Relaxed) {
-            self.own.store(true, Ordering::Relaxed);
-        }
     }
 
     fn end(&self) {}

@@ -1,7 +1,5 @@
 //! The bounds with the weakest and the strongest soil, at the stresses of the problem, and where between them it begins to stand.
 
-use std::sync::atomic::Ordering;
-
 use soilctl_limit_analysis::Options;
 
 use super::answer::{FrictionBasis, SlopeAnswer, Trial};
@@ -239,7 +237,7 @@ impl<'a> Search<'a> {
     }
 
     pub(super) fn is_stopped(&self) -> bool {
-        self.options.stop.load(Ordering::Relaxed)
+        self.options.is_stopped()
     }
 
     /// Halves the friction angles until it is known where it begins to stand.

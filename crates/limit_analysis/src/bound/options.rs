@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use soilctl_conic::Factorisation;
 
@@ -32,11 +32,19 @@ pub struct Options {
     pub segments: Option<usize>,
     /// An existing folder for programs that end in numerical trouble, one file each, to reproduce it from.
     pub dump: Option<PathBuf>,
-    /// Set to end the run early with the best bounds so far.
+    /// Set to end the run early with the best bounds so far, and all others that have this one.
     pub stop: Arc<AtomicBool>,
+    /// The same for this run alone.
+    pub end: Arc<AtomicBool>,
 }
 
 impl Options {
+    /// Whether the run is to end.
+    #[must_use]
+    pub fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed) || self.end.load(Ordering::Relaxed)
+    }
+
     /// [`max_work`](Self::max_work) where nothing else is asked for: about what one core does in a minute.
     pub const MAX_WORK: u64 = 3_000_000;
 }
@@ -53,7 +61,8 @@ impl Default for Options {
             factorisation: None,
             segments: None,
             dump: None,
-            stop: Arc::new(AtomicBool::new(false)),
+            stop: Arc::default(),
+            end: Arc::default(),
         }
     }
 }

@@ -1,8 +1,5 @@
 //! Whether the ground falls before anything is asked of it.
 
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-
 use soilctl_certificate::{Condition, Objective, Statement};
 use soilctl_conic::Status;
 
@@ -47,11 +44,11 @@ pub fn seems_to_fall(levels: &[Level]) -> bool {
 /// [`LimitError`] as from [`bound`](crate::bound()).
 pub fn falls(problem: &Problem, options: &Options, work: u64) -> Result<Option<f64>, LimitError> {
     let rest = Problem::new(at_rest(problem.statement()))?;
-    // What stopped the run that asks shall not stop this one.
     let options = Options {
         max_gap: f64::EPSILON,
         max_work: work.min(options.max_work),
-        stop: Arc::new(AtomicBool::new(false)),
+        // What ended the run that asks shall not end this one.
+        end: std::sync::Arc::default(),
         ..options.clone()
     };
     let Sides { upper, .. } = sides(&rest, &options, &is_decided, &mut |_, _| {})?;

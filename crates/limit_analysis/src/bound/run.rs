@@ -1,7 +1,6 @@
 //! The levels of a run.
 
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
 use soilctl_certificate::{LowerField, UpperField};
 use soilctl_conic::Status;
@@ -171,7 +170,7 @@ impl<'a> Run<'a> {
         let Some(last) = self.levels.last() else {
             return if self.capacity() < self.target { Err(Ended::Memory) } else { Ok(self.target) };
         };
-        if self.options.stop.load(Ordering::Relaxed) {
+        if self.options.is_stopped() {
             return Err(Ended::Stopped);
         }
         let solved = last.upper.elements as f64;
@@ -283,13 +282,13 @@ impl<'a> Run<'a> {
         if gap.is_some_and(|g| g <= self.options.max_gap) {
             return Ok(Some(Ended::Gap));
         }
-        let is_over = self.options.stop.load(Ordering::Relaxed) || !self.clock.allows(0.0);
+        let is_over = self.options.is_stopped() || !self.clock.allows(0.0);
         Ok(is_over.then(|| self.cut()))
     }
 
     /// Whether the user or the clock cut a level short.
     fn cut(&self) -> Ended {
-        if self.options.stop.load(Ordering::Relaxed) { Ended::Stopped } else { Ended::Time }
+        if self.options.is_stopped() { Ended::Stopped } else { Ended::Time }
     }
 
     /// Spends what is left on a lower bound on the finest mesh that fits, unless the run is to end at once. Returns why it

@@ -116,7 +116,7 @@ impl Run<'_> {
         let dump = self.options.dump.as_ref().map(|folder| folder.join(file));
         let linear = self.options.segments.map(|p| program.linearised(p.max(3)));
         let program = linear.as_ref().unwrap_or(program);
-        let stops = [&self.options.stop, needless];
+        let stops = [&self.options.stop, &self.options.end, needless];
         let how = How {
             accuracy,
             factorisation: self.options.factorisation,

@@ -3,8 +3,6 @@
 mod guess;
 mod search;
 
-use std::sync::atomic::Ordering;
-
 use soilctl_certificate::{LowerField, UpperField};
 
 use crate::bound::{Bound, Clock, Ended, Level, Options, Seed, Sides, continued, is_decided};
@@ -102,7 +100,7 @@ pub fn factor_of_safety(
         if run.search.is_done() {
             break Ended::Gap;
         }
-        if options.stop.load(Ordering::Relaxed) {
+        if options.is_stopped() {
             break Ended::Stopped;
         }
         if !run.clock.allows(0.0) {
