@@ -2,6 +2,8 @@
 
 mod answer;
 mod bands;
+#[cfg(not(target_family = "wasm"))]
+mod beside;
 mod exact;
 mod inputs;
 mod law;
@@ -21,6 +23,8 @@ pub use answer::{
     Section, distinct,
 };
 pub use bands::Bands;
+#[cfg(not(target_family = "wasm"))]
+pub use beside::Beside;
 pub use exact::{ContourSection, Crossing, ExactAnswer};
 use inputs::Files;
 pub use inputs::Inputs;

@@ -31,7 +31,7 @@ pub(super) fn between(request: &Request, places: &[Place]) -> Result<Result<Betw
             known.len()
         )));
     }
-    let deviations = normal_quantile(0.5 * (1.0 - request.confidence));
+    let deviations = normal_quantile(0.5 * (1.0 - request.estimate.confidence));
     let field = |of: fn(&Place) -> Option<[f64; 2]>| {
         let sites = known.iter().filter_map(|(place, [x_m, y_m])| {
             let [low, high] = of(place)?;

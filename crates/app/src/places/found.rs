@@ -36,7 +36,7 @@ impl Table {
         rows: &[StrokeRow],
     ) -> Result<Estimation, AppError> {
         let table = StrokeTable::new(&format!("{} (strokes of {of} alone)", self.name), rows)?;
-        estimate::of_part(&request.of_place(), table, self.campaign.clone())
+        estimate::of_part(&request.estimate.request(&request.file), table, self.campaign.clone())
     }
 }
 

@@ -95,11 +95,11 @@ fn pooled(
 fn answer(request: &Request, places: &[Place], pairs: Vec<Pair>, groups: Pooled) -> Result<Answer, AppError> {
     let Some(first) = places.first() else { return Err(AppError::Request("there is no place".into())) };
     let group_of = |place: usize| groups.iter().position(|(members, _)| members.contains(&place));
-    let statistical = request.is_statistical();
+    let statistical = request.estimate.is_statistical();
     Ok(Answer {
         model: first.found.answer.model.clone(),
         ends: first.found.answer.ends,
-        confidence: statistical.then_some(request.confidence),
+        confidence: statistical.then_some(request.estimate.confidence),
         false_discovery: statistical.then_some(request.false_discovery),
         places: places.iter().enumerate().map(|(i, place)| PlaceFound::of(place, group_of(i))).collect(),
         pairs,

@@ -61,7 +61,7 @@ fn pair(request: &Request, a: &Place, b: &Place) -> Result<Pair, AppError> {
         pair.force_ratio = Some(libm::exp(mean));
     }
     let both = a.found.answer.consistent && b.found.answer.consistent;
-    if request.is_statistical() && !differences.is_empty() {
+    if request.estimate.is_statistical() && !differences.is_empty() {
         let off: Vec<f64> = differences.iter().map(|d| d.log_ratio / d.sd).collect();
         pair.by = By::Forces;
         pair.p = Some(p_of_deviations(&off));
@@ -72,7 +72,7 @@ fn pair(request: &Request, a: &Place, b: &Place) -> Result<Pair, AppError> {
     } else if both {
         pair.by = By::Sets;
         let joint = joint(&of_a, &of_b);
-        if request.is_statistical() {
+        if request.estimate.is_statistical() {
             pair.p = Some(p_of_sets(&joint, [a, b])?);
         } else {
             pair.differ = !estimate(&joint)?.is_consistent();
@@ -121,7 +121,7 @@ fn difference(
 
 /// The force that a plate needs in a soil of usual strength.
 fn usual_n(request: &Request, place: &Place, of: &Observation) -> Result<f64, AppError> {
-    let loads = &request.loads;
+    let loads = &request.estimate.loads;
     let (low, high) = place.found.inputs.delta_deg;
     let delta = f64::midpoint(low, high).clamp(0.0, USUAL_PHI_DEG);
     let soil = Soil::new(Angle::from_degrees(USUAL_PHI_DEG), USUAL_DENSITY_KG_M3)?

@@ -24,7 +24,7 @@ use crate::{AppError, Watch, request as requests};
 /// [`AppError`] if the request or the table makes no sense, no stroke has a break distance, or a file cannot be read.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     requests::check(request)?;
-    let found = estimate::run(&request.of_forces(), watch)?;
+    let found = estimate::run(&request.estimate.request(&request.file), watch)?;
     let (measured, not_measured, deviations) = measured(request)?;
     let delta = found.inputs.delta_deg;
     let force = ByForce::of(&found);
@@ -46,7 +46,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
             .collect(),
     });
     let mut answer = Answer {
-        confidence: request.is_statistical().then_some(request.confidence),
+        confidence: request.estimate.is_statistical().then_some(request.estimate.confidence),
         deviations,
         delta_deg: [delta.0, delta.1],
         force,
@@ -71,9 +71,9 @@ fn measured(request: &Request) -> Result<(Vec<Measured>, usize, f64), AppError> 
             table.name()
         )));
     }
-    let deviations = if request.is_statistical() {
+    let deviations = if request.estimate.is_statistical() {
         // All of them together, by Šidák.
-        let each = libm::pow(request.confidence, 1.0 / rows.len() as f64);
+        let each = libm::pow(request.estimate.confidence, 1.0 / rows.len() as f64);
         normal_quantile(0.5 * (1.0 - each))
     } else {
         1.0
@@ -89,7 +89,7 @@ fn measured(request: &Request) -> Result<(Vec<Measured>, usize, f64), AppError> 
         })?;
         // At failure the plate stands as it was turned by then.
         let alpha_deg = row.alpha_deg + row.turned_deg.unwrap_or(0.0);
-        let slope = Angle::from_degrees(request.loads.beta_deg);
+        let slope = Angle::from_degrees(request.estimate.loads.beta_deg);
         let plate = Plate::new(Angle::from_degrees(alpha_deg), slope, row.depth_m, row.width_m)?;
         let name = row.stroke_id.clone().unwrap_or_else(|| format!("line {}", row.line));
         Ok(Measured {

@@ -34,7 +34,7 @@ pub(crate) struct Placed {
 impl Placed {
     /// Reads the tool and puts it into the ground.
     pub(crate) fn new(setting: &Setting) -> Result<Self, AppError> {
-        let file = ToolFile::read(&setting.tool)?;
+        let file = ToolFile::read(&setting.file)?;
         Self::of_file(file, setting)
     }
 

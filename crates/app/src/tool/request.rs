@@ -15,7 +15,7 @@ use crate::request::{Loads, finite};
 pub struct Setting {
     /// Tool file, .toml, .json or .csv: points from tip to top, or an arc
     #[arg(value_name = "TOOL", value_hint = clap::ValueHint::FilePath)]
-    pub tool: PathBuf,
+    pub file: PathBuf,
 
     /// Turns the tool so that it has this tool angle from the horizontal (deg), below 90 with the tip ahead; as drawn if not given
     #[arg(long = "alpha", value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]

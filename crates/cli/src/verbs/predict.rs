@@ -65,7 +65,7 @@ fn of_tool(request: &Request, file: &Path) -> Result<tool::Request, CliError> {
     };
     let missing = |option: &str| CliError::Usage(format!("--tool needs --{option}"));
     let setting = tool::Setting {
-        tool: file.to_owned(),
+        file: file.to_owned(),
         alpha_deg: request.alpha_deg,
         phi_deg: request.phi_deg.ok_or_else(|| missing("phi DEG"))?,
         delta_deg: number("delta", request.delta_deg)?,
