@@ -6066,7 +6066,7 @@ def bound(
 
 
 def tool(
-    tool: str,
+    file: str,
     phi_deg: float,
     density_kg_m3: float,
     *,
@@ -6097,7 +6097,7 @@ def tool(
     limit analysis.
 
     Args:
-        tool: Tool file, .toml, .json or .csv: points from tip to top, or an arc.
+        file: Tool file, .toml, .json or .csv: points from tip to top, or an arc.
         phi_deg: Internal friction angle of the soil (deg), above 0 and below 70. Above 0 and below 70.
         density_kg_m3: Bulk density (kg/m3). Above 0.
         alpha_deg: Turns the tool so that it has this tool angle from the horizontal (deg), below 90 with the tip
@@ -6142,7 +6142,7 @@ def tool(
 
 
 def obstacle(
-    tool: str,
+    file: str,
     phi_deg: float,
     density_kg_m3: float,
     body_top_m: float,
@@ -6180,7 +6180,7 @@ def obstacle(
     body, over its distance.
 
     Args:
-        tool: Tool file, .toml, .json or .csv: points from tip to top, or an arc.
+        file: Tool file, .toml, .json or .csv: points from tip to top, or an arc.
         phi_deg: Internal friction angle of the soil (deg), above 0 and below 70. Above 0 and below 70.
         density_kg_m3: Bulk density (kg/m3). Above 0.
         body_top_m: Depth of the body's top below the surface (m). Above 0.
@@ -6754,6 +6754,12 @@ def estimate(
 def places(
     file: Table,
     *,
+    false_discovery: float = 0.05,
+    cell_m: float | None = None,
+    next_places: int = 3,
+    origin_deg: Sequence[float] | None = None,
+    geojson: PathLike | None = None,
+    cells: PathLike | None = None,
     model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d", "table"] = "table",
     ends: Literal["finite", "none"] | None = None,
     delta_deg: Literal["column"] | float = "column",
@@ -6762,12 +6768,6 @@ def places(
     density_tol: float = 0.04,
     uncertainty: Literal["sigma", "bounds"] = "sigma",
     confidence: float = 0.95,
-    false_discovery: float = 0.05,
-    cell_m: float | None = None,
-    next_places: int = 3,
-    origin_deg: Sequence[float] | None = None,
-    geojson: PathLike | None = None,
-    cells: PathLike | None = None,
     cohesion_pa: float = 0.0,
     adhesion_pa: float = 0.0,
     surcharge_pa: float = 0.0,
@@ -6779,16 +6779,6 @@ def places(
 
     Args:
         file: Stroke table (CSV) with the columns ``place``, or ``place_x_m`` and ``place_y_m``, or all three.
-        model: Force model; ``table`` is the bracket of proven bounds.
-        ends: Whether plates have ends, each its own width; by default they have them for the models that know ends.
-        delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says of each place.
-        delta_tol_deg: Half width of what is known of delta (deg). At least 0.
-        density_kg_m3: Bulk density (kg/m3) everywhere, or ``column`` for density_kg_m3 of each place; left out:
-            unknown.
-        density_tol: Relative half width of what is known of the density. At least 0 and below 1.
-        uncertainty: What the uncertainty of a force means.
-        confidence: Probability with which all bands of a place together hold their true forces, and with which the
-            value between places is in its interval. Above 0 and below 1.
         false_discovery: Part of the differences that are told which may be none, on average (Benjamini and
             Hochberg); without meaning for bounds. Above 0 and below 1.
         cell_m: Side of the cells between places (m). Above 0.
@@ -6797,6 +6787,15 @@ def places(
             ``geojson`` are then geographic, as programs expect them.
         geojson: Writes places and cells as GeoJSON.
         cells: Writes the cells as a table (CSV).
+        model: Force model; ``table`` is the bracket of proven bounds.
+        ends: Whether plates have ends, each its own width; by default they have them for the models that know ends.
+        delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says.
+        delta_tol_deg: Half width of what is known of delta (deg). At least 0.
+        density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of the table; left out: unknown.
+        density_tol: Relative half width of what is known of the density. At least 0 and below 1.
+        uncertainty: What uncertainties of measurements mean; as bounds, a deviation is a half width.
+        confidence: Probability with which all bands together hold their true values, at each place; that of
+            intervals between places too. Above 0 and below 1.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
@@ -6838,15 +6837,15 @@ def surface(
     Args:
         file: Stroke table (CSV) with the columns ``break_distance_m`` and ``break_distance_sd_m``.
         break_sd_m: Standard deviation of break distances (m) where the table does not say. Above 0.
-        model: Force model of the estimate that the surface is held against.
-        ends: Whether plates have ends in that estimate; by default they have them for the models that know ends.
+        model: Force model; ``table`` is the bracket of proven bounds.
+        ends: Whether plates have ends, each its own width; by default they have them for the models that know ends.
         delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says.
         delta_tol_deg: Half width of what is known of delta (deg). At least 0.
         density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of the table; left out: unknown.
         density_tol: Relative half width of what is known of the density. At least 0 and below 1.
-        uncertainty: What uncertainties of forces and distances mean; as bounds, a deviation is a half width.
-        confidence: Probability with which all bands of forces together hold their true values, and likewise those
-            of distances. Above 0 and below 1.
+        uncertainty: What uncertainties of measurements mean; as bounds, a deviation is a half width.
+        confidence: Probability with which all bands together hold their true values, at each place; that of
+            intervals between places too. Above 0 and below 1.
         cohesion_pa: Cohesion of the soil (Pa), at least 0.
         adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
         surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
