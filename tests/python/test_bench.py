@@ -137,5 +137,6 @@ def test_a_phone_has_all_of_the_bench(bench, scheme):
     nameless = page.evaluate("[...document.querySelectorAll('button, input, select, textarea')].filter(one => !one.hidden && !one.textContent.trim() && !one.title && !one.ariaLabel && !one.labels?.length).map(one => one.outerHTML)")
     assert [one for one in nameless if 'type="file"' not in one] == []
     # Both pages lead to each other.
-    page.locator("a.button[href='./']").tap()
+    with page.expect_navigation():
+        page.locator("a.button[href='./']").tap()
     until(page, "window.workbench?.state.greeted")
