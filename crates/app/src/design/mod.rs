@@ -12,7 +12,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use soilctl_limit_analysis::describe::SweepEntry;
-use soilctl_limit_analysis::{Decision, Description, LimitError, Reach};
+use soilctl_limit_analysis::{Decision, Description, LimitError, Options, Reach, decide};
 use web_time::Instant;
 
 pub use answer::{Answer, Found, Tried, Verdict};
@@ -167,7 +167,7 @@ fn at(
         let left_s = budget.max_seconds.map(|all| (all - begun.elapsed().as_secs_f64()).max(1e-3));
         let max_seconds = left_s.map(|left| left / (problems.len() - index) as f64);
         let options = Budget { max_seconds, ..budget.clone() }.options(watch)?;
-        match limits::decision(problem, wanted * resistance, &options, watch) {
+        match decision(problem, wanted * resistance, &options, watch) {
             Ok(decision) => tried.add(name, *resistance, &decision),
             // Both ends make sense, so what was found so far is worth keeping.
             Err(problem) => tried.leave_open(name, problem.to_string()),
@@ -223,4 +223,18 @@ fn write(changes: &Changes, answer: &Answer, out: &Path) -> Result<(), AppError>
         description.sweeps.clone_from(&file.sweeps);
     }
     save(out, description.to_toml().map_err(LimitError::from)?.as_bytes())
+}
+
+/// Whether what a description asks for reaches a value.
+fn decision(
+    description: &Description,
+    wanted: f64,
+    options: &Options,
+    watch: &dyn Watch,
+) -> Result<Decision, AppError> {
+    watch.begin(0, "first mesh");
+    let decision =
+        decide(description, wanted, options, &mut |level, gap| watch.say(&limits::words(level, gap)));
+    watch.end();
+    Ok(decision?)
 }

@@ -10,7 +10,7 @@ pub use budget::{Budget, FactorisationChoice};
 pub use fields::Fields;
 pub use levels::{LevelAnswer, SolveAnswer};
 pub use results::{BendingAnswer, ContactAnswer, MemberAnswer, ResultsAnswer, StretchAnswer, face_names};
-use soilctl_limit_analysis::{Bounds, Decision, Description, Level, Options, Problem, bound_section, decide};
+use soilctl_limit_analysis::{Bounds, Level, Options, Problem, bound_section};
 
 use crate::{AppError, Proven, Watch};
 
@@ -38,19 +38,6 @@ pub(crate) fn bounds(
     let bounds = bounds.map_err(|error| statuses.explain(error, problem, options))?;
     levels::note_doubts(&bounds.levels, watch);
     Ok(bounds)
-}
-
-/// Whether what a description asks for reaches a value.
-pub(crate) fn decision(
-    description: &Description,
-    wanted: f64,
-    options: &Options,
-    watch: &dyn Watch,
-) -> Result<Decision, AppError> {
-    watch.begin(0, "first mesh");
-    let decision = decide(description, wanted, options, &mut |level, gap| watch.say(&words(level, gap)));
-    watch.end();
-    Ok(decision?)
 }
 
 /// A level in a few words.
