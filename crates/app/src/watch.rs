@@ -51,6 +51,38 @@ pub trait Watch: Sync {
     fn note(&self, text: &str);
 }
 
+/// Whoever watches a run of many problems, as one of them sees them: it does not tell how far it is.
+pub(crate) struct OneOfMany<'a> {
+    pub(crate) watch: &'a dyn Watch,
+    /// What its notes begin with, of problems that run side by side; these say nothing of what they are at.
+    pub(crate) name: Option<&'a str>,
+}
+
+impl Watch for OneOfMany<'_> {
+    fn stop(&self, interrupted: Interrupted) -> Arc<AtomicBool> {
+        self.watch.stop(interrupted)
+    }
+
+    fn begin(&self, _: u64, _: &str) {}
+
+    fn advance(&self, _: u64) {}
+
+    fn say(&self, text: &str) {
+        if self.name.is_none() {
+            self.watch.say(text);
+        }
+    }
+
+    fn end(&self) {}
+
+    fn note(&self, text: &str) {
+        match self.name {
+            Some(name) => self.watch.note(&format!("{name}: {text}")),
+            None => self.watch.note(text),
+        }
+    }
+}
+
 /// Nobody watches: notes are dropped, and nothing is ever stopped.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unwatched;

@@ -1,7 +1,6 @@
 //! One problem after the other, and what each says against that without the body.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use soilctl_limit_analysis::{Description, OneSide};
 use web_time::Instant;
@@ -9,6 +8,7 @@ use web_time::Instant;
 use super::{DistanceAnswer, Request, numbered};
 use crate::limits::Budget;
 use crate::solve::{self, Solved};
+use crate::watch::OneOfMany;
 use crate::{AppError, Interrupted, Watch};
 
 /// What was found of all problems.
@@ -36,7 +36,7 @@ impl Series {
             let budget =
                 Budget { max_seconds: request.budget.max_seconds.map(share), ..request.budget.clone() };
             let save = request.save.as_deref().map(|path| numbered(path, word));
-            let watch = OneOfMany { watch };
+            let watch = OneOfMany { watch, name: None };
             solve::one_or_side(&budget, save.as_deref(), description, &watch)
         };
         watch.begin(1 + count as u64, "distances");
@@ -106,31 +106,6 @@ fn row(ahead_m: f64, [own, upper]: [Option<f64>; 2], [least, most]: [f64; 2]) ->
         gap,
         lower_is_without,
         problem: None,
-    }
-}
-
-/// Whoever watches the whole run, as one distance sees them: it does not tell how far it is.
-struct OneOfMany<'a> {
-    watch: &'a dyn Watch,
-}
-
-impl Watch for OneOfMany<'_> {
-    fn stop(&self, interrupted: Interrupted) -> Arc<AtomicBool> {
-        self.watch.stop(interrupted)
-    }
-
-    fn begin(&self, _: u64, _: &str) {}
-
-    fn advance(&self, _: u64) {}
-
-    fn say(&self, text: &str) {
-        self.watch.say(text);
-    }
-
-    fn end(&self) {}
-
-    fn note(&self, text: &str) {
-        self.watch.note(text);
     }
 }
 

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -14,6 +13,7 @@ use web_time::Instant;
 use super::answer::gap;
 use super::{Asked, Request, Solved, one};
 use crate::limits::Budget;
+use crate::watch::OneOfMany;
 use crate::{AppError, Interrupted, Watch};
 
 /// What was found for one case of a problem file, or one value of its sweeps.
@@ -80,29 +80,6 @@ impl CaseAnswer {
     }
 }
 
-/// Whoever watches the whole run, as a single case sees them: cases run side by side, so none tells how far it is.
-struct OneOfMany<'a> {
-    watch: &'a dyn Watch,
-    stop: &'a Arc<AtomicBool>,
-    name: &'a str,
-}
-
-impl Watch for OneOfMany<'_> {
-    fn stop(&self, _: Interrupted) -> Arc<AtomicBool> {
-        Arc::clone(self.stop)
-    }
-
-    fn begin(&self, _: u64, _: &str) {}
-
-    fn advance(&self, _: u64) {}
-
-    fn end(&self) {}
-
-    fn note(&self, text: &str) {
-        self.watch.note(&format!("{}: {text}", self.name));
-    }
-}
-
 /// The file of a case for `--save`: its number goes before the ending.
 fn save_as(path: &Path, index: usize) -> PathBuf {
     path.with_extension(format!("{}.json", index + 1))
@@ -157,7 +134,7 @@ pub(super) fn run(request: &Request, cases: &[Case], watch: &dyn Watch) -> Resul
         let seconds = share(&request.budget, begun, left);
         let budget = Budget { threads: 1, max_seconds: seconds, ..request.budget.clone() };
         let save = request.save.as_ref().map(|path| save_as(path, *index));
-        let watch = OneOfMany { watch, stop: &stop, name: &case.name };
+        let watch = OneOfMany { watch, name: Some(&case.name) };
         Ok(Some(one(&budget, save.as_deref(), case.description.clone(), &watch)))
     };
     watch.begin(cases.len() as u64, "cases");

@@ -7,10 +7,10 @@
 
 use super::VelocityField;
 use super::jets::StreamValue;
-use super::walls::{WallSide, Walls, way};
+use super::walls::{Walls, way};
 use crate::CertificateError;
 use crate::fields::{Flow, StreamJet, UpperField};
-use crate::interval::Interval;
+use crate::interval::{Interval, Vector};
 use crate::mesh::Side;
 use crate::problem::Problem;
 use crate::tiling::{Tiling, after};
@@ -29,59 +29,72 @@ pub(super) fn value(
 ) -> Result<StreamValue, CertificateError> {
     let bad =
         |copy: usize, problem| CertificateError::BadField { place: format!("vertex copy {copy}"), problem };
-    // From this copy to that on which all depend.
+    // From this copy to that on which all depend, with the vertex towards which each slips and, but at walls, its jump.
     let mut chain = Vec::new();
     let mut at = copy;
-    while let StreamJet::Slip { copy: next, towards, .. } | StreamJet::SlipAtWall { copy: next, towards } =
-        field.stream[at].jet
-    {
+    while let Some((next, towards, jump)) = slips_from(field.stream[at].jet) {
         if chain.len() == MOST {
             return Err(bad(copy, "it depends on too many copies, or on itself"));
         }
         if field.stream[next].vertex != field.stream[at].vertex {
             return Err(bad(at, "it must depend on a copy of the same vertex"));
         }
-        chain.push((at, towards));
+        chain.push((at, towards, jump));
         at = next;
     }
     let root = at;
     let mut known = others[root];
-    for (at, towards) in chain.into_iter().rev() {
-        let vertex = field.stream[at].vertex;
-        let along = tiling.position(towards) - tiling.position(vertex);
-        known = match field.stream[at].jet {
-            StreamJet::Slip { jump, .. } => {
+    for (at, towards, jump) in chain.into_iter().rev() {
+        let along = tiling.position(towards) - tiling.position(field.stream[at].vertex);
+        known = match jump {
+            Some(jump) => {
                 StreamValue { slopes: known.slopes + along.turned() * Interval::point(jump), ..known }
             }
-            _ => {
-                let place = field.mesh.vertices[vertex].place;
-                let next_to = |own: &WallSide, side: &WallSide| {
-                    own.leads_to(problem, side, place) || side.leads_to(problem, own, place)
-                };
-                let ([Some(own), None], [Some(of_root), None]) = (walls.at(at), walls.at(root)) else {
-                    return Err(bad(
-                        at,
-                        "it and the copy on which it depends must each be on one side of a wall",
-                    ));
-                };
-                if !next_to(&own, &of_root) {
-                    return Err(bad(at, "the copy on which it depends must be on the next side of the wall"));
-                }
-                let s =
-                    way(problem, place, &own).ok_or_else(|| bad(at, "it is not on the line of its wall"))?;
-                let value = Interval::point(field.walls[own.wall]) + own.value(problem, s);
-                // Slopes with these products along the wall and along the edge.
-                let (p, a) = (problem.direction(own.side.line), own.flow(problem));
-                let (q, b) = (along, known.slopes.dot(along));
-                let area = p.cross(q);
-                if !area.is_not_zero() {
-                    return Err(bad(at, "its edge is not proven to have another direction than its wall"));
-                }
-                StreamValue { value, slopes: (p.turned() * b - q.turned() * a) * (Interval::ONE / area) }
-            }
+            None => at_wall(problem, field, walls, [at, root], along, known)
+                .map_err(|problem| bad(at, problem))?,
         };
     }
     Ok(known)
+}
+
+/// The copy from which one slips, the vertex towards which it does, and, but at walls, its jump.
+fn slips_from(jet: StreamJet) -> Option<(usize, usize, Option<f64>)> {
+    match jet {
+        StreamJet::Slip { copy, towards, jump } => Some((copy, towards, Some(jump))),
+        StreamJet::SlipAtWall { copy, towards } => Some((copy, towards, None)),
+        StreamJet::Free { .. }
+        | StreamJet::Wall { .. }
+        | StreamJet::Kinked { .. }
+        | StreamJet::Corner { .. } => None,
+    }
+}
+
+/// Value and slopes of a copy on a wall that slips along an edge, given those on the other side of the edge and the copy on which these depend.
+fn at_wall(
+    problem: &Problem,
+    field: &UpperField,
+    walls: &Walls,
+    [at, root]: [usize; 2],
+    along: Vector,
+    beside: StreamValue,
+) -> Result<StreamValue, &'static str> {
+    let place = field.mesh.vertices[field.stream[at].vertex].place;
+    let ([Some(own), None], [Some(of_root), None]) = (walls.at(at), walls.at(root)) else {
+        return Err("it and the copy on which it depends must each be on one side of a wall");
+    };
+    if !own.leads_to(problem, &of_root, place) && !of_root.leads_to(problem, &own, place) {
+        return Err("the copy on which it depends must be on the next side of the wall");
+    }
+    let s = way(problem, place, &own).ok_or("it is not on the line of its wall")?;
+    let value = Interval::point(field.walls[own.wall]) + own.value(problem, s);
+    // Slopes with these products along the wall and along the edge.
+    let (p, a) = (problem.direction(own.side.line), own.flow(problem));
+    let (q, b) = (along, beside.slopes.dot(along));
+    let area = p.cross(q);
+    if !area.is_not_zero() {
+        return Err("its edge is not proven to have another direction than its wall");
+    }
+    Ok(StreamValue { value, slopes: (p.turned() * b - q.turned() * a) * (Interval::ONE / area) })
 }
 
 impl VelocityField<'_> {
@@ -95,11 +108,9 @@ impl VelocityField<'_> {
         let pairs =
             [(1, 2), (2, 1)].map(|(i, j)| (here[after(side.corner, i)], there[after(other.corner, j)]));
         let ends = pairs.map(|(copy, _)| self.field.stream[copy].vertex);
-        let slips = |own: usize, base: usize, end: usize| match self.field.stream[own].jet {
-            StreamJet::Slip { copy, towards, .. } | StreamJet::SlipAtWall { copy, towards } => {
-                copy == base && towards == end
-            }
-            _ => false,
+        let slips = |own: usize, base: usize, end: usize| {
+            slips_from(self.field.stream[own].jet)
+                .is_some_and(|(copy, towards, _)| copy == base && towards == end)
         };
         [(pairs[0], ends[1]), (pairs[1], ends[0])]
             .into_iter()
