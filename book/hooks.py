@@ -19,7 +19,10 @@ import verification  # noqa: E402
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 TABLE = re.compile(r"^<!-- table: (\w+) -->$", flags=re.MULTILINE)
-LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
+# Code, which stays as it is, or a link, whose text may be code.
+CODE_OR_LINK = re.compile(
+    r"^```.*?^```|`[^`\n]*`|(?P<mark>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s]+)\)", flags=re.MULTILINE | re.DOTALL
+)
 log = get_plugin_logger("soilctl")
 
 
@@ -48,7 +51,9 @@ def on_page_markdown(markdown, page, config, files):
     origin = ROOT if page.file.src_uri == "index.md" else here.parent
 
     def changed(match):
-        mark, text, target = match.groups()
+        mark, text, target = match.group("mark", "text", "target")
+        if target is None:
+            return match.group(0)
         path, hash_, anchor = target.partition("#")
         if not path or ":" in path:
             return match.group(0)
@@ -64,10 +69,8 @@ def on_page_markdown(markdown, page, config, files):
         if not there.exists():
             log.warning(f"{page.file.src_uri}: the link to {target} leads nowhere")
         name = there.relative_to(ROOT) if there.is_relative_to(ROOT) else target
-        return f"`{name}`" if text == str(name) else f"{text} (`{name}`)"
+        return f"`{name}`" if text.strip("`") == str(name) else f"{text} (`{name}`)"
 
     tables = verification.tables()
     markdown = TABLE.sub(lambda match: tables[match.group(1)], markdown)
-    # Not in code.
-    parts = re.split(r"(^```.*?^```|`[^`\n]*`)", markdown, flags=re.MULTILINE | re.DOTALL)
-    return "".join(part if index % 2 else LINK.sub(changed, part) for index, part in enumerate(parts))
+    return CODE_OR_LINK.sub(changed, markdown)
