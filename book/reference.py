@@ -75,7 +75,8 @@ def _entry(name, thing, mark):
         made = _signature(name, thing)
         if not (issubclass(thing, BaseException) or dataclasses.is_dataclass(thing) or made.endswith("()")):
             parts = [f"{mark} {name}\n\n**`{made}`**\n\n{_described(thing)}"]
-        for member in (m for m in vars(thing) if not m.startswith("_") or m == "__geo_interface__"):
+        # A class of the compiled module has its members in another order each time, so all are sorted.
+        for member in sorted(m for m in vars(thing) if not m.startswith("_") or m == "__geo_interface__"):
             value = getattr(thing, member)
             if thing.__module__.startswith("soilctl") and inspect.getdoc(value):
                 # Plain values have the documentation of their type.
