@@ -8,9 +8,9 @@ use crate::CampaignError;
 /// By which factor settings may be off, up or down, in a plant that is unlike the twin's: what nobody measures of sand (how its strength is
 /// mobilised and lost, how stiff it is along the plate, how it heaps), friction of drives and sensors' noise, and the play and the
 /// stretch of the drives by less than the effects `backlash` and `cable_flex` are at the least.
-const SAND: f64 = 1.3;
-const CONTACT: f64 = 1.6;
-const FRICTION: f64 = 1.2;
+pub(crate) const SAND: f64 = 1.3;
+pub(crate) const CONTACT: f64 = 1.6;
+pub(crate) const FRICTION: f64 = 1.2;
 const NOISE: f64 = 1.7;
 const KNOWN: f64 = 1.03;
 /// Ends of the part of a bracket where the true force lies, and greatest correlation of a sensor's readings 2 ms apart.

@@ -84,6 +84,8 @@ pub struct Data {
     pub(crate) scene: Option<Vec<f64>>,
     /// How strokes respond to effects, where a simulated arm showed it.
     pub(crate) learnt: BTreeMap<EffectId, Learnt>,
+    /// How strokes respond to settings of that arm that nobody measures, for an amplitude of 1.
+    pub(crate) twin: Vec<Learnt>,
     /// Whether the free-air readings of the table are taken off the forces.
     tare_is_off: bool,
     /// Effects that are not to be found, but known.
@@ -159,6 +161,7 @@ impl Data {
             expected_delta_offset_deg: 0.0,
             scene: None,
             learnt: BTreeMap::new(),
+            twin: Vec::new(),
             tare_is_off: false,
             known: Vec::new(),
             phi,
@@ -216,6 +219,12 @@ impl Data {
     /// Takes how strokes respond to an effect from a simulated arm, in place of the effect's formulas. To be called after [`Data::expect`].
     pub fn learn(&mut self, id: EffectId, learnt: Learnt) {
         self.learnt.insert(id, learnt);
+    }
+
+    /// Takes how strokes respond to a setting of the simulated arm that may be off: forces and columns then share how far it is. To be called
+    /// after [`Data::expect`].
+    pub fn doubt(&mut self, setting: Learnt) {
+        self.twin.push(setting);
     }
 
     /// Takes also those columns that only a simulated arm says what to expect of: for strokes that are compared with others of that arm.

@@ -68,6 +68,26 @@ impl Learnt {
         learnt
     }
 
+    /// Responses of the strokes of `data` to a setting of the simulated arm: half the difference between strokes with it higher (`up`) and lower
+    /// (`down`) by the same factor, for an amplitude of 1; `plain` are the strokes with the setting as it is.
+    #[must_use]
+    pub fn of_setting(data: &Data, plain: &Data, up: &Data, down: &Data) -> Self {
+        let nodes = [(1.0, up), (-1.0, down)]
+            .map(|(amplitude, with)| node(data, plain, &Shown { amplitude, with }))
+            .to_vec();
+        let mut learnt = Self { nodes, local: vec![1.0; data.rows.len()], channels: Vec::new() };
+        let seen = |channel: &Channel| {
+            let scatter = crate::channels::spread(&data.beyond_expected(*channel)).max(f64::MIN_POSITIVE);
+            data.channels.contains_key(channel)
+                && learnt.size(*channel) >= LEAST_SHARE * scatter
+                && learnt.is_odd(*channel)
+        };
+        let channels = Channel::ALL.into_iter().filter(seen).collect();
+        learnt.channels = channels;
+        learnt.nodes = vec![half_difference(&learnt.nodes)];
+        learnt
+    }
+
     /// Columns that show the effect.
     pub(crate) fn channels(&self) -> &[Channel] {
         &self.channels
@@ -116,6 +136,19 @@ impl Learnt {
         bent <= MOST_BENT * all
     }
 
+    /// Whether a column responds to a setting that is lower much as to one that is higher, with the other sign.
+    fn is_odd(&self, channel: Channel) -> bool {
+        let (mut even, mut all) = (0.0, 0.0);
+        if let [up, down] = self.nodes.as_slice() {
+            let pairs = up.channels.get(&channel).into_iter().flatten();
+            for (a, b) in pairs.zip(down.channels.get(&channel).into_iter().flatten()) {
+                even += 0.5 * (a + b).powi(2);
+                all += a * a + b * b;
+            }
+        }
+        even <= MOST_BENT * all
+    }
+
     /// Root mean square of what a column shows of the largest amplitude of either sign.
     fn size(&self, channel: Channel) -> f64 {
         let of = |node: &Node| {
@@ -125,6 +158,20 @@ impl Learnt {
         };
         self.nodes.iter().filter_map(of).fold(0.0, f64::max)
     }
+}
+
+/// What a setting does for an amplitude of 1, from one node with it higher and one with it lower.
+fn half_difference(nodes: &[Node]) -> Node {
+    let half = |of: &dyn Fn(&Node) -> Vec<f64>| -> Vec<f64> {
+        let mut signed = nodes.iter().map(|node| (0.5 * node.amplitude, of(node)));
+        let Some((share, first)) = signed.next() else { return Vec::new() };
+        let first: Vec<f64> = first.iter().map(|value| share * value).collect();
+        signed.fold(first, |sum, (share, more)| sum.iter().zip(&more).map(|(a, b)| a + share * b).collect())
+    };
+    let channels = nodes.first().into_iter().flat_map(|node| node.channels.keys());
+    let channels = channels
+        .map(|channel| (*channel, half(&|node| node.channels.get(channel).cloned().unwrap_or_default())));
+    Node { amplitude: 1.0, channels: channels.collect(), ln_force: half(&|node| node.ln_force.clone()) }
 }
 
 /// Value at `x` of the response that is 0 at 0 and goes through `points`, of which the first two count, by rising x above 0.

@@ -7,7 +7,7 @@ use soilctl_stats::chi_square_tail;
 use crate::channels::spread;
 use crate::fit::Fit;
 use crate::generic::{Condition, conditions, indicator, standard};
-use crate::setup::FitSetup;
+use crate::setup::{FitSetup, SETTING_SD};
 use crate::traces::{Phase, PhaseKey};
 
 /// A disagreement that is more than chance.
@@ -115,6 +115,8 @@ fn forces(setup: &FitSetup<'_>, baseline: &Fit) -> Option<Residuals> {
         directions.push((slope?, sd));
     }
     directions.extend(setup.nuisance.iter().cloned());
+    let twin = setup.twin().iter();
+    directions.extend(twin.map(|setting| ((0..n).map(|i| setting.ln_force(i, 1.0)).collect(), SETTING_SD)));
     let residual: Vec<f64> = (0..n)
         .map(|i| {
             let of_nuisance: f64 =
@@ -131,11 +133,15 @@ fn column(setup: &FitSetup<'_>, channel: Channel) -> Option<Residuals> {
     let cells = setup.data.channels.get(&channel)?;
     let strokes: Vec<usize> = (0..cells.len()).filter(|&i| cells[i].is_some()).collect();
     let values: Vec<f64> = strokes.iter().filter_map(|&i| Some(cells[i]? - baseline.known[i])).collect();
-    // Coefficients are free here: a test is about patterns, not about offsets.
+    // Coefficients are free here: a test is about patterns, not about offsets. How far the twin is off is not free.
+    let twin = setup.twin().iter().filter(|setting| setting.channels().contains(&channel));
+    let twin =
+        twin.map(|setting| (strokes.iter().map(|&i| setting.shift(channel, i, 1.0)).collect(), SETTING_SD));
     let directions: Vec<(Vec<f64>, f64)> = baseline
         .terms
         .iter()
         .map(|(v, prior)| (strokes.iter().map(|&i| v[i]).collect(), 1e3 * prior.sd))
+        .chain(twin)
         .collect();
     let shared = setup.data.expected.contains_key(&channel);
     about_baseline(strokes, values, &directions, shared)

@@ -93,7 +93,7 @@ impl<'a> Search<'a> {
     /// Fit and ln Bayes factor of one set over the baseline.
     pub(crate) fn evaluate(&self, spec: &Spec) -> Option<(Fit, f64)> {
         let touched = spec.touched(self.setup.data);
-        let with_force = spec.on_force();
+        let with_force = self.setup.needs_forces(spec);
         let mut channels = touched;
         let mut against = 0.0;
         if with_force {

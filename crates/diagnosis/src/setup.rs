@@ -9,6 +9,8 @@ use soilctl_effects::{
 use crate::channels::Baseline;
 use crate::data::Data;
 use crate::generic::indicator;
+use crate::learnt::Learnt;
+use crate::spec::Spec;
 use crate::surface::Surface;
 
 /// How far a force model may be mixed into the one in use without being an effect: standard deviation of the share.
@@ -19,6 +21,9 @@ const ALTERNATIVE_SD: [f64; 4] = [0.1, 0.5, 0.3, 0.5];
 const LEAST_MODEL_ERROR: f64 = 0.007;
 /// Least scatter between batches, as a standard deviation of ln force: nobody prepares sand better than to 1 %.
 const LEAST_BATCH_SCATTER: f64 = 0.01;
+
+/// Standard deviation of how far a setting of the twin is off, over the most that it may be: as if anything up to that were as likely.
+pub(crate) const SETTING_SD: f64 = 0.577;
 
 /// Data, model and nuisance of a campaign.
 #[derive(Clone)]
@@ -105,13 +110,26 @@ impl<'a> FitSetup<'a> {
         self.data.known.iter().map(|known| known.active).chain(more).collect()
     }
 
-    /// Channels that read the interface friction, which every fit of forces has.
+    /// Channels that every fit of forces has: those that read the interface friction, and those that share with the forces what the twin may be
+    /// off by.
     pub(crate) fn core(&self) -> BTreeSet<Channel> {
+        let shared =
+            |channel: &Channel| self.twin().iter().any(|setting| setting.channels().contains(channel));
         self.baselines
             .iter()
-            .filter(|(_, baseline)| baseline.reads_delta)
+            .filter(|(channel, baseline)| baseline.reads_delta || shared(channel))
             .map(|(channel, _)| *channel)
             .collect()
+    }
+
+    /// How strokes respond to settings in which the simulated arm may be off.
+    pub(crate) fn twin(&self) -> &'a [Learnt] {
+        if self.compares_signals { &self.data.twin } else { &[] }
+    }
+
+    /// Whether the forces take part in the fit of a set of effects.
+    pub(crate) fn needs_forces(&self, spec: &Spec) -> bool {
+        spec.on_force() || !self.twin().is_empty()
     }
 
     /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.

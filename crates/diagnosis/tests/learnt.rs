@@ -93,3 +93,48 @@ fn an_arm_that_reads_what_is_expected_has_no_effect() {
         assert_eq!(found.status, Status::None, "{number}: {:?}", found.equivalence_set);
     }
 }
+
+/// Of an arm whose hose pulls, across the plate and along it. How much it pulls nobody measured.
+fn pulled(campaign: &HiddenCampaign, bias_n: f64, pull: f64, seed: u64) -> Data {
+    let mut chance = Chance(seed);
+    let rows = read(campaign, bias_n + 0.25 * pull, 0.0, seed).rows.into_iter();
+    let rows = rows
+        .map(|row| StrokeRow { air_along_n: Some(0.3 - 0.4 * pull + AIR_SD_N * 1.7 * chance.next()), ..row });
+    let mut data = Data::new("pulled", rows.collect(), campaign.campaign.clone()).unwrap();
+    data.tare_taken_off();
+    data
+}
+
+/// A hose that pulls more than in the simulated arm, and a zero that is off, read the same across the plate; with what the
+/// hose does along it they are told apart.
+#[test]
+fn what_the_twin_may_be_off_by_is_shared_by_all_columns() {
+    let campaign = campaign(1);
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    let single = |bias_n: f64, pull: f64| {
+        let mut data = pulled(&campaign, bias_n, pull, 5);
+        data.compare_everything();
+        data
+    };
+    let plain = single(0.0, 0.0);
+    let (weak, strong) = (single(0.25, 0.0), single(-0.25, 0.0));
+    let biased = [Shown { amplitude: 0.25, with: &weak }, Shown { amplitude: -0.25, with: &strong }];
+    let (up, down) = (single(0.0, 1.0), single(0.0, -1.0));
+    let said = |bias_n: f64, pull: f64, doubted: bool| {
+        let mut data = pulled(&campaign, bias_n, pull, 1);
+        data.expect(&pulled(&campaign, 0.0, 0.0, 2), false, 0.0);
+        let id = EffectId::ForceBias;
+        data.learn(id, Learnt::new(id.effect(), &data, &plain, &biased));
+        if doubted {
+            data.doubt(Learnt::of_setting(&data, &plain, &up, &down));
+        }
+        let found = diagnose(&data, &surface).unwrap();
+        (found.status, found.effects.first().map(|effect| (effect.id, effect.amplitude)))
+    };
+    assert_eq!(said(0.0, 0.8, false).0, Status::Named, "without doubt the hose is a bias");
+    assert_eq!(said(0.0, 0.8, true), (Status::None, None));
+    let (status, first) = said(0.25, 0.0, true);
+    let (id, amplitude) = first.unwrap();
+    assert_eq!((status, id), (Status::Named, EffectId::ForceBias));
+    assert!((amplitude / 0.25 - 1.0).abs() < 0.2, "{amplitude}");
+}

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use soilctl_campaign::{CampaignError, Content, Options, Plan};
+use soilctl_campaign::{CampaignError, Content, Options, Plan, Setting};
 use soilctl_diagnosis::{Data, Learnt, RecordedTraces, Shown, simulated_as};
 use soilctl_effects::{Effect, EffectEntry, EffectId, ModelFile, ParameterValue};
 use soilctl_jobs::fnv1a;
@@ -69,10 +69,11 @@ impl<'a> Learning<'a> {
         let mut simulated: Vec<EffectId> = wanted.iter().map(|(_, of)| *of).collect();
         simulated.sort_unstable();
         simulated.dedup();
-        let runs: usize = simulated.iter().map(|id| amplitudes(id.effect()).len()).sum();
+        let of_effects: usize = simulated.iter().map(|id| amplitudes(id.effect()).len()).sum();
+        let runs = of_effects + 2 * Setting::ALL.len();
         let each = self.plan.strokes().strokes().len();
         let clock = Instant::now();
-        let Some(plain) = self.table(&self.plain)? else {
+        let Some(plain) = self.table(&self.plan, &self.plain)? else {
             if stopped() {
                 return Ok(Progress::Stopped);
             }
@@ -80,16 +81,17 @@ impl<'a> Learning<'a> {
             return Ok(Progress::Done);
         };
         self.watch.note(&format!(
-            "how the simulated arm shows {} effects: {runs} times {each} single strokes, at most {:.0} min by the first {each}; what is \
-             there of an earlier run is used",
+            "how the simulated arm shows {} effects, and {} of its settings that nobody measures: {runs} times {each} single strokes, at most \
+             {:.0} min by the first {each}; what is there of an earlier run is used",
             simulated.len(),
+            Setting::ALL.len(),
             clock.elapsed().as_secs_f64() * runs as f64 / 60.0
         ));
         for id in simulated {
             let effect = id.effect();
             let mut tables = Vec::new();
             for amplitude in amplitudes(effect) {
-                match self.table(&with(&self.plain, effect, amplitude)) {
+                match self.table(&self.plan, &with(&self.plain, effect, amplitude)) {
                     Ok(Some(table)) => tables.push((amplitude, table)),
                     Ok(None) if stopped() => return Ok(Progress::Stopped),
                     Ok(None) => {}
@@ -111,21 +113,40 @@ impl<'a> Learning<'a> {
                 data.learn(*wanted, Learnt::new(wanted.effect(), data, &plain, &shown));
             }
         }
+        self.settings(data, &plain)
+    }
+
+    /// Learns what the settings do in which the simulated arm may be off.
+    fn settings(&self, data: &mut Data, plain: &Data) -> Result<Progress, AppError> {
+        let stop = self.watch.stop(Interrupted::KeepsResults);
+        for setting in Setting::ALL {
+            let off = |factor: f64| self.table(&self.plan.with_setting(setting, factor)?, &self.plain);
+            let (up, down) = (off(setting.most())?, off(1.0 / setting.most())?);
+            match (up, down) {
+                (Some(up), Some(down)) => data.doubt(Learnt::of_setting(data, plain, &up, &down)),
+                _ if stop.load(Ordering::Relaxed) => return Ok(Progress::Stopped),
+                _ => self.watch.note(&format!(
+                    "{} off by a factor of {} lets no single stroke fail the soil: taken as it is",
+                    setting.name(),
+                    setting.most()
+                )),
+            }
+        }
         Ok(Progress::Done)
     }
 
     /// Strokes with the soil and the effects of a model file; `None` if no stroke has a failure force, or it was stopped.
-    fn table(&self, file: &ModelFile) -> Result<Option<Data>, AppError> {
+    fn table(&self, plan: &Plan, file: &ModelFile) -> Result<Option<Data>, AppError> {
         let text = serde_json::to_string(file)?;
         // Files that the plan names may change under the same name.
-        let named = format!("{:?}{:?}", self.plan.plant().config(), self.plan.controller());
-        let of = format!("{}\n{}\n{}\n{text}\n{named}", env!("CARGO_PKG_VERSION"), SEED, self.plan.text());
+        let named = format!("{:?}{:?}", plan.plant().config(), plan.controller());
+        let of = format!("{}\n{}\n{}\n{text}\n{named}", env!("CARGO_PKG_VERSION"), SEED, plan.text());
         let folder = self.store.join(fnv1a(of.as_bytes()));
         let strokes = folder.join("strokes.csv");
         if !strokes.is_file() {
             let name = folder.display().to_string();
             let options = Options { out: &folder, seed: SEED, threads: cores(), content: Content::Steps };
-            let made = simulate::campaign(&self.plan, Some((file, name.as_str())), &options, self.watch)?;
+            let made = simulate::campaign(plan, Some((file, name.as_str())), &options, self.watch)?;
             if !made.complete {
                 return Ok(None);
             }

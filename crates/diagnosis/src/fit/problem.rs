@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use soilctl_effects::{Active, Channel};
 
 use crate::data::Prior;
-use crate::setup::FitSetup;
+use crate::setup::{FitSetup, SETTING_SD};
 use crate::spec::Spec;
 
 /// Residuals beyond about this many standard deviations count less and less (pseudo-Huber). Usual: one in 80 of a normal scatter.
@@ -62,6 +62,9 @@ impl<'a> Problem<'a> {
         let generic_at = priors.len();
         let generic_sd = GENERIC_SD / (spec.generic.len().max(1) as f64).sqrt();
         priors.extend(spec.generic.iter().map(|_| Prior { mean: 0.0, sd: generic_sd }));
+        let twin_at = priors.len();
+        let twin = if with_force { setup.twin() } else { &[] };
+        priors.extend(twin.iter().map(|_| Prior { mean: 0.0, sd: SETTING_SD }));
         // Linear terms of channels: (column, block, values by stroke).
         let mut terms: Vec<(usize, Vec<f64>)> = Vec::new();
         let terms_at = priors.len();
@@ -102,6 +105,9 @@ impl<'a> Problem<'a> {
                 for (k, values) in spec.generic.iter().enumerate() {
                     line[generic_at + k] = values[i];
                 }
+                for (k, setting) in twin.iter().enumerate() {
+                    line[twin_at + k] = setting.ln_force(i, 1.0);
+                }
                 design.extend(line);
             }
         }
@@ -118,6 +124,9 @@ impl<'a> Problem<'a> {
                     if *of == block {
                         line[terms_at + k] = values[i];
                     }
+                }
+                for (k, setting) in twin.iter().enumerate() {
+                    line[twin_at + k] = setting.shift(*channel, i, 1.0);
                 }
                 design.extend(line);
             }
