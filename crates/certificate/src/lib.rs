@@ -234,6 +234,9 @@
 //! dissipation         int max(tension dw, -compression dw)  +  on each face  int (t' - u) opening + bond max(0, c - t' tan(phi)) |slip|
 //! ```
 //!
+//! Beside clay whose strength depends on the direction, a face bears the part `bond` of the greatest shear stress that the clay bears along it, either
+//! way, and dissipates that part of what a layer of clay along it takes up.
+//!
 //! with `t'` the soil's greatest tension, or `c cot(phi)`, which leaves no term in `slip`; without friction nor limit to the tension the opening is zero.
 //!
 //! *Lower.* The normal slope of `f` is more on the member's left than on its right by `N`; `f` and its slope along `t` are the same. That is so on an

@@ -27,9 +27,15 @@ impl Ellipse {
         self.middle * difference + (self.level * difference).hypot(self.shear * shear)
     }
 
-    /// The same of a unit of slip along an edge, the soil on the left moving forwards.
+    /// What slip along an edge takes up for a cohesion of one, the soil on the left moving forwards.
     pub(crate) fn along(&self, [x, y]: [f64; 2], slip: f64) -> f64 {
         let square = x * x + y * y;
         self.rate(-2.0 * x * y / square * slip, (x * x - y * y) / square * slip)
+    }
+
+    /// The same of a unit of slip forwards, and backwards.
+    pub(crate) fn both_ways(&self, edge: [f64; 2]) -> [f64; 2] {
+        // Exactly, which arithmetic would not show.
+        if *self == ROUND { [1.0; 2] } else { [1.0, -1.0].map(|slip| self.along(edge, slip)) }
     }
 }

@@ -13,7 +13,7 @@ mod members;
 
 use soilctl_certificate::{Condition, Side};
 
-use crate::anisotropy::Ellipse;
+use crate::anisotropy::{Ellipse, ROUND};
 use crate::envelope::greatest;
 use crate::fields::{StressField, VelocityField, near};
 use crate::mesh::Mesh;
@@ -229,10 +229,15 @@ fn jumps(
                 let [opening, slip] = crate::upper::bond(soil, bond, &ends);
                 let tension = [0, 1].map(|i| opening[i] - water[i]);
                 // Soil that keeps its volume does not open, whatever the last digits say.
-                rate = soil.envelope.as_ref().map_or(Rate::Slip, |envelope| {
-                    let tractions = envelope.tractions.iter().map(|[normal, shear]| [*normal, bond * shear]);
-                    Rate::OfTractions(tractions.collect())
-                });
+                rate = match &soil.envelope {
+                    Some(envelope) => {
+                        let tractions =
+                            envelope.tractions.iter().map(|[normal, shear]| [*normal, bond * shear]);
+                        Rate::OfTractions(tractions.collect())
+                    }
+                    None if soil.ellipse == ROUND => Rate::Slip,
+                    None => Rate::Along(soil.ellipse, between(ends[0], ends[1])),
+                };
                 (there, tension, slip, 1.0)
             }
             _ => return None,

@@ -3,7 +3,8 @@
 
 use soilctl_certificate::{CertificateError, Jet, MemberMotion, prove_lower, prove_upper};
 use soilctl_limit_analysis::describe::{
-    Aim, BoundaryEntry, Kind, MemberEnd, MemberEntry, RegionEntry, Side, SoilEntry, StructureEntry,
+    Aim, AnisotropyEntry, BoundaryEntry, Kind, MemberEnd, MemberEntry, RegionEntry, Side, SoilEntry,
+    StructureEntry,
 };
 use soilctl_limit_analysis::{Description, Options, bound};
 
@@ -54,6 +55,29 @@ fn a_sheet_is_pulled_out_by_what_its_faces_bear() {
         let it = pulled(sheet([[0.0, 2.0], [4.0, 2.0]], tensile, bond));
         let exact = f64::min(tensile, 2.0 * bond * 10.0 * 4.0);
         let [lower, upper] = bounds(&it, 800);
+        assert!(lower <= exact * (1.0 + 1e-9) && exact <= upper * (1.0 + 1e-9), "{lower} {upper} {exact}");
+        assert!(upper - lower < 0.05 * exact, "{lower} {upper} {exact}");
+    }
+}
+
+/// Clay whose active strength is 10 kPa, and its own. A level sheet shears it in simple shear; along one that slopes at 45 degrees one face loads the
+/// clay as an active wall does and the other as a passive one, whichever way the sheet goes.
+#[test]
+fn faces_of_a_sheet_bear_what_the_direction_of_the_clay_allows() {
+    let (passive, shear) = (0.5, 0.7);
+    let sloped = |bond: f64| bond * 10.0 * (1.0 + passive) * 2.0;
+    for (line, bond, direction, exact) in [
+        ([[0.0, 2.0], [4.0, 2.0]], 0.5, [-1.0, 0.0], 0.5 * 10.0 * 2.0 * shear * 4.0),
+        ([[0.0, 1.0], [2.0, 3.0]], 0.5, [0.0, -1.0], sloped(0.5)),
+        ([[0.0, 3.0], [2.0, 1.0]], 0.8, [0.0, 1.0], sloped(0.8)),
+    ] {
+        let mut it = pulled(sheet(line, 200.0, bond));
+        it.objective = Aim::Structure { name: "head".into(), direction };
+        // A head that a sheet slopes away from must not be smooth: it slides along itself, and next to nothing holds it.
+        it.structures[0].edge = vec![[0.0, 3.5], [0.0, 0.5]];
+        it.structures[0].adhesion_kpa = if direction[0] == 0.0 { 1e-4 } else { 0.0 };
+        it.soils[0].anisotropy = Some(AnisotropyEntry { passive, shear });
+        let [lower, upper] = bounds(&it, 1500);
         assert!(lower <= exact * (1.0 + 1e-9) && exact <= upper * (1.0 + 1e-9), "{lower} {upper} {exact}");
         assert!(upper - lower < 0.05 * exact, "{lower} {upper} {exact}");
     }

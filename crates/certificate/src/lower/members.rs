@@ -231,8 +231,9 @@ impl StressFunction<'_> {
             // Times the square of the edge's length.
             let normal = effective.between(t.turned(), t.turned());
             let shear = stress.between(t, t.turned());
-            let holds = limit.shear_strengths(normal, t.square()).map(|bears| Interval::point(bond) * bears);
-            let mut spares = holds.flat_map(|hold| [hold - shear, hold + shear]);
+            let part = |bears: Interval| Interval::point(bond) * bears;
+            let mut spares = (limit.shear_strengths(normal, t))
+                .flat_map(|[forwards, backwards]| [part(forwards) - shear, part(backwards) + shear]);
             if let Some(spare) = spares.find(|s| !s.is_at_least_zero()) {
                 let (face, node) = (["left", "right"][face], ["its start", "its end"][node]);
                 return Err(CertificateError::NotProven {

@@ -114,13 +114,14 @@ impl<'a> Limit<'a> {
         bounds.map(spare).fold(0.0, f64::min)
     }
 
-    /// What each line of the strength bears of shear at an effective normal stress, both times `factor`; the stress is given times that.
-    pub(super) fn shear_strengths(
-        &self,
-        normal: Interval,
-        factor: Interval,
-    ) -> impl Iterator<Item = Interval> {
-        self.lines().map(move |(friction, cohesion)| cohesion * factor - friction.tan() * normal)
+    /// What each line of the strength bears of shear along `t` at an effective normal stress, both times the square of `t`; the stress is
+    /// given times that. Of shear that moves the soil to the left of `t` forwards, and backwards.
+    pub(super) fn shear_strengths(&self, normal: Interval, t: Vector) -> impl Iterator<Item = [Interval; 2]> {
+        let ways = self.anisotropy.map_or([t.square(); 2], |of| of.along(t));
+        let bears = move |friction: Angle, cohesion: Interval| {
+            ways.map(|way| cohesion * way - friction.tan() * normal)
+        };
+        self.lines().map(move |(friction, cohesion)| bears(friction, cohesion))
     }
 
     /// Checks that a stress state is one the soil can bear.

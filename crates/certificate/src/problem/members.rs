@@ -47,13 +47,6 @@ impl Problem<'_> {
                 if pieces[left.line].replace(Piece { member, number, left }).is_some() {
                     return Err(bad(member, "a line belongs to a member only once"));
                 }
-                let sides = [true, false].map(|forward| self.owner(LineUse { forward, ..left }));
-                if sides.into_iter().flatten().any(|region| self.strengths[region].anisotropy.is_some()) {
-                    return Err(not_covered(
-                        member,
-                        "a member beside clay whose strength depends on the direction",
-                    ));
-                }
                 for point in statement.lines[left.line].walked(left.forward) {
                     if !on[point].contains(&member) {
                         on[point].push(member);

@@ -172,20 +172,17 @@ impl Resistance<'_, 2> {
     /// slip along `t` relative to that on the right, so strain rates are half of `n t' + t n'` times the slip.
     fn directed(&self, anisotropy: Anisotropy, slip: Interval) -> Interval {
         let [from, to] = self.at;
-        let d = to - from;
-        let square = d.x.square() + d.y.square();
-        let two = Interval::point(2.0);
-        let (difference, shear) = (-(two * d.x * d.y) / square, (d.x.square() - d.y.square()) / square);
-        anisotropy.rate(difference * slip, shear * slip)
+        anisotropy.of_slip(to - from, slip)
     }
 
     /// What a layer dissipates that bears the part `bond` of the soil's shear strength at each normal stress, likewise. With `t`
     /// the greatest tension, it opens by at least `bond |slip| tan(phi)`, and the greatest power of what it bears is found where the normal
-    /// stress is `t`, at most `t opening + bond max(0, c - t tan(phi)) |slip|`; without a limit `t` is `c cot(phi)`.
+    /// stress is `t`, at most `t opening + bond max(0, c - t tan(phi)) |slip|`; without a limit `t` is `c cot(phi)`. Of strength
+    /// that depends on the direction it is that part of what a layer along the edge takes up.
     pub(super) fn of_bond(&self, bond: Interval, opening: [Interval; 3], slip: [Interval; 3]) -> Resisted {
         let mean = means::over_edge;
         let one = [Interval::ONE; 2];
-        let sliding = slip.map(Interval::abs);
+        let sliding = slip.map(|s| self.anisotropy.map_or(s.abs(), |of| self.directed(of, s)));
         let tan = self.friction.tan();
         let water = mean(self.pore_pressure, opening);
         if let Some(envelope) = self.envelope {

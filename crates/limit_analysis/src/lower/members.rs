@@ -120,6 +120,7 @@ impl Lower {
         let ends = [v[(k + 1) % 3], v[(k + 2) % 3]];
         let along = between(ends[0], ends[1]);
         let t = along.map(|x| x / length(along));
+        let [forwards, backwards] = soil.ellipse.both_ways(t);
         for (stress, p) in part.iter().zip(ends) {
             let Some(stress) = stress else { continue };
             let (normal, shear) = traction(stress, t);
@@ -129,11 +130,15 @@ impl Lower {
             let lines = further.map(|line| (line.tan(), line.cohesion)).chain([own]);
             for (tan, cohesion) in lines {
                 let friction = by * member.bond * tan;
-                let hold = Form::constant(-friction * soil.pore_pressure.at(p))
-                    .plus(by * member.bond * cohesion, &self.strength())
-                    .plus(-friction, &normal);
-                self.program.non_negative(hold.clone().plus(by, &shear));
-                self.program.non_negative(hold.plus(-by, &shear));
+                let strength = self.strength();
+                let hold = |way: f64| {
+                    Form::constant(-friction * soil.pore_pressure.at(p))
+                        .plus(by * member.bond * cohesion * way, &strength)
+                        .plus(-friction, &normal)
+                };
+                // The traction is that on the right.
+                self.program.non_negative(hold(forwards).plus(by, &shear));
+                self.program.non_negative(hold(backwards).plus(-by, &shear));
             }
         }
     }

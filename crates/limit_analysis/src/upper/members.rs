@@ -56,7 +56,8 @@ impl MemberPiece {
 }
 
 /// What soil that slides past a face dissipates at both ends of an edge: for each unit of opening, and of slip, or of all power if it has an
-/// envelope.
+/// envelope. Of
+/// strength that depends on the direction it is that for a rate of one.
 pub(crate) fn bond(soil: &Soil, bond: f64, ends: &[Point; 2]) -> [[f64; 2]; 2] {
     if soil.is_isochoric {
         return [[0.0; 2], ends.map(|p| bond * soil.cohesion.at(p).max(0.0))];
@@ -239,6 +240,7 @@ impl Builder<'_> {
         let [opening, slip] = bond(soil, part, ends).map(over_edge);
         let water = over_edge(ends.map(|p| soil.pore_pressure.at(p)));
         let tan = part * soil.flow_tan();
+        let [forwards, backwards] = soil.ellipse.both_ways(between(ends[0], ends[1]));
         for i in (0..3).filter(|i| piece.kinds[*i] != Kind::Soil) {
             if !keeps {
                 let open = &past.opening[i];
@@ -261,8 +263,8 @@ impl Builder<'_> {
             } else if slip[i] > 0.0 {
                 let most = Form::unknown(self.program.unknown(), 1.0);
                 self.power.dissipate(slip[i] * length / 3.0, &most);
-                self.program.non_negative(most.clone().plus(1.0, &past.slip[i]));
-                self.program.non_negative(most.plus(-1.0, &past.slip[i]));
+                self.program.non_negative(most.clone().plus(backwards, &past.slip[i]));
+                self.program.non_negative(most.plus(-forwards, &past.slip[i]));
             }
         }
     }
