@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod ags;
 mod chain;
 mod dxf;
 mod error;
@@ -34,16 +35,19 @@ pub enum Format {
     GeoJson,
     /// A table of corners: `layer`, `x_m`, `y_m`, and optionally `part`.
     Csv,
+    /// Boreholes in the format AGS 4, of which a section is made; they are only read.
+    Ags,
 }
 
 impl Format {
-    /// The format that an ending stands for: `.dxf`, `.geojson`, `.csv`.
+    /// The format that an ending stands for: `.dxf`, `.geojson`, `.csv`, `.ags`.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "dxf" => Some(Self::Dxf),
             "geojson" => Some(Self::GeoJson),
             "csv" => Some(Self::Csv),
+            "ags" => Some(Self::Ags),
             _ => None,
         }
     }
@@ -121,10 +125,12 @@ pub struct Drawing {
     pub unit: Option<Unit>,
     /// Whether arcs became chords.
     pub has_chords: bool,
+    /// What is to be kept in mind of how it was read, and what the file says beside shapes.
+    pub notes: Vec<String>,
 }
 
 /// How a drawing is read.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
     /// The unit of its coordinates, whatever it says itself.
     pub unit: Option<Unit>,
@@ -132,11 +138,13 @@ pub struct Reading {
     pub join_m: f64,
     /// Chords are as near as this to their arcs (m).
     pub chord_m: f64,
+    /// Names of the holes that a section of boreholes goes through, in order; all if none is named.
+    pub holes: Vec<String>,
 }
 
 impl Default for Reading {
     fn default() -> Self {
-        Self { unit: None, join_m: 1e-3, chord_m: 0.01 }
+        Self { unit: None, join_m: 1e-3, chord_m: 0.01, holes: Vec::new() }
     }
 }
 
@@ -153,6 +161,7 @@ impl Drawing {
             Format::Dxf => dxf::read(bytes, reading)?,
             Format::GeoJson => geo::read(bytes, reading)?,
             Format::Csv => table::read(bytes, reading)?,
+            Format::Ags => ags::read(bytes, reading)?,
         };
         drawing.check()?;
         Ok(drawing)
@@ -161,13 +170,16 @@ impl Drawing {
     /// The text of a file.
     ///
     /// # Errors
-    /// [`DrawingError`] if a coordinate is not finite, or JSON cannot be made of it.
+    /// [`DrawingError`] if a coordinate is not finite, JSON cannot be made of it, or the format is only read.
     pub fn to_text(&self, format: Format) -> Result<String, DrawingError> {
         self.check()?;
         match format {
             Format::Dxf => Ok(dxf::write(&self.shapes)),
             Format::GeoJson => geo::write(&self.shapes),
             Format::Csv => table::write(&self.shapes),
+            Format::Ags => Err(DrawingError::Kind(
+                "AGS files hold boreholes and are only read; write .dxf, .geojson or .csv".into(),
+            )),
         }
     }
 

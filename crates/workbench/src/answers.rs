@@ -66,9 +66,9 @@ pub(crate) fn drawn(id: u64, name: &str, text: &str) -> String {
     let request = convert::Request { file: name.into(), ..convert::Request::default() };
     let found = match Format::of(&request.file) {
         Some(format) => convert::problem(text.as_bytes(), format, &request).map_err(|error| (&error).into()),
-        None => {
-            Err(Wrong::words(format!("{name} is no drawing; its name must end in .dxf, .geojson or .csv")))
-        }
+        None => Err(Wrong::words(format!(
+            "{name} is no drawing; its name must end in .dxf, .geojson, .csv or .ags"
+        ))),
     };
     match found {
         Ok((problem, answer)) => {

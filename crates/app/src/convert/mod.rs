@@ -43,7 +43,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Answer, AppError> {
             Ok(Answer::of_problem(&description, &drawing))
         }
         _ => Err(AppError::Request(format!(
-            "{} and {}: one must be a drawing (.dxf, .geojson or .csv) and the other a problem file (.toml or .json)",
+            "{} and {}: one must be a drawing (.dxf, .geojson, .csv or .ags) and the other a problem file (.toml or .json)",
             from.display(),
             to.display()
         ))),
@@ -55,7 +55,8 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Answer, AppError> {
 /// # Errors
 /// [`AppError`] if they are no such drawing, or show no area.
 pub fn problem(bytes: &[u8], format: Format, request: &Request) -> Result<(Description, Answer), AppError> {
-    let reading = Reading { unit: request.unit()?, join_m: request.join_m, chord_m: request.chord_m };
+    let (join_m, chord_m, holes) = (request.join_m, request.chord_m, request.holes.clone());
+    let reading = Reading { unit: request.unit()?, join_m, chord_m, holes };
     let drawing = Drawing::from_bytes(bytes, format, &reading).map_err(of(&request.file))?;
     to_problem::problem(request, drawing)
 }

@@ -13,7 +13,7 @@ use crate::request::finite;
 #[derive(Debug, Clone, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[serde(default)]
 pub struct Request {
-    /// A drawing (.dxf, .geojson, .csv), or a problem file (.toml, .json)
+    /// A drawing (.dxf, .geojson, .csv), boreholes (.ags), or a problem file (.toml, .json)
     #[arg(value_name = "FILE", value_hint = clap::ValueHint::FilePath)]
     pub file: PathBuf,
 
@@ -42,6 +42,10 @@ pub struct Request {
     #[arg(long, value_name = "LAYER", value_delimiter = ',')]
     pub leave_out: Vec<String>,
 
+    /// Boreholes of an AGS file that the section goes through, in this order (a list with commas); by default all
+    #[arg(long, value_name = "HOLE", value_delimiter = ',')]
+    pub holes: Vec<String>,
+
     /// Corners and ends of lines that are as near as this are one, and a corner that is as near to an edge is on it (m)
     #[arg(long = "join", value_name = "M", value_parser = finite, allow_negative_numbers = true, default_value_t = Request::default().join_m)]
     #[schemars(range(min = 0.0, max = 1.0))]
@@ -64,6 +68,7 @@ impl Default for Request {
             unit: None,
             water: None,
             leave_out: Vec::new(),
+            holes: Vec::new(),
             join_m,
             chord_m,
         }

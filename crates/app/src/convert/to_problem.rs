@@ -58,7 +58,8 @@ pub(super) fn problem(request: &Request, drawing: Drawing) -> Result<(Descriptio
     for (layer, polygon) in layers.iter().zip(&polygons) {
         add(&mut soils, layer, signed_area_m2(polygon).abs(), known.iter().any(|soil| soil.name == *layer));
     }
-    let mut notes = notes(drawing.unit, &polygons, drawing.has_chords, request);
+    let mut notes = drawing.notes;
+    notes.extend(notes_on_units(drawing.unit, &polygons, drawing.has_chords, request));
     for unused in known.iter().filter(|soil| !layers.contains(&soil.name)) {
         notes.push(format!(
             "{} has strengths, and no area of the drawing is on a layer of that name",
@@ -186,7 +187,12 @@ fn strengths(path: &Path) -> Result<Vec<SoilEntry>, AppError> {
 }
 
 /// What to keep in mind about units and arcs.
-fn notes(unit: Option<Unit>, polygons: &[Vec<[f64; 2]>], has_chords: bool, request: &Request) -> Vec<String> {
+fn notes_on_units(
+    unit: Option<Unit>,
+    polygons: &[Vec<[f64; 2]>],
+    has_chords: bool,
+    request: &Request,
+) -> Vec<String> {
     let mut notes = Vec::new();
     if unit.is_none() {
         notes.push(

@@ -9,8 +9,8 @@ use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Drawings are DXF (text), GeoJSON with metres for degrees, or CSV with the columns layer, x_m, y_m. Areas become soils, named after their \
-    layers. Exit codes: 0 all is there, 3 strengths are to be put in or lines were left out. Docs: docs/problem-file.md."
+    after_help = "Drawings are DXF (text), GeoJSON with metres for degrees, or CSV with the columns layer, x_m, y_m; AGS 4 has boreholes, of which a section is \
+    made. Areas become soils, named after their layers. Exit codes: 0 all is there, 3 strengths are to be put in or lines were left out. Docs: docs/problem-file.md."
 )]
 pub(crate) struct Args {
     #[command(flatten)]
