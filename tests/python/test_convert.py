@@ -181,3 +181,37 @@ def test_what_is_neither_is_refused(soilctl, tmp_path):
         soilctl.refuses("convert", tmp_path / name, "--out", tmp_path / "out.toml", mentions=[words])
     soilctl.refuses("convert", tmp_path / "a.dxf", "--out", tmp_path / "out.svg", mentions=[".geojson"])
     assert not (tmp_path / "out.toml").exists()
+
+
+def test_boreholes_become_a_section(soilctl, tmp_path):
+    """A file in the format AGS 4 as others write it; areas by shapely."""
+    rows = {
+        "LOCA": ["LOCA_ID,LOCA_NATE,LOCA_NATN,LOCA_GL", ",m,m,m", "ID,2DP,2DP,2DP", "A/1,523160.00,178500.00,5.10", "A/2,523190.00,178540.00,6.80"],
+        "GEOL": [
+            "LOCA_ID,GEOL_TOP,GEOL_BASE,GEOL_DESC,GEOL_GEOL",
+            ",m,m,,",
+            "ID,2DP,2DP,X,PA",
+            "A/1,0.00,1.20,soft clay,AL",
+            "A/1,1.20,9.00,stiff clay,LC",
+            "A/2,0.00,2.20,soft clay,AL",
+            "A/2,2.20,3.00,gravel,RTD",
+            "A/2,3.00,9.00,clay,LC",
+        ],
+    }
+    text = ""
+    for name, (heading, unit, kind, *data) in rows.items():
+        lines = [("GROUP", name), *zip(["HEADING", "UNIT", "TYPE"], [heading, unit, kind]), *(("DATA", row) for row in data)]
+        text += "".join(f'"{first}",' + ",".join(f'"{cell}"' for cell in rest.split(",")) + "\r\n" for first, rest in lines) + "\r\n"
+    (tmp_path / "site.ags").write_text(text, newline="")
+    strengths = "name,phi_deg,cohesion_kpa,unit_weight_kn_m3\nAL,0,20,17\nLC,0,60,19\nRTD,35,1,19\n"
+    (tmp_path / "strengths.csv").write_text(strengths)
+    out = tmp_path / "site.toml"
+    answer = soilctl.json("convert", tmp_path / "site.ags", "--out", out, "--soils", tmp_path / "strengths.csv")
+    areas = {soil["name"]: soil["area_m2"] for soil in answer["soils"]}
+    gravel = Polygon([(0, 3.9), (50, 4.6), (50, 3.8)]).area
+    soft = Polygon([(0, 5.1), (50, 6.8), (50, 4.6), (0, 3.9)]).area
+    whole = Polygon([(0, 5.1), (50, 6.8), (50, -2.2), (0, -3.9)]).area
+    assert areas == pytest.approx({"AL": soft, "RTD": gravel, "LC": whole - soft - gravel})
+    assert any("A/1, A/2" in note for note in answer["notes"])
+    assert "LC" in soilctl("solve", out, "--check").stdout
+    assert "no hole" in soilctl("convert", tmp_path / "site.ags", "--out", tmp_path / "b.toml", "--holes", "A/9", code=2).stderr
