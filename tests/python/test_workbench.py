@@ -553,3 +553,44 @@ def test_a_section_line_tells_stresses(serve):
     assert page.locator("#probe-place").text_content() != before
     page.locator("#probe-off").click()
     until(page, "document.querySelectorAll('#section .probe').length === 0")
+
+
+def test_feet_and_pounds_are_shown_and_si_is_kept(serve, soilctl, tmp_path):
+    """What is typed in feet and pounds is the same problem in SI, by factors of NIST SP 811; turning units there and back changes no bit."""
+    pcf, psf, foot = 0.157087464, 0.04788025898, 0.3048
+    file = tmp_path / "feet.toml"
+    _, page = serve(file)
+    begin(page, "strip-load")
+    before = settled(page)
+    page.locator("#units").click()
+    assert settled(page) == before and not page.evaluate("workbench.store.past.length > 1")
+    assert "psf" in page.locator("[data-path='soil.0.cohesion_kpa']").text_content() and page.locator("#exact-unit").text_content() == "ft"
+    assert page.locator("#step").text_content().endswith(" ft")
+    page.locator("[id='soil.0.unit_weight_kn_m3']").fill("120")
+    page.locator("[id='soil.0.cohesion_kpa']").fill("400")
+    load = next(k for k, one in enumerate(before["boundary"]) if one["kind"] == "load")
+    page.locator(f"[data-entry='boundary.{load}'] button").click()
+    page.locator(f"[id='boundary.{load}.pressure_kpa']").fill("2000")
+    cell = page.locator(f"[id='boundary.{load}.line.1.x']")
+    cell.fill("6.5")
+    after = settled(page)
+    soil, boundary = after["soil"][0], after["boundary"][load]
+    assert soil["unit_weight_kn_m3"] == pytest.approx(120 * pcf, rel=1e-8)
+    assert soil["cohesion_kpa"] == pytest.approx(400 * psf, rel=1e-8)
+    assert boundary["pressure_kpa"] == pytest.approx(2000 * psf, rel=1e-8)
+    assert boundary["line"][1][0] == pytest.approx(6.5 * foot, rel=1e-11)
+    assert "2000 psf" in page.locator("#section").text_content() and "120 pcf" in page.locator("#section").text_content()
+    save(page)
+    solved_load = solve(page)
+    assert solved(soilctl, file) == solved_load
+    page.locator("#tab-problem").click()
+    page.locator("#units").click()
+    assert settled(page) == after and "kPa" in page.locator("[data-path='soil.0.cohesion_kpa']").text_content()
+    assert float(page.locator("[id='soil.0.cohesion_kpa']").input_value()) == soil["cohesion_kpa"]
+    # A force is told in pounds over feet, and kept in kN/m for whoever reads the page.
+    page.locator("#begin-open").click()
+    begin(page, "strip-footing")
+    bounds = solve(page)
+    page.locator("#units").click()
+    told = page.locator("#bounds").text_content()
+    assert all(f"{force / (4.4482216152605e-3 / foot):.0f} lb/ft" in told for force in bounds), told

@@ -5,8 +5,9 @@ import {KINDS} from './fields.js';
 import {parse} from './form.js';
 import * as model from './model.js';
 import {turnTheme} from './theme.js';
+import {fromField, turnUnits} from './units.js';
 
-export function controls({store, view, editor, flow, text, solver, files, section, tab, showFlow, later}) {
+export function controls({store, view, editor, flow, text, solver, files, section, tab, showFlow, later, newUnits}) {
   for (const [tool, {name, key}] of Object.entries(TOOLS)) {
     get('tools').append(html('button', {type: 'button', 'data-tool': tool, title: `${name} (${key.toUpperCase()})`, 'aria-pressed': 'false', click: () => { editor.use(tool); section.focus({preventScroll: true}); }}, name));
   }
@@ -21,7 +22,7 @@ export function controls({store, view, editor, flow, text, solver, files, sectio
     // A comma between the two numbers, or a semicolon or blank where the comma is in them.
     const parts = get('exact-point').value.trim().split(/\s*;\s*|\s*,\s+|\s+|,/).map(parse);
     if (parts.length !== 2 || parts.includes(null)) { get('exact-point').setCustomValidity('two numbers, such as 2.5, -3'); get('exact-point').reportValidity(); return; }
-    editor.put(parts);
+    editor.put(parts.map(part => fromField(part, 'm')));
     get('exact-point').value = '';
   }, 'submit');
   on('exact-point', () => get('exact-point').setCustomValidity(''), 'input');
@@ -35,6 +36,7 @@ export function controls({store, view, editor, flow, text, solver, files, sectio
   on('begin-open', () => get('begin').showModal());
   on('help-open', () => get('help').showModal());
   on('theme', () => { turnTheme(); later(); });
+  on('units', () => { turnUnits(); newUnits(); });
   on('play', () => { const now = get('play').getAttribute('aria-pressed') !== 'true'; get('play').setAttribute('aria-pressed', String(now)); flow.play(now); });
   on('amount', () => { flow.amount = Number(get('amount').value); get('play').setAttribute('aria-pressed', 'false'); flow.play(false); }, 'input');
   on('closer', () => view.fit(flow.moving?.length ? flow.moving : model.allPoints(store.problem)));

@@ -1,6 +1,7 @@
 // Fields of an entry: each writes what is typed into the document, and shows what is wrong with it.
 import {html} from './dom.js';
 import {list} from './model.js';
+import {fromField, toField, unit as named} from './units.js';
 
 // A number as people type it; null if it is none.
 export function parse(words) {
@@ -26,19 +27,19 @@ export class Form {
     const id = `${this.path}.${field.key}`, control = this[field.kind](field, id);
     if (field.kind === 'words') return control;
     const label = html('label', {for: id, title: field.title}, field.label);
-    const unit = field.unit ? html('span', {class: 'unit'}, field.unit) : null;
+    const unit = field.unit ? html('span', {class: 'unit'}, named(field.unit)) : null;
     return html('div', {class: `field ${field.kind}`, 'data-path': id, title: field.help}, label, html('span', {class: 'control'}, control, unit), html('p', {class: 'wrong', id: `${id}.wrong`, hidden: true}));
   }
 
   set(key, value, join = true) { this.write(of => { if (value === undefined) delete of[key]; else of[key] = value; }, join ? `${this.path}.${key}` : null); }
 
   number({key, optional, zero, unit, label}, id) {
-    const value = this.of[key];
+    const value = toField(this.of[key], unit);
     const input = html('input', {id, inputmode: 'decimal', autocomplete: 'off', value: value ?? (zero ? 0 : ''), placeholder: optional ? 'not said' : null,
-      'aria-label': unit ? `${label} in ${unit}` : null, 'aria-describedby': `${id}.wrong`,
+      'aria-label': unit ? `${label} in ${named(unit)}` : null, 'aria-describedby': `${id}.wrong`,
       input: () => {
         const found = parse(input.value);
-        if (found !== null) { complain(input, ''); this.set(key, zero && found === 0 ? undefined : found); }
+        if (found !== null) { complain(input, ''); this.set(key, zero && found === 0 ? undefined : fromField(found, unit)); }
         else if (optional && !input.value.trim()) { complain(input, ''); this.set(key, undefined); }
         else complain(input, 'this is no number');
       }});
@@ -83,14 +84,14 @@ export class Form {
 
   // One value, or one at each end of the line.
   profile({key, label, unit}, id) {
-    const value = this.of[key], ends = Array.isArray(value) ? value : [value, undefined];
+    const value = this.of[key], ends = (Array.isArray(value) ? value : [value, undefined]).map(end => toField(end, unit));
     const inputs = ['', '.end'].map((part, k) => html('input', {id: id + part, inputmode: 'decimal', autocomplete: 'off', value: ends[k] ?? '', placeholder: k ? 'the same' : '0',
-      'aria-label': `${label} in ${unit}${k ? ', at the end of the line if it differs' : ''}`, 'aria-describedby': `${id}.wrong`,
+      'aria-label': `${label} in ${named(unit)}${k ? ', at the end of the line if it differs' : ''}`, 'aria-describedby': `${id}.wrong`,
       input: () => {
         const found = inputs.map(input => input.value.trim() ? parse(input.value) : undefined);
         inputs.forEach((input, i) => complain(input, found[i] === null ? 'this is no number' : ''));
         if (found.includes(null)) return;
-        const [from, to] = found;
+        const [from, to] = found.map(end => fromField(end, unit));
         this.set(key, to === undefined ? from : [from ?? 0, to]);
       }}));
     return html('span', {class: 'pair'}, inputs[0], html('span', {'aria-hidden': 'true'}, 'to'), inputs[1]);
@@ -101,12 +102,12 @@ export class Form {
 export function pointTable(shape, editor, write) {
   const path = `${shape.section}${shape.index === null ? '' : `.${shape.index}`}.${shape.key}`;
   const cell = (k, axis) => {
-    const input = html('input', {inputmode: 'decimal', autocomplete: 'off', value: shape.points[k][axis], id: `${path}.${k}.${'xy'[axis]}`, 'aria-label': `${'xy'[axis]} of point ${k + 1} in m`,
+    const input = html('input', {inputmode: 'decimal', autocomplete: 'off', value: toField(shape.points[k][axis], 'm'), id: `${path}.${k}.${'xy'[axis]}`, 'aria-label': `${'xy'[axis]} of point ${k + 1} in ${named('m')}`,
       focus: () => { if (editor.point !== k) editor.choose(shape, k); },
       input: () => {
         const found = parse(input.value);
         complain(input, found === null ? 'this is no number' : '');
-        if (found !== null) write(points => { points[k][axis] = found; }, `${path}.${k}.${axis}`);
+        if (found !== null) write(points => { points[k][axis] = fromField(found, 'm'); }, `${path}.${k}.${axis}`);
       }});
     return html('td', null, input);
   };
@@ -119,6 +120,6 @@ export function pointTable(shape, editor, write) {
     }),
     act('×', `Remove point ${k + 1}`, () => { editor.choose(shape, k); editor.remove(); }))));
   return html('div', {class: 'field', 'data-path': path},
-    html('table', {class: 'points'}, html('caption', null, 'Points in m'), html('thead', null, html('tr', null, html('th', {scope: 'col'}, ''), html('th', {scope: 'col'}, 'x'), html('th', {scope: 'col'}, 'y'), html('th', {scope: 'col'}, html('span', {class: 'hear'}, 'change')))), html('tbody', null, ...rows)),
+    html('table', {class: 'points'}, html('caption', null, `Points in ${named('m')}`), html('thead', null, html('tr', null, html('th', {scope: 'col'}, ''), html('th', {scope: 'col'}, 'x'), html('th', {scope: 'col'}, 'y'), html('th', {scope: 'col'}, html('span', {class: 'hear'}, 'change')))), html('tbody', null, ...rows)),
     html('p', {class: 'wrong', id: `${path}.wrong`, hidden: true}));
 }

@@ -17,6 +17,7 @@ import {Solver} from './solver.js';
 import {Store} from './store.js';
 import {TextTab} from './text.js';
 import {keptTheme} from './theme.js';
+import {areCustomary, inUnit, unit} from './units.js';
 import {Variant} from './variant.js';
 import {View} from './view.js';
 import {WhatIf} from './whatif.js';
@@ -77,8 +78,8 @@ function later() {
 function status() {
   const at = editor.cursor;
   const moves = at && flow.at(at);
-  get('place').textContent = at ? `${short(at[0], 5)}, ${short(at[1], 5)} m${moves ? `, moves ${short(moves[0], 2)}, ${short(moves[1], 2)} of the fastest` : ''}` : '';
-  get('step').textContent = `grid ${short(view.step())} m`;
+  get('place').textContent = at ? `${at.map(x => short(inUnit(x, 'm'), 5)).join(', ')} ${unit('m')}${moves ? `, moves ${short(moves[0], 2)}, ${short(moves[1], 2)} of the fastest` : ''}` : '';
+  get('step').textContent = `grid ${short(inUnit(view.step(), 'm'))} ${unit('m')}`;
 }
 
 function changed() {
@@ -231,6 +232,18 @@ function start(problem, hasText = false) {
   view.fit(model.allPoints(store.problem));
 }
 
+// Everything that has a unit, anew.
+function newUnits() {
+  get('units').setAttribute('aria-pressed', String(areCustomary()));
+  get('exact-unit').textContent = unit('m');
+  panel.update(true);
+  whatIf.made = variant.drawn = '';
+  whatIf.update();
+  solver.draw();
+  if (probe.line) probe.read();
+  later();
+}
+
 function lost(reason) { connection('lost', reason ? `lost: ${reason}` : 'no connection'); solver.lost(); }
 function connection(now, words) { Object.assign(get('link').dataset, {state: now}); get('link').textContent = words; }
 
@@ -264,10 +277,11 @@ addEventListener('beforeunload', event => { if (store.dirty && !kept('local', `w
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', later);
 store.listen(changed);
 view.listen(later);
-controls({store, view, editor, flow, text, solver, files, section, tab, showFlow, later});
+controls({store, view, editor, flow, text, solver, files, section, tab, showFlow, later, newUnits});
 keptTheme();
 tab(kept('session', 'tab') ?? 'problem');
 tools();
+newUnits();
 changed();
 solver.draw();
 

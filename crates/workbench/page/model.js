@@ -1,5 +1,6 @@
 // What can be done to a document. Its keys are those of the problem file; functions that end a document's draft change it in place.
 import {box, distance, same} from './geometry.js';
+import {toField, unit} from './units.js';
 
 export const SECTIONS = ['region', 'boundary', 'structure', 'plate', 'member', 'head', 'water'];
 
@@ -48,7 +49,7 @@ export function label(problem, {section, index}) {
     const where = of.sides?.length ? of.sides.join(', ') : `${of.line?.length ?? 0} points`;
     return `${of.name ? `${of.name}: ` : ''}${HOLDS[of.kind] ?? of.kind}, ${where}`;
   }
-  if (section === 'head') return `${of.name ? `${of.name}: ` : ''}head ${of.head_m} m`;
+  if (section === 'head') return `${of.name ? `${of.name}: ` : ''}head ${toField(of.head_m, 'm')} ${unit('m')}`;
   if (section === 'region') return of.name ? `${of.name} (${of.soil})` : of.soil;
   return of.name || `${KINDS[section]} ${index + 1}`;
 }

@@ -1,6 +1,8 @@
 // A section line through a solution: stresses across and along it, their sums, and all that is known at one place of it.
 import {get, html, say, short, svg} from './dom.js';
+import {inUnit, unit} from './units.js';
 
+const in_ = (name, value, digits = 4) => `${short(inUnit(value, name), digits)} ${unit(name)}`, pressed = value => short(inUnit(value, 'kPa'));
 const WIDE = 320, TALL = 170, LEFT = 54, RIGHT = 12, TOP = 10, BOTTOM = 24;
 
 export class Probe {
@@ -33,11 +35,11 @@ export class Probe {
   read() {
     const {shown} = this, place = shown.places[Number(get('probe-at').value)], {stress, velocity} = place;
     this.line.at = place.point_m;
-    get('probe-place').textContent = `${short(place.at_m, 3)} m`;
+    get('probe-place').textContent = in_('m', place.at_m, 3);
     get('probe-chart').replaceChildren(this.chart(place));
-    const sums = shown.normal_kn_per_m === null ? 'No stresses are known: there is no lower bound.' : `All along ${short(shown.length_m, 3)} m: ${short(shown.normal_kn_per_m, 4)} kN/m across it, ${short(shown.shear_kn_per_m, 4)} kN/m along it.`;
-    const outside = shown.outside_m > 0 ? ` ${short(shown.outside_m, 2)} m of it are in no soil.` : '';
-    const here = stress ? `Here σ ${short(stress.normal_kpa)} and τ ${short(stress.shear_kpa)} kPa; principal ${short(stress.major_kpa)} (at ${short(stress.major_deg, 3)}°) and ${short(stress.minor_kpa)} kPa` : 'Here is no stress';
+    const sums = shown.normal_kn_per_m === null ? 'No stresses are known: there is no lower bound.' : `All along ${in_('m', shown.length_m, 3)}: ${in_('kN/m', shown.normal_kn_per_m)} across it, ${in_('kN/m', shown.shear_kn_per_m)} along it.`;
+    const outside = shown.outside_m > 0 ? ` ${in_('m', shown.outside_m, 2)} of it are in no soil.` : '';
+    const here = stress ? `Here σ ${pressed(stress.normal_kpa)} and τ ${in_('kPa', stress.shear_kpa)}; principal ${pressed(stress.major_kpa)} (at ${short(stress.major_deg, 3)}°) and ${in_('kPa', stress.minor_kpa)}` : 'Here is no stress';
     const moves = velocity ? `; moves ${short(velocity[0], 2)}, ${short(velocity[1], 2)} of the fastest.` : '.';
     get('probe-words').replaceChildren(html('span', {'data-normal': shown.normal_kn_per_m, 'data-shear': shown.shear_kn_per_m}, `${sums}${outside}`), html('br'), `${here}${moves} Total stresses of the lower bound's field, compression positive; τ is positive where the soil on the left of the line pushes that on the right forwards.`);
     this.later();
@@ -46,16 +48,16 @@ export class Probe {
   chart(place) {
     const known = this.shown.places.filter(one => one.stress), chart = svg('svg', {viewBox: `0 0 ${WIDE} ${TALL}`, class: 'scale', role: 'img', 'aria-label': 'normal and shear stress along the section line'});
     if (!known.length) return chart;
-    const values = known.flatMap(({stress}) => [stress.normal_kpa, stress.shear_kpa]), low = Math.min(0, ...values), high = Math.max(0, ...values, low + 1e-9);
+    const values = known.flatMap(({stress}) => [stress.normal_kpa, stress.shear_kpa]).map(value => inUnit(value, 'kPa')), low = Math.min(0, ...values), high = Math.max(0, ...values, low + 1e-9);
     const x = at => LEFT + at / this.shown.length_m * (WIDE - LEFT - RIGHT), y = value => TOP + (high - value) / (high - low) * (TALL - TOP - BOTTOM);
     for (let k = 0; k <= 4; k++) { const value = low + k / 4 * (high - low); chart.append(svg('path', {d: `M${LEFT} ${y(value)}H${WIDE - RIGHT}`, class: 'rule'}), svg('text', {x: LEFT - 6, y: y(value) + 4, 'text-anchor': 'end'}, short(value, 3))); }
     chart.append(svg('path', {d: `M${LEFT} ${y(0)}H${WIDE - RIGHT}`, class: 'zero'}), svg('path', {d: `M${x(place.at_m)} ${TOP}V${TALL - BOTTOM}`, class: 'here'}));
     for (const [key, kind] of [['normal_kpa', 'lower'], ['shear_kpa', 'upper']]) {
       // A gap in the soil is a gap in the curve.
-      const parts = this.shown.places.map((one, k, all) => one.stress ? `${all[k - 1]?.stress ? 'L' : 'M'}${x(one.at_m).toFixed(1)} ${y(one.stress[key]).toFixed(1)}` : '');
+      const parts = this.shown.places.map((one, k, all) => one.stress ? `${all[k - 1]?.stress ? 'L' : 'M'}${x(one.at_m).toFixed(1)} ${y(inUnit(one.stress[key], 'kPa')).toFixed(1)}` : '');
       chart.append(svg('path', {d: parts.join(''), class: kind}));
     }
-    chart.append(svg('text', {x: LEFT, y: TALL - 6}, 'σ in kPa: solid; τ: dashed'), svg('text', {x: WIDE - RIGHT, y: TALL - 6, 'text-anchor': 'end'}, `${short(this.shown.length_m, 3)} m`));
+    chart.append(svg('text', {x: LEFT, y: TALL - 6}, `σ in ${unit('kPa')}: solid; τ: dashed`), svg('text', {x: WIDE - RIGHT, y: TALL - 6, 'text-anchor': 'end'}, in_('m', this.shown.length_m, 3)));
     return chart;
   }
 }

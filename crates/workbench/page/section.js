@@ -4,22 +4,23 @@ import {area, middle} from './geometry.js';
 import {label, list, shapeOf, shapes} from './model.js';
 import {patternId, patterns} from './palette.js';
 import {symbols} from './symbols.js';
+import {inUnit, unit} from './units.js';
 
 const path = (view, points, closed) => `M${points.map(p => view.px(p).map(x => x.toFixed(2))).join('L')}${closed ? 'Z' : ''}`;
 
 function grid(view) {
   const step = view.step(56), low = view.m([0, view.height]), high = view.m([view.width, 0]), parts = [], words = [];
   const first = axis => Math.ceil(low[axis] / step);
-  const digits = Math.max(0, -Math.floor(Math.log10(step)));
+  const shown = inUnit(step, 'm'), digits = Math.max(0, -Math.floor(Math.log10(shown) + 1e-9)), at = k => (k * shown).toFixed(digits).replace('-', '−');
   for (let k = first(0); k * step <= high[0]; k++) {
     const [x] = view.px([k * step, 0]);
     parts.push(`M${x.toFixed(1)} 0V${view.height}`);
-    words.push(svg('text', {x: x + 3, y: view.height - 5}, (k * step).toFixed(digits).replace('-', '−')));
+    words.push(svg('text', {x: x + 3, y: view.height - 5}, at(k)));
   }
   for (let k = first(1); k * step <= high[1]; k++) {
     const [, y] = view.px([0, k * step]);
     parts.push(`M0 ${y.toFixed(1)}H${view.width}`);
-    if (y < view.height - 22) words.push(svg('text', {x: 4, y: y - 3}, `${(k * step).toFixed(digits).replace('-', '−')}${k === Math.floor(high[1] / step) ? ' m' : ''}`));
+    if (y < view.height - 22) words.push(svg('text', {x: 4, y: y - 3}, `${at(k)}${k === Math.floor(high[1] / step) ? ` ${unit('m')}` : ''}`));
   }
   return svg('g', {class: 'grid', 'aria-hidden': 'true'}, svg('path', {d: parts.join('')}), ...words);
 }
@@ -38,7 +39,7 @@ function names(view, problem) {
     if (Math.abs(area(polygon)) * view.scale ** 2 < 9000) return null;
     const its = list(problem, 'soil').find(one => one.name === soil);
     const [x, y] = view.px(middle(polygon));
-    const words = its ? `${its.strength ? `${its.strength.kind} strength` : `φ ${short(its.phi_deg ?? 0)}°  c ${short(its.cohesion_kpa ?? 0)} kPa`}  γ ${short(its.unit_weight_kn_m3)} kN/m³` : 'no such soil';
+    const words = its ? `${its.strength ? `${its.strength.kind} strength` : `φ ${short(its.phi_deg ?? 0)}°  c ${short(inUnit(its.cohesion_kpa ?? 0, 'kPa'))} ${unit('kPa')}`}  γ ${short(inUnit(its.unit_weight_kn_m3, 'kN/m³'))} ${unit('kN/m³')}` : 'no such soil';
     return svg('g', {class: 'name'}, svg('text', {x, y, 'text-anchor': 'middle'}, soil), svg('text', {x, y: y + 16, 'text-anchor': 'middle', class: 'small'}, words));
   });
 }

@@ -2,6 +2,7 @@
 import {get, html, say, short} from './dom.js';
 import {WORDS} from './fields.js';
 import {scale} from './scale.js';
+import {inUnit, unit as named} from './units.js';
 
 // Why the solver ended, as it is told.
 const ENDED = {gap: 'the gap was reached', elements: 'the mesh is as fine as is allowed', work: 'the work allowed is spent', time: 'the time allowed is spent', memory: 'the memory allowed is used', stopped: 'it was stopped'};
@@ -68,7 +69,7 @@ export class Solver {
 
   words() {
     const {answer} = this, {name, unit} = WORDS[answer.quantity];
-    return `${name}: between ${short(answer.lower, 5)} and ${short(answer.upper, 5)} ${unit}`.trim();
+    return `${name}: between ${[answer.lower, answer.upper].map(value => short(inUnit(value, unit), 5)).join(' and ')} ${named(unit)}`.trim();
   }
 
   draw() {
@@ -77,7 +78,7 @@ export class Solver {
     get('stop').hidden = !isRunning;
     const last = this.steps.at(-1), {answer} = this;
     const unit = answer ? WORDS[answer.quantity].unit : '';
-    get('scale').replaceChildren(...(this.steps.length ? [scale(this.steps.map(step => answer && step === last && !answer.cases.length ? {...step, lower: answer.lower, upper: answer.upper} : step), unit)] : []));
+    get('scale').replaceChildren(...(this.steps.length ? [scale(this.steps.map(step => answer && step === last && !answer.cases.length ? {...step, lower: answer.lower, upper: answer.upper} : step).map(step => ({...step, lower: inUnit(step.lower, unit), upper: inUnit(step.upper, unit)})), named(unit))] : []));
     get('progress').textContent = isRunning ? this.progress() : '';
     get('bounds').replaceChildren(...this.summary(last));
     get('findings').replaceChildren(...(answer ? this.findings() : []));
@@ -108,13 +109,13 @@ export class Solver {
     const {name, unit} = WORDS[answer.quantity];
     const gap = answer.gap === null ? '' : `gap ${short(100 * answer.gap, 3)} %`;
     const proof = html('p', {class: answer.certified ? 'proof good' : 'proof bad', id: 'proof'}, answer.certified ? 'Both bounds are proven with interval arithmetic.' : 'Bounds that are told are proven; some cases have none.');
-    const pushed = answer.quantity === 'force_kn_per_m' && answer.upper < 0 ? html('p', null, `The soil pushes the structure on, with ${short(-answer.upper)} to ${short(-answer.lower)} kN/m.`) : null;
+    const pushed = answer.quantity === 'force_kn_per_m' && answer.upper < 0 ? html('p', null, `The soil pushes the structure on, with ${short(inUnit(-answer.upper, unit))} to ${short(inUnit(-answer.lower, unit))} ${named(unit)}.`) : null;
     const ended = html('p', {class: 'faint'}, [gap, `${short(answer.seconds, 3)} s`, `${short(answer.upper_elements)} elements`, ENDED[answer.ended] ?? ''].filter(Boolean).join(', '));
     return [html('p', {class: 'quantity'}, `${name[0].toUpperCase()}${name.slice(1)}${answer.governing ? `, least of all cases: ${answer.governing}` : ''}`), this.pair(answer.lower, answer.upper, unit, ''), pushed, proof, ended].filter(Boolean);
   }
 
   pair(lower, upper, unit, words) {
-    const one = (name, value) => html('div', {class: name}, html('dt', null, name === 'lower' ? 'at least' : 'at most'), html('dd', {'data-value': value ?? ''}, short(value, 5), html('small', null, ` ${unit}`)));
+    const one = (name, value) => html('div', {class: name}, html('dt', null, name === 'lower' ? 'at least' : 'at most'), html('dd', {'data-value': value ?? ''}, short(inUnit(value, unit), 5), html('small', null, ` ${named(unit)}`)));
     return html('div', null, html('dl', {class: 'pair'}, one('lower', lower), one('upper', upper)), words ? html('p', {class: 'faint'}, words) : null);
   }
 
@@ -122,8 +123,8 @@ export class Solver {
     const {answer} = this, {results} = answer, parts = [];
     const table = (caption, head, rows) => html('div', {class: 'table', tabindex: 0, role: 'group', 'aria-label': caption}, html('table', null, html('caption', null, caption), html('thead', null, html('tr', null, ...head.map(words => html('th', {scope: 'col'}, words)))), html('tbody', null, ...rows.map(row => html('tr', null, ...row.map((cell, k) => k ? html('td', null, cell) : html('th', {scope: 'row'}, cell)))))));
     if (answer.cases.length) parts.push(table('Cases', ['case', 'lower', 'upper', 'one or more'], answer.cases.map(one => [one.name, short(one.lower), short(one.upper), one.problem ?? ({true: 'yes', false: 'no'})[one.enough] ?? '–'])));
-    if (results.contacts.length) parts.push(table('Forces on faces (lower bound)', ['face', 'normal kN/m', 'shear kN/m', 'most kPa', 'centre m'], results.contacts.map(one => [one.face, short(one.normal_force), short(one.shear_force), short(one.greatest_pressure), short(one.centre, 3)])));
-    if (results.moving_ground.length) parts.push(table('Ground that moves (upper bound)', ['from x, y in m', 'to x, y in m'], results.moving_ground.map(one => [one.from.map(x => short(x, 3)).join(', '), one.to.map(x => short(x, 3)).join(', ')])));
+    if (results.contacts.length) parts.push(table('Forces on faces (lower bound)', ['face', `normal ${named('kN/m')}`, `shear ${named('kN/m')}`, `most ${named('kPa')}`, `centre ${named('m')}`], results.contacts.map(one => [one.face, short(inUnit(one.normal_force, 'kN/m')), short(inUnit(one.shear_force, 'kN/m')), short(inUnit(one.greatest_pressure, 'kPa')), short(inUnit(one.centre, 'm'), 3)])));
+    if (results.moving_ground.length) parts.push(table('Ground that moves (upper bound)', [`from x, y in ${named('m')}`, `to x, y in ${named('m')}`], results.moving_ground.map(one => [one.from, one.to].map(p => p.map(x => short(inUnit(x, 'm'), 3)).join(', ')))));
     if (answer.trials.length) parts.push(table('Factors that were tried', ['strength over', 'bears at least', 'at most'], answer.trials.map(one => [short(one.factor, 5), short(one.borne_lower), short(one.borne_upper)])));
     else if (this.steps.length) parts.push(table('Levels', ['elements', 'lower', 'upper', 's'], this.steps.map(one => [short(one.elements), short(one.lower), short(one.upper), one.seconds.toFixed(1)])));
     return parts;

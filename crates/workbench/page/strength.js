@@ -1,6 +1,7 @@
 // The law of strength of a soil: straight, with a friction angle and cohesion, or one that grows less and less with pressure.
 import {html} from './dom.js';
 import {complain, Form, parse} from './form.js';
+import {fromField, toField, unit} from './units.js';
 
 const number = (key, label, unit, more = {}) => ({key, label, unit, kind: 'number', ...more});
 const UP_TO = number('up_to_kpa', 'Followed up to', 'kPa', {optional: true, help: 'a multiple of what weight and loads make, if it is not said'});
@@ -35,10 +36,10 @@ function choose(soil, kind) {
 // Points of normal stress and shear strength.
 function table(law, path, write) {
   const cell = (k, axis) => {
-    const input = html('input', {inputmode: 'decimal', autocomplete: 'off', value: law.points_kpa[k][axis], id: `${path}.${k}.${axis}`, 'aria-label': `${['normal stress', 'shear strength'][axis]} of point ${k + 1} in kPa`, input: () => {
+    const input = html('input', {inputmode: 'decimal', autocomplete: 'off', value: toField(law.points_kpa[k][axis], 'kPa'), id: `${path}.${k}.${axis}`, 'aria-label': `${['normal stress', 'shear strength'][axis]} of point ${k + 1} in ${unit('kPa')}`, input: () => {
       const found = parse(input.value);
       complain(input, found === null ? 'this is no number' : '');
-      if (found !== null) write(of => { of.points_kpa[k][axis] = found; }, `${path}.${k}.${axis}`);
+      if (found !== null) write(of => { of.points_kpa[k][axis] = fromField(found, 'kPa'); }, `${path}.${k}.${axis}`);
     }});
     return html('td', null, input);
   };
@@ -49,7 +50,7 @@ function table(law, path, write) {
       of.points_kpa.splice(k + 1, 0, after ? [(stress + after[0]) / 2, (strength + after[1]) / 2] : [2 * stress - before[0], 2 * strength - before[1]]);
     }),
     act('×', `Remove point ${k + 1}`, of => { of.points_kpa.splice(k, 1); }))));
-  return html('div', {class: 'field', 'data-path': path}, html('table', {class: 'points'}, html('thead', null, html('tr', null, ...['', 'σ in kPa', 'τ in kPa', ''].map(words => html('th', {scope: 'col'}, words)))), html('tbody', null, ...rows)), html('p', {class: 'wrong', id: `${path}.wrong`, hidden: true}));
+  return html('div', {class: 'field', 'data-path': path}, html('table', {class: 'points'}, html('thead', null, html('tr', null, ...['', `σ in ${unit('kPa')}`, `τ in ${unit('kPa')}`, ''].map(words => html('th', {scope: 'col'}, words)))), html('tbody', null, ...rows)), html('p', {class: 'wrong', id: `${path}.wrong`, hidden: true}));
 }
 
 // The fields of a soil's law; `change(edit, join)` changes the soil.

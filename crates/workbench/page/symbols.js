@@ -2,6 +2,9 @@
 // goes on, arrows for what acts. Sides are walked with the soil on the left, so symbols stand on their right.
 import {short, svg} from './dom.js';
 import {along, between, middle, plus} from './geometry.js';
+import {inUnit, unit} from './units.js';
+
+const pressed = value => short(inUnit(value, 'kPa'));
 
 const PRESSURE_PX = 40, SURCHARGE_PX = 14, MOTION_PX = 58;
 
@@ -61,8 +64,8 @@ function load(view, {ends, pressure, shear, live}, most) {
   }
   const tails = [0, 1].map(part => plus(between(px, part), reach(part), out));
   if (pressure.some(Boolean)) parts.push(path([tails], {class: 'shaft'}));
-  const span = ([a, b]) => Math.abs(a - b) <= 1e-9 * Math.abs(a) ? short(a) : `${short(a)} to ${short(b)}`;
-  const words = [pressure.some(Boolean) && `${span(pressure)} kPa`, shear.some(Boolean) && `shear ${span(shear.map(Math.abs))} kPa`].filter(Boolean).join(', ');
+  const span = ([a, b]) => Math.abs(a - b) <= 1e-9 * Math.abs(a) ? pressed(a) : `${pressed(a)} to ${pressed(b)}`;
+  const words = [pressure.some(Boolean) && `${span(pressure)} ${unit('kPa')}`, shear.some(Boolean) && `shear ${span(shear.map(Math.abs))} ${unit('kPa')}`].filter(Boolean).join(', ');
   const [x, y] = plus(middle(tails), 8, out);
   const anchor = out[0] > .5 ? 'start' : out[0] < -.5 ? 'end' : 'middle';
   if (words) parts.push(svg('text', {x, y: out[1] > .5 ? y + 10 : y, 'text-anchor': anchor, class: 'value'}, words));
@@ -77,7 +80,7 @@ function surcharge(view, sides, value) {
   });
   const longest = free.map(side => onScreen(view, side.ends)).sort((a, b) => b.length - a.length)[0];
   const at = longest && plus(between(longest.px, .5), SURCHARGE_PX + 6, longest.out);
-  return svg('g', {class: 'acting small'}, ...arrows, longest ? svg('text', {x: at[0], y: at[1], 'text-anchor': 'middle', class: 'value'}, `${short(value)} kPa`) : null);
+  return svg('g', {class: 'acting small'}, ...arrows, longest ? svg('text', {x: at[0], y: at[1], 'text-anchor': 'middle', class: 'value'}, `${pressed(value)} ${unit('kPa')}`) : null);
 }
 
 // The water table with its triangle, and open water.

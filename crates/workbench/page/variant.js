@@ -3,6 +3,7 @@ import {get, html, say, short} from './dom.js';
 import {WORDS} from './fields.js';
 import {Flow} from './flow.js';
 import {draw} from './section.js';
+import {inUnit, unit as named} from './units.js';
 
 // As many differences are listed.
 const MOST = 12;
@@ -60,12 +61,12 @@ export class Variant {
 
   words(now) {
     const {answer, problem} = this.kept, {name, unit} = WORDS[answer.quantity], all = differences(problem, this.store.problem);
-    const row = (words, of) => html('tr', {'data-variant': words}, html('th', {scope: 'row'}, words), ...['lower', 'upper'].map(side => html('td', {'data-value': of?.[side] ?? ''}, of ? short(of[side], 5) : '–')));
+    const row = (words, of) => html('tr', {'data-variant': words}, html('th', {scope: 'row'}, words), ...['lower', 'upper'].map(side => html('td', {'data-value': of?.[side] ?? ''}, of ? short(inUnit(of[side], unit), 5) : '–')));
     const isSame = now && now.quantity === answer.quantity, isAbove = isSame && [answer, now].every(of => of.lower > 0 && of.upper > 0);
     const ratio = isAbove ? [now.lower / answer.upper, now.upper / answer.lower] : null;
     const changes = all.slice(0, MOST).map(({path, a, b}) => html('li', null, `${path}: ${told(a)} → ${told(b)}`));
     return [
-      html('table', null, html('caption', null, `${name}${unit ? ` in ${unit}` : ''}`), html('thead', null, html('tr', null, ...['', 'at least', 'at most'].map(words => html('th', {scope: 'col'}, words)))), html('tbody', null, row('A', answer), row('now', isSame ? now : null))),
+      html('table', null, html('caption', null, `${name}${unit ? ` in ${named(unit)}` : ''}`), html('thead', null, html('tr', null, ...['', 'at least', 'at most'].map(words => html('th', {scope: 'col'}, words)))), html('tbody', null, row('A', answer), row('now', isSame ? now : null))),
       html('p', {id: 'ratio-a'}, ratio ? `Now is ${short(ratio[0], 4)} to ${short(ratio[1], 4)} times A; the bounds of both prove that.` : now && !isSame ? 'Now something else is bounded than for A.' : now ? '' : 'What is on the sheet now is not solved.'),
       all.length ? html('ul', {class: 'plain'}, ...changes, all.length > MOST ? html('li', null, `and ${all.length - MOST} more`) : null) : html('p', {class: 'faint'}, 'The sheet is as A was.'),
     ];

@@ -1,5 +1,6 @@
 // Where a point of the ground is on the screen, and back. Metres to pixels; y upwards to y downwards.
 import {box} from './geometry.js';
+import {inUnit} from './units.js';
 
 const LEAST_SCALE = 1e-3, MOST_SCALE = 1e6;
 
@@ -35,11 +36,11 @@ export class View {
     this.tell();
   }
 
-  // The distance of grid lines: 1, 2 or 5 times a power of ten, at least so many pixels.
+  // The distance of grid lines in m: 1, 2 or 5 times a power of ten of the unit that is shown, at least so many pixels.
   step(pixels = 22) {
-    const least = pixels / this.scale, power = 10 ** Math.floor(Math.log10(least));
+    const one = inUnit(1, 'm'), least = pixels / this.scale * one, power = 10 ** Math.floor(Math.log10(least));
     const times = [1, 2, 5, 10].find(times => times * power >= least * (1 - 1e-9));
-    return Number((times * power).toPrecision(6));
+    return Number((times * power / one).toPrecision(6));
   }
 
   listen(hear) { this.listeners.push(hear); }

@@ -2,6 +2,7 @@
 // as is asked for.
 import {get, html, short} from './dom.js';
 import {list, shapes} from './model.js';
+import {inUnit, unit as named} from './units.js';
 
 const REST_MS = 450;
 // The gap of a coarse run: that of the first meshes.
@@ -73,7 +74,7 @@ export class WhatIf {
     for (const {key, unit, absent} of now.sliders) {
       const input = document.getElementById(`whatif.${key}`), value = of[key] ?? absent;
       if (document.activeElement !== input) Object.assign(input, {min: Math.min(input.min, value), max: Math.max(input.max, value)}).value = value;
-      document.getElementById(`whatif.${key}.value`).textContent = `${short(value)} ${unit}`;
+      document.getElementById(`whatif.${key}.value`).textContent = `${short(inUnit(value, unit))} ${named(unit)}`;
     }
   }
 
@@ -89,6 +90,6 @@ export class WhatIf {
         this.timer = setTimeout(() => this.solver.start(), REST_MS);
       }});
     input.value = value;
-    return html('label', {class: 'slide'}, html('span', null, name), input, html('output', {id: `whatif.${key}.value`}, `${short(value)} ${unit}`));
+    return html('label', {class: 'slide'}, html('span', null, name), input, html('output', {id: `whatif.${key}.value`}, `${short(inUnit(value, unit))} ${named(unit)}`));
   }
 }

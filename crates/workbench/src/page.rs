@@ -78,6 +78,7 @@ files! {
     "/symbols.js" Module "symbols.js"
     "/text.js" Module "text.js"
     "/theme.js" Module "theme.js"
+    "/units.js" Module "units.js"
     "/variant.js" Module "variant.js"
     "/view.js" Module "view.js"
     "/whatif.js" Module "whatif.js"
