@@ -40,6 +40,8 @@ pub mod predict;
 #[cfg(not(target_family = "wasm"))]
 pub mod process;
 #[cfg(not(target_family = "wasm"))]
+pub mod profile;
+#[cfg(not(target_family = "wasm"))]
 pub mod replay;
 #[cfg(not(target_family = "wasm"))]
 pub mod report;
@@ -95,6 +97,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("table check", table::check, table::check::run),
     use_case!("estimate", estimate, |request, watch| Ok(estimate::run(request, watch)?.answer)),
     use_case!("places", places, places::run),
+    use_case!("profile", profile, profile::run),
     use_case!("surface", surface, surface::run),
     use_case!("shear", shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", simulate, simulate::run),

@@ -4,6 +4,7 @@ mod error;
 mod hull;
 mod kriging;
 mod next;
+pub mod profile;
 mod same;
 
 pub use error::GroundError;

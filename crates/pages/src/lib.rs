@@ -22,6 +22,7 @@ mod problem;
 #[cfg(not(target_family = "wasm"))]
 pub mod process;
 #[cfg(not(target_family = "wasm"))]
+pub mod profile;
 pub mod report;
 pub mod shear;
 pub mod solve;

@@ -87,6 +87,38 @@ pub(crate) fn of_part(
     of_files(request, &Files::of(table, campaign))
 }
 
+/// What is known before anything is estimated, for what asks the estimator itself.
+#[cfg(not(target_family = "wasm"))]
+pub(crate) struct Known {
+    pub(crate) inputs: Inputs,
+    pub(crate) model: Box<dyn ForceModel>,
+    pub(crate) ends: Ends,
+}
+
+#[cfg(not(target_family = "wasm"))]
+impl Known {
+    /// Of a table that was read.
+    pub(crate) fn of(request: &Request, table: StrokeTable, campaign: Campaign) -> Result<Self, AppError> {
+        let files = Files::of(table, campaign);
+        let (ends, model) = ends_and_model(request, &files)?;
+        Ok(Self { inputs: Inputs::new(request, &files, false, &*model)?, model, ends })
+    }
+
+    /// The setup of the estimator, for this request or one with more unknowns.
+    pub(crate) fn setup(&self, request: &Request) -> Result<Setup<'_>, AppError> {
+        self.inputs.setup(request, &*self.model)
+    }
+}
+
+/// Whether plates have ends, and the model with or without them.
+fn ends_and_model(request: &Request, files: &Files) -> Result<(Ends, Box<dyn ForceModel>), AppError> {
+    let known = model(&request.model)?;
+    Ok(match ends(request, files, &*known)? {
+        Ends::Finite => (Ends::Finite, known),
+        Ends::None => (Ends::None, InPlaneStrain::of(known)),
+    })
+}
+
 fn of_files(request: &Request, files: &Files) -> Result<Estimation, AppError> {
     request.intervals.refuse(&[
         ("--exact", request.exact),
@@ -96,12 +128,8 @@ fn of_files(request: &Request, files: &Files) -> Result<Estimation, AppError> {
         ("--sections", !request.sections_deg.is_empty()),
     ])?;
     let exact_data = request.exact;
-    let known = model(&request.model)?;
-    let knows_ends = known.has_ends();
-    let (ends, model) = match ends(request, files, &*known)? {
-        Ends::Finite => (Ends::Finite, known),
-        Ends::None => (Ends::None, InPlaneStrain::of(known)),
-    };
+    let knows_ends = model(&request.model)?.has_ends();
+    let (ends, model) = ends_and_model(request, files)?;
     let inputs = Inputs::new(request, files, exact_data, &*model)?;
     let setup = inputs.setup(request, &*model)?;
     let deltas = inputs.sections(request);

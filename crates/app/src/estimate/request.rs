@@ -167,6 +167,11 @@ pub struct Request {
     /// Also run what one would otherwise use, downhill simplex and Levenberg-Marquardt from many starts
     #[arg(long)]
     pub compare: bool,
+
+    /// Whether strokes at different depths are kept apart, for what asks whether ground changes with depth; no option
+    #[arg(skip)]
+    #[serde(skip)]
+    pub tells_depths_apart: bool,
 }
 
 impl Default for Request {
@@ -201,6 +206,7 @@ impl Default for Request {
             force_limit_n: None,
             exact: false,
             compare: false,
+            tells_depths_apart: false,
         }
     }
 }

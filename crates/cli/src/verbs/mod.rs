@@ -21,6 +21,7 @@ mod pages;
 mod places;
 mod predict;
 mod process;
+mod profile;
 mod replay;
 mod report;
 mod run;
@@ -72,6 +73,8 @@ pub(crate) enum Verb {
     Estimate(Box<estimate::Args>),
     /// Whether the soil is the same at several places, what it is at each, and what lies between
     Places(places::Args),
+    /// Whether the ground changes with depth: one soil, a gradient or a step, by strokes at several depths
+    Profile(profile::Args),
     /// What the crack ahead of the plate says of the soil, beside what the force says
     Surface(surface::Args),
     /// Where model and measurement disagree, which effect is missing, and the gap after it is added
@@ -134,6 +137,7 @@ impl Verb {
             Self::Certify(args) => certify::run(&args, output),
             Self::Estimate(args) => estimate::run(&args, output),
             Self::Places(args) => places::run(&args, output),
+            Self::Profile(args) => profile::run(&args, output),
             Self::Surface(args) => surface::run(&args, output),
             Self::Diagnose(args) => diagnose::run(&args, output),
             Self::Report(args) => report::run(&args, output),

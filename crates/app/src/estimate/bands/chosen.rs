@@ -15,7 +15,8 @@ const SAME_FRICTION_DEG: f64 = 6.0;
 /// their depths by no more than this share, and their widths by no more than the other. Models are exact in depth, and the friction is
 /// that at failure, which is closer together than what was asked for.
 const SAME_DEPTH: f64 = 0.35;
-/// The same where loads are unknowns: how a force grows with depth is then not known, and to first order a mean depth needs it not.
+/// The same where loads are unknowns, or the ground may change with depth: how a force grows with depth is then not known, and to first order a mean
+/// depth needs it not.
 const SAME_DEPTH_OF_LOADS: f64 = 0.05;
 const SAME_WIDTH: f64 = 1e-3;
 /// Dense soil whose friction on the plate is held further below that of other strokes, in deg, yields slowly and before it bears all it
@@ -102,7 +103,7 @@ pub(super) fn friction_deg(request: &Request, row: &StrokeRow) -> Option<f64> {
 
 /// Depths of strokes of one kind differ by this share at most.
 pub(super) fn same_depth(request: &Request) -> f64 {
-    if request.intervals.any() { SAME_DEPTH_OF_LOADS } else { SAME_DEPTH }
+    if request.intervals.any() || request.tells_depths_apart { SAME_DEPTH_OF_LOADS } else { SAME_DEPTH }
 }
 
 /// Places of the strokes of each kind, in the order in which kinds first appear. Which strokes are of one kind does not depend on their
