@@ -17,7 +17,8 @@ const PHI: (f64, f64) = (25.0, 48.0);
 const DELTA: (f64, f64) = (18.0, 20.0);
 const DENSITY: [f64; 2] = [1300.0, 1800.0];
 const DEEPEST_M: f64 = 0.08;
-const PLATES: [(f64, f64); 6] = [(50.0, 0.03), (50.0, 0.05), (50.0, 0.08), (75.0, 0.03), (75.0, 0.05), (75.0, 0.08)];
+const PLATES: [(f64, f64); 6] =
+    [(50.0, 0.03), (50.0, 0.05), (50.0, 0.08), (75.0, 0.03), (75.0, 0.05), (75.0, 0.08)];
 
 /// A ground: friction angles at top and bottom, densities, the depth of a step.
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +40,8 @@ impl Setting {
         let coefficients = PLATES
             .iter()
             .map(|(alpha, _)| {
-                let slice = coulomb.at(Angle::from_degrees(*alpha), Angle::ZERO, WidthRatio::PLANE_STRAIN).unwrap();
+                let slice =
+                    coulomb.at(Angle::from_degrees(*alpha), Angle::ZERO, WidthRatio::PLANE_STRAIN).unwrap();
                 Arc::new(Coefficients::of(&*slice, PHI, DELTA).unwrap())
             })
             .collect();
@@ -50,7 +52,8 @@ impl Setting {
     fn force_n(&self, shape: Shape, truth: &Truth, place: usize) -> f64 {
         const SLICES: usize = 1000;
         let (alpha, depth_m) = PLATES[place];
-        let slice = self.coulomb.at(Angle::from_degrees(alpha), Angle::ZERO, WidthRatio::PLANE_STRAIN).unwrap();
+        let slice =
+            self.coulomb.at(Angle::from_degrees(alpha), Angle::ZERO, WidthRatio::PLANE_STRAIN).unwrap();
         let at = |of: [f64; 2], z: f64| match shape {
             Shape::Uniform => of[0],
             Shape::Gradient { to_m } => of[0] + (of[1] - of[0]) * z / to_m,
@@ -200,7 +203,10 @@ fn a_smaller_budget_loses_nothing() {
         let soon = Search { budget, ..search(GRADIENT, &strokes) }.ranges(&asked);
         for (wide, [low, high]) in soon.ranges.iter().zip(&sharp.ranges) {
             // What ends a search early may be told to its tolerance.
-            assert!(wide[0] <= low + 25.0 * f64::from(*low > 100.0) + 0.3 && wide[1] >= high - 25.0 * f64::from(*high > 100.0) - 0.3);
+            assert!(
+                wide[0] <= low + 25.0 * f64::from(*low > 100.0) + 0.3
+                    && wide[1] >= high - 25.0 * f64::from(*high > 100.0) - 0.3
+            );
         }
     }
 }

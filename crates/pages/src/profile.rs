@@ -3,7 +3,8 @@
 use soilctl_app::profile::{Answer, Hypothesis, Kind, Level, Predicted};
 use soilctl_app::text::{number, range, yes};
 use soilctl_figure::{
-    Align, Axis, CalloutKind, Figure, HtmlReport, Marker, Points, Polygon, Polygons, RefLine, Size, Table, Text,
+    Align, Axis, CalloutKind, Figure, HtmlReport, Marker, Points, Polygon, Polygons, RefLine, Size, Table,
+    Text,
 };
 
 use crate::PageError;
@@ -87,8 +88,10 @@ fn levels(title: &str, unit: &str, answer: &Answer, of: fn(&Level) -> [f64; 2]) 
     let mut depths: Vec<f64> = answer.strokes.iter().map(|stroke| stroke.depth_m).collect();
     depths.sort_by(f64::total_cmp);
     depths.dedup_by(|a, b| (*a - *b).abs() < 1e-4);
-    for depth in depths {
-        figure.push(RefLine::horizontal("depth of strokes", -1e3 * depth).color(6))?;
+    for (place, depth) in depths.into_iter().enumerate() {
+        // One name for all of them.
+        let name = if place == 0 { "depths of strokes" } else { "" };
+        figure.push(RefLine::horizontal(name, -1e3 * depth).color(6))?;
     }
     Ok(figure)
 }
@@ -128,7 +131,7 @@ fn hypotheses(answer: &Answer) -> Result<Table, PageError> {
             || "not asked: the model has no such term".to_owned(),
             |c| match alias.left {
                 Some(left) if c => format!("yes, {} {unit}", range(Some(left), 1)),
-                _ => yes(c).to_owned(),
+                Some(_) | None => yes(c).to_owned(),
             },
         );
         let phi = range(alias.phi_deg, 1);

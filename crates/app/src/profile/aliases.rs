@@ -18,13 +18,21 @@ const USUAL_DENSITY_KG_M3: f64 = 1600.0;
 /// Whether a model covers cohesion does not depend on the friction angle (deg).
 const USUAL_PHI_DEG: f64 = 35.0;
 
+/// Of strokes that one soil explains anyway.
+const fn plain(allowed: [f64; 2]) -> Alias {
+    Alias { consistent: Some(true), allowed, left: None, phi_deg: None }
+}
+
 fn alias(found: &Estimate, allowed: [f64; 2], left: Option<[f64; 2]>) -> Alias {
     let left = left.filter(|_| found.is_consistent());
     Alias { consistent: Some(found.is_consistent()), allowed, left, phi_deg: found.phi_deg }
 }
 
 /// One soil whose friction angle falls with stress.
-pub(super) fn friction_law(known: &Known, request: &Request) -> Result<Alias, AppError> {
+pub(super) fn friction_law(known: &Known, request: &Request, is_plain: bool) -> Result<Alias, AppError> {
+    if is_plain {
+        return Ok(plain(SLOPES_DEG.into()));
+    }
     let request = Request { friction_law: Some(SLOPES_DEG), ..request.clone() };
     let found = estimate(&known.setup(&request)?)?;
     let slopes = found.slices.iter().map(|slice| slice.slope_deg_per_decade);
@@ -33,9 +41,17 @@ pub(super) fn friction_law(known: &Known, request: &Request) -> Result<Alias, Ap
 }
 
 /// One soil with some cohesion, the same at all depths.
-pub(super) fn cohesion(known: &Known, request: &Request, strokes: &Strokes<'_>) -> Result<Alias, AppError> {
+pub(super) fn cohesion(
+    known: &Known,
+    request: &Request,
+    strokes: &Strokes<'_>,
+    is_plain: bool,
+) -> Result<Alias, AppError> {
     let pressure_pa = USUAL_DENSITY_KG_M3 * strokes.setup.gravity_m_s2 * strokes.depths_m[1];
     let most_pa = to_two_digits(COHESION_PART * pressure_pa);
+    if is_plain {
+        return Ok(plain([0.0, most_pa]));
+    }
     let covered = strokes.setup.observations.iter().all(|observation| {
         known.model.has_load_terms(&Case {
             tool_angle: observation.plate().tool_angle(),

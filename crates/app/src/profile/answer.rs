@@ -123,9 +123,9 @@ pub struct Alias {
     pub consistent: Option<bool>,
     /// What was allowed, in the unit of the alias: degrees a decade of stress, or Pa.
     pub allowed: [f64; 2],
-    /// What the strokes leave of that; null if it explains nothing.
+    /// What the strokes leave of that; null if it explains nothing, or one soil without it explains them, so that it was not asked.
     pub left: Option<[f64; 2]>,
-    /// Range of the friction angle (deg) then; null if it explains nothing.
+    /// Range of the friction angle (deg) then, under a law of stress at its reference; null as before.
     pub phi_deg: Option<[f64; 2]>,
 }
 

@@ -100,7 +100,13 @@ fn slices([low, high]: [f64; 2]) -> Vec<[f64; 2]> {
     (0..SLICES).map(|i| [at(i), at(i + 1)]).collect()
 }
 
-fn search<'s>(kind: Kind, of: &Strokes<'_>, strokes: &'s [Stroke], start: Ground, budget: usize) -> Search<'s> {
+fn search<'s>(
+    kind: Kind,
+    of: &Strokes<'_>,
+    strokes: &'s [Stroke],
+    start: Ground,
+    budget: usize,
+) -> Search<'s> {
     let shape = match kind {
         Kind::OneSoil => Shape::Uniform,
         Kind::Gradient => Shape::Gradient { to_m: of.depths_m[1] },

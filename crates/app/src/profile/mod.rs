@@ -8,9 +8,7 @@ mod request;
 mod strokes;
 mod words;
 
-pub use answer::{
-    Alias, Answer, Hypothesis, Kind, Level, NextDepth, Predicted, Ranges, StepSlice, Stroke,
-};
+pub use answer::{Alias, Answer, Hypothesis, Kind, Level, NextDepth, Predicted, Ranges, StepSlice, Stroke};
 pub use request::Request;
 use strokes::Strokes;
 
@@ -43,9 +41,11 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         hypotheses.push(hypothesis);
         forces.push(of_kind);
     }
-    let friction_law = aliases::friction_law(&known, &of_one_soil)?;
+    // One soil without either is one with none of it: then they need not be asked.
+    let plain = hypotheses.iter().any(|one| one.kind == Kind::OneSoil && one.consistent);
+    let friction_law = aliases::friction_law(&known, &of_one_soil, plain)?;
     watch.advance(1);
-    let cohesion = aliases::cohesion(&known, &of_one_soil, &strokes)?;
+    let cohesion = aliases::cohesion(&known, &of_one_soil, &strokes, plain)?;
     watch.advance(1);
     watch.end();
     let next_depths = next::depths(&candidates, &hypotheses, &forces, &strokes);

@@ -53,7 +53,10 @@ pub(super) fn candidates(
                 return Err(AppError::OutOfRange {
                     key: "next_depth_m".into(),
                     value: depth_m.to_string(),
-                    allowed: format!("above 0 m and at most {} m, {MOST} times the deepest stroke", MOST * high),
+                    allowed: format!(
+                        "above 0 m and at most {} m, {MOST} times the deepest stroke",
+                        MOST * high
+                    ),
                 });
             }
             let plate = Plate::new(Angle::from_degrees(alpha_deg), Angle::ZERO, depth_m, width_m)?;
@@ -73,8 +76,12 @@ pub(super) fn depths(
         strokes.setup.observations.iter().map(|o| libm::log(o.high_n() / o.low_n().max(1e-300))).collect();
     bands.sort_by(f64::total_cmp);
     let band = bands.get(bands.len() / 2).copied().unwrap_or(1.0);
-    let open: Vec<(Kind, &Vec<[f64; 2]>)> =
-        hypotheses.iter().zip(forces).filter(|(one, _)| one.consistent).map(|(one, f)| (one.kind, f)).collect();
+    let open: Vec<(Kind, &Vec<[f64; 2]>)> = hypotheses
+        .iter()
+        .zip(forces)
+        .filter(|(one, _)| one.consistent)
+        .map(|(one, f)| (one.kind, f))
+        .collect();
     if open.is_empty() {
         return Vec::new();
     }
@@ -91,10 +98,7 @@ pub(super) fn depths(
                 depth_m: plate.depth_m(),
                 width_m: plate.width_m(),
                 tells: open_part(&forces) / band,
-                forces: forces
-                    .into_iter()
-                    .map(|(kind, ln)| Predicted { kind, force_n: told(ln) })
-                    .collect(),
+                forces: forces.into_iter().map(|(kind, ln)| Predicted { kind, force_n: told(ln) }).collect(),
             }
         })
         .collect()

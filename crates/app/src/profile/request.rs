@@ -16,7 +16,7 @@ pub struct Request {
     #[arg(value_hint = clap::ValueHint::AnyPath)]
     pub file: TableSource,
 
-    /// Depths to consider for the next stroke (m), up to 1.5 times the deepest one; default: eight, from half the least depth on
+    /// Depths to consider for the next stroke (m), up to 1.5 times the deepest one; default: six, from half the least depth on
     #[arg(long = "next-depth", value_name = "M,...", value_delimiter = ',', value_parser = finite)]
     pub next_depth_m: Vec<f64>,
 

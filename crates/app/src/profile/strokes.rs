@@ -100,9 +100,10 @@ impl<'s> Strokes<'s> {
             ))
         })?;
         let ratio = |plate: &Plate| setup.width_ratio(plate).depth_over_width().to_bits();
-        let alike = self.setup.observations.iter().zip(&self.strokes).find(|(o, _)| {
-            o.plate().tool_angle() == plate.tool_angle() && ratio(o.plate()) == ratio(plate)
-        });
+        let alike =
+            self.setup.observations.iter().zip(&self.strokes).find(|(o, _)| {
+                o.plate().tool_angle() == plate.tool_angle() && ratio(o.plate()) == ratio(plate)
+            });
         let coefficients = match alike {
             Some((_, stroke)) => Arc::clone(&stroke.coefficients),
             None => {

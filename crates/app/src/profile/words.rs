@@ -50,7 +50,7 @@ fn finding(answer: &Answer) -> String {
         }
         (None, Some((_, r)), None) => format!(
             "The ground changes with depth: no one soil explains the strokes, and no step does; a gradient does. {}",
-            growth(&r, "from the surface to the deepest stroke")
+            growth(&r, "at the deepest stroke")
         ),
         (None, None, Some((one, r))) => format!(
             "The ground changes with depth: no one soil explains the strokes, and no gradient does; a step does, between {} mm deep. {}",
@@ -58,17 +58,21 @@ fn finding(answer: &Answer) -> String {
             growth(&r, "below the step")
         ),
         (None, Some((_, of_gradient)), Some((one, of_step))) => format!(
-            "The ground changes with depth: no one soil explains the strokes. A gradient and a step (between {} mm deep) both do, and cannot be told apart. Gradient: {} \
-             Step: {}",
+            "The ground changes with depth: no one soil explains the strokes. A gradient and a step (between {} mm deep) both do, and cannot be told apart. By a gradient: {} \
+             By a step: {}",
             range(one.step_m.map(|s| s.map(|m| 1e3 * m)), 0),
-            growth(&of_gradient, "from the surface to the deepest stroke"),
+            growth(&of_gradient, "at the deepest stroke"),
             growth(&of_step, "below the step")
         ),
         (None, None, None) => {
             let nearest = answer.hypotheses.iter().filter_map(|h| h.widening.map(|w| (w, h.kind)));
             let nearest = nearest.min_by(|a, b| a.0.total_cmp(&b.0));
             let of = |(factor, kind): (f64, Kind)| {
-                format!(" With bands {} times as wide a {} would.", number((100.0 * factor).ceil() / 100.0), kind.name())
+                format!(
+                    " With bands {} times as wide a {} would.",
+                    number((100.0 * factor).ceil() / 100.0),
+                    kind.name()
+                )
             };
             format!(
                 "No ground explains the strokes: neither one soil, nor a gradient, nor a step.{} Something else is wrong, such as depths, or strokes that disturbed each other.",
@@ -78,32 +82,31 @@ fn finding(answer: &Answer) -> String {
     }
 }
 
-/// What grew, which way, and what of it is certain.
-fn growth(r: &Ranges, from: &str) -> String {
-    let of = |name: &str, [low, high]: [f64; 2], digits: usize, unit: &str| {
-        let values = range(Some([low, high]), digits);
+/// What grew, and which way, as far as that is known.
+fn growth(r: &Ranges, where_to: &str) -> String {
+    let of = |[low, high]: [f64; 2], digits: usize, unit: &str| {
         if low > 0.0 {
-            format!("{name} is greater by {values} {unit}")
+            format!("greater by {} {unit}", range(Some([low, high]), digits))
         } else if high < 0.0 {
-            format!("{name} is less by {} {unit}", range(Some([-high, -low]), digits))
+            format!("less by {} {unit}", range(Some([-high, -low]), digits))
         } else {
-            format!("which way {name} changes is not known ({values} {unit})")
+            format!("other by {} {unit} (greater or less is not known)", range(Some([low, high]), digits))
         }
     };
     format!(
-        "{} {}; {}.",
-        of("Friction", r.phi_growth_deg, 1, "deg"),
-        from,
-        of("density", r.density_growth_kg_m3, 0, "kg/m3")
+        "{} the friction angle is {}, the density {}.",
+        crate::text::sentence_case(where_to),
+        of(r.phi_growth_deg, 1, "deg"),
+        of(r.density_growth_kg_m3, 0, "kg/m3")
     )
-    .replacen("which way Friction", "Which way friction", 1)
 }
 
 /// How likely the verdict is false.
 fn risk(answer: &Answer) -> String {
     let excluded: Vec<&Hypothesis> = answer.hypotheses.iter().filter(|one| !one.consistent).collect();
     let Some(confidence) = answer.confidence else {
-        return " Bands are taken as certain, so what is excluded is, as far as the model of layers holds.".into();
+        return " Bands are taken as certain, so what is excluded is, as far as the model of layers holds."
+            .into();
     };
     let mut text = format!(
         " If errors are random, ground of whichever kind it is gets excluded with a probability of {} % at most.",
@@ -111,7 +114,10 @@ fn risk(answer: &Answer) -> String {
     );
     for one in excluded {
         if let Some(p) = one.p {
-            text += &format!(" {}: strokes are as far off by chance in at most {p:.1e} of such ground.", sentence(one.kind.name()));
+            text += &format!(
+                " {}: strokes are as far off by chance in at most {p:.1e} of such ground.",
+                sentence(one.kind.name())
+            );
         }
     }
     text
@@ -134,7 +140,8 @@ fn aliases(answer: &Answer) -> String {
     .into_iter()
     .flatten()
     .collect();
-    if answer.allows(Kind::OneSoil) || answer.hypotheses.iter().all(|one| !one.consistent) && found.is_empty() {
+    if answer.allows(Kind::OneSoil) || answer.hypotheses.iter().all(|one| !one.consistent) && found.is_empty()
+    {
         return String::new();
     }
     if found.is_empty() {
@@ -206,15 +213,23 @@ pub(super) fn warnings(answer: &Answer, inputs: &Inputs, left_out: usize) -> Vec
             ));
         }
         if !one.is_sharp {
-            warnings.push(format!("{}: the search ended before ranges were narrow; they hold, and may be wider than need be", one.kind.name()));
+            warnings.push(format!(
+                "{}: the search ended before ranges were narrow; they hold, and may be wider than need be",
+                one.kind.name()
+            ));
         }
         if !one.is_certain {
-            warnings.push(format!("{}: the search ended before such ground was found or excluded", one.kind.name()));
+            warnings.push(format!(
+                "{}: the search ended before such ground was found or excluded",
+                one.kind.name()
+            ));
         }
     }
     let angles: Vec<f64> = answer.strokes.iter().map(|s| s.alpha_deg).collect();
     let alone = answer.strokes.iter().filter(|s| {
-        let other = |o: &&super::Stroke| (o.alpha_deg - s.alpha_deg).abs() <= 1.0 && (o.depth_m / s.depth_m - 1.0).abs() > 0.05;
+        let other = |o: &&super::Stroke| {
+            (o.alpha_deg - s.alpha_deg).abs() <= 1.0 && (o.depth_m / s.depth_m - 1.0).abs() > 0.05
+        };
         !answer.strokes.iter().any(|o| other(&o))
     });
     let alone = alone.count();

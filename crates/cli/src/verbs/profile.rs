@@ -40,8 +40,16 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
 impl Words for Answer {
     fn text(&self) -> String {
         let mut text = format!("{}\n\n", self.verdict);
-        let heading =
-            ["ground", "explains", "phi top (deg)", "phi bottom (deg)", "density top (kg/m3)", "density bottom", "step (mm)", "p"];
+        let heading = [
+            "ground",
+            "explains",
+            "phi top (deg)",
+            "phi bottom (deg)",
+            "density top (kg/m3)",
+            "density bottom",
+            "step (mm)",
+            "p",
+        ];
         let mut rows = vec![heading.map(String::from).to_vec()];
         for one in &self.hypotheses {
             rows.push(vec![
@@ -57,7 +65,11 @@ impl Words for Answer {
         }
         text += &columns(&rows);
         text += "\nmeasurements: density times coefficient, the same at all depths in one soil for one tool angle\n";
-        let mut rows = vec![["stroke", "depth (mm)", "force (N)", "band (N)", "2F/(g w L2) (kg/m3)"].map(String::from).to_vec()];
+        let mut rows = vec![
+            ["stroke", "depth (mm)", "force (N)", "band (N)", "2F/(g w L2) (kg/m3)"]
+                .map(String::from)
+                .to_vec(),
+        ];
         for stroke in &self.strokes {
             rows.push(vec![
                 stroke.label.clone(),

@@ -75,11 +75,14 @@ impl Coefficients {
         [low(delta_deg[0]).min(low(delta_deg[1])), high(delta_deg[0]).max(high(delta_deg[1]))]
     }
 
-    /// Logarithm of the factor in the middle of its bracket, without ends.
+    /// Logarithm of the factor in the middle of its bracket, without ends; beside soils without a finite force that of the next ones that have one, and at most that of
+    /// a factor of a thousand.
     #[must_use]
     pub fn ln_middle(&self, phi_deg: f64, delta_deg: f64) -> f64 {
+        const MOST: f64 = 7.0;
         let node = self.at(phi_deg, delta_deg);
-        0.5 * (node.lower + node.upper)
+        let middle = if node.upper.is_finite() { 0.5 * (node.lower + node.upper) } else { node.lower };
+        middle.min(MOST)
     }
 
     /// Between nodes: logarithms along both angles. Where a node has no force the lower factor is that of those that have one.

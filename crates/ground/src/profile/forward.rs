@@ -148,7 +148,10 @@ impl Stroke {
                         square(zeta[0]) * above[0] + across[0].min(across[1]) * below[0],
                         square(1.0 - zeta[1]) * below[0],
                     ],
-                    greatest: [square(zeta[1]) * above[1] + most * below[1], square(1.0 - zeta[0]) * below[1]],
+                    greatest: [
+                        square(zeta[1]) * above[1] + most * below[1],
+                        square(1.0 - zeta[0]) * below[1],
+                    ],
                 }
                 .widened(self.off(ground, bottom))
             }
@@ -162,9 +165,6 @@ impl Stroke {
         let ln_k = |phi: f64| self.coefficients.ln_middle(phi, delta);
         let [top, bottom] = [ground.phi_deg[0].map(ln_k), bottom_deg.map(ln_k)];
         let ratios = [bottom[0] - top[1], bottom[1] - top[0]];
-        if !ratios.iter().all(|ratio| ratio.is_finite()) {
-            return [0.0, f64::INFINITY];
-        }
         let towards_bottom = self.layering.towards_bottom;
         let up = |ratio: f64| if ratio > 0.0 { towards_bottom * ratio } else { -TOWARDS_TOP * ratio };
         let down = |ratio: f64| if ratio > 0.0 { -TOWARDS_TOP * ratio } else { towards_bottom * ratio };
@@ -183,4 +183,3 @@ impl Weights {
         Self { least: self.least.map(|c| c * down), greatest: self.greatest.map(|c| c * up) }
     }
 }
-
