@@ -131,6 +131,7 @@ def main():
         "notes": [
             "Ground: down to 30 mm a sand of 33 deg and 1450 kg/m3, below one of 40 deg and 1650 kg/m3.",
             "Forces by wedges through both layers in plane strain, with 2 % of noise and depths that are off by 0.3 mm.",
+            "`layers.csv` is of another origin: bounds proven by `soilctl solve` for a plate 1 m deep in two layers (`layers.py`), in kN per metre of width along its horizontal way.",
         ],
     }
     (out / "provenance.json").write_text(json.dumps(provenance, indent=2) + "\n", encoding="utf-8")

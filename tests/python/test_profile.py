@@ -26,7 +26,7 @@ def made(data):
 def write(path, rows):
     rows = list(rows)
     with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0])
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
     return path
@@ -52,7 +52,7 @@ def example(soilctl, data, tmp_path_factory):
 
 def test_the_script_reproduces_the_example(made, data, tmp_path):
     again = write(tmp_path / "step.csv", made.strokes(made.loose_on_dense, 11))
-    assert list(csv.reader(open(again))) == list(csv.reader(open(data / "profile" / "step.csv")))
+    assert again.read_text(encoding="utf-8") == (data / "profile" / "step.csv").read_text(encoding="utf-8")
 
 
 def test_a_loose_cover_is_not_one_soil_and_its_step_is_found(example, made, validate):
@@ -78,6 +78,34 @@ def test_a_loose_cover_is_not_one_soil_and_its_step_is_found(example, made, vali
     assert "cannot be told apart" in answer["verdict"] and "next stroke tells most" in answer["verdict"]
     text = page.read_text(encoding="utf-8")
     assert "Does the ground change with depth?" in text and "Friction angle over depth" in text
+
+
+def test_local_pressures_and_their_widening_hold_the_proven_bounds_of_layers(data):
+    """Bounds of `data/profile/layers.csv`, coefficients by the bounds of one soil of each kind; the shares are those of `crates/ground/README.md`."""
+    with open(data / "profile" / "layers.csv", newline="", encoding="utf-8") as file:
+        rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+    of_one = {}
+    for row in rows:
+        if row["phi_top_deg"] == row["phi_bottom_deg"] and row["weight_top_kn_m3"] == row["weight_bottom_kn_m3"]:
+            key = row["alpha_deg"], row["delta_deg"], row["phi_top_deg"]
+            of_one[key] = np.array([row["lower_kn_m"], row["upper_kn_m"]]) / row["weight_top_kn_m3"]
+    checked = 0
+    for row in rows:
+        top, bottom = (of_one.get((row["alpha_deg"], row["delta_deg"], row[f"phi_{end}_deg"])) for end in ("top", "bottom"))
+        if row["alpha_deg"] > 90.0 or top is None or bottom is None:
+            continue
+        step = min(row["step_over_depth"], 1.0)
+        of_top, of_bottom = row["weight_top_kn_m3"], row["weight_bottom_kn_m3"]
+        local = of_top * (top * step**2 + 2.0 * bottom * step * (1.0 - step)) + of_bottom * bottom * (1.0 - step) ** 2
+        share, reach = (0.2, 1.05) if row["alpha_deg"] <= 81.0 else (0.35, 1.12)
+        ratio = math.log(bottom.mean() / top.mean()) if row["step_over_depth"] < reach else 0.0
+        off = sorted([share * ratio, -0.06 * ratio])
+        low, high = local[0] * math.exp(off[0]) * 0.995, local[1] * math.exp(off[1]) * 1.005
+        # The true force is somewhere between the bounds; their middle must be in what is allowed.
+        middle = 0.5 * (row["lower_kn_m"] + row["upper_kn_m"])
+        assert low <= middle <= high, row
+        checked += 1
+    assert checked >= 45
 
 
 def test_what_one_soil_may_be_is_that_of_a_grid(soilctl, made, tmp_path):

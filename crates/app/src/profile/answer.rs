@@ -182,6 +182,10 @@ pub struct Answer {
     pub depths_m: [f64; 2],
     /// Depths at which a step was looked for (m).
     pub step_searched_m: [f64; 2],
+    /// Friction angles that were looked at (deg): those that the model covers. A range that ends there may be wider in truth.
+    pub phi_searched_deg: [f64; 2],
+    /// Densities that were looked at (kg/m3), at all depths.
+    pub density_searched_kg_m3: [f64; 2],
     /// The measurements.
     pub strokes: Vec<Stroke>,
     /// The ways in which ground may go with depth.

@@ -10,7 +10,7 @@ use super::strokes::Strokes;
 use crate::{AppError, Interrupted, Watch};
 
 /// Boxes that are looked at for ranges of one hypothesis or of one slice of a step, and for whether there is a ground at all.
-const BUDGET: usize = 10_000;
+const BUDGET: usize = 25_000;
 const BUDGET_OF_ANY: usize = 8_000;
 /// Slices of the depth of a step.
 pub(super) const SLICES: usize = 8;

@@ -56,6 +56,8 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         delta_deg: known.inputs.delta_deg.into(),
         depths_m: strokes.depths_m,
         step_searched_m: strokes.step_m,
+        phi_searched_deg: strokes.start.phi_deg[0],
+        density_searched_kg_m3: strokes.density_kg_m3,
         strokes: measured(&known.inputs, &strokes),
         hypotheses,
         friction_law,

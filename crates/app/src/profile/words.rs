@@ -176,6 +176,12 @@ fn next(answer: &Answer) -> String {
     }
 }
 
+/// Whether a range reaches an end of what was searched.
+fn touches(searched: [f64; 2], ranges: &[[f64; 2]]) -> bool {
+    const CLOSE: f64 = 1e-6;
+    ranges.iter().any(|[low, high]| *low <= searched[0] + CLOSE || *high >= searched[1] - CLOSE)
+}
+
 /// What to keep in mind.
 pub(super) fn warnings(answer: &Answer, inputs: &Inputs, left_out: usize) -> Vec<String> {
     let mut warnings = vec![
@@ -210,6 +216,13 @@ pub(super) fn warnings(answer: &Answer, inputs: &Inputs, left_out: usize) -> Vec
             warnings.push(format!(
                 "{}: changes of up to {most:.0} deg are left, more than the 10 deg for which the model of layers was checked",
                 one.kind.name()
+            ));
+        }
+        if touches(answer.phi_searched_deg, &[r.phi_top_deg, r.phi_bottom_deg]) {
+            warnings.push(format!(
+                "{}: friction angles reach an end of {} deg, which is all that the model covers; they may go beyond",
+                one.kind.name(),
+                range(Some(answer.phi_searched_deg), 1)
             ));
         }
         if !one.is_sharp {
