@@ -140,6 +140,24 @@ def test_what_one_soil_may_be_is_that_of_a_grid(soilctl, made, tmp_path):
         assert inside(0.0, wide["phi_growth_deg"]) and inside(0.0, wide["density_growth_kg_m3"])
 
 
+def test_friction_that_falls_with_stress_is_told_as_what_it_looks_like(soilctl, made, tmp_path):
+    """One soil whose friction angle falls by 7 deg a decade; stress goes with depth."""
+    rows = []
+    for depth_m in (0.01, 0.03, 0.09):
+        phi = 38.0 - 7.0 * math.log10(depth_m / 0.03)
+        rows += made.strokes(lambda _, phi=phi: (phi, 1550.0), 2, depths=(depth_m,), angles=(50.0, 80.0), noise=0.0, repeats=1)
+    for row in rows:
+        row["force_sd_n"] = f"{0.05 * float(row['force_n']):.6f}"
+    path = write(tmp_path / "law.csv", rows)
+    answer = ask(soilctl, path, *OPTIONS, "--uncertainty", "bounds", "--density-tol", "0.1")
+    found = kinds(answer)
+    assert not found["one-soil"]["consistent"] and found["gradient"]["consistent"]
+    assert found["gradient"]["ranges"]["phi_growth_deg"][1] < 0.0
+    law = answer["friction_law"]
+    assert law["consistent"] and inside(7.0, law["left"])
+    assert "But one soil with friction that falls with stress" in answer["verdict"]
+
+
 def test_what_a_profile_cannot_be_is_refused(soilctl, made, tmp_path):
     rows = list(made.strokes(lambda _: (36.0, 1550.0), 5, depths=(0.03, 0.06), angles=(50.0, 80.0), repeats=1))
     both = write(tmp_path / "both.csv", rows)

@@ -125,11 +125,12 @@ fn open_part(forces: &[(Kind, [f64; 2])]) -> f64 {
     if pairs > 0.0 { sum / pairs } else { 0.0 }
 }
 
-/// The depth that tells most, the least deep of equals; `None` if none tells more than a band.
+/// The depth that tells most, the least deep of equals, of those at which no hypothesis leaves forces open; `None` if none tells more than a band.
 pub(super) fn best(depths: &[NextDepth]) -> Option<usize> {
     let mut best: Option<(usize, f64)> = None;
     for (place, depth) in depths.iter().enumerate() {
-        if depth.tells > 1.0 && best.is_none_or(|(_, most)| depth.tells > most) {
+        let has_ends = depth.forces.iter().all(|one| one.force_n[1].is_some());
+        if has_ends && depth.tells > 1.0 && best.is_none_or(|(_, most)| depth.tells > most) {
             best = Some((place, depth.tells));
         }
     }
