@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from conftest import strict_json
 
-OPTIONS = ["--model", "coulomb", "--delta", "20", "--density", "1550", "--density-tol", "0.2"]
+# With the friction on the plate known, what takes most of the time, a law of stress, takes a second.
+OPTIONS = ["--model", "coulomb", "--delta", "20", "--delta-tol", "0", "--density", "1550", "--density-tol", "0.2"]
 
 
 @pytest.fixture(scope="module")
@@ -115,12 +116,11 @@ def test_what_one_soil_may_be_is_that_of_a_grid(soilctl, made, tmp_path):
         row["force_sd_n"] = f"{0.06 * float(row['force_n']):.6f}"
         row["depth_sd_m"] = "0"
     path = write(tmp_path / "one.csv", rows)
-    options = [*OPTIONS, "--uncertainty", "bounds", "--delta-tol", "0"]
-    answer = ask(soilctl, path, *options)
+    answer = ask(soilctl, path, *OPTIONS, "--uncertainty", "bounds")
     found = kinds(answer)
     assert all(one["consistent"] and one["p"] is None for one in found.values())
     explained = []
-    for phi in np.arange(25.0, 47.0, 0.1):
+    for phi in np.arange(25.0, 47.0, 0.2):
         unit = [made.force_n(lambda _, phi=phi: (phi, 1.0), float(row["alpha_deg"]), float(row["depth_m"])) for row in rows]
         read = np.array([float(row["force_n"]) for row in rows])
         low, high = np.max(0.94 * read / unit), np.min(1.06 * read / unit)
@@ -129,7 +129,7 @@ def test_what_one_soil_may_be_is_that_of_a_grid(soilctl, made, tmp_path):
     explained = np.array(explained)
     one = found["one-soil"]["ranges"]
     # Told to 0.25 deg and 20 kg/m3, or 4 % of what is left; nothing is lost.
-    slack = max(0.25, 0.04 * np.ptp(explained[:, 0])) + 0.15
+    slack = max(0.25, 0.04 * np.ptp(explained[:, 0])) + 0.25
     assert explained[0, 0] - slack <= one["phi_top_deg"][0] <= explained[0, 0] + 0.05
     assert explained[-1, 0] - 0.05 <= one["phi_top_deg"][1] <= explained[-1, 0] + slack
     assert one["density_top_kg_m3"][0] <= explained[:, 1].min() + 1.0 and one["density_top_kg_m3"][1] >= explained[:, 2].max() - 1.0
@@ -149,7 +149,7 @@ def test_friction_that_falls_with_stress_is_told_as_what_it_looks_like(soilctl, 
     for row in rows:
         row["force_sd_n"] = f"{0.05 * float(row['force_n']):.6f}"
     path = write(tmp_path / "law.csv", rows)
-    answer = ask(soilctl, path, *OPTIONS, "--uncertainty", "bounds", "--density-tol", "0.1")
+    answer = ask(soilctl, path, *OPTIONS[:-1], "0.1", "--uncertainty", "bounds")
     found = kinds(answer)
     assert not found["one-soil"]["consistent"] and found["gradient"]["consistent"]
     assert found["gradient"]["ranges"]["phi_growth_deg"][1] < 0.0
