@@ -1,5 +1,7 @@
 //! What strokes leave of each way in which ground may go with depth.
 
+use std::sync::atomic::AtomicBool;
+
 use soilctl_ground::p_of_deviations;
 use soilctl_ground::profile::{Asked, Explains, Found, Ground, Search, Shape, Stroke};
 use soilctl_jobs::each;
@@ -7,7 +9,7 @@ use soilctl_stats::normal_quantile;
 
 use super::answer::{Hypothesis, Kind, Level, Ranges, StepSlice};
 use super::strokes::Strokes;
-use crate::{AppError, Interrupted, Watch};
+use crate::{AppError, Watch};
 
 /// Boxes that are looked at for ranges of one hypothesis or of one slice of a step, and for whether there is a ground at all.
 const BUDGET: usize = 25_000;
@@ -53,7 +55,8 @@ pub(super) fn hypothesis(
     let mut by_slice: Vec<Option<Found>> = vec![None; slices.len()];
     let numbered: Vec<(usize, [f64; 2])> = slices.iter().copied().enumerate().collect();
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let stop = watch.stop(Interrupted::LeavesNothing);
+    // Seconds at most: nothing stops it in between, so that no slice is missing.
+    let stop = AtomicBool::new(false);
     let one = |(_, step_m): &(usize, [f64; 2])| {
         let start = Ground { step_m: *step_m, ..strokes.start };
         Ok::<_, AppError>(Some(search(kind, strokes, &strokes.strokes, start, BUDGET).ranges(&asked)))
