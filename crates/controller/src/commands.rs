@@ -27,7 +27,8 @@ pub enum Request {
     Start(SequenceId),
     /// End sequence and trajectories and hold the arm where it is.
     Abort,
-    /// Append a trajectory to the ring. Only when no sequence runs.
+    /// Append a trajectory to the ring. Only when no sequence runs. That of a hand begins only when nothing else is to be done; while it
+    /// runs, another one of the same hand is where the hand is now, and one of another hand is refused.
     Push(Trajectory),
     /// Go on after a pause of a sequence: the soil is prepared.
     Continue,

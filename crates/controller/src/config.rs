@@ -28,6 +28,9 @@ pub struct ControllerConfig {
     pub site: Site,
     /// The friction sweep.
     pub sweep: Sweep,
+    /// How the arm follows a hand. Settings from before it did may leave it out: those of `data/controller/default.toml` count then.
+    #[serde(default = "default_hand")]
+    pub hand: Hand,
     /// Limits that lead to the safe state.
     pub safety: Safety,
 }
@@ -249,6 +252,37 @@ pub struct Sweep {
     pub tool_angle_deg: f64,
     /// Vertical depth in m.
     pub depth_m: f64,
+}
+
+/// How the arm follows a hand.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Hand {
+    /// Fastest motion of the plate's edge in m/s; above 0, at most 0.5.
+    pub speed_m_s: f64,
+    /// Fastest change of that motion in m/s2; above 0, at most 20.
+    pub acceleration_m_s2: f64,
+    /// Fastest turn of the plate in deg/s; above 0, at most 90.
+    pub pitch_speed_deg_s: f64,
+    /// Fastest change of that turn in deg/s2; above 0, at most 3600.
+    pub pitch_acceleration_deg_s2: f64,
+    /// Force of the soil in N against which the arm no longer pushes; above 0, below `safety.tip_force_n`.
+    pub force_n: f64,
+    /// Share of the largest torques above which it no longer pushes; above 0, below 1.
+    pub torque_share: f64,
+    /// How far from the limits of radius and height in `safety` the edge stays, in m; 0 to 0.1.
+    pub margin_m: f64,
+    /// Ticks without word from the hand after which the arm stops; 1 to 5000.
+    pub lease_ticks: u32,
+}
+
+/// Those of the settings that come with the program.
+fn default_hand() -> Hand {
+    match toml::from_str::<ControllerConfig>(crate::DEFAULT) {
+        Ok(settings) => settings.hand,
+        // They have the section, as a test sees.
+        Err(error) => unreachable!("{error}"),
+    }
 }
 
 /// Limits. Each that is broken leads to the safe state.

@@ -1,6 +1,6 @@
 use serde::{Deserialize, Serialize};
 
-use crate::{Fault, SequenceId, Trajectory};
+use crate::{Fault, HandLimit, SequenceId, Trajectory};
 
 /// Events that one tick can report; more are counted in [`Events::dropped`].
 pub const MOST_EVENTS: usize = 24;
@@ -67,6 +67,8 @@ pub enum EventKind {
     StorageOn,
     /// Storage was switched off.
     StorageOff,
+    /// What holds the arm back while it follows a hand has changed; value: the load as a share of what is allowed.
+    HandLimit(HandLimit),
 }
 
 /// Why a request was refused.
@@ -86,6 +88,8 @@ pub enum Refusal {
     NothingWaits,
     /// The emergency stop is still pressed.
     EmergencyStop,
+    /// Another hand leads the plate.
+    OtherHand,
 }
 
 /// A trajectory without its numbers.
@@ -100,6 +104,7 @@ pub enum TrajectoryKind {
     Insert,
     Stroke,
     JointVelocity,
+    Follow,
 }
 
 impl Trajectory {
@@ -115,6 +120,7 @@ impl Trajectory {
             Self::Insert { .. } => TrajectoryKind::Insert,
             Self::Stroke { .. } => TrajectoryKind::Stroke,
             Self::JointVelocity { .. } => TrajectoryKind::JointVelocity,
+            Self::Follow { .. } => TrajectoryKind::Follow,
         }
     }
 }
@@ -140,6 +146,8 @@ pub enum Finish {
     Unreachable,
     /// It was aborted.
     Aborted,
+    /// The hand that led the plate let go, or its connection was lost.
+    LetGo,
 }
 
 impl Finish {

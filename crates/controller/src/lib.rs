@@ -35,5 +35,5 @@ pub use sensed::Sensed;
 pub use sequence::SequenceId;
 pub use state::{STATE_VERSION, State};
 pub use step::step;
-pub use trajectory::Trajectory;
+pub use trajectory::{HandLimit, HandTarget, Trajectory};
 pub use tuning::Tuning;

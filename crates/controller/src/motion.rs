@@ -14,14 +14,19 @@ const TOUCH_SHARE: f64 = 0.2;
 /// One tick of the active trajectory.
 pub(crate) fn advance(state: &mut State, params: &Params, est: &Estimate, events: &mut Events) -> Setpoint {
     let tuning = state.tuning;
-    let view = View { params, est, tuning: &tuning, saturated_ticks: saturated_ticks(state) };
+    let strain = strain(state, params, est);
+    let view = View { params, est, tuning: &tuning, saturated_ticks: saturated_ticks(state), strain };
     // A step that queued something does not wait for the endless hold to end.
     let holding = state.idle || state.active.is_none_or(|active| is_endless_hold(&active));
     if holding && (!state.ring.is_empty() || state.active.is_none()) {
         begin_next(state, view, events);
     }
     let Some(mut active) = state.active else { return Setpoint::still(est.motor) };
+    let held_by = active.hand.limit;
     let (setpoint, finish) = active.update(view);
+    if active.hand.limit != held_by {
+        events.push(EventKind::HandLimit(active.hand.limit), 0, active.hand.load, 1.0);
+    }
     state.active = Some(active);
     let new_law = setpoint.law != state.setpoint.law;
     if setpoint.law == Law::Joint && (new_law || state.rebased.is_some()) {
@@ -41,6 +46,19 @@ pub(crate) fn advance(state: &mut State, params: &Params, est: &Estimate, events
 
 fn saturated_ticks(state: &State) -> u32 {
     state.monitors.saturated.into_iter().fold(0, u32::max)
+}
+
+/// Largest share of its limit that a torque of the tick before takes, of motor or joint, or that a joint's error of tracking takes of half of
+/// what would be a fault.
+fn strain(state: &State, params: &Params, est: &Estimate) -> f64 {
+    let motors = params.config().motors.max_torque_nm;
+    let joints = last_torques(state, params);
+    (0..5).fold(0.0, |most: f64, i| {
+        let error = state.setpoint.joints.0[i] - est.motor.0[i];
+        most.max((state.motor_torques_nm[i] / motors[i]).abs())
+            .max((joints[i] / params.max_joint_torque_nm[i]).abs())
+            .max((2.0 * error / params.tracking_error_rad[i]).abs())
+    })
 }
 
 /// Joint torques of the tick before in N m.
@@ -107,5 +125,5 @@ pub(crate) fn stop_here(state: &mut State, params: &Params, est: &Estimate) {
     state.ring.clear();
     state.setpoint = Setpoint::still(est.joints);
     state.rebased = Some(1.0);
-    hold(state, View { params, est, tuning: &tuning, saturated_ticks: 0 }, est.joints);
+    hold(state, View { params, est, tuning: &tuning, saturated_ticks: 0, strain: 0.0 }, est.joints);
 }

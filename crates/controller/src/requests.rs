@@ -5,6 +5,7 @@ use soilctl_kinematics::KinematicsError;
 use crate::estimate::Estimate;
 use crate::events::{EventKind, Refusal};
 use crate::sequence;
+use crate::trajectory::Active;
 use crate::{
     Commands, Events, Mode, Params, Request, SequenceId, State, StrokeSpec, Trajectory, Tunable, motion,
 };
@@ -68,6 +69,23 @@ fn grant(
             let est = ready(state, est)?;
             state.machine.abort();
             motion::stop_here(state, params, est);
+        }
+        Request::Push(trajectory @ Trajectory::Follow { hand, target }) => {
+            ready(state, est)?;
+            require(!state.machine.is_running(), Refusal::Busy)?;
+            require(state.homed, Refusal::NotHomed)?;
+            require(target.is_finite(), Refusal::Value)?;
+            match &mut state.active {
+                Some(Active { trajectory: Trajectory::Follow { hand: leads, .. }, .. }) if *leads != hand => {
+                    return Err(Refusal::OtherHand);
+                }
+                Some(active @ Active { trajectory: Trajectory::Follow { .. }, .. }) => active.lead_to(trajectory),
+                // A hand does not wait for what else is to be done.
+                _ => {
+                    require(state.idle && state.ring.is_empty(), Refusal::Busy)?;
+                    require(state.ring.push(trajectory), Refusal::RingFull)?;
+                }
+            }
         }
         Request::Push(trajectory) => {
             ready(state, est)?;
@@ -145,6 +163,7 @@ fn is_allowed(params: &Params, trajectory: &Trajectory) -> bool {
             let length = libm::hypot(libm::hypot(direction[0], direction[1]), direction[2]);
             (length - 1.0).abs() < 1e-6 && *travel_m > 0.0 && *travel_m <= 1.0
         }
+        Trajectory::Follow { target, .. } => target.is_finite(),
         Trajectory::Insert { depth_m } => *depth_m > 0.0 && *depth_m <= 1.0,
         Trajectory::Stroke { delta_rad, .. } => (0.0..=60_f64.to_radians()).contains(delta_rad),
         Trajectory::JointVelocity { rates, .. } => {

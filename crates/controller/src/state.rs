@@ -9,7 +9,7 @@ use crate::trajectory::{Active, Ring, Setpoint, StrokeRun};
 use crate::{Events, Fault, FaultRecord, Finish, Mode, Params, Tuning};
 
 /// Version of [`State`]; a stored state of another version is not to be resumed.
-pub const STATE_VERSION: u32 = 5;
+pub const STATE_VERSION: u32 = 6;
 
 /// Everything that a step remembers. Plain data: copied, stored as a key frame and resumed bit for bit.
 ///

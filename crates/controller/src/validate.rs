@@ -3,7 +3,7 @@
 use soilctl_kinematics::{Arm, Joint, JointAngles};
 
 use crate::ControllerError;
-use crate::config::{ControllerConfig, Insert, Safety, Site, Stroke, Sweep, Touch};
+use crate::config::{ControllerConfig, Hand, Insert, Safety, Site, Stroke, Sweep, Touch};
 
 /// Stops at the first broken rule, naming the key.
 pub(crate) struct Rules<'a> {
@@ -168,6 +168,25 @@ impl Rules<'_> {
         self.positive("sweep.depth_m", sweep.depth_m, "m", 1.0)
     }
 
+    fn hand(&self, hand: &Hand, safety: &Safety) -> Checked {
+        self.positive("hand.speed_m_s", hand.speed_m_s, "m/s", 0.5)?;
+        self.positive("hand.acceleration_m_s2", hand.acceleration_m_s2, "m/s2", 20.0)?;
+        self.positive("hand.pitch_speed_deg_s", hand.pitch_speed_deg_s, "deg/s", 90.0)?;
+        self.positive("hand.pitch_acceleration_deg_s2", hand.pitch_acceleration_deg_s2, "deg/s2", 3600.0)?;
+        let allowed = "above 0 and below safety.tip_force_n, which would stop the arm first";
+        let force = hand.force_n;
+        self.check("hand.force_n", force, "N", force > 0.0 && force < safety.tip_force_n, allowed)?;
+        let share = hand.torque_share;
+        self.check("hand.torque_share", share, "", share > 0.0 && share < 1.0, "above 0 and below 1")?;
+        self.range("hand.margin_m", hand.margin_m, "m", 0.0, 0.1)?;
+        for (key, [low, high]) in [("safety.radius_m", safety.radius_m), ("safety.height_m", safety.height_m)] {
+            let allowed = "less than half of what safety allows, so that something is left";
+            let ok = 2.0 * hand.margin_m < high - low;
+            self.check(&format!("hand.margin_m with {key}"), hand.margin_m, "m", ok, allowed)?;
+        }
+        self.ticks("hand.lease_ticks", hand.lease_ticks, 1, 5000)
+    }
+
     fn safety(&self, safety: &Safety, max_lead_m: f64) -> Checked {
         self.range("safety.joint_margin_deg", safety.joint_margin_deg, "deg", 0.0, 10.0)?;
         self.positive("safety.joint_speed_factor", safety.joint_speed_factor, "", 10.0)?;
@@ -256,5 +275,6 @@ pub(crate) fn validate(config: &ControllerConfig, arm: &Arm, file: &str) -> Chec
     rules.stroke(&config.stroke)?;
     rules.site(&config.site, arm)?;
     rules.sweep(&config.sweep)?;
+    rules.hand(&config.hand, &config.safety)?;
     rules.safety(&config.safety, config.stroke.max_lead_m)
 }

@@ -6,7 +6,7 @@ mod common;
 use common::Rig;
 use proptest::prelude::*;
 use soilctl_controller::{
-    Commands, Outputs, Params, Request, Sensed, SequenceId, State, StrokeLaw, StrokeSpec, Trajectory,
+    Commands, HandTarget, Outputs, Params, Request, Sensed, SequenceId, State, StrokeLaw, StrokeSpec, Trajectory,
     Tunable, step,
 };
 use soilctl_kinematics::{JointAngles, JointVelocities, TaskPose};
@@ -36,6 +36,9 @@ fn trajectory() -> impl Strategy<Value = Trajectory> {
         }),
         (prop::array::uniform5(number()), prop::option::of(any::<u32>()))
             .prop_map(|(rates, ticks)| Trajectory::JointVelocity { rates: JointVelocities(rates), ticks }),
+        (0_u32..3, prop::array::uniform4(number())).prop_map(|(hand, [x_m, y_m, z_m, tool_angle_rad])| {
+            Trajectory::Follow { hand, target: HandTarget { x_m, y_m, z_m, tool_angle_rad } }
+        }),
     ]
 }
 

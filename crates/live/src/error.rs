@@ -53,6 +53,9 @@ pub enum LiveError {
         /// What happened.
         reason: String,
     },
+    /// A device is to lead the plate in a session that does not keep to the clock.
+    #[error("a device that leads the plate needs a session in real time; simulated time would not wait for it")]
+    DeviceNeedsRealTime,
     /// A log.
     #[error(transparent)]
     Session(#[from] SessionError),

@@ -9,7 +9,8 @@ use soilctl_controller::{FaultRecord, Params, State, TICK_S};
 use soilctl_session::{LogReport, Logger, Pace, SessionError, SessionSetup};
 
 use crate::ending::Ending;
-use crate::links::{Shared, links};
+use crate::hand::{DeviceReport, Devices};
+use crate::links::{Shared, device_links, links};
 use crate::local::bind;
 use crate::protocol::{Configuration, Hello, PROTOCOL_VERSION, SafeForce};
 use crate::real_time::{SERVER_PRIORITY, fifo};
@@ -30,6 +31,8 @@ pub struct Session {
     pub real_time: bool,
     /// Ends after so many ticks. A simulated run without it stands still while nothing is to be done.
     pub most_ticks: Option<u64>,
+    /// Where a device that leads the plate by hand may connect; only in real time.
+    pub device: Option<PathBuf>,
 }
 
 /// How a session went.
@@ -57,6 +60,10 @@ pub struct Report {
     pub states_dropped: u64,
     /// Events that it did not take in time.
     pub events_dropped: u64,
+    /// Devices that connected to lead the plate by hand.
+    pub devices: u64,
+    /// Devices that were sent away: another one was there, or they sent what is no frame.
+    pub devices_refused: u64,
 }
 
 /// Ends a session from another thread or a signal handler.
@@ -86,24 +93,29 @@ impl Stopper {
 pub struct Host {
     servo: JoinHandle<ServoReport>,
     server: JoinHandle<ServerReport>,
+    devices: Option<JoinHandle<DeviceReport>>,
     logger: Option<Logger>,
     shared: Arc<Shared>,
 }
 
 impl Host {
-    /// Starts servo, logger and server; operators connect to `socket`, and `log` takes the log.
+    /// Starts servo, logger, server and what serves devices; operators connect to `socket`, and `log` takes the log.
     ///
     /// # Errors
     /// [`LiveError::Taken`] or [`LiveError::Socket`] for the socket, [`LiveError::Session`] if the log cannot be begun,
-    /// [`LiveError::Thread`].
+    /// [`LiveError::Thread`], [`LiveError::DeviceNeedsRealTime`].
     pub fn start<W: Write + Send + 'static>(
         session: Session,
         socket: &Path,
         log: Option<W>,
     ) -> Result<Self, LiveError> {
-        let Session { rig, setup, state, real_time, most_ticks } = session;
+        let Session { rig, setup, state, real_time, most_ticks, device } = session;
+        if device.is_some() && !real_time {
+            return Err(LiveError::DeviceNeedsRealTime);
+        }
         let params = setup.params()?;
         let listener = bind(socket)?;
+        let device = device.map(|path| bind(&path).map(|listener| (listener, path))).transpose()?;
         let pace = if real_time { Pace::RealTime } else { Pace::Simulated };
         let (logger, recorder) = match log.map(|log| Logger::start(log, &setup, pace)).transpose()? {
             Some((logger, recorder)) => (Some(logger), Some(recorder)),
@@ -117,6 +129,11 @@ impl Host {
         let mut servo = Servo::new(rig, params, state, servo_ends, real_time);
         servo.most_ticks = most_ticks;
         servo.recorder = recorder;
+        let device = device.map(|(listener, path)| {
+            let (servo_ends, ends) = device_links();
+            servo.device = Some(servo_ends);
+            Devices { listener, path: socket_path(&path), ends, shared: Arc::clone(&shared) }
+        });
         let ending = Arc::new(OnceLock::new());
         let (said, flag) = (Arc::clone(&ending), Arc::clone(&shared));
         let servo = spawn("servo", move || {
@@ -139,7 +156,14 @@ impl Host {
                 return Err(error);
             }
         };
-        Ok(Self { servo, server, logger, shared })
+        let devices = match device.map(|device| spawn("devices", move || device.run())).transpose() {
+            Ok(devices) => devices,
+            Err(error) => {
+                shared.stop.store(true, Ordering::Release);
+                return Err(error);
+            }
+        };
+        Ok(Self { servo, server, devices, logger, shared })
     }
 
     /// Ends the session from elsewhere.
@@ -159,6 +183,8 @@ impl Host {
         let notes = servo.as_ref().map_or_else(|_| BTreeMap::new(), |servo| notes(servo.timing.as_ref()));
         let log = self.logger.map(|logger| logger.finish_with(notes));
         let server = self.server.join().map_err(|_| LiveError::Lost("server"))?;
+        let devices = self.devices.map(JoinHandle::join).transpose().map_err(|_| LiveError::Lost("devices"))?;
+        let devices = devices.unwrap_or_default();
         let servo = servo.map_err(|_| LiveError::Lost("servo"))?;
         drop(servo.recorder);
         Ok(Report {
@@ -173,6 +199,8 @@ impl Host {
             lines_refused: server.lines_refused,
             states_dropped: self.shared.states_dropped.load(Ordering::Relaxed),
             events_dropped: self.shared.events_dropped.load(Ordering::Relaxed),
+            devices: devices.devices,
+            devices_refused: devices.refused,
         })
     }
 }

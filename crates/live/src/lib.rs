@@ -5,6 +5,8 @@ mod clock;
 pub mod driver;
 mod ending;
 mod error;
+mod frame;
+pub mod hand;
 mod host;
 mod links;
 pub mod local;

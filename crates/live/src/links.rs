@@ -4,7 +4,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 
 use rtrb::{Consumer, Producer, RingBuffer};
-use soilctl_controller::{Commands, Event, FaultRecord, Outputs, Refusal, Request, Sensed};
+use soilctl_controller::{
+    Commands, Event, FaultRecord, HandLimit, HandTarget, Outputs, Refusal, Request, Sensed,
+};
+
+use crate::hand::{HandFrame, TouchFrame};
 
 /// States that wait for the server.
 const STATES: usize = 256;
@@ -25,6 +29,18 @@ pub(crate) struct Snapshot {
     pub(crate) fault: Option<FaultRecord>,
     pub(crate) stroke_radius_m: Option<f64>,
     pub(crate) safe_force_n: Option<f64>,
+    pub(crate) led: Option<Led>,
+    /// Ticks by which a session in real time has fallen behind the clock.
+    pub(crate) behind_ticks: u64,
+}
+
+/// A plate that is led by hand.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Led {
+    pub(crate) hand: u32,
+    pub(crate) target: HandTarget,
+    pub(crate) limit: HandLimit,
+    pub(crate) load: f64,
 }
 
 /// What the server asks of the servo.
@@ -42,6 +58,28 @@ pub(crate) enum What {
     Request(Request),
     /// Let simulated time go on for so many ticks.
     Advance(u32),
+}
+
+/// Hands, or what they touch, that wait for the other side.
+const HANDS: usize = 16;
+
+/// The servo's ends of a device.
+pub(crate) struct HandEnds {
+    pub(crate) hands: Consumer<HandFrame>,
+    pub(crate) touches: Producer<TouchFrame>,
+}
+
+/// The other ends.
+pub(crate) struct DeviceEnds {
+    pub(crate) hands: Producer<HandFrame>,
+    pub(crate) touches: Consumer<TouchFrame>,
+}
+
+/// Both ends of a device's rings.
+pub(crate) fn device_links() -> (HandEnds, DeviceEnds) {
+    let (hands_in, hands) = RingBuffer::new(HANDS);
+    let (touches, touches_out) = RingBuffer::new(HANDS);
+    (HandEnds { hands, touches }, DeviceEnds { hands: hands_in, touches: touches_out })
 }
 
 /// What became of an [`Ask`].

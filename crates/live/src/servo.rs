@@ -1,13 +1,16 @@
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-use soilctl_controller::{Commands, EventKind, Mode, Outputs, Params, Refusal, Request, Sensed, State, step};
+use soilctl_controller::{
+    Commands, EventKind, HandLimit, Mode, Outputs, Params, Refusal, Request, Sensed, State, Trajectory, step,
+};
 use soilctl_plant::{Drive, Hardware};
 use soilctl_session::Recorder;
 
 use crate::clock::Clock;
 use crate::ending::Ending;
-use crate::links::{ServoEnds, Snapshot, What};
+use crate::hand::{DEVICE_HAND, HandFlags, TouchFrame};
+use crate::links::{HandEnds, Led, ServoEnds, Snapshot, What};
 use crate::timing::Timing;
 use crate::{LiveError, Rig};
 
@@ -25,6 +28,8 @@ pub(crate) struct Servo {
     pub(crate) state: State,
     pub(crate) recorder: Option<Recorder>,
     pub(crate) ends: ServoEnds,
+    /// A device that leads the plate by hand.
+    pub(crate) device: Option<HandEnds>,
     pub(crate) real_time: bool,
     /// Ends after so many ticks. A simulated run without it stands still while nothing is to be done.
     pub(crate) most_ticks: Option<u64>,
@@ -42,6 +47,10 @@ pub(crate) struct Servo {
     log_failed: bool,
     /// It was told that time stands still.
     paused_shown: bool,
+    /// What the device is told beside what every tick tells: number of its last frame, and whether that was refused.
+    device_heard: (u32, bool),
+    /// Ticks by which real time is ahead.
+    behind_ticks: u64,
 }
 
 /// What the loop leaves behind.
@@ -63,6 +72,7 @@ impl Servo {
             state,
             recorder: None,
             ends,
+            device: None,
             real_time,
             most_ticks: None,
             drive: Drive::default(),
@@ -75,6 +85,8 @@ impl Servo {
             gone_ticks: 0,
             log_failed: false,
             paused_shown: false,
+            device_heard: (0, false),
+            behind_ticks: 0,
         }
     }
 
@@ -90,7 +102,9 @@ impl Servo {
                 continue;
             }
             let asked = self.take_ask();
-            if let Err(error) = self.tick(asked.map(|(_, request)| request), clock.as_mut()) {
+            // Operators go first; the hand says again where it is.
+            let led = if asked.is_none() { self.take_hand() } else { None };
+            if let Err(error) = self.tick(asked.map(|(_, request)| request).or(led), clock.as_mut()) {
                 // There is nothing left that could be brought anywhere.
                 return self.report(Ending::HardwareFailed, Some(error), clock.as_ref());
             }
@@ -98,6 +112,10 @@ impl Servo {
                 let refused = self.refusal();
                 self.ends.answer(token, self.outputs.tick, refused);
             }
+            if led.is_some() {
+                self.device_heard.1 = self.refusal().is_some();
+            }
+            self.show_touch();
         };
         // Off, and once more so that the hardware hears of it and the log holds it.
         let off = (self.state.mode == Mode::Ready).then_some(Request::Disable);
@@ -176,6 +194,64 @@ impl Servo {
         }
     }
 
+    /// Where the device's hand is, if it holds the plate.
+    fn take_hand(&mut self) -> Option<Request> {
+        let device = self.device.as_mut()?;
+        let mut last = None;
+        while let Ok(frame) = device.hands.pop() {
+            last = Some(frame);
+        }
+        let frame = last?;
+        self.device_heard = (frame.number, false);
+        frame.target.map(|target| Request::Push(Trajectory::Follow { hand: DEVICE_HAND, target }))
+    }
+
+    /// Tells the device of this tick; what it does not take is left out.
+    fn show_touch(&mut self) {
+        let led = self.led();
+        let Some(device) = self.device.as_mut() else { return };
+        let (telemetry, limit) = (&self.outputs.telemetry, led.map(|led| led.limit));
+        let [x_m, y_m, z_m] = telemetry.pose.position_m();
+        let [r, t, z] = telemetry.force_rtz_n;
+        let radius_m = libm::hypot(x_m, y_m);
+        let [cos, sin] = if radius_m > 0.0 { [x_m / radius_m, y_m / radius_m] } else { [1.0, 0.0] };
+        let flags = HandFlags {
+            ready: self.state.mode == Mode::Ready && self.state.homed,
+            leads: led.is_some_and(|led| led.hand == DEVICE_HAND),
+            reach: limit == Some(HandLimit::Reach),
+            force: limit == Some(HandLimit::Force),
+            torque: limit == Some(HandLimit::Torque),
+            refused: self.device_heard.1,
+        };
+        let touch = TouchFrame {
+            tick: self.outputs.tick,
+            flags,
+            number: self.device_heard.0,
+            place_m: [x_m, y_m, z_m],
+            tool_angle_rad: telemetry.pose.tool_angle_rad(),
+            force_n: [r * cos - t * sin, r * sin + t * cos, z],
+        };
+        let _ = device.touches.push(touch);
+    }
+
+    /// The hand that leads the plate.
+    fn led(&self) -> Option<Led> {
+        let active = self.state.active?;
+        match active.trajectory {
+            Trajectory::Follow { hand, target } => {
+                Some(Led { hand, target, limit: active.hand.limit, load: active.hand.load })
+            }
+            Trajectory::Hold { .. }
+            | Trajectory::JointMove { .. }
+            | Trajectory::CartesianMove { .. }
+            | Trajectory::JointTouch { .. }
+            | Trajectory::CartesianTouch { .. }
+            | Trajectory::Insert { .. }
+            | Trajectory::Stroke { .. }
+            | Trajectory::JointVelocity { .. } => None,
+        }
+    }
+
     fn tick(&mut self, request: Option<Request>, clock: Option<&mut Clock>) -> Result<(), LiveError> {
         let shared = &self.ends.shared;
         // Simulated time does not know how long the server takes, so there the loop is its own operator.
@@ -191,6 +267,7 @@ impl Servo {
         }
         if let Some(clock) = clock {
             clock.wait();
+            self.behind_ticks = clock.timing().skipped;
         }
         self.sensed = self.rig.exchange(&self.drive)?;
         self.outputs = step(&self.params, &mut self.state, &self.sensed, &self.commands);
@@ -227,7 +304,7 @@ impl Servo {
     }
 
     fn publish(&mut self, paused: bool) {
-        let state = &self.state;
+        let (state, led) = (&self.state, self.led());
         let stroke = state.active.filter(|_| {
             self.outputs.telemetry.trajectory == Some(soilctl_controller::TrajectoryKind::Stroke)
         });
@@ -238,6 +315,8 @@ impl Servo {
             homed: state.homed,
             waiting: state.machine.waits(),
             paused,
+            led,
+            behind_ticks: self.behind_ticks,
             fault: state.fault,
             stroke_radius_m: stroke.map(|active| active.stroke.start_radius_m),
             safe_force_n: stroke.and_then(|active| {

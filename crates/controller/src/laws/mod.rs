@@ -1,6 +1,7 @@
 //! From wanted motion to joint torques.
 
 mod accommodation;
+pub(crate) mod hand;
 mod lead;
 mod pid;
 mod safe_force;

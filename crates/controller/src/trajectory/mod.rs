@@ -1,6 +1,7 @@
 //! Trajectories: what the arm shall do, one tick after the other. Each has a beginning (`Active::start`), a tick
 //! (`Active::update`) and an end (a [`Finish`]).
 
+mod follow;
 mod insert;
 mod moves;
 mod profile;
@@ -15,6 +16,7 @@ use crate::config::StrokeLaw;
 use crate::estimate::Estimate;
 use crate::{Finish, Params, Tuning};
 
+pub use follow::{HandLimit, HandRun, HandTarget};
 pub use ring::{RING_SIZE, Ring};
 pub use stroke::StrokeRun;
 
@@ -66,6 +68,13 @@ pub enum Trajectory {
         rates: JointVelocities,
         /// Ticks, or without end.
         ticks: Option<u32>,
+    },
+    /// The edge after a hand, as fast and as hard as the settings allow, for as long as the hand goes on to say where it is.
+    Follow {
+        /// Whose; another one is refused meanwhile.
+        hand: u32,
+        /// Where it is.
+        target: HandTarget,
     },
 }
 
@@ -122,6 +131,8 @@ pub struct Active {
     pub offset_m: f64,
     /// What a stroke remembers.
     pub stroke: StrokeRun,
+    /// What following a hand remembers.
+    pub hand: HandRun,
 }
 
 /// What a trajectory sees.
@@ -132,6 +143,8 @@ pub(crate) struct View<'a> {
     pub(crate) tuning: &'a Tuning,
     /// Ticks for which a joint's torque has been at its limit.
     pub(crate) saturated_ticks: u32,
+    /// Largest share of its limit that a torque or a tracking error takes.
+    pub(crate) strain: f64,
 }
 
 /// Out-of-plane angle in rad below which a hand counts as level.
@@ -162,6 +175,7 @@ impl Active {
             onset_m: view.est.pose.position_m(),
             offset_m: 0.0,
             stroke: StrokeRun::default(),
+            hand: HandRun::default(),
         };
         if view.est.homed {
             active.from_pose = levelled(view.params.arm().forward(&from).map_err(|_| Finish::Unreachable)?);
@@ -178,6 +192,7 @@ impl Active {
             }
             Trajectory::Insert { depth_m } => active.plan_insert(view, depth_m)?,
             Trajectory::Stroke { delta_rad, .. } => active.plan_stroke(view, delta_rad)?,
+            Trajectory::Follow { .. } => active.plan_follow(view)?,
         }
         Ok(active)
     }
@@ -199,6 +214,7 @@ impl Active {
             }
             Trajectory::Insert { depth_m } => self.insert(view, depth_m),
             Trajectory::Stroke { law, .. } => self.do_stroke(view, law),
+            Trajectory::Follow { target, .. } => self.follow(view, &target),
         }
     }
 

@@ -1,10 +1,11 @@
 use soilctl_controller::Sensed;
 use soilctl_kinematics::MotorTorques;
 use soilctl_plant::Drive;
-use thiserror::Error;
+
+use crate::frame::{FRAME_VERSION, FrameError, Reader, Writer};
 
 /// Version of the frames.
-pub const DRIVER_VERSION: u16 = 1;
+pub const DRIVER_VERSION: u16 = FRAME_VERSION;
 /// Length of a drive frame in bytes.
 pub const DRIVE_BYTES: usize = 64;
 /// Length of a frame of readings in bytes.
@@ -12,20 +13,6 @@ pub const READINGS_BYTES: usize = 208;
 
 const DRIVE_MAGIC: [u8; 4] = *b"SCDR";
 const READINGS_MAGIC: [u8; 4] = *b"SCRE";
-
-/// What is wrong with a frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum FrameError {
-    /// It does not begin as a frame should.
-    #[error(
-        "sent a frame that begins with {0:02x?}, not with its four letters; frames are little endian and without gaps"
-    )]
-    Magic([u8; 4]),
-    /// It is of another version.
-    #[error("speaks version {0} of the frames, not {DRIVER_VERSION}")]
-    Version(u16),
-}
 
 /// What the motors shall do in a tick: 64 bytes, to the driver.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +35,7 @@ impl DriveFrame {
     #[must_use]
     pub fn encode(&self) -> [u8; DRIVE_BYTES] {
         let mut bytes = [0; DRIVE_BYTES];
-        let mut writer = Writer { bytes: &mut bytes, at: 0 };
+        let mut writer = Writer::new(&mut bytes);
         writer.put(&DRIVE_MAGIC);
         writer.put(&DRIVER_VERSION.to_le_bytes());
         writer.put(&[0; 2]);
@@ -64,7 +51,7 @@ impl DriveFrame {
     /// # Errors
     /// [`FrameError`] for another beginning or version.
     pub fn decode(bytes: &[u8; DRIVE_BYTES]) -> Result<Self, FrameError> {
-        let mut reader = Reader { bytes, at: 0 };
+        let mut reader = Reader::new(bytes);
         reader.head(DRIVE_MAGIC)?;
         let tick = u64::from_le_bytes(reader.take());
         let flags = u32::from_le_bytes(reader.take());
@@ -80,7 +67,7 @@ impl ReadingsFrame {
     pub fn encode(&self) -> [u8; READINGS_BYTES] {
         let sensed = &self.sensed;
         let mut bytes = [0; READINGS_BYTES];
-        let mut writer = Writer { bytes: &mut bytes, at: 0 };
+        let mut writer = Writer::new(&mut bytes);
         writer.put(&READINGS_MAGIC);
         writer.put(&DRIVER_VERSION.to_le_bytes());
         writer.put(&[0; 2]);
@@ -107,7 +94,7 @@ impl ReadingsFrame {
     /// # Errors
     /// [`FrameError`] for another beginning or version.
     pub fn decode(bytes: &[u8; READINGS_BYTES]) -> Result<Self, FrameError> {
-        let mut reader = Reader { bytes, at: 0 };
+        let mut reader = Reader::new(bytes);
         reader.head(READINGS_MAGIC)?;
         let tick = u64::from_le_bytes(reader.take());
         let flags = u32::from_le_bytes(reader.take());
@@ -131,54 +118,6 @@ impl ReadingsFrame {
                 amplifier_sequence,
             },
         })
-    }
-}
-
-struct Writer<'a> {
-    bytes: &'a mut [u8],
-    at: usize,
-}
-
-impl Writer<'_> {
-    fn put(&mut self, part: &[u8]) {
-        if let Some(place) = self.bytes.get_mut(self.at..self.at + part.len()) {
-            place.copy_from_slice(part);
-        }
-        self.at += part.len();
-    }
-
-    fn floats(&mut self, numbers: &[f64]) {
-        numbers.iter().for_each(|number| self.put(&number.to_le_bytes()));
-    }
-}
-
-struct Reader<'a> {
-    bytes: &'a [u8],
-    at: usize,
-}
-
-impl Reader<'_> {
-    fn take<const N: usize>(&mut self) -> [u8; N] {
-        let part = self.bytes.get(self.at..).and_then(|rest| rest.first_chunk::<N>());
-        self.at += N;
-        part.copied().unwrap_or([0; N])
-    }
-
-    fn floats<const N: usize>(&mut self) -> [f64; N] {
-        std::array::from_fn(|_| f64::from_le_bytes(self.take()))
-    }
-
-    fn head(&mut self, magic: [u8; 4]) -> Result<(), FrameError> {
-        let found = self.take();
-        if found != magic {
-            return Err(FrameError::Magic(found));
-        }
-        let version = u16::from_le_bytes(self.take());
-        if version != DRIVER_VERSION {
-            return Err(FrameError::Version(version));
-        }
-        let _: [u8; 2] = self.take();
-        Ok(())
     }
 }
 

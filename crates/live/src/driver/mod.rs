@@ -4,6 +4,7 @@ mod frames;
 mod serve;
 mod socket;
 
-pub use frames::{DRIVE_BYTES, DRIVER_VERSION, DriveFrame, FrameError, READINGS_BYTES, ReadingsFrame};
+pub use crate::frame::FrameError;
+pub use frames::{DRIVE_BYTES, DRIVER_VERSION, DriveFrame, READINGS_BYTES, ReadingsFrame};
 pub use serve::{DriverServer, ServeError};
 pub use socket::{Exchanges, SocketDriver};

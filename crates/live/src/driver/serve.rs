@@ -5,7 +5,8 @@ use soilctl_kinematics::MotorTorques;
 use soilctl_plant::{Drive, Hardware};
 use thiserror::Error;
 
-use super::frames::{DRIVE_BYTES, DriveFrame, FrameError, ReadingsFrame};
+use super::frames::{DRIVE_BYTES, DriveFrame, ReadingsFrame};
+use crate::frame::FrameError;
 use crate::LiveError;
 use crate::local::{Listener, bind};
 

@@ -1,6 +1,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use soilctl_controller::{Request, StrokeLaw, StrokeSpec, TICK_RATE_HZ, Trajectory, Tunable};
+use soilctl_controller::{HandTarget, Request, StrokeLaw, StrokeSpec, TICK_RATE_HZ, Trajectory, Tunable};
 use soilctl_kinematics::{JointAngles, JointVelocities, TaskPose};
 use soilctl_session::messages::variant;
 
@@ -104,6 +104,21 @@ pub enum Command {
         #[serde(default)]
         seconds: Option<f64>,
     },
+    /// Leads the plate by hand: where the hand is now. Said again at least every `hand.lease_ticks` of the settings (0.2 s), else the arm
+    /// stops. Numbers may be any: the arm goes as far, as fast and as hard as it may.
+    Follow {
+        /// Forwards, of the middle of the plate's lower edge.
+        x_m: f64,
+        /// To the left.
+        y_m: f64,
+        /// Up.
+        z_m: f64,
+        /// Tool angle.
+        tool_angle_deg: f64,
+        /// Whose hand it is, any number; while one leads, others are refused.
+        #[serde(default)]
+        hand: u32,
+    },
     /// Holds the arm.
     Hold {
         /// For how long, in s.
@@ -203,6 +218,15 @@ impl Command {
             Self::Velocity { rates_deg_s, seconds } => Trajectory::JointVelocity {
                 rates: JointVelocities(rates_deg_s.map(f64::to_radians)),
                 ticks: seconds.map(ticks).transpose()?,
+            },
+            Self::Follow { x_m, y_m, z_m, tool_angle_deg, hand } => Trajectory::Follow {
+                hand: *hand,
+                target: HandTarget {
+                    x_m: *x_m,
+                    y_m: *y_m,
+                    z_m: *z_m,
+                    tool_angle_rad: tool_angle_deg.to_radians(),
+                },
             },
             Self::Hold { seconds } => Trajectory::Hold { ticks: Some(ticks(*seconds)?) },
             _ => return Err("this is no motion".to_owned()),

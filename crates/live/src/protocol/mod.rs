@@ -21,7 +21,7 @@ pub use outbox::{MOST_OUTBOX_BYTES, Outbox};
 pub use rate::{BURST_LINES, LINES_PER_SECOND, Rate};
 pub use scales::{FORCE_M_PER_N, LEAD_SCALE};
 pub(crate) use state::seconds;
-pub use state::{Dropped, FaultState, Memory, Pose, StateMessage};
+pub use state::{Dropped, FaultState, LedState, Memory, Pose, StateMessage};
 pub use words::{COMMANDS, CommandWord, parse_command};
 
 /// Version of the protocol. It rises when something that is there changes its meaning or goes away.

@@ -55,8 +55,33 @@ pub struct StateMessage {
     pub storing: bool,
     /// Number of the stored segment.
     pub storage_segment: u32,
+    /// The hand that leads the plate, or null.
+    #[serde(default)]
+    pub led: Option<LedState>,
+    /// By how much a session in real time has fallen behind the clock since it began, because ticks came too late, in s.
+    #[serde(default)]
+    pub behind_s: f64,
     /// What was lost on the way since the session began.
     pub dropped: Dropped,
+}
+
+/// A hand that leads the plate.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LedState {
+    /// Whose.
+    pub hand: u32,
+    /// Where it is.
+    pub x_m: f64,
+    /// Where it is.
+    pub y_m: f64,
+    /// Where it is.
+    pub z_m: f64,
+    /// The tool angle that it wants.
+    pub tool_angle_deg: f64,
+    /// What holds the arm back: `none`, `reach`, `force` or `torque`.
+    pub limit: String,
+    /// The larger of force and torque as a share of what is allowed.
+    pub load: f64,
 }
 
 /// Pose of the plate's lower edge.
@@ -201,6 +226,8 @@ impl StateMessage {
             fault: memory.fault.clone(),
             storing: step.store,
             storage_segment: step.storage_segment,
+            led: None,
+            behind_s: 0.0,
             dropped: Dropped::default(),
         }
     }

@@ -26,7 +26,7 @@ const fn word(
 }
 
 /// All commands of the protocol.
-pub const COMMANDS: [CommandWord; 22] = [
+pub const COMMANDS: [CommandWord; 23] = [
     word("enable", &[], &[], "amplifiers on; the arm holds where it is"),
     word("disable", &[], &[], "amplifiers off"),
     word("reset", &[], &[], "leave the safe state after a fault, to off"),
@@ -59,6 +59,12 @@ pub const COMMANDS: [CommandWord; 22] = [
     word("insert", &["depth_m"], &[], "push the plate into the soil"),
     word("pull", &["delta_deg", "law"], &["force", "position"], "pull the plate until the soil fails"),
     word("velocity", &["rates_deg_s", "seconds"], &[], "turn joints, as in velocity 5,0,0,0,0 2"),
+    word(
+        "follow",
+        &["x_m", "y_m", "z_m", "tool_angle_deg", "hand"],
+        &[],
+        "lead the plate by hand; say it again within 0.2 s, or the arm stops",
+    ),
     word("hold", &["seconds"], &[], "hold for a time"),
     word("emergency_stop", &[], &[], "press the emergency stop"),
     word("release_stop", &[], &[], "release the emergency stop; then reset"),

@@ -40,7 +40,7 @@ pub fn homed(setup: &SessionSetup) -> State {
 
 pub fn session(rig: Rig) -> Session {
     let setup = setup();
-    Session { rig, state: homed(&setup), setup, real_time: false, most_ticks: None }
+    Session { rig, state: homed(&setup), setup, real_time: false, most_ticks: None, device: None }
 }
 
 pub fn simulated() -> Session {

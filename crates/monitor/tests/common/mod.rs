@@ -27,7 +27,7 @@ pub fn session(socket: &Path, log: Option<File>) -> Host {
     let setup = plan.setup(1).unwrap();
     let state = plan.first_state(&setup.params().unwrap());
     let rig = Rig::Plant(Box::new(plan.simulated_plant(1, 0).unwrap()));
-    let session = Session { rig, setup, state, real_time: false, most_ticks: None };
+    let session = Session { rig, setup, state, real_time: false, most_ticks: None, device: None };
     Host::start(session, socket, log).unwrap()
 }
 

@@ -1,6 +1,6 @@
 //! Requests as a name and numbers, so that any reader of ROS messages understands them. The numbers keep their bits.
 
-use soilctl_controller::{Request, StrokeSpec, Trajectory, Tunable};
+use soilctl_controller::{HandTarget, Request, StrokeSpec, Trajectory, Tunable};
 use soilctl_kinematics::{JointAngles, JointVelocities, TaskPose};
 
 use super::words::{variant, word};
@@ -49,6 +49,9 @@ fn push(trajectory: &Trajectory) -> (String, Vec<f64>) {
         Trajectory::Stroke { law, delta_rad } => (format!("{kind}/{}", word(&law)), vec![delta_rad]),
         Trajectory::JointVelocity { rates, ticks } => {
             (kind, rates.0.into_iter().chain(ticks.map(f64::from)).collect())
+        }
+        Trajectory::Follow { hand, target: HandTarget { x_m, y_m, z_m, tool_angle_rad } } => {
+            (kind, vec![f64::from(hand), x_m, y_m, z_m, tool_angle_rad])
         }
     }
 }
@@ -119,6 +122,10 @@ fn pushed(kind: &str, detail: Option<&str>, numbers: &[f64]) -> Option<Trajector
         ("joint_velocity", None, &[a, b, c, d, e, ticks]) => {
             Trajectory::JointVelocity { rates: JointVelocities([a, b, c, d, e]), ticks: Some(whole(ticks)?) }
         }
+        ("follow", None, &[hand, x_m, y_m, z_m, tool_angle_rad]) => Trajectory::Follow {
+            hand: whole(hand)?,
+            target: HandTarget { x_m, y_m, z_m, tool_angle_rad },
+        },
         _ => return None,
     })
 }
@@ -178,6 +185,9 @@ mod tests {
             (five(), ticks()).prop_map(|(rates, ticks)| Trajectory::JointVelocity {
                 rates: JointVelocities(rates),
                 ticks
+            }),
+            (any::<u32>(), prop::array::uniform4(number())).prop_map(|(hand, [x_m, y_m, z_m, tool_angle_rad])| {
+                Trajectory::Follow { hand, target: HandTarget { x_m, y_m, z_m, tool_angle_rad } }
             }),
         ]
     }

@@ -40,6 +40,10 @@ pub(crate) struct RunAnswer {
     states_dropped: u64,
     /// Events that the server did not take in time.
     events_dropped: u64,
+    /// Devices that connected to lead the plate by hand.
+    devices: u64,
+    /// Devices that were sent away: another one was there, or they sent what is no frame.
+    devices_refused: u64,
     /// What went wrong; empty if nothing did.
     problems: Vec<String>,
 }
@@ -71,6 +75,8 @@ impl RunAnswer {
             lines_refused: report.lines_refused,
             states_dropped: report.states_dropped,
             events_dropped: report.events_dropped,
+            devices: report.devices,
+            devices_refused: report.devices_refused,
             problems,
         }
     }

@@ -53,6 +53,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "MS", requires = "driver", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     driver_timeout: Option<u32>,
 
+    /// Unix socket for a device that leads the plate by hand, to be made (docs/dig.md)
+    #[arg(long, value_name = "PATH", requires = "real_time")]
+    device: Option<PathBuf>,
+
     /// The log to write (.mcap); a file that is there is not touched
     #[arg(long, value_name = "PATH", default_value = "run.mcap")]
     log: PathBuf,
@@ -132,7 +136,7 @@ fn session(args: &Args, plan: &Plan) -> Result<Session, CliError> {
             (Rig::Driver(Box::new(SocketDriver::connect(socket, timeout)?)), State::new(&params))
         }
     };
-    Ok(Session { rig, setup, state, real_time: args.real_time, most_ticks })
+    Ok(Session { rig, setup, state, real_time: args.real_time, most_ticks, device: args.device.clone() })
 }
 
 fn ticks(seconds: f64) -> Result<u64, CliError> {
