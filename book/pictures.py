@@ -1,5 +1,5 @@
 """Makes the pictures of docs/images that show pages: the monitor during a stroke, the same log in Rerun's viewer, the page of a plate, the
-workbench with a solved footing, and the plate's bench.
+workbench with a solved footing, the plate's bench, and a plate that is dragged through sand.
 
     cargo xtask pictures
 """
@@ -14,6 +14,8 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "python"))
 
 from bench_page import READY, estimated, rested  # noqa: E402
+from dig_page import READY as DIG_READY  # noqa: E402
+from dig_page import Dig, drag, plate, rest, spot, take  # noqa: E402
 from monitor_page import CHROMIUM_ARGS, Monitor, open_page, seek, still, write_plan  # noqa: E402
 from playwright.sync_api import sync_playwright  # noqa: E402
 from rerun_page import Viewer  # noqa: E402
@@ -98,6 +100,24 @@ def bench(binary, browser, _, path):
     print(f"{path}: {Path(path).stat().st_size} bytes")
 
 
+def dig(binary, browser, folder, path):
+    """A plate that was dragged through loose sand, pushing."""
+    running = Dig(binary, folder)
+    shown = open_workbench(browser, running.url, ready=DIG_READY, color_scheme="light", viewport={"width": 1280, "height": 800})
+    take(shown)
+    surface = shown.evaluate("dig.scene.sandbox.surface_z_m")
+    shown.mouse.move(*spot(shown, *plate(shown)))
+    shown.mouse.down()
+    for place, speed in [((0.47, surface + 0.03), 0.07), ((0.47, surface - 0.035), 0.03), ((0.36, surface - 0.035), 0.03)]:
+        drag(shown, place, speed)
+    rest(shown, 0.3)
+    shown.screenshot(path=path)
+    shown.mouse.up()
+    shown.context.close()
+    running.end()
+    print(f"{path}: {Path(path).stat().st_size} bytes")
+
+
 def main():
     binary = Path(os.environ["SOILCTL"]).resolve()
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
@@ -107,6 +127,7 @@ def main():
         page(binary, browser, Path(folder), IMAGES / "page.png")
         workbench(binary, browser, Path(folder), IMAGES / "workbench.png")
         bench(binary, browser, Path(folder), IMAGES / "bench.png")
+        dig(binary, browser, Path(folder), IMAGES / "dig.png")
         browser.close()
 
 

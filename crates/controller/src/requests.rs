@@ -79,7 +79,9 @@ fn grant(
                 Some(Active { trajectory: Trajectory::Follow { hand: leads, .. }, .. }) if *leads != hand => {
                     return Err(Refusal::OtherHand);
                 }
-                Some(active @ Active { trajectory: Trajectory::Follow { .. }, .. }) => active.lead_to(trajectory),
+                Some(active @ Active { trajectory: Trajectory::Follow { .. }, .. }) => {
+                    active.lead_to(trajectory)
+                }
                 // A hand does not wait for what else is to be done.
                 _ => {
                     require(state.idle && state.ring.is_empty(), Refusal::Busy)?;

@@ -179,7 +179,8 @@ impl Rules<'_> {
         let share = hand.torque_share;
         self.check("hand.torque_share", share, "", share > 0.0 && share < 1.0, "above 0 and below 1")?;
         self.range("hand.margin_m", hand.margin_m, "m", 0.0, 0.1)?;
-        for (key, [low, high]) in [("safety.radius_m", safety.radius_m), ("safety.height_m", safety.height_m)] {
+        for (key, [low, high]) in [("safety.radius_m", safety.radius_m), ("safety.height_m", safety.height_m)]
+        {
             let allowed = "less than half of what safety allows, so that something is left";
             let ok = 2.0 * hand.margin_m < high - low;
             self.check(&format!("hand.margin_m with {key}"), hand.margin_m, "m", ok, allowed)?;

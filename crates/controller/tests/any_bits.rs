@@ -6,8 +6,8 @@ mod common;
 use common::Rig;
 use proptest::prelude::*;
 use soilctl_controller::{
-    Commands, HandTarget, Outputs, Params, Request, Sensed, SequenceId, State, StrokeLaw, StrokeSpec, Trajectory,
-    Tunable, step,
+    Commands, HandTarget, Outputs, Params, Request, Sensed, SequenceId, State, StrokeLaw, StrokeSpec,
+    Trajectory, Tunable, step,
 };
 use soilctl_kinematics::{JointAngles, JointVelocities, TaskPose};
 

@@ -54,7 +54,9 @@ pub enum LiveError {
         reason: String,
     },
     /// A device is to lead the plate in a session that does not keep to the clock.
-    #[error("a device that leads the plate needs a session in real time; simulated time would not wait for it")]
+    #[error(
+        "a device that leads the plate needs a session in real time; simulated time would not wait for it"
+    )]
     DeviceNeedsRealTime,
     /// A log.
     #[error(transparent)]

@@ -183,7 +183,8 @@ impl Host {
         let notes = servo.as_ref().map_or_else(|_| BTreeMap::new(), |servo| notes(servo.timing.as_ref()));
         let log = self.logger.map(|logger| logger.finish_with(notes));
         let server = self.server.join().map_err(|_| LiveError::Lost("server"))?;
-        let devices = self.devices.map(JoinHandle::join).transpose().map_err(|_| LiveError::Lost("devices"))?;
+        let devices =
+            self.devices.map(JoinHandle::join).transpose().map_err(|_| LiveError::Lost("devices"))?;
         let devices = devices.unwrap_or_default();
         let servo = servo.map_err(|_| LiveError::Lost("servo"))?;
         drop(servo.recorder);

@@ -1,3 +1,4 @@
+use soilctl_campaign::CampaignError;
 use soilctl_live::LiveError;
 use soilctl_motion::MotionError;
 use soilctl_session::SessionError;
@@ -36,6 +37,17 @@ pub enum MonitorError {
     /// The address cannot be listened at, there is no token, or no thread.
     #[error(transparent)]
     Web(#[from] WebError),
+    /// A log cannot be made.
+    #[error("{path} cannot be written: {reason}; choose another place with --log")]
+    File {
+        /// The log.
+        path: String,
+        /// What the operating system said.
+        reason: std::io::Error,
+    },
+    /// The soil or the arm of a session that is to be begun.
+    #[error(transparent)]
+    Campaign(#[from] CampaignError),
     /// The live session.
     #[error(transparent)]
     Live(#[from] LiveError),

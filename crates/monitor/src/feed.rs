@@ -73,6 +73,12 @@ impl Feed {
                 (Ok(_), Self::Log(_)) => refuse(Some(*id), Problem::Unavailable, "a log takes no commands"),
             };
         }
+        if let PageRequest::ChooseSoil { id, soil } = request {
+            return match self {
+                Self::Session(operator) => operator.choose(*id, soil, rights),
+                Self::Log(_) => refuse(Some(*id), Problem::Unavailable, "the soil of a log cannot be chosen"),
+            };
+        }
         let Self::Log(player) = self else {
             return refuse(
                 None,
@@ -92,7 +98,7 @@ impl Feed {
                     return refuse(None, Problem::Value, &problem);
                 }
             }
-            PageRequest::Authorize { .. } | PageRequest::Line { .. } => {}
+            PageRequest::Authorize { .. } | PageRequest::Line { .. } | PageRequest::ChooseSoil { .. } => {}
         }
         (None, None)
     }

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod arm;
+mod dig;
 mod error;
 mod feed;
 mod film;
@@ -13,6 +14,7 @@ mod scene;
 mod site;
 mod soil;
 
+pub use dig::{Dig, DigSettings, DugSession};
 pub use error::MonitorError;
 pub use monitor::{Monitor, Settings, Source};
 pub use soilctl_motion::Settings as BagSettings;

@@ -64,6 +64,22 @@ pub(crate) struct SceneMessage {
     pub(crate) space_m: Option<[[f64; 3]; 2]>,
     /// Whether forces are known.
     pub(crate) has_force: bool,
+    /// How a hand may lead the plate; none of a log of another program.
+    pub(crate) hand: Option<HandRange>,
+}
+
+/// How far, fast and hard the plate follows a hand.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct HandRange {
+    /// Where the edge may be.
+    pub(crate) radius_m: [f64; 2],
+    pub(crate) height_m: [f64; 2],
+    pub(crate) base_deg: [f64; 2],
+    pub(crate) speed_m_s: f64,
+    /// Force of the soil at which the arm no longer pushes.
+    pub(crate) force_n: f64,
+    /// How long the arm goes on without word from the hand.
+    pub(crate) lease_s: f64,
 }
 
 /// A state of a log of another program, in the root frame.
@@ -194,6 +210,8 @@ pub(crate) enum PageRequest {
     Authorize { token: String },
     /// A command as an operator types it.
     Line { id: u64, text: String },
+    /// Which soil shall be dug next; where soils can be chosen.
+    ChooseSoil { id: u64, soil: String },
     /// Go on.
     Play {
         #[serde(default)]
@@ -230,6 +248,7 @@ impl PageRequest {
         match self {
             Self::Authorize { .. } => 0,
             Self::Line { id, .. }
+            | Self::ChooseSoil { id, .. }
             | Self::Play { id }
             | Self::Pause { id }
             | Self::Seek { id, .. }
@@ -240,4 +259,5 @@ impl PageRequest {
 }
 
 /// The kinds of [`PageRequest`], to tell them from the operators' messages.
-pub(crate) const PAGE_REQUESTS: [&str; 7] = ["authorize", "line", "play", "pause", "seek", "step", "speed"];
+pub(crate) const PAGE_REQUESTS: [&str; 8] =
+    ["authorize", "line", "choose_soil", "play", "pause", "seek", "step", "speed"];

@@ -59,6 +59,15 @@ impl Monitor {
     /// [`MonitorError::Web`], [`MonitorError::Live`] if the session is not there, [`MonitorError::Session`] or
     /// [`MonitorError::Bag`] for the log, [`MonitorError::Scene`], [`MonitorError::Thread`].
     pub fn start(source: Source, settings: Settings) -> Result<Self, MonitorError> {
+        Self::start_with(source, settings, Arc::new(Hub::default()))
+    }
+
+    /// The same with what lies between a session and its pages, which somebody else knows too.
+    pub(crate) fn start_with(
+        source: Source,
+        settings: Settings,
+        shared: Arc<Hub>,
+    ) -> Result<Self, MonitorError> {
         let Settings { listen, hosts, commands, note } = settings;
         let port = Port::listen(listen)?;
         let stop = Arc::new(AtomicBool::new(false));
@@ -66,7 +75,6 @@ impl Monitor {
         let (mut hub, mut damage, mut notes, mut meshes) = (None, Vec::new(), Vec::new(), Vec::new());
         let (feed, greeting): (Box<dyn Fn() -> _ + Send + Sync>, _) = match source {
             Source::Session(path) => {
-                let shared = Arc::new(Hub::default());
                 hub = Some(Arc::clone(&shared));
                 let (theirs, stop) = (Arc::clone(&shared), Arc::clone(&stop));
                 threads.push(Upstream::start(path, commands, theirs, stop)?);
@@ -81,7 +89,7 @@ impl Monitor {
             }
         };
         let token: Option<Arc<str>> = if commands { Some(random_hex::<16>()?.into()) } else { None };
-        let shown = Shown { token: token.clone(), feed, greeting, meshes };
+        let shown = Shown { token: token.clone(), feed, greeting, meshes, may_dig: hub.is_some() };
         let served = port.serve(shown, soilctl_web::Settings { hosts, note, stop: Arc::clone(&stop) });
         let serving = served.inspect_err(|_| stop.store(true, Ordering::Relaxed))?;
         Ok(Self { serving, stop, token, hub, damage, notes, threads })
@@ -103,6 +111,12 @@ impl Monitor {
     #[must_use]
     pub fn url(&self) -> String {
         self.serving.url(self.token())
+    }
+
+    /// The same of a page at a path.
+    pub(crate) fn url_of(&self, path: &str) -> String {
+        let token = self.token().map(|token| format!("#token={token}")).unwrap_or_default();
+        format!("{}{path}{token}", self.serving.url(None).trim_end_matches('/'))
     }
 
     /// What is wrong with the log that is played; it is left out.

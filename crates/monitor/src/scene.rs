@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use soilctl_campaign::Plan;
-use soilctl_controller::ControllerConfig;
 use soilctl_controller::laws::SafeForceSet;
+use soilctl_controller::{ControllerConfig, TICK_S};
 use soilctl_kinematics::Arm;
 use soilctl_live::protocol::{COMMANDS, Configuration, SafeForce};
 use soilctl_plant::PlantParams;
@@ -13,7 +13,7 @@ use soilctl_session::{Content, SessionSetup};
 
 use crate::MonitorError;
 use crate::arm::ArmMessage;
-use crate::messages::{PlateSize, Sandbox, SceneMessage};
+use crate::messages::{HandRange, PlateSize, Sandbox, SceneMessage};
 
 /// Angle of repose in degrees where nobody says which soil it is.
 const REPOSE_DEG: f64 = 35.0;
@@ -35,6 +35,7 @@ pub(crate) struct Scene {
     safe_set: SafeForceSet,
     pub(crate) strokes: usize,
     soil: String,
+    hand: HandRange,
 }
 
 impl Scene {
@@ -76,6 +77,7 @@ impl Scene {
             safe_set: *params.safe_force(),
             strokes: params.plan().strokes().len(),
             soil: soil.map(|soil| soil.title.clone()).unwrap_or_default(),
+            hand: hand(controller),
         })
     }
 
@@ -109,6 +111,20 @@ impl Scene {
             tip_box_m: None,
             space_m: None,
             has_force: true,
+            hand: Some(self.hand),
         }
+    }
+}
+
+fn hand(controller: &ControllerConfig) -> HandRange {
+    let (safety, hand) = (&controller.safety, &controller.hand);
+    let within = |[low, high]: [f64; 2]| [low + hand.margin_m, high - hand.margin_m];
+    HandRange {
+        radius_m: within(safety.radius_m),
+        height_m: within(safety.height_m),
+        base_deg: safety.base_deg,
+        speed_m_s: hand.speed_m_s,
+        force_n: hand.force_n,
+        lease_s: f64::from(hand.lease_ticks) * TICK_S,
     }
 }

@@ -8,6 +8,7 @@ use soilctl_live::protocol::{MOST_LINE_BYTES, Problem};
 use soilctl_web::{Content, Feed as PageFeed, Heard, Site, WebError, random_hex};
 
 use crate::MonitorError;
+use crate::dig;
 use crate::feed::{Feed, Rights, refuse};
 use crate::page::{page, policy};
 
@@ -24,6 +25,8 @@ pub(crate) struct Shown {
     pub(crate) feed: Box<dyn Fn() -> Result<Feed, MonitorError> + Send + Sync>,
     /// What a page is greeted with, beside its feed.
     pub(crate) greeting: Vec<String>,
+    /// Whether there is a session, whose plate may be led.
+    pub(crate) may_dig: bool,
     /// Meshes by their numbers.
     pub(crate) meshes: Vec<Arc<[u8]>>,
 }
@@ -41,6 +44,9 @@ impl Site for Shown {
                 policy: Some(policy(&nonce)),
                 bytes: Cow::Owned(page(&nonce).into_bytes()),
             }));
+        }
+        if self.may_dig && path.starts_with(dig::DIG_PATH) {
+            return Ok(dig::at(path));
         }
         // A page never says the name of a file.
         let number = path.strip_prefix(MESH_PATH).and_then(|number| number.parse::<usize>().ok());

@@ -16,7 +16,7 @@ use crate::request::{Ends, finite};
 #[group(skip)]
 pub struct Request {
     /// The soil: ticino_rained, ticino_loose, nevada_fine, glass_beads, or mars_drift, mars_crusty, mars_blocky,
-    /// mars_pathfinder under the gravity of Mars
+    /// mars_pathfinder under the gravity of Mars, or moon_0_15cm under that of the Moon
     #[arg(long, value_name = "NAME", default_value_t = Request::default().soil)]
     pub soil: String,
 

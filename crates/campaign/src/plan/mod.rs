@@ -1,6 +1,7 @@
 //! What is to be done: a plan file, read and checked.
 
 mod apart;
+mod by_hand;
 mod demonstration;
 pub mod file;
 mod further;

@@ -10,6 +10,7 @@ mod convert;
 mod demo;
 mod design;
 mod diagnose;
+mod dig;
 mod doctor;
 mod estimate;
 mod limits;
@@ -101,6 +102,8 @@ pub(crate) enum Verb {
     Console(console::Args),
     /// Shows a live session or a log in 3-D, on a page in the browser
     Monitor(monitor::Args),
+    /// Lets the plate of a simulated session be dragged through soil, on a page in the browser
+    Dig(dig::Args),
     /// Shows a log in the Rerun viewer: arm, forces, curves, states and events in a layout
     View(view::Args),
     /// What an arm and its controller are like: skewing of the plate's force, the arm as a URDF
@@ -118,7 +121,10 @@ pub(crate) enum Verb {
 impl Verb {
     /// Whether it answers once, in JSON, and ends by itself, so that another program may wait for it.
     pub(crate) const fn is_one_answer(&self) -> bool {
-        !matches!(self, Self::Run(_) | Self::Console(_) | Self::Workbench(_) | Self::Completions(_))
+        !matches!(
+            self,
+            Self::Run(_) | Self::Console(_) | Self::Dig(_) | Self::Workbench(_) | Self::Completions(_)
+        )
     }
 
     /// Carries it out. `whole` is the command line that it is a verb of.
@@ -151,6 +157,7 @@ impl Verb {
             Self::Run(args) => run::run(&args, output),
             Self::Console(args) => console::run(&args, output),
             Self::Monitor(args) => monitor::run(&args, output),
+            Self::Dig(args) => dig::run(&args, output),
             Self::View(args) => view::run(&args, output),
             Self::Arm(args) => arm::run(&args, output),
             Self::Doctor(args) => doctor::run(&args, output),

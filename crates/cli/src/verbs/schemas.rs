@@ -11,7 +11,7 @@ use soilctl_campaign::file::{PLAN_SCHEMA, PlanFile};
 use soilctl_limit_analysis::Description;
 use soilctl_limit_analysis::describe::PROBLEM_SCHEMA;
 
-use super::{monitor, run as run_verb, view, workbench};
+use super::{dig, monitor, run as run_verb, view, workbench};
 use crate::error::CliError;
 
 #[derive(Debug, clap::Args)]
@@ -34,6 +34,7 @@ pub(crate) fn run(args: &Args) -> Result<Outcome, CliError> {
     write_file::<ToolFile>(&args.dir, TOOL_SCHEMA)?;
     write_file::<PlanFile>(&args.dir, PLAN_SCHEMA)?;
     write::<run_verb::RunAnswer>(&args.dir)?;
+    write::<dig::DigAnswer>(&args.dir)?;
     write::<monitor::MonitorAnswer>(&args.dir)?;
     write::<workbench::WorkbenchAnswer>(&args.dir)?;
     write::<view::ViewAnswer>(&args.dir)?;

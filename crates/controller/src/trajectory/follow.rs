@@ -244,9 +244,8 @@ impl HandRun {
     fn joints_after(&self, view: View<'_>, step: Step) -> Option<JointAngles> {
         let joints = view.params.arm().inverse(&self.pose_after(step)).ok()?;
         let most = &view.params.arm().config().joints.all();
-        let slow = (0..5).all(|i| {
-            (joints.0[i] - self.joints.0[i]).abs() <= most[i].max_speed_deg_s.to_radians() * TICK_S
-        });
+        let slow = (0..5)
+            .all(|i| (joints.0[i] - self.joints.0[i]).abs() <= most[i].max_speed_deg_s.to_radians() * TICK_S);
         slow.then_some(joints)
     }
 

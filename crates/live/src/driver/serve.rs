@@ -6,8 +6,8 @@ use soilctl_plant::{Drive, Hardware};
 use thiserror::Error;
 
 use super::frames::{DRIVE_BYTES, DriveFrame, ReadingsFrame};
-use crate::frame::FrameError;
 use crate::LiveError;
+use crate::frame::FrameError;
 use crate::local::{Listener, bind};
 
 /// The driver's side: puts any [`Hardware`] behind a socket.

@@ -151,7 +151,8 @@ mod tests {
         assert_eq!(&bytes[..16], b"SCHD\x01\0\0\0\x01\0\0\0\x09\0\0\0");
         assert_eq!(bytes[40..], 4.0_f64.to_le_bytes());
         let flags = HandFlags { leads: true, refused: true, ..HandFlags::default() };
-        let touch = TouchFrame { tick: 7, flags, number: 9, force_n: [0.0, 0.0, 5.0], ..TouchFrame::default() };
+        let touch =
+            TouchFrame { tick: 7, flags, number: 9, force_n: [0.0, 0.0, 5.0], ..TouchFrame::default() };
         let bytes = touch.encode();
         assert_eq!(&bytes[..24], b"SCTO\x01\0\0\0\x07\0\0\0\0\0\0\0\x22\0\0\0\x09\0\0\0");
         assert_eq!(bytes[72..], 5.0_f64.to_le_bytes());
@@ -160,7 +161,9 @@ mod tests {
 
     #[test]
     fn frames_come_back_and_others_are_refused() {
-        for target in [None, Some(HandTarget { x_m: -0.0, y_m: 1e300, z_m: f64::INFINITY, tool_angle_rad: 1.5 })] {
+        for target in
+            [None, Some(HandTarget { x_m: -0.0, y_m: 1e300, z_m: f64::INFINITY, tool_angle_rad: 1.5 })]
+        {
             let frame = HandFrame { number: 5, target };
             assert_eq!(HandFrame::decode(&frame.encode()), Ok(frame));
         }

@@ -1,6 +1,7 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use soilctl_campaign::SoilPreset;
 use soilctl_live::Commander;
 use soilctl_live::protocol::{Command, Event, Problem, ServerMessage, StateMessage};
 
@@ -21,6 +22,8 @@ const MOST_PENDING: usize = 64;
 pub(crate) struct Hub {
     inner: Mutex<Inner>,
     commander: Mutex<Option<Commander>>,
+    /// Name of the soil that a page has chosen to be dug next.
+    choice: Mutex<Option<String>>,
 }
 
 /// What is known of the session.
@@ -38,6 +41,9 @@ pub(crate) struct Inner {
     /// Whether the session is there, in words for the page, and how often that has changed.
     pub(crate) link: Option<Arc<str>>,
     pub(crate) links: u64,
+    /// What is dug, where soils can be chosen, and how often that has changed.
+    pub(crate) dig: Option<Arc<str>>,
+    pub(crate) digs: u64,
     recent: VecDeque<StateMessage>,
     events: VecDeque<Event>,
     queues: BTreeMap<u64, VecDeque<Arc<str>>>,
@@ -51,6 +57,26 @@ pub(crate) struct Inner {
 impl Hub {
     pub(crate) fn lock(&self) -> MutexGuard<'_, Inner> {
         self.inner.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A page chooses the soil that is dug next.
+    ///
+    /// # Errors
+    /// In words, if there is nothing to choose or no such soil.
+    pub(crate) fn choose(&self, soil: &str) -> Result<(), String> {
+        if self.lock().dig.is_none() {
+            return Err(
+                "the soil of this session is that of its plan; `soilctl dig` has soils to choose".to_owned()
+            );
+        }
+        let known = SoilPreset::named(soil).map_err(|error| error.to_string())?;
+        *self.choice.lock().unwrap_or_else(PoisonError::into_inner) = Some(known.name);
+        Ok(())
+    }
+
+    /// The soil that was chosen since somebody looked.
+    pub(crate) fn take_choice(&self) -> Option<String> {
+        self.choice.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
     /// The session is there; commands go to `commander`.
@@ -183,6 +209,10 @@ impl Inner {
         let event = |event: &Event| text(&ServerMessage::Event(event.clone()));
         messages.extend(self.events.iter().map(event));
         messages
+    }
+
+    pub(crate) fn set_dig(&mut self, message: String) {
+        (self.dig, self.digs) = (Some(message.into()), self.digs + 1);
     }
 
     pub(crate) fn set_link(&mut self, connected: bool, message: String) {

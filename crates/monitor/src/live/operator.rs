@@ -15,6 +15,7 @@ pub(crate) struct Operator {
     states: u64,
     soils: u64,
     links: u64,
+    digs: u64,
     known: Known,
 }
 
@@ -23,7 +24,7 @@ impl Operator {
         let mut inner = hub.lock();
         let (page, states) = (inner.join(), inner.states.saturating_sub(1));
         drop(inner);
-        Self { hub, page, greetings: 0, states, soils: 0, links: 0, known: Known::default() }
+        Self { hub, page, greetings: 0, states, soils: 0, links: 0, digs: 0, known: Known::default() }
     }
 
     pub(crate) fn poll(&mut self, tell: &mut dyn FnMut(String)) {
@@ -36,8 +37,9 @@ impl Operator {
         let skipped = inner.states.saturating_sub(self.states + 1);
         inner.skip(skipped);
         let link = (self.links != inner.links).then(|| inner.link.clone()).flatten();
-        (self.greetings, self.soils, self.states, self.links) =
-            (inner.greetings, inner.soils, inner.states, inner.links);
+        let dig = (self.digs != inner.digs).then(|| inner.dig.clone()).flatten();
+        (self.greetings, self.soils, self.states, self.links, self.digs) =
+            (inner.greetings, inner.soils, inner.states, inner.links, inner.digs);
         drop(inner);
         if let Some((greeting, past)) = greeting {
             self.known = Known::default();
@@ -56,8 +58,19 @@ impl Operator {
         {
             tell(text(&PageMessage::Soil(patch)));
         }
-        for message in [state, link].into_iter().flatten() {
+        for message in [state, link, dig].into_iter().flatten() {
             tell((*message).to_owned());
+        }
+    }
+
+    /// Which soil shall be dug next.
+    pub(crate) fn choose(&self, id: u64, soil: &str, rights: &Rights) -> (Option<String>, Option<String>) {
+        if !rights.authorized {
+            return refuse(Some(id), Problem::Forbidden, "commands need the token; open the address with it");
+        }
+        match self.hub.choose(soil) {
+            Ok(()) => (None, None),
+            Err(message) => refuse(Some(id), Problem::Value, &message),
         }
     }
 

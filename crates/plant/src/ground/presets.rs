@@ -41,7 +41,7 @@ struct SoilFile {
     soils: Vec<SoilPreset>,
 }
 
-/// The soils of `data/plant/soils.toml`: the thesis's four, and Martian ones from its section 2.1.
+/// The soils of `data/plant/soils.toml`: the thesis's four, Martian ones from its section 2.1, and a lunar one.
 ///
 /// # Panics
 /// Never: a test reads the same text.

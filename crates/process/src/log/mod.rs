@@ -1,7 +1,7 @@
 //! Strokes out of logs, in one pass and in bounded memory.
 //!
 //! A log of our own controller ([`soilctl_session`]) says itself where strokes are, what arm it was and how the
-//! stroke was meant. Of any other bag only joint states and wrenches are used; [`LogSettings`] tells the rest.
+//! stroke was meant; where a hand led the plate it only tells soil and plate. Of any other bag only joint states and wrenches are used; [`LogSettings`] tells the rest.
 //! Topics under `/truth` are never looked at.
 
 mod own;
@@ -136,7 +136,7 @@ pub enum Candidate {
 /// What is said of a log as a whole.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LogSummary {
-    /// Whether our own controller wrote it.
+    /// Whether our own controller wrote it, and made its strokes; those of a hand are looked for as in a log of another program.
     pub own: bool,
     /// Bytes of the file.
     pub bytes: u64,
@@ -235,6 +235,11 @@ pub fn read_log(
     match taken {
         Taken::Own(mut log) => {
             log.end();
+            if let Some(settings) = log.by_hand(settings) {
+                let damage = std::mem::take(&mut summary.damage);
+                let led = foreign_log(path, &settings, stop, found)?;
+                return Ok(LogSummary { damage, notes: summary.notes, ..led });
+            }
             let (strokes, refused) = log.take();
             hand_over(strokes, refused, found);
             if log.unreadable > 0 {

@@ -122,10 +122,9 @@ fn pushed(kind: &str, detail: Option<&str>, numbers: &[f64]) -> Option<Trajector
         ("joint_velocity", None, &[a, b, c, d, e, ticks]) => {
             Trajectory::JointVelocity { rates: JointVelocities([a, b, c, d, e]), ticks: Some(whole(ticks)?) }
         }
-        ("follow", None, &[hand, x_m, y_m, z_m, tool_angle_rad]) => Trajectory::Follow {
-            hand: whole(hand)?,
-            target: HandTarget { x_m, y_m, z_m, tool_angle_rad },
-        },
+        ("follow", None, &[hand, x_m, y_m, z_m, tool_angle_rad]) => {
+            Trajectory::Follow { hand: whole(hand)?, target: HandTarget { x_m, y_m, z_m, tool_angle_rad } }
+        }
         _ => return None,
     })
 }
@@ -186,9 +185,11 @@ mod tests {
                 rates: JointVelocities(rates),
                 ticks
             }),
-            (any::<u32>(), prop::array::uniform4(number())).prop_map(|(hand, [x_m, y_m, z_m, tool_angle_rad])| {
-                Trajectory::Follow { hand, target: HandTarget { x_m, y_m, z_m, tool_angle_rad } }
-            }),
+            (any::<u32>(), prop::array::uniform4(number())).prop_map(
+                |(hand, [x_m, y_m, z_m, tool_angle_rad])| {
+                    Trajectory::Follow { hand, target: HandTarget { x_m, y_m, z_m, tool_angle_rad } }
+                }
+            ),
         ]
     }
 

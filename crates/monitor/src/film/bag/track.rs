@@ -181,6 +181,7 @@ impl Track {
             ground_z_m: self.ground_z_m,
             tip_box_m: Some(tip_box_m),
             has_force: self.has_force,
+            hand: None,
         }
     }
 

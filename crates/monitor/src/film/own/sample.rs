@@ -128,6 +128,8 @@ impl Sample {
                 .cloned(),
             storing: self.storing,
             storage_segment: self.storage_segment,
+            led: None,
+            behind_s: 0.0,
             dropped: Dropped::default(),
         }
     }

@@ -18,7 +18,7 @@ use soilctl_session::{CONFIGURATION_RECORD, STROKE_RECORD, topics};
 use self::geometry::Edge;
 use self::sample::{Phase, Sample, tip_and_sensor};
 use self::stroke::{Logged, process};
-use super::{LogStroke, NoStroke};
+use super::{LogSettings, LogStroke, NoStroke};
 use crate::ProcessError;
 
 /// Kept of the way to a stroke, in s.
@@ -29,6 +29,8 @@ const IDLE_S: f64 = 3.0;
 const LONGEST_S: f64 = 600.0;
 /// Free air is looked for up to this time after a stroke, in s.
 const AFTER_S: f64 = 15.0;
+/// What the controller does while a hand leads the plate.
+const FOLLOW: &str = "follow";
 /// Steps in a second if the log does not say.
 const USUAL_RATE_HZ: f64 = 500.0;
 
@@ -50,6 +52,9 @@ pub(super) struct OwnLog {
     edges: Vec<[Edge; 2]>,
     found: Vec<LogStroke>,
     refused: Vec<NoStroke>,
+    /// Whether the plate was led by hand, and whether the controller made a stroke.
+    led: bool,
+    has_strokes: bool,
     /// Messages that could not be read.
     pub(super) unreadable: u64,
 }
@@ -84,6 +89,8 @@ impl OwnLog {
             edges: Vec::new(),
             found: Vec::new(),
             refused: Vec::new(),
+            led: false,
+            has_strokes: false,
             unreadable: 0,
         })
     }
@@ -123,7 +130,9 @@ impl OwnLog {
         for found in step.events.iter().filter(|event| event.kind == "wall_found") {
             self.wall(found.index, &sample)?;
         }
+        self.led |= step.trajectory == FOLLOW;
         if sample.phase == Phase::Stroke {
+            self.has_strokes = true;
             self.finish();
             let before = &mut self.before;
             let surface = self.surface_m;
@@ -160,6 +169,16 @@ impl OwnLog {
             }
         }
         Ok(())
+    }
+
+    /// How to look for strokes in a log in which a hand made them and not the controller: as in a recording of any arm, of which this one
+    /// tells its soil and its plate.
+    pub(super) fn by_hand(&self, settings: &LogSettings) -> Option<LogSettings> {
+        (self.led && !self.has_strokes).then(|| LogSettings {
+            surface_z_m: settings.surface_z_m.or(self.surface_m),
+            width_m: settings.width_m.or(Some(self.arm.config().plate.width_m)),
+            ..settings.clone()
+        })
     }
 
     /// Ends the log.

@@ -1,0 +1,122 @@
+//! A plate that is led by hand leaves a log like any other: it replays, the simulated arm makes it again from its commands, and its drags
+//! are measured.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
+
+use std::fs::File;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use soilctl_campaign::{Plan, logged_truth};
+use soilctl_controller::{Commands, HandTarget, Mode, Request, TICK_S, Trajectory};
+use soilctl_process::{Candidate, LogSettings, read_log};
+use soilctl_session::messages::{ControllerStep, decode};
+use soilctl_session::read::{Item, scan};
+use soilctl_session::{Logger, Pace, SessionError, replay, topics};
+
+const SEED: u64 = 5;
+/// Ticks between two words of the hand.
+const EVERY: u64 = 15;
+const SURFACE_M: f64 = -0.3302;
+
+/// Where the hand is at a time in s: radius in m and height above the soil in m.
+fn hand(time_s: f64) -> [f64; 2] {
+    let path = [
+        (0.5, 0.43, 0.03),
+        (4.0, 0.43, 0.03),
+        (9.0, 0.43, -0.025),
+        (10.0, 0.43, -0.025),
+        (20.0, 0.38, -0.025),
+        (21.0, 0.38, -0.025),
+        (24.0, 0.38, 0.03),
+        (27.0, 0.38, 0.03),
+    ];
+    let after = path.iter().position(|(time, ..)| *time > time_s).unwrap_or(path.len());
+    let (from, to) = (path[after.max(1) - 1], path[after.min(path.len() - 1)]);
+    let share = if to.0 > from.0 { ((time_s - from.0) / (to.0 - from.0)).clamp(0.0, 1.0) } else { 0.0 };
+    [from.1 + share * (to.1 - from.1), from.2 + share * (to.2 - from.2)]
+}
+
+/// Digs into a log; returns the largest limit force in N that the soil had while it failed ahead of the plate, and the largest force.
+fn dig(soil: &str, path: &Path) -> f64 {
+    let plan = Plan::by_hand(soil, SEED).unwrap();
+    let setup = plan.setup(SEED).unwrap();
+    let mut simulation = plan.simulation(&setup, SEED, 0).unwrap();
+    let (logger, mut recorder) = Logger::start(File::create(path).unwrap(), &setup, Pace::Simulated).unwrap();
+    let mut limit_n = 0.0_f64;
+    for tick in 0..14_000_u64 {
+        let time_s = tick as f64 * TICK_S;
+        let [radius_m, up_m] = hand(time_s);
+        let target = HandTarget {
+            x_m: radius_m,
+            y_m: 0.0,
+            z_m: SURFACE_M + up_m,
+            tool_angle_rad: 90_f64.to_radians(),
+        };
+        let request = match tick {
+            0 => Some(Request::Enable),
+            50 => Some(Request::BiasForce),
+            250.. if tick % EVERY == 0 => Some(Request::Push(Trajectory::Follow { hand: 7, target })),
+            _ => None,
+        };
+        assert!(recorder.before(simulation.state()));
+        let outputs = simulation
+            .tick(request, &mut |tick| {
+                let truth = Some(logged_truth(tick.truth));
+                assert!(recorder.after(tick.sensed, tick.commands, tick.outputs, tick.state, truth));
+                let soil = tick.truth.soil;
+                if soil.failing && soil.normal_n > 0.0 {
+                    limit_n = limit_n.max(soil.limit_force_now_n);
+                }
+            })
+            .unwrap();
+        assert!(tick == 0 || outputs.mode == Mode::Ready, "{:?}", simulation.state().fault);
+    }
+    drop(recorder);
+    logger.finish().unwrap();
+    limit_n
+}
+
+fn steps(path: &Path) -> Vec<ControllerStep> {
+    let mut steps = Vec::new();
+    scan::<SessionError>(path, &mut |item| {
+        if let Item::Message(message) = item
+            && message.channel.topic == topics::STEP
+        {
+            steps.push(decode(message.data).unwrap());
+        }
+        Ok(())
+    })
+    .unwrap();
+    steps
+}
+
+#[test]
+fn a_drag_is_replayed_simulated_again_and_measured() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("dig.mcap");
+    let limit_n = dig("ticino_rained", &path);
+    let again = replay(&path, 0).unwrap();
+    assert!(again.is_identical() && again.steps == 14_000, "{again:?}");
+
+    // The commands in the log are all that the hand did: a new arm in new soil makes the same of them, bit for bit.
+    let plan = Plan::by_hand("ticino_rained", SEED).unwrap();
+    let mut simulation = plan.simulation(&plan.setup(SEED).unwrap(), SEED, 0).unwrap();
+    for step in steps(&path) {
+        let commands: Commands = step.commands().unwrap();
+        let mut same = false;
+        simulation.tick_with(&commands, |_| {}, &mut |tick| same = *tick.sensed == step.sensed()).unwrap();
+        assert!(same, "step {} of the simulated arm is another one", step.step);
+    }
+
+    let mut strokes = Vec::new();
+    let summary =
+        read_log(&path, &LogSettings::default(), &AtomicBool::new(false), &mut |candidate| match candidate {
+            Candidate::Stroke(stroke) => strokes.push(stroke),
+            Candidate::Rejected(no_stroke) => println!("{no_stroke:?}"),
+        })
+        .unwrap();
+    println!("{:?}", summary.unusable);
+    assert_eq!(strokes.len(), 1);
+    let row = &strokes[0].evaluated.row;
+    println!("{row:?}, limit {limit_n}");
+}
