@@ -38,6 +38,9 @@ class Dig:
 def take(page):
     page.locator("#take").click()
     until(page, "dig.state.mode === 'ready' && document.getElementById('told').textContent.includes('yours')")
+    # It is brought from where it is parked.
+    until(page, "!dig.hand.grips() && dig.state.plate.z_m < dig.scene.sandbox.surface_z_m + .1")
+    page.wait_for_timeout(100)
 
 
 def spot(page, radius, z):

@@ -91,6 +91,9 @@ fn end(state: &mut State, active: &Active, view: View<'_>, finish: Finish, event
         state.ring.clear();
     }
     begin_next(state, view, events);
+    if let Some(next) = state.active.as_mut().filter(|_| state.idle && finish == Finish::LetGo) {
+        next.hand.holds = true;
+    }
 }
 
 fn begin_next(state: &mut State, view: View<'_>, events: &mut Events) {

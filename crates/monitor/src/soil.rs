@@ -55,8 +55,14 @@ impl Surface {
         })
     }
 
-    /// Takes in where the joints are. `waiting`: the sequence waits for the soil to be prepared.
-    pub(crate) fn follow(&mut self, joints_deg: [f64; 5], homed: bool, waiting: bool) {
+    /// Takes in where the joints are, and the plate's edge, where somebody knows it better than they do. `waiting`: the sequence waits for the soil to be prepared.
+    pub(crate) fn follow(
+        &mut self,
+        joints_deg: [f64; 5],
+        tip_m: Option<[f64; 3]>,
+        homed: bool,
+        waiting: bool,
+    ) {
         if std::mem::replace(&mut self.waiting, waiting) && !waiting {
             self.rake();
         }
@@ -64,7 +70,7 @@ impl Surface {
             // An arm that is lost moves no soil.
             if let Ok(frames) = self.arm.frames(&JointAngles::from_degrees(joints_deg)) {
                 let rotation = frames.plate_tip.rotation;
-                self.plate(frames.plate_tip.origin_m, [rotation[0][0], rotation[1][0]]);
+                self.plate(tip_m.unwrap_or(frames.plate_tip.origin_m), [rotation[0][0], rotation[1][0]]);
             }
         }
         if self.last_m.is_none() && self.restless > 0 {

@@ -2,10 +2,13 @@ use crate::estimate::Estimate;
 use crate::trajectory::Setpoint;
 use crate::{Params, TICK_S};
 
+/// Time in s in which an integral that rests fades to 1/e.
+const FADE_S: f64 = 0.5;
+
 /// Eq. 3.1 in joint space: proportional and damping on the motor encoders, which see no backlash and so allow a stiff loop;
 /// proportional and integral on the external ones, which tell where the arm is.
 ///
-/// `integral` holds torques in N m. It waits while the joint's torque is at its limit in the same direction.
+/// `integral` holds torques in N m. It fades where it shall rest, and waits while the joint's torque is at its limit in the same direction.
 pub(crate) fn joint_pid(
     params: &Params,
     wanted: &Setpoint,
@@ -18,12 +21,12 @@ pub(crate) fn joint_pid(
         let motor_error = wanted.joints.0[i] - est.motor.0[i];
         let external_error = wanted.joints.0[i] - est.joints.0[i];
         let rate_error = wanted.rates.0[i] - est.rates.0[i];
-        integrate(
-            &mut integral[i],
-            gains.external_i_nm_per_rad_s[i] * external_error,
-            saturated[i],
-            gains.integral_limit_nm[i],
-        );
+        if wanted.rests {
+            integral[i] -= integral[i] * TICK_S / FADE_S;
+        } else {
+            let rate = gains.external_i_nm_per_rad_s[i] * external_error;
+            integrate(&mut integral[i], rate, saturated[i], gains.integral_limit_nm[i]);
+        }
         gains.motor_p_nm_per_rad[i] * motor_error
             + gains.motor_d_nms_per_rad[i] * rate_error
             + gains.external_p_nm_per_rad[i] * external_error

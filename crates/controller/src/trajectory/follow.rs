@@ -12,8 +12,9 @@ const PITCH_RAD: [f64; 2] = [0.75 * std::f64::consts::PI, 1.25 * std::f64::const
 const BASE_MARGIN_RAD: f64 = 0.05;
 /// A limit is shown for so many ticks after it was reached last, so that one at which the arm works is one event and not many.
 const SHOWN_TICKS: u32 = 100;
-/// Share of the force that is allowed from which on its direction is the one to give way in.
+/// Share of the force that is allowed from which on the plate counts as pressed, and below which no longer.
 const PRESSED_SHARE: f64 = 0.1;
+const FREE_SHARE: f64 = 0.06;
 /// Lead in m below which it has no direction.
 const LEAST_LEAD_M: f64 = 1e-4;
 /// Below this speed in m/s an edge whose hand is gone is at rest.
@@ -77,6 +78,10 @@ pub struct HandRun {
     pub free_ticks: u32,
     /// The load as a share of what is allowed.
     pub load: f64,
+    /// Whether the soil presses on the plate.
+    pub pressed: bool,
+    /// Whether this is the hold after a hand has let go.
+    pub holds: bool,
 }
 
 /// A step of one tick: of the place along r, t, z in m, and of the pitch in rad.
@@ -130,7 +135,7 @@ impl Active {
         let still = length(run.velocity_m_s) < REST_M_S && run.pitch_rate_rad_s.abs() < REST_M_S;
         let at_rest = still || run.silent_ticks > settings.lease_ticks.saturating_add(REST_TICKS);
         let finish = (silent && at_rest).then_some(Finish::LetGo);
-        (Setpoint { joints, rates, ..Setpoint::default() }, finish)
+        (Setpoint { joints, rates, rests: !run.pressed, ..Setpoint::default() }, finish)
     }
 }
 
@@ -170,8 +175,7 @@ impl HandRun {
         let force_n = length(force);
         let [by_force, by_torque] = [force_n / settings.force_n, view.strain / settings.torque_share];
         self.load = by_force.max(by_torque);
-        let pressed = by_force >= PRESSED_SHARE;
-        let back = if pressed { force } else { self.lead_m(view).map(|part| -part) };
+        let back = if self.is_pressed(view) { force } else { self.lead_m(view).map(|part| -part) };
         let size = length(back);
         if size <= LEAST_LEAD_M {
             return towards;
@@ -181,6 +185,13 @@ impl HandRun {
             *limit = if by_force >= by_torque { HandLimit::Force } else { HandLimit::Torque };
         }
         left
+    }
+
+    /// Whether the soil presses on the plate. Less than it takes to begin does not end it.
+    pub(crate) fn is_pressed(&mut self, view: View<'_>) -> bool {
+        let share = length(view.est.force_rtz_n) / view.params.config().hand.force_n;
+        self.pressed = share >= if self.pressed { FREE_SHARE } else { PRESSED_SHARE };
+        self.pressed
     }
 
     /// How far the wanted edge is ahead of the one by the motors, along r, t, z in m; none where that has no answer.

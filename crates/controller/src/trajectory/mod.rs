@@ -101,6 +101,8 @@ pub struct Setpoint {
     pub rates: JointVelocities,
     /// Wanted position of the tip in m, for [`Law::Stiffness`].
     pub position_m: [f64; 3],
+    /// Whether the integral of [`Law::Joint`] rests and fades. Where nothing presses on the plate it would act on free play, and hunt through it.
+    pub rests: bool,
 }
 
 impl Setpoint {
@@ -201,7 +203,10 @@ impl Active {
     pub(crate) fn update(&mut self, view: View<'_>) -> (Setpoint, Option<Finish>) {
         self.ticks = self.ticks.saturating_add(1);
         match self.trajectory {
-            Trajectory::Hold { ticks } => (Setpoint::still(self.from_joints), self.finite(ticks)),
+            Trajectory::Hold { ticks } => {
+                let rests = self.hand.holds && !self.hand.is_pressed(view);
+                (Setpoint { rests, ..Setpoint::still(self.from_joints) }, self.finite(ticks))
+            }
             Trajectory::JointVelocity { rates, ticks } => {
                 let joints = view.est.motor;
                 (Setpoint { law: Law::Velocity, joints, rates, ..Setpoint::default() }, self.finite(ticks))

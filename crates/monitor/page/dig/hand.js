@@ -2,6 +2,7 @@
 // Cylindrical coordinates of the base joint: radius and z in m, base in rad; tool in degrees.
 const SEND_MS = 33, MOST_ASKED = 3, BLOCKED_MS = 700;
 // How far the hand goes ahead of the plate, in m and degrees, so that it never runs away from a plate that is held back.
+const NEAR_M = .004, BRING_MS = 12000;
 const LEASH_M = .15, KEY_LEASH_M = .05, LEASH_DEG = 12;
 // Speeds of a hand that is moved by keys or sticks.
 const SPEED_M_S = .06, TILT_DEG_S = 25, SLOW = .25;
@@ -9,7 +10,7 @@ const SPEED_M_S = .06, TILT_DEG_S = 25, SLOW = .25;
 export class Hand {
   // `ready` says whether the plate can be led; `take` makes it so; `refused` hears why it was not.
   constructor(link, ready, take, refused) {
-    Object.assign(this, {link, ready, take, refused, target: null, dragged: false, held: false, until: 0, moves: {}, slow: false, blocked: 0, number: crypto.getRandomValues(new Uint32Array(1))[0] >>> 1});
+    Object.assign(this, {link, ready, take, refused, target: null, dragged: false, held: false, brought: false, until: 0, moves: {}, slow: false, blocked: 0, number: crypto.getRandomValues(new Uint32Array(1))[0] >>> 1});
     this.last = performance.now();
     setInterval(() => this.tick(), SEND_MS);
   }
@@ -18,6 +19,7 @@ export class Hand {
   // Where the plate is, from a state.
   seen(state) {
     this.plate = state.plate && {radius: Math.hypot(state.plate.x_m, state.plate.y_m), base: Math.atan2(state.plate.y_m, state.plate.x_m), z: state.plate.z_m, tool: state.plate.tool_angle_deg};
+    if (this.brought && this.plate && this.far() < NEAR_M) this.until = this.brought = 0;
     if (!this.grips()) this.target = null;
   }
   grips() { return this.dragged || this.held || this.moving() || performance.now() < this.until; }
@@ -26,6 +28,7 @@ export class Hand {
   begin() {
     if (!this.plate) return;
     if (!this.ready()) this.take();
+    if (this.brought) Object.assign(this, {brought: false, until: 0, target: null});
     this.target ??= {...this.plate, tool: this.wantedTool ?? this.plate.tool};
   }
   drag(place) {
@@ -34,8 +37,17 @@ export class Hand {
     if (this.target) { Object.assign(this.target, place); this.bound(LEASH_M); }
   }
   drop() { this.dragged = false; }
+  // Leads the plate to a place, unless somebody takes it on the way.
+  bring(place) {
+    if (!this.plate || this.grips()) return;
+    this.target = {...place};
+    this.until = performance.now() + BRING_MS;
+    this.brought = true;
+  }
+  // How far the hand is from the plate, in m.
+  far() { return Math.hypot(this.target.radius - this.plate.radius, (this.target.base - this.plate.base) * this.plate.radius, this.target.z - this.plate.z); }
   hold(on) { this.held = on; if (on) this.begin(); }
-  letGo() { Object.assign(this, {dragged: false, held: false, until: 0, moves: {}}); }
+  letGo() { Object.assign(this, {dragged: false, held: false, brought: false, until: 0, moves: {}}); }
   // A direction of motion by keys or sticks, -1 to 1; 0 ends it, a little later so that a tap is felt.
   move(axis, amount, who = axis) {
     this.moves[who] = amount ? {axis, amount} : null;

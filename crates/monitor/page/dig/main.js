@@ -12,6 +12,8 @@ import {Soil} from './soil.js';
 import {Speaker, faultWords, forceWords, heldWords, number} from './words.js';
 
 const SLOW_PACE = .9, PACE_MS = 3000, STALE_MS = 1500, AIR_M = .02;
+// Where the plate is brought from high up, and how long it takes to tare the force.
+const HIGH_M = .2, START = {radius: .43, base: 0, z: .05, tool: 90}, BIAS_MS = 400;
 const BODIES = [[9.80665, 'Earth'], [3.71, 'Mars'], [1.62, 'Moon']];
 const get = id => document.getElementById(id);
 const page = {state: null, scene: null, soil: null, hello: null, authorized: false, paces: []};
@@ -46,7 +48,13 @@ function take() {
   if (page.state.plate?.z_m > page.scene.sandbox.surface_z_m + AIR_M) steps.push({name: 'bias'});
   const next = () => {
     const step = steps.shift();
-    if (!step) { page.taking = false; tell('The plate is yours: drag it.'); return; }
+    if (!step) {
+      page.taking = false;
+      tell('The plate is yours: drag it.');
+      // From where it is parked, to above the soil.
+      if (page.state.plate?.z_m > page.scene.sandbox.surface_z_m + HIGH_M) setTimeout(() => hand.bring({...START, z: page.scene.sandbox.surface_z_m + START.z}), BIAS_MS);
+      return;
+    }
     link.command(step, answer => {
       if (answer.type === 'ack') return next();
       page.taking = false;
@@ -185,7 +193,7 @@ function redraw() {
     page.waiting = false;
     const {scene, state, soil} = page, led = state?.led;
     const others = led && led.hand !== hand.number ? {radius: Math.hypot(led.x_m, led.y_m), base: Math.atan2(led.y_m, led.x_m), z: led.z_m} : null;
-    const shown = {scene, state, soil, target: hand.target ?? others, grips: hand.grips(), skeleton: scene && state?.plate ? skeleton(scene.arm, state.joints_deg, scene.tip_link) : null};
+    const shown = {scene, state, soil, target: hand.target ?? others, grips: hand.grips(), dragged: hand.dragged, skeleton: scene && state?.plate ? skeleton(scene.arm, state.joints_deg, scene.tip_link, state.plate) : null};
     section.draw(shown);
     above.draw(shown);
     curve.draw(scene?.hand.force_n ?? 20);

@@ -7,19 +7,21 @@ const STEP_M = .004;
 export class Section {
   constructor(canvas) { this.canvas = canvas; }
   // What is seen, in m: the box along the arm, and some air.
-  fit(pen, {box}) {
-    const left = Math.max(.05, box.x_m[0] - .05), right = box.x_m[1] + .03, low = box.surface_z_m - .16, high = box.surface_z_m + .26;
+  // It does not move below a pointer that drags.
+  fit(pen, box, plate, dragged) {
+    if (!dragged || !this.high) this.high = Math.max(box.surface_z_m + .22, plate ? plate.z_m + .14 : 0);
+    const left = Math.max(.05, box.x_m[0] - .05), right = box.x_m[1] + .03, low = box.surface_z_m - .16, high = this.high;
     const scale = Math.min(pen.width / (right - left), pen.height / (high - low));
     const [u, v] = [(pen.width - scale * (left + right)) / 2, (pen.height + scale * (low + high)) / 2];
     this.to = (r, z) => [u + scale * r, v - scale * z];
     this.from = (x, y) => [(x - u) / scale, (v - y) / scale];
     this.scale = scale;
   }
-  draw({scene, soil, state, target, grips, skeleton}) {
+  draw({scene, soil, state, target, grips, dragged, skeleton}) {
     const pen = penOf(this.canvas);
     if (!pen || !scene) return;
     const colour = colours(), box = scene.sandbox, plate = state?.plate;
-    this.fit(pen, {box});
+    this.fit(pen, box, plate, dragged);
     const base = plate ? Math.atan2(plate.y_m, plate.x_m) : 0;
     this.ground(pen, colour, box, soil, base);
     this.scaleBar(pen, colour);

@@ -2,7 +2,7 @@
 const HELD = {none: '', reach: 'At the end of the arm’s reach', force: 'The soil pushes back as hard as the arm may push', torque: 'The arm pushes as hard as it can'};
 const SAY_MS = 2500;
 
-export const number = (value, digits, unit) => value === null || value === undefined || !Number.isFinite(value) ? '–' : `${value.toFixed(digits).replace('-', '−')} ${unit}`;
+export const number = (value, digits, unit) => value === null || value === undefined || !Number.isFinite(value) ? '–' : `${value.toFixed(digits).replace(/^-(0(\.0*)?)$/, '$1').replace('-', '−')} ${unit}`;
 export const heldWords = limit => HELD[limit] ?? '';
 
 export function faultWords(fault) {

@@ -121,7 +121,8 @@ impl Upstream {
         match message {
             ServerMessage::State(state) => {
                 let surface = &mut connection.surface;
-                surface.follow(state.joints_deg, state.homed, state.waiting);
+                let tip_m = state.plate.map(|plate| [plate.x_m, plate.y_m, plate.z_m]);
+                surface.follow(state.joints_deg, tip_m, state.homed, state.waiting);
                 let words = text(&ServerMessage::State(state.clone()));
                 let mut inner = self.hub.lock();
                 inner.set_soil(surface);

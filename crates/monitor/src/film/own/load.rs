@@ -137,7 +137,7 @@ impl Loader {
         }
         let true_deg = true_joints_deg(&self.truth).unwrap_or(state.joints_deg);
         if track.push(number, &state, true_deg) {
-            surface.follow(true_deg, state.homed, state.waiting);
+            surface.follow(true_deg, None, state.homed, state.waiting);
         }
         Ok(())
     }

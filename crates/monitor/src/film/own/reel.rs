@@ -34,7 +34,7 @@ impl OwnReel {
             self.followed = *number;
         }
         for sample in self.track.samples.get(self.followed..wanted).unwrap_or_default() {
-            self.surface.follow(sample.true_deg(), sample.homed(), sample.waiting());
+            self.surface.follow(sample.true_deg(), None, sample.homed(), sample.waiting());
         }
         self.followed = wanted;
     }
