@@ -107,11 +107,11 @@ def main():
     if len(sys.argv) != 3:
         sys.exit("usage: hand.py OPERATORS_SOCKET DEVICE_SOCKET")
     command(sys.argv[1], "enable", "bias")
-    # Down to the soil and 25 mm into it, 60 mm towards the base, and out again.
+    # Down to the soil and 25 mm into it, 60 mm towards the base, and out again; slower than the arm may (80 mm/s).
     with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as connection:
         connection.connect(sys.argv[2])
         down = -0.3302 - 0.025 - touch(connection)[3][2]
-        way = [(1.0, 0.0, 0.0), (5.0, 0.0, down), (5.5, 0.0, down), (9.0, -0.06, down), (11.0, -0.06, 0.0)]
+        way = [(10.0, 0.0, down), (10.5, 0.0, down), (15.0, -0.06, down), (17.0, -0.06, down + 0.06)]
         greatest, led = lead(connection, way, show)
     print(f"led for {led * TICK_S:.1f} s, greatest force {greatest:.1f} N")
 

@@ -81,7 +81,9 @@ fn end(state: &mut State, active: &Active, view: View<'_>, finish: Finish, event
         _ => {}
     }
     // What did not reach its wanted joints goes on from where the arm is, with the torques that it has there.
-    if finish != Finish::Completed || state.setpoint.law != Law::Joint {
+    // A hand that lets go in free air leaves the motors where they are: the links hang in their free play.
+    let stays = finish == Finish::Completed || (finish == Finish::LetGo && state.setpoint.rests);
+    if !stays || state.setpoint.law != Law::Joint {
         state.setpoint.joints = view.est.joints;
         // A joint need not stay pressed against its stop as hard as it was to find it.
         let touched = matches!(active.trajectory, Trajectory::JointTouch { .. });

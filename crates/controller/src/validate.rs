@@ -276,6 +276,6 @@ pub(crate) fn validate(config: &ControllerConfig, arm: &Arm, file: &str) -> Chec
     rules.stroke(&config.stroke)?;
     rules.site(&config.site, arm)?;
     rules.sweep(&config.sweep)?;
-    rules.hand(&config.hand, &config.safety)?;
-    rules.safety(&config.safety, config.stroke.max_lead_m)
+    rules.safety(&config.safety, config.stroke.max_lead_m)?;
+    rules.hand(&config.hand, &config.safety)
 }

@@ -43,6 +43,10 @@ fn wrong_numbers_are_named() {
     assert_eq!(key(|c| c.safety.stiffness_error_m = 0.001), "safety.stiffness_error_m");
     assert_eq!(key(|c| c.safety.max_current_a[0] = 1.0), "safety.max_current_a[0]");
     assert_eq!(key(|c| c.safety.height_m = [1.0, 0.5]), "safety.height_m[1]");
+    assert_eq!(key(|c| c.hand.force_n = 40.0), "hand.force_n");
+    assert_eq!(key(|c| c.hand.torque_share = 1.0), "hand.torque_share");
+    assert_eq!(key(|c| c.hand.lease_ticks = 0), "hand.lease_ticks");
+    assert_eq!(key(|c| c.safety.radius_m = [0.12, 0.13]), "hand.margin_m with safety.radius_m");
     assert_eq!(key(|c| c.site.park_deg[2] = 1.0), "site.park_deg[2]");
     assert_eq!(key(|c| c.sweep.tool_angle_deg = 70.0), "sweep.tool_angle_deg");
     assert_eq!(key(|c| c.stroke.safe_force.angle_deg = vec![1.0, 2.0]), "stroke.safe_force.angle_deg");

@@ -56,11 +56,19 @@ fn soils_follow_one_another_and_each_has_a_log() {
     assert!(matches!(Dig::start(nowhere, settings()).err(), Some(MonitorError::File { .. })));
 
     let dig = Dig::start(wanted.clone(), settings()).unwrap();
-    let (url, token) = { let url = dig.url(); let token = url.split("#token=").nth(1).unwrap().to_owned(); (url, token) };
+    let (url, token) = {
+        let url = dig.url();
+        let token = url.split("#token=").nth(1).unwrap().to_owned();
+        (url, token)
+    };
     assert!(url.contains("/dig#token=") && token.len() == 32, "{url}");
     let mut page = Page::open(dig.address());
     let scene = page.wait("scene", |_| true);
-    assert!(scene["hand"]["force_n"].as_f64().unwrap() > 1.0 && scene["hand"]["lease_s"] == 0.2, "{}", scene["hand"]);
+    assert!(
+        scene["hand"]["force_n"].as_f64().unwrap() > 1.0 && scene["hand"]["lease_s"] == 0.2,
+        "{}",
+        scene["hand"]
+    );
     let told = page.wait("dig", |_| true);
     assert!(told["soil"] == "nevada_fine" && told["log"].as_str().unwrap().ends_with("dig.mcap"), "{told}");
     assert!(told["soils"].as_array().unwrap().iter().any(|soil| soil["gravity_m_s2"] == 1.62));
@@ -71,7 +79,10 @@ fn soils_follow_one_another_and_each_has_a_log() {
     page.say(&json!({"type": "authorize", "token": token}));
     page.wait("authorized", |_| true);
     let answer = ask(&mut page, &choose(2, "cheese"));
-    assert!(answer["problem"] == "value" && answer["message"].as_str().unwrap().contains("moon_0_15cm"), "{answer}");
+    assert!(
+        answer["problem"] == "value" && answer["message"].as_str().unwrap().contains("moon_0_15cm"),
+        "{answer}"
+    );
 
     assert_eq!(page.line(3, "enable")["type"], "ack");
     let plate = page.wait("state", |state| state["mode"] == "ready")["plate"].clone();
@@ -91,7 +102,10 @@ fn soils_follow_one_another_and_each_has_a_log() {
     page.wait("scene", |scene| scene["soil"].as_str().unwrap().contains("Lunar"));
     page.wait("state", |state| state["mode"] == "off");
     let (dug, _) = dig.stop();
-    assert_eq!(dug.iter().map(|session| session.soil.as_str()).collect::<Vec<_>>(), ["nevada_fine", "moon_0_15cm"]);
+    assert_eq!(
+        dug.iter().map(|session| session.soil.as_str()).collect::<Vec<_>>(),
+        ["nevada_fine", "moon_0_15cm"]
+    );
     for session in &dug {
         assert!(session.problems.is_empty() && session.steps > 0, "{session:?}");
         assert_eq!(info(&session.log).unwrap().problems, Vec::<String>::new());
@@ -116,7 +130,10 @@ fn a_session_has_the_page_and_a_log_has_none() {
     let host = session(&socket, None);
     let (shown, _) = monitor(Source::Session(socket), true);
     let get = |address: std::net::SocketAddr, path: &str| {
-        raw(address, format!("GET {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n").as_bytes())
+        raw(
+            address,
+            format!("GET {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n").as_bytes(),
+        )
     };
     let page = get(shown.address(), "/dig");
     assert!(status(&page) == "200" && page.contains("script-src 'self'") && page.contains("/dig/main.js"));
@@ -128,7 +145,10 @@ fn a_session_has_the_page_and_a_log_has_none() {
     let mut page = Page::open(shown.address());
     page.say(&json!({"type": "authorize", "token": shown.token().unwrap()}));
     page.wait("authorized", |_| true);
-    assert_eq!(ask(&mut page, &json!({"type": "choose_soil", "id": 1, "soil": "mars_drift"}))["problem"], "value");
+    assert_eq!(
+        ask(&mut page, &json!({"type": "choose_soil", "id": 1, "soil": "mars_drift"}))["problem"],
+        "value"
+    );
     host.stopper().stop();
     host.wait().unwrap();
     let (played, _) = monitor(play(&common::log(dir.path())), false);

@@ -18,7 +18,10 @@ use soilctl_session::{CONFIGURATION_RECORD, SESSION_RECORD, SessionError};
 use self::own::OwnLog;
 pub use self::rub::{RubSample, read_wrenches};
 use crate::foreign::{self, ForeignLog};
-use crate::{Evaluated, ProcessError};
+use crate::{Evaluated, Outcome, ProcessError};
+
+/// How far a plate that is led by hand may go until its soil fails, in depths: loose soil takes a quarter of one.
+const MOST_WAY_IN_DEPTHS: f64 = 1.0;
 
 /// What a log of another program does not tell, or what shall be taken in place of what a log tells.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -237,7 +240,7 @@ pub fn read_log(
             log.end();
             if let Some(settings) = log.by_hand(settings) {
                 let damage = std::mem::take(&mut summary.damage);
-                let led = foreign_log(path, &settings, stop, found)?;
+                let led = foreign_log(path, &settings, stop, &mut |candidate| found(by_hand(candidate)))?;
                 return Ok(LogSummary { damage, notes: summary.notes, ..led });
             }
             let (strokes, refused) = log.take();
@@ -265,6 +268,24 @@ fn foreign_log(
         foreign: Some(log),
         ..LogSummary::default()
     })
+}
+
+/// A drag by hand as it is taken: not where the soil seems to have failed only after a long way. A stroke of the controller ends before it has
+/// heaped up much; a hand goes on, and the force that is greatest at the end is that of the heap.
+fn by_hand(candidate: Candidate) -> Candidate {
+    let Candidate::Stroke(stroke) = candidate else { return candidate };
+    let Evaluated { row, analysis, .. } = &stroke.evaluated;
+    let Outcome::Found(point) = &analysis.outcome else { return Candidate::Stroke(stroke) };
+    if point.displacement_m <= MOST_WAY_IN_DEPTHS * row.depth_m {
+        return Candidate::Stroke(stroke);
+    }
+    let reason = format!(
+        "the force was greatest when the plate had gone {:.0} mm, at a depth of {:.0} mm: what it had heaped up lay ahead of it, and its \
+         failure was missed; go on from a rest, by at most {MOST_WAY_IN_DEPTHS} times the depth, at 5 to 10 mm/s",
+        1e3 * point.displacement_m,
+        1e3 * row.depth_m
+    );
+    Candidate::Rejected(NoStroke { from_s: stroke.start_s, to_s: stroke.end_s, reason, refused: true })
 }
 
 fn hand_over(strokes: Vec<LogStroke>, refused: Vec<NoStroke>, found: &mut dyn FnMut(Candidate)) {
