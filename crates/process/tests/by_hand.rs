@@ -145,10 +145,10 @@ fn the_force_of_a_heap_is_none_of_the_soil() {
     assert!(rejected[0].refused && rejected[0].reason.contains("heaped up"), "{rejected:?}");
 }
 
-fn measured(path: &Path) -> (Vec<Box<LogStroke>>, Vec<NoStroke>) {
+fn measured(path: &Path) -> (Vec<LogStroke>, Vec<NoStroke>) {
     let (mut strokes, mut rejected) = (Vec::new(), Vec::new());
     read_log(path, &LogSettings::default(), &AtomicBool::new(false), &mut |candidate| match candidate {
-        Candidate::Stroke(stroke) => strokes.push(stroke),
+        Candidate::Stroke(stroke) => strokes.push(*stroke),
         Candidate::Rejected(no_stroke) => rejected.push(no_stroke),
     })
     .unwrap();

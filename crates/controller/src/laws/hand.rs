@@ -28,7 +28,7 @@ pub(crate) fn approach(way_m: [f64; 3], most_m_s: f64, most_m_s2: f64) -> [f64; 
 /// vector; `share` the load over what is allowed. Up to half of that nothing changes; then pushing gets slower, at the whole
 /// it ends, and above it the edge gives way. Says whether pushing was held back for good.
 pub(crate) fn give_way(velocity: [f64; 3], away: [f64; 3], share: f64, most_m_s: f64) -> ([f64; 3], bool) {
-    if !(share > KNEE) {
+    if share.is_nan() || share <= KNEE {
         return (velocity, false);
     }
     let push = -(0..3).map(|i| velocity[i] * away[i]).sum::<f64>();

@@ -208,7 +208,7 @@ impl HandRun {
         let way = pitch_rad - self.pitch_rad[0];
         let most = settings.pitch_speed_deg_s.to_radians() * scale;
         let change = settings.pitch_acceleration_deg_s2.to_radians();
-        let free = (2.0 * (1.0 - self.load)).max(0.0).min(1.0);
+        let free = (2.0 * (1.0 - self.load)).clamp(0.0, 1.0);
         let wanted = approach_speed(way.abs(), most, change).copysign(way) * free;
         let step = (wanted - self.pitch_rate_rad_s).max(-change * TICK_S).min(change * TICK_S);
         self.pitch_rate_rad_s += step;
