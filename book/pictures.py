@@ -111,6 +111,7 @@ def dig(binary, browser, folder, path):
     for place, speed in [((0.47, surface + 0.03), 0.07), ((0.47, surface - 0.035), 0.03), ((0.36, surface - 0.035), 0.03)]:
         drag(shown, place, speed)
     rest(shown, 0.3)
+    shown.evaluate("document.getElementById('log').textContent = 'being written: dig.mcap'")
     shown.screenshot(path=path)
     shown.mouse.up()
     shown.context.close()
