@@ -126,6 +126,15 @@ __all__ = [
     "ProcessRubbing",
     "ProcessSkipped",
     "ProcessStrokeRecord",
+    "ProfileAlias",
+    "ProfileAnswer",
+    "ProfileHypothesis",
+    "ProfileLevel",
+    "ProfileNextDepth",
+    "ProfilePredicted",
+    "ProfileRanges",
+    "ProfileStepSlice",
+    "ProfileStroke",
     "ReplayAnswer",
     "ReplayFirstDifference",
     "ShearAngleAt",
@@ -213,6 +222,7 @@ __all__ = [
     "places",
     "predict",
     "process",
+    "profile",
     "replay",
     "shear",
     "simulate",
@@ -3645,6 +3655,287 @@ class PlacesAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ProfileAlias(Record):
+    """One soil of another kind, which looks like ground that changes.
+
+    Attributes:
+        allowed: What was allowed, in the unit of the alias: degrees a decade of stress, or Pa.
+        consistent: Whether it explains all strokes; null if it was not asked, for the model has no such term.
+        left: What the strokes leave of that; null if it explains nothing, or one soil without it explains them, so
+            that it was not asked.
+        phi_deg: Range of the friction angle (deg) then, under a law of stress at its reference; null as before.
+    """
+
+    allowed: list[float]
+    """What was allowed, in the unit of the alias: degrees a decade of stress, or Pa."""
+    consistent: bool | None
+    """Whether it explains all strokes; null if it was not asked, for the model has no such term."""
+    left: list[float] | None
+    """What the strokes leave of that; null if it explains nothing, or one soil without it explains them, so that it
+    was not asked.
+    """
+    phi_deg: list[float] | None
+    """Range of the friction angle (deg) then, under a law of stress at its reference; null as before."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfileHypothesis(Record):
+    """A way in which ground may go with depth, and what the strokes leave of it.
+
+    Attributes:
+        consistent: Whether some such ground explains all strokes.
+        is_certain: Whether that is for sure: false if the search ended before it found one, and before all were
+            excluded.
+        is_sharp: Whether ranges are as narrow as the data allow, to 0.25 deg and 20 kg/m3; otherwise the search
+            ended before, and they are wider.
+        kind: The way.
+        p: Probability that strokes in such ground are so far off by chance, at most; null if it is consistent, and
+            for bounds.
+        profile: Ranges over depth, from the surface to the deepest stroke; empty if inconsistent.
+        ranges: What is left; null if inconsistent.
+        slices: What is left for steps at depths of an interval, growing; empty for other kinds.
+        step_m: Depth of the step (m); null if inconsistent, and of other kinds.
+        widening: By which factor bands must be widened until some such ground explains them; 1 if it does, null if
+            not even ten is enough.
+    """
+
+    consistent: bool
+    """Whether some such ground explains all strokes."""
+    is_certain: bool
+    """Whether that is for sure: false if the search ended before it found one, and before all were excluded."""
+    is_sharp: bool
+    """Whether ranges are as narrow as the data allow, to 0.25 deg and 20 kg/m3; otherwise the search ended before,
+    and they are wider.
+    """
+    kind: Literal["one-soil", "gradient", "step"]
+    """The way."""
+    p: float | None
+    """Probability that strokes in such ground are so far off by chance, at most; null if it is consistent, and for
+    bounds.
+    """
+    profile: list[ProfileLevel]
+    """Ranges over depth, from the surface to the deepest stroke; empty if inconsistent."""
+    ranges: ProfileRanges | None
+    """What is left; null if inconsistent."""
+    slices: list[ProfileStepSlice]
+    """What is left for steps at depths of an interval, growing; empty for other kinds."""
+    step_m: list[float] | None
+    """Depth of the step (m); null if inconsistent, and of other kinds."""
+    widening: float | None
+    """By which factor bands must be widened until some such ground explains them; 1 if it does, null if not even
+    ten is enough.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfileLevel(Record):
+    """Ranges at a depth.
+
+    Attributes:
+        density_kg_m3: Density (kg/m3).
+        depth_m: Depth below the surface (m).
+        phi_deg: Friction angle (deg).
+    """
+
+    density_kg_m3: list[float]
+    """Density (kg/m3)."""
+    depth_m: float
+    """Depth below the surface (m)."""
+    phi_deg: list[float]
+    """Friction angle (deg)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfileNextDepth(Record):
+    """What a next stroke at a depth would tell.
+
+    Attributes:
+        alpha_deg: Tool angle (deg).
+        depth_m: Depth (m).
+        forces: Forces by each consistent hypothesis.
+        tells: Forces that some hypothesis allows and another does not, over what a band spans: the mean over pairs,
+            or with one hypothesis all that it allows. Above 1 such a stroke may tell them apart.
+        width_m: Width of the plate (m).
+    """
+
+    alpha_deg: float
+    """Tool angle (deg)."""
+    depth_m: float
+    """Depth (m)."""
+    forces: list[ProfilePredicted]
+    """Forces by each consistent hypothesis."""
+    tells: float
+    """Forces that some hypothesis allows and another does not, over what a band spans: the mean over pairs, or with
+    one hypothesis all that it allows. Above 1 such a stroke may tell them apart.
+    """
+    width_m: float
+    """Width of the plate (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfilePredicted(Record):
+    """A force at a depth by a hypothesis.
+
+    Attributes:
+        force_n: Forces (N) that it allows; the upper one is null where there is no end to them.
+        kind: The hypothesis.
+    """
+
+    force_n: list[float | None]
+    """Forces (N) that it allows; the upper one is null where there is no end to them."""
+    kind: Literal["one-soil", "gradient", "step"]
+    """The hypothesis."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfileRanges(Record):
+    """What is left of the ground.
+
+    Attributes:
+        density_bottom_kg_m3: Density (kg/m3) at the bottom.
+        density_growth_kg_m3: By how much the density is greater at the bottom (kg/m3).
+        density_top_kg_m3: Density (kg/m3) at the top.
+        phi_bottom_deg: Friction angle (deg) at the deepest stroke, or below the step.
+        phi_growth_deg: By how much the friction angle is greater at the bottom (deg).
+        phi_top_deg: Friction angle (deg) at the surface, or above the step.
+    """
+
+    density_bottom_kg_m3: list[float]
+    """Density (kg/m3) at the bottom."""
+    density_growth_kg_m3: list[float]
+    """By how much the density is greater at the bottom (kg/m3)."""
+    density_top_kg_m3: list[float]
+    """Density (kg/m3) at the top."""
+    phi_bottom_deg: list[float]
+    """Friction angle (deg) at the deepest stroke, or below the step."""
+    phi_growth_deg: list[float]
+    """By how much the friction angle is greater at the bottom (deg)."""
+    phi_top_deg: list[float]
+    """Friction angle (deg) at the surface, or above the step."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfileStepSlice(Record):
+    """Grounds with a step within an interval of depths.
+
+    Attributes:
+        ranges: What is left of such ground.
+        step_m: Depths of the step (m).
+    """
+
+    ranges: ProfileRanges
+    """What is left of such ground."""
+    step_m: list[float]
+    """Depths of the step (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfileStroke(Record):
+    """What a measurement says of its force.
+
+    Attributes:
+        alpha_deg: Tool angle (deg).
+        band_n: Its band (N).
+        count: Strokes taken together in it.
+        depth_m: Depth (m).
+        force_n: Force (N).
+        label: Tool angle and depth.
+        normalised_band_kg_m3: Its band (kg/m3).
+        normalised_kg_m3: Density times coefficient (kg/m3), 2F/(g w L2) with the slant length L: in one soil
+            without ends it is the same at all depths for one tool angle.
+    """
+
+    alpha_deg: float
+    """Tool angle (deg)."""
+    band_n: list[float]
+    """Its band (N)."""
+    count: int
+    """Strokes taken together in it."""
+    depth_m: float
+    """Depth (m)."""
+    force_n: float
+    """Force (N)."""
+    label: str
+    """Tool angle and depth."""
+    normalised_band_kg_m3: list[float]
+    """Its band (kg/m3)."""
+    normalised_kg_m3: float
+    """Density times coefficient (kg/m3), 2F/(g w L2) with the slant length L: in one soil without ends it is the
+    same at all depths for one tool angle.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ProfileAnswer(Answer):
+    """The answer of ``profile``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        cohesion: One soil with some cohesion.
+        confidence: Probability with which all bands together hold their true forces; null for bounds, which hold
+            them for sure. A way in which the ground does go is excluded with a probability of at most one minus
+            this.
+        delta_deg: What is known of the friction on the plate (deg).
+        density_searched_kg_m3: Densities that were looked at (kg/m3), at all depths.
+        depths_m: Least and greatest depth of a stroke (m).
+        ends: Whether plates have ends.
+        friction_law: One soil whose friction angle falls with stress.
+        hypotheses: The ways in which ground may go with depth.
+        model: Force model.
+        next: Place in ``next_depths`` of the one that tells most; null if none tells anything.
+        next_depths: What a next stroke would tell, by depth; empty if no hypothesis is consistent.
+        phi_searched_deg: Friction angles that were looked at (deg): those that the model covers. A range that ends
+            there may be wider in truth.
+        step_searched_m: Depths at which a step was looked for (m).
+        strokes: The measurements.
+        verdict: The result in words.
+        warnings: What to keep in mind.
+    """
+
+    schema: Literal["soilctl.profile/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    cohesion: ProfileAlias
+    """One soil with some cohesion."""
+    confidence: float | None
+    """Probability with which all bands together hold their true forces; null for bounds, which hold them for sure.
+    A way in which the ground does go is excluded with a probability of at most one minus this.
+    """
+    delta_deg: list[float]
+    """What is known of the friction on the plate (deg)."""
+    density_searched_kg_m3: list[float]
+    """Densities that were looked at (kg/m3), at all depths."""
+    depths_m: list[float]
+    """Least and greatest depth of a stroke (m)."""
+    ends: Literal["finite", "none"]
+    """Whether plates have ends."""
+    friction_law: ProfileAlias
+    """One soil whose friction angle falls with stress."""
+    hypotheses: list[ProfileHypothesis]
+    """The ways in which ground may go with depth."""
+    model: str
+    """Force model."""
+    next: int | None
+    """Place in ``next_depths`` of the one that tells most; null if none tells anything."""
+    next_depths: list[ProfileNextDepth]
+    """What a next stroke would tell, by depth; empty if no hypothesis is consistent."""
+    phi_searched_deg: list[float]
+    """Friction angles that were looked at (deg): those that the model covers. A range that ends there may be wider
+    in truth.
+    """
+    step_searched_m: list[float]
+    """Depths at which a step was looked for (m)."""
+    strokes: list[ProfileStroke]
+    """The measurements."""
+    verdict: str
+    """The result in words."""
+    warnings: list[str]
+    """What to keep in mind."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class SurfaceByForce(Record):
     """What forces say.
 
@@ -6309,6 +6600,7 @@ def convert(
     unit: str | None = None,
     water: str | None = None,
     leave_out: Sequence[str] = (),
+    holes: Sequence[str] = (),
     join_m: float = 0.001,
     chord_m: float = 0.01,
     progress: Progress = None,
@@ -6316,7 +6608,7 @@ def convert(
     """Makes a problem file of a drawing, or a drawing of a problem file.
 
     Args:
-        file: A drawing (.dxf, .geojson, .csv), or a problem file (.toml, .json).
+        file: A drawing (.dxf, .geojson, .csv), boreholes (.ags), or a problem file (.toml, .json).
         out: What is written: a problem file of a drawing, a drawing of a problem file.
         replace: Write over a file that is there.
         soils: Strengths and weights (.csv) with the columns name, ``phi_deg``, ``unit_weight_kn_m3`` and, if
@@ -6325,6 +6617,8 @@ def convert(
         water: Layer of the water table; by default one whose name says so, such as water, groundwater, phreatic or
             gwl.
         leave_out: Layers that are no part of the section (a list with commas).
+        holes: Boreholes of an AGS file that the section goes through, in this order (a list with commas); by
+            default all.
         join_m: Corners and ends of lines that are as near as this are one, and a corner that is as near to an edge
             is on it (m). At least 0 and at most 1.
         chord_m: How far chords may be from their arcs (m). At least 0.0001 and at most 10.
@@ -6813,6 +7107,57 @@ def places(
     return run("places", places, locals(), PlacesAnswer, tables=("file",))
 
 
+def profile(
+    file: Table,
+    *,
+    next_depth_m: Sequence[float] = (),
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d", "table"] = "table",
+    ends: Literal["finite", "none"] | None = None,
+    delta_deg: Literal["column"] | float = "column",
+    delta_tol_deg: float = 1.0,
+    density_kg_m3: Literal["column"] | float | None = None,
+    density_tol: float = 0.04,
+    uncertainty: Literal["sigma", "bounds"] = "sigma",
+    confidence: float = 0.95,
+    cohesion_pa: float = 0.0,
+    adhesion_pa: float = 0.0,
+    surcharge_pa: float = 0.0,
+    gravity_m_s2: float = 9.80665,
+    beta_deg: float = 0.0,
+    progress: Progress = None,
+) -> ProfileAnswer:
+    """Whether the ground changes with depth, by strokes at several depths.
+
+    Args:
+        file: Stroke table (CSV) with strokes at two depths or more, best each at the same tool angles.
+        next_depth_m: Depths to consider for the next stroke (m), up to 1.5 times the deepest one; default: six,
+            from half the least depth on.
+        model: Force model; ``table`` is the bracket of proven bounds.
+        ends: Whether plates have ends, each its own width; by default they have them for the models that know ends.
+        delta_deg: Friction angle between soil and plate (deg), or ``column`` for what the table says.
+        delta_tol_deg: Half width of what is known of delta (deg). At least 0.
+        density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of the table; left out: unknown.
+        density_tol: Relative half width of what is known of the density. At least 0 and below 1.
+        uncertainty: What uncertainties of measurements mean; as bounds, a deviation is a half width.
+        confidence: Probability with which all bands together hold their true values, at each place; that of
+            intervals between places too. Above 0 and below 1.
+        cohesion_pa: Cohesion of the soil (Pa), at least 0.
+        adhesion_pa: Adhesion between soil and plate (Pa), at least 0.
+        surcharge_pa: Vertical pressure on the surface, on both sides of the plate (Pa), at least 0.
+        gravity_m_s2: Gravity (m/s2), above 0.
+        beta_deg: Slope of the surface (deg), positive when it rises ahead of the plate.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("profile", profile, locals(), ProfileAnswer, tables=("file",))
+
+
 def surface(
     file: Table,
     *,
@@ -7164,7 +7509,7 @@ def demo(
 
     Args:
         soil: The soil: ticino_rained, ticino_loose, nevada_fine, glass_beads, or mars_drift, mars_crusty,
-            mars_blocky, mars_pathfinder under the gravity of Mars.
+            mars_blocky, mars_pathfinder under the gravity of Mars, or moon_0_15cm under that of the Moon.
         out: Folder for all files; made if it is not there, otherwise it must be empty or hold this demonstration.
         seed: Seed of noise and scatter. At least 0.
         threads: Batches and logs at a time; results are the same for any number. At least 1 and at most 1024.
