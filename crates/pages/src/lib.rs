@@ -23,6 +23,7 @@ mod problem;
 pub mod process;
 #[cfg(not(target_family = "wasm"))]
 pub mod profile;
+#[cfg(not(target_family = "wasm"))]
 pub mod report;
 pub mod shear;
 pub mod solve;
