@@ -18,7 +18,7 @@ fn help_and_version_are_answers() {
 
 #[test]
 fn wrong_usage_is_exit_code_2_and_says_so_on_stderr() {
-    for args in [&[][..], &["dig"], &["predict", "--alpha"], &["--format", "xml", "completions", "bash"]] {
+    for args in [&[][..], &["shovel"], &["predict", "--alpha"], &["--format", "xml", "completions", "bash"]] {
         assert!(refused(args).contains("error:"), "{args:?}");
     }
 }
