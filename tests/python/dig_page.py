@@ -1,38 +1,20 @@
 """What the tests of `soilctl dig` and its picture share: a running one, and a pointer that drags by the clock of the session."""
 
-import json
-import subprocess
 import time
 
-from monitor_page import LONG_S, until
+from monitor_page import LONG_S, Served, until
 
 READY = "window.dig?.authorized && dig.state && dig.soil?.columns > 0"
 SECTION = "document.getElementById('section').getBoundingClientRect()"
 
 
-class Dig:
+class Dig(Served):
     """A running `soilctl dig`."""
 
     def __init__(self, binary, folder):
         self.folder = folder
-        words = [str(binary), "dig", "--soil", "ticino_loose", "--log", str(folder / "dig.mcap"), "--socket", str(folder / "live"),
-                 "--device", str(folder / "hand"), "--listen", "127.0.0.1:0", "--format", "json"]
-        self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
-        text = ""
-        while not text.endswith("}\n"):
-            line = self.process.stdout.readline()
-            assert line, f"it ended early: {self.process.communicate()}"
-            text += line
-        self.answer = json.loads(text)
-        self.url = self.answer["url"]
-
-    def end(self):
-        """Ends it as Ctrl-C does; returns what it said on stderr."""
-        if self.process.poll() is None:
-            self.process.terminate()
-        err = self.process.communicate(timeout=LONG_S)[1]
-        assert self.process.returncode == 0, err
-        return err
+        super().__init__(binary, "dig", "--soil", "ticino_loose", "--log", folder / "dig.mcap", "--socket", folder / "live", "--device", folder / "hand",
+                         "--listen", "127.0.0.1:0")
 
 
 def take(page):

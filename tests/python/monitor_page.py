@@ -53,21 +53,19 @@ def write_plan(folder, strokes):
     return path
 
 
-class Monitor:
-    """A running `soilctl monitor`."""
+class Served:
+    """A running command that serves pages: what it says once it does is `answer`, with its `url`."""
 
-    def __init__(self, binary, *options, listen="127.0.0.1:0"):
-        words = [str(binary), "monitor", *map(str, options), "--listen", listen, "--format", "json"]
+    def __init__(self, binary, *words):
+        words = [str(binary), *map(str, words), "--format", "json"]
         self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
         text = ""
-        while True:
+        while not text.endswith("\n}\n"):
             line = self.process.stdout.readline()
             assert line, f"it ended early: {self.process.communicate()}"
             text += line
-            if line.startswith("}"):
-                break
         self.answer = json.loads(text)
-        self.url, self.listen = self.answer["url"], self.answer["listen"]
+        self.url = self.answer["url"]
 
     def end(self, code=0):
         """Ends it as Ctrl-C does; returns what it said on stderr."""
@@ -76,6 +74,14 @@ class Monitor:
         err = self.process.communicate(timeout=LONG_S)[1]
         assert self.process.returncode == code, err
         return err
+
+
+class Monitor(Served):
+    """A running `soilctl monitor`."""
+
+    def __init__(self, binary, *options, listen="127.0.0.1:0"):
+        super().__init__(binary, "monitor", *options, "--listen", listen)
+        self.listen = self.answer["listen"]
 
 
 def until(page, expression, arg=None):

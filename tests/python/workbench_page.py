@@ -1,34 +1,16 @@
 """What the workbench's tests share: a running workbench, and its page in a browser."""
 
-import json
 import re
-import subprocess
 
 import pytest
-from monitor_page import LONG_S, until
+from monitor_page import LONG_S, Served, until
 
 
-class Workbench:
+class Workbench(Served):
     """A running `soilctl workbench`."""
 
     def __init__(self, binary, *words):
-        words = [str(binary), "workbench", *map(str, words), "--port", "0", "--format", "json"]
-        self.process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
-        text = ""
-        while not text.endswith("}\n"):
-            line = self.process.stdout.readline()
-            assert line, f"it ended early: {self.process.communicate()}"
-            text += line
-        self.answer = json.loads(text)
-        self.url = self.answer["url"]
-
-    def end(self):
-        """Ends it as Ctrl-C does; returns what it said on stderr."""
-        if self.process.poll() is None:
-            self.process.terminate()
-        err = self.process.communicate(timeout=LONG_S)[1]
-        assert self.process.returncode == 0, err
-        return err
+        super().__init__(binary, "workbench", *words, "--port", "0")
 
 
 def open_page(browser, url, ready="window.workbench?.state.greeted", **options):

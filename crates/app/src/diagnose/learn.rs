@@ -124,8 +124,8 @@ impl<'a> Learning<'a> {
             let (up, down) = (off(setting.most())?, off(1.0 / setting.most())?);
             match (up, down) {
                 (Some(up), Some(down)) => data.doubt(Learnt::of_setting(data, plain, &up, &down)),
-                _ if stop.load(Ordering::Relaxed) => return Ok(Progress::Stopped),
-                _ => self.watch.note(&format!(
+                (None, _) | (_, None) if stop.load(Ordering::Relaxed) => return Ok(Progress::Stopped),
+                (None, _) | (_, None) => self.watch.note(&format!(
                     "{} off by a factor of {} lets no single stroke fail the soil: taken as it is",
                     setting.name(),
                     setting.most()

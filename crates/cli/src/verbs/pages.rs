@@ -15,6 +15,34 @@ pub(crate) struct FigureFiles {
     pub(crate) figures: Option<PathBuf>,
 }
 
+/// A page and its figures, of answers that have them made only where they are asked for.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub(crate) struct PageFiles {
+    /// One HTML page with figures and what they mean
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+
+    #[command(flatten)]
+    figures: FigureFiles,
+}
+
+impl PageFiles {
+    /// Makes the page and writes what is asked for.
+    pub(crate) fn write<E>(
+        &self,
+        page: impl FnOnce() -> Result<HtmlReport, E>,
+        output: &Output,
+    ) -> Result<(), CliError>
+    where
+        CliError: From<E>,
+    {
+        if self.report.is_some() || self.figures.figures.is_some() {
+            write(&mut page()?, self.report.as_deref(), &self.figures, output)?;
+        }
+        Ok(())
+    }
+}
+
 /// Writes a page, its figures, or both; the names of all files, the page first.
 pub(crate) fn write(
     page: &mut HtmlReport,

@@ -1,13 +1,11 @@
 //! `soilctl profile`: whether the ground changes with depth.
 
-use std::path::PathBuf;
-
 use soilctl_app::profile::{self, Answer, Request};
 use soilctl_app::text::{columns, number, range, yes};
 use soilctl_app::{Answer as _, Outcome};
 use soilctl_pages::profile::page;
 
-use super::pages::{self, FigureFiles};
+use super::pages::PageFiles;
 use crate::error::CliError;
 use crate::output::{Output, Words};
 
@@ -20,19 +18,13 @@ pub(crate) struct Args {
     #[command(flatten)]
     request: Request,
 
-    /// One HTML page with figures and what they mean
-    #[arg(long, value_name = "FILE")]
-    report: Option<PathBuf>,
-
     #[command(flatten)]
-    figures: FigureFiles,
+    files: PageFiles,
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let answer = profile::run(&args.request, output)?;
-    if args.report.is_some() || args.figures.figures.is_some() {
-        pages::write(&mut page(&answer)?, args.report.as_deref(), &args.figures, output)?;
-    }
+    args.files.write(|| page(&answer), output)?;
     output.answer(&answer)?;
     Ok(answer.outcome())
 }

@@ -1,13 +1,11 @@
 //! `soilctl surface`: what the crack ahead of the plate says.
 
-use std::path::PathBuf;
-
 use soilctl_app::surface::{self, Answer, Request};
 use soilctl_app::text::{columns, range};
 use soilctl_app::{Answer as _, Outcome};
 use soilctl_pages::surface::page;
 
-use super::pages::{self, FigureFiles};
+use super::pages::PageFiles;
 use crate::error::CliError;
 use crate::output::{Output, Words};
 
@@ -21,19 +19,13 @@ pub(crate) struct Args {
     #[command(flatten)]
     request: Request,
 
-    /// One HTML page with figures and what they mean
-    #[arg(long, value_name = "FILE")]
-    report: Option<PathBuf>,
-
     #[command(flatten)]
-    figures: FigureFiles,
+    files: PageFiles,
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     let answer = surface::run(&args.request, output)?;
-    if args.report.is_some() || args.figures.figures.is_some() {
-        pages::write(&mut page(&answer)?, args.report.as_deref(), &args.figures, output)?;
-    }
+    args.files.write(|| page(&answer), output)?;
     output.answer(&answer)?;
     Ok(answer.outcome())
 }
