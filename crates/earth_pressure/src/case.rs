@@ -188,6 +188,9 @@ pub struct Prediction {
     pub notes: Vec<&'static str>,
 }
 
+/// Proven bounds in plane strain at (41, 47, 44): 7.61 to 8.90, where the models of sides find 4.05.
+const FLATTER_THAN_FRICTION: &str = "the plate is flatter than its friction angle, and what the soil behind, which it drags along, adds is left out";
+
 impl Prediction {
     /// # Errors
     /// [`EarthPressureError::Singular`] if no force is left: the soil behind pushes at least as hard as the model finds
@@ -212,7 +215,7 @@ impl Prediction {
             net_lower: SlantCoefficient(net.weight),
             net_upper: SlantCoefficient(net.weight),
             interpolation_margin: 0.0,
-            notes: Vec::new(),
+            notes: if case.tool_angle < case.interface { vec![FLATTER_THAN_FRICTION] } else { Vec::new() },
         })
     }
 

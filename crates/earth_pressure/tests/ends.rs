@@ -167,3 +167,15 @@ proptest! {
         }
     }
 }
+
+/// A plate that is flatter than its friction angle drags the soil behind it along, which blocks cannot: proven bounds in plane strain, 7.61 to
+/// 8.90, are above what its front face alone would take. At its friction angle and above, the soil behind may stay at rest.
+#[test]
+fn blocks_refuse_a_plate_that_is_flatter_than_its_friction() {
+    let refused = Blocks.predict(&Case::level_deg(41.0, 47.0, 44.0)).unwrap_err();
+    assert!(matches!(refused, EarthPressureError::Singular { model: "blocks-3d", .. }), "{refused}");
+    assert!(refused.to_string().contains("flatter than its friction angle"), "{refused}");
+    assert!(net(&Blocks, &Case::level_deg(41.0, 47.0, 41.0)) > 0.0);
+    // With a wedge that follows, a steep face may be as rough as it is.
+    assert!(net(&Blocks, &Case::level_deg(70.0, 47.0, 47.0)) > 0.0);
+}

@@ -145,7 +145,7 @@ fn proven<T>(
     loads: LoadFactors,
     prove: impl Fn(&Case, &[Block], Option<&Wedge>) -> Result<T, CertificateError>,
 ) -> Result<T, EarthPressureError> {
-    Blocks.valid_range().check(ID, case)?;
+    check(case)?;
     let mut refusal = String::new();
     for margin in MARGINS {
         let more = |angle: Angle| Angle::from_radians(angle.radians() + margin);
@@ -190,13 +190,13 @@ impl ForceModel for Blocks {
     }
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
-        self.valid_range().check(ID, case)?;
+        check(case)?;
         let blocks = best(case, WEIGHT)?;
         Prediction::from_sides(ID, case, passive(case, &blocks, FACETS), behind::active(case))
     }
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
-        self.valid_range().check(ID, case)?;
+        check(case)?;
         let top = (-case.tool_angle.cos(), case.tool_angle.sin());
         let corner = |block: &Block| {
             let (sin, cos) = libm::sincos(block.rays[1]);
@@ -214,6 +214,19 @@ impl ForceModel for Blocks {
     ) -> Result<Box<dyn ModelSlice + '_>, EarthPressureError> {
         DirectSlice::boxed(self, tool_angle, surface_slope, width_ratio)
     }
+}
+
+/// Whether there is a mechanism. A plate that is flatter than its friction angle cannot leave soil behind it at rest, since a face separates
+/// from it at the friction angle or more; and with ends, no wedge follows a plate that is as flat as that.
+fn check(case: &Case) -> Result<(), EarthPressureError> {
+    Blocks.valid_range().check(ID, case)?;
+    if case.tool_angle < case.interface && behind::hardest(case).is_none() {
+        return Err(case.singular(
+            ID,
+            "the plate is flatter than its friction angle, and drags the soil behind it along",
+        ));
+    }
+    Ok(())
 }
 
 /// Passive factors of a mechanism.
