@@ -3,7 +3,7 @@
 mod guess;
 mod search;
 
-use soilctl_certificate::{LowerField, UpperField};
+use soilctl_certificate::{LowerField, UpperField, prove_lower};
 
 use crate::bound::{Bound, Clock, Ended, Level, Options, Seed, Sides, continued, is_decided};
 use crate::describe::{Described, Description, PoreField};
@@ -64,6 +64,12 @@ const LONGER: f64 = 1.5;
 
 /// With less than this part of all time or work left, a trial that is not sharp enough is the last one.
 const LEAST_LEFT: f64 = 0.15;
+
+/// A trial that proves less than one, but this much, proves that the soil stands with a little more strength.
+const SHIFTED: f64 = 0.8;
+
+/// What rounding may take from a shifted proof.
+const SHIFT: f64 = 1e-9;
 
 /// Rounding of reduced angles and cohesions, made good in the factors.
 pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -202,8 +208,15 @@ impl Run<'_> {
             upper: upper.as_ref().map_or(f64::INFINITY, |b| b.value),
         };
         let unsharp = trial.gap() > self.search.trial_gap && trial.is_open();
-        if let Some(bound) = lower.filter(|l| l.value >= 1.0) {
-            self.keep_lower(factor, &described, bound);
+        if let Some(bound) = lower.as_ref().filter(|l| l.value >= 1.0) {
+            self.keep_lower(factor, &described, bound.clone());
+        }
+        if let Some(proof) = lower
+            .filter(|l| (SHIFTED..1.0).contains(&l.value))
+            .and_then(|l| self.shifted(factor, &described, &l))
+        {
+            self.search.stands_at(proof.factor);
+            self.found.lower = Some(proof);
         }
         if let Some(bound) = upper.filter(|u| u.value < 1.0)
             && self.found.upper.as_ref().is_none_or(|u| factor < u.factor)
@@ -238,6 +251,29 @@ impl Run<'_> {
         let little_work = (self.remaining() as f64) < LEAST_LEFT * self.options.max_work as f64;
         let is_over = unsharp && both && (little_time || little_work) && !self.search.is_done();
         Ok(is_over.then_some(ended))
+    }
+
+    /// What a trial that proves `l` of all that acts, less than one, proves of the factor `l F`. Its stresses bear all that acts with the
+    /// `F`-th part of the tangents of friction angles and the `lF`-th part of cohesions, and there is more than that of the first. Members are as
+    /// strong as before, so stresses may ask too much of them: the checker says.
+    fn shifted(
+        &self,
+        factor: f64,
+        described: &Described,
+        bound: &Bound<LowerField>,
+    ) -> Option<SafetyProof<LowerField>> {
+        let factor = factor * bound.value * (1.0 - SHIFT);
+        if self.found.lower.as_ref().is_some_and(|l| l.factor >= factor) {
+            return None;
+        }
+        let stronger = self.description.reduced(factor).described_under(self.pores.as_ref()).ok()?;
+        if stronger.stress_kpa != described.stress_kpa {
+            return None;
+        }
+        let field = LowerField { multiplier: 1.0, ..bound.field.clone() };
+        let value = prove_lower(&stronger.statement, &field).ok().filter(|value| *value >= 1.0)?;
+        let factor = factor * (1.0 - ROUNDING);
+        Some(SafetyProof { factor, described: stronger, bound: Bound { value, field, ..bound.clone() } })
     }
 
     /// Takes over a proof that the soil stands.

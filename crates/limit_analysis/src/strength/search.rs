@@ -36,6 +36,10 @@ const FAR: f64 = 4.0;
 /// Bounds this close to one (in logarithms) tell well where they are one.
 const NEAR: f64 = 0.1;
 
+/// A trial whose bounds are both this close to one (in logarithms) tells where the limit is: secants from it lead there, which halving
+/// and steps away from a guess only do in the end.
+const TOLD: f64 = 0.15;
+
 /// Factors on both sides of the limit that are this close (in logarithms) fail in much the same way.
 const ALIKE: f64 = 0.1;
 
@@ -99,9 +103,9 @@ impl Search {
         Self { trials: Vec::new(), stands: None, fails: None, max_gap, trial_gap, is_finest: false, guess }
     }
 
-    /// Next to the guess, on the side that is not proven.
+    /// Next to the guess, on the side that is not proven; no more once a trial has told where the limit is.
     fn guessed(&self) -> Option<f64> {
-        let guess = self.guess?;
+        let guess = self.guess.filter(|_| !self.is_told())?;
         let next = match (guess, self.trials.len()) {
             (Guess::Rough(factor), 0) => Some(factor),
             (Guess::Rough(factor), tried) => self.reached(factor, tried - 1),
@@ -145,12 +149,23 @@ impl Search {
     /// Takes note of a trial.
     pub(super) fn add(&mut self, trial: Trial) {
         if trial.lower >= 1.0 {
-            self.stands = Some(self.stands.map_or(trial.factor, |f| f.max(trial.factor)));
+            self.stands_at(trial.factor);
         }
         if trial.upper < 1.0 {
             self.fails = Some(self.fails.map_or(trial.factor, |f| f.min(trial.factor)));
         }
         self.trials.push(trial);
+    }
+
+    /// Takes note of a factor at which the soil stands by the stresses of a trial at a greater one.
+    pub(super) fn stands_at(&mut self, factor: f64) {
+        self.stands = Some(self.stands.map_or(factor, |f| f.max(factor)));
+    }
+
+    /// Whether both bounds of a trial are close to one.
+    fn is_told(&self) -> bool {
+        let is_close = |bound: f64| bound > 0.0 && bound.ln().abs() <= TOLD;
+        self.trials.iter().any(|trial| is_close(trial.lower) && is_close(trial.upper))
     }
 
     /// Whether a factor was left open, or the proven ones on both sides of the limit are next to each other.
@@ -212,7 +227,7 @@ impl Search {
         if is_one_sided && stands_at > 0.0 && high.is_finite() && high / stands_at > 1.0 + self.max_gap {
             return self.halved(stands_at, high);
         }
-        if low > 0.0 && high.is_finite() && high / low > 1.0 + FAR * self.max_gap {
+        if low > 0.0 && high.is_finite() && high / low > 1.0 + FAR * self.max_gap && !self.is_told() {
             return self.halved(low, high);
         }
         // What each of the two would gain.
