@@ -4,7 +4,7 @@ import * as fields from './fields.js';
 import {Form, pointTable} from './form.js';
 import * as model from './model.js';
 import {swatch} from './palette.js';
-import {strength} from './strength.js';
+import {lawOf, strength} from './strength.js';
 
 export class Panel {
   constructor(store, editor) { Object.assign(this, {store, editor, open: new Set()}); }
@@ -83,10 +83,10 @@ export class Panel {
       const inUse = model.list(this.problem, 'region').some(region => region.soil === soil.name);
       const law = strength(this.problem, soil, index, (edit, join) => this.store.change(draft => edit(draft.soil[index]), join));
       const more = html('details', {open: this.open.has(index), toggle: event => { if (event.target.open) this.open.add(index); else this.open.delete(index); }}, html('summary', null, 'More'),
-        soil.strength ? null : law,
+        lawOf(soil) ? null : law,
         html('div', {class: 'two'}, ...form.rows(fields.SOIL_MORE)),
         html('button', {type: 'button', disabled: inUse, title: inUse ? 'regions are of this soil' : null, click: () => this.store.change(draft => { draft.soil.splice(index, 1); })}, 'Remove this soil'));
-      return html('div', {class: 'soil', 'data-key': `soil ${index} ${soil.strength?.kind} ${soil.strength?.points_kpa?.length}`}, html('div', {class: 'head'}, html('label', {for: `pick.${index}`, title: 'new regions are of this soil'}, pick, swatch(index), html('span', {class: 'hear'}, `draw with soil ${index + 1}`)), name), html('div', {class: 'three'}, ...values), soil.strength ? law : null, more);
+      return html('div', {class: 'soil', 'data-key': `soil ${index} ${lawOf(soil)} ${soil.strength?.points_kpa?.length}`}, html('div', {class: 'head'}, html('label', {for: `pick.${index}`, title: 'new regions are of this soil'}, pick, swatch(index), html('span', {class: 'hear'}, `draw with soil ${index + 1}`)), name), html('div', {class: 'three'}, ...values), lawOf(soil) ? law : null, more);
     });
     return [...cards, html('button', {type: 'button', id: 'add-soil', 'data-key': 'add', click: () => { this.editor.soil = this.store.change(model.addSoil); this.update(); }}, 'Add a soil')];
   }

@@ -39,7 +39,7 @@ function names(view, problem) {
     if (Math.abs(area(polygon)) * view.scale ** 2 < 9000) return null;
     const its = list(problem, 'soil').find(one => one.name === soil);
     const [x, y] = view.px(middle(polygon));
-    const words = its ? `${its.strength ? `${its.strength.kind} strength` : `φ ${short(its.phi_deg ?? 0)}°  c ${short(inUnit(its.cohesion_kpa ?? 0, 'kPa'))} ${unit('kPa')}`}  γ ${short(inUnit(its.unit_weight_kn_m3, 'kN/m³'))} ${unit('kN/m³')}` : 'no such soil';
+    const words = its ? `${its.strength ? `${its.strength.kind} strength` : `${its.anisotropy ? 'by direction' : `φ ${short(its.phi_deg ?? 0)}°`}  c ${short(inUnit(its.cohesion_kpa ?? 0, 'kPa'))} ${unit('kPa')}`}  γ ${short(inUnit(its.unit_weight_kn_m3, 'kN/m³'))} ${unit('kN/m³')}` : 'no such soil';
     return svg('g', {class: 'name'}, svg('text', {x, y, 'text-anchor': 'middle'}, soil), svg('text', {x, y: y + 16, 'text-anchor': 'middle', class: 'small'}, words));
   });
 }

@@ -1,16 +1,21 @@
-// The law of strength of a soil: straight, with a friction angle and cohesion, or one that grows less and less with pressure.
+// The law of strength of a soil: straight, with a friction angle and cohesion, one that grows less and less with pressure, or that of a clay
+// by the direction of the stress.
 import {html} from './dom.js';
 import {complain, Form, parse} from './form.js';
 import {fromField, toField, unit} from './units.js';
 
 const number = (key, label, unit, more = {}) => ({key, label, unit, kind: 'number', ...more});
 const UP_TO = number('up_to_kpa', 'Followed up to', 'kPa', {optional: true, help: 'a multiple of what weight and loads make, if it is not said'});
-const LAWS = [['', 'straight: φ and c'], ['points', 'through points'], ['power', 'a power of stress'], ['hoek-brown', 'rock, Hoek and Brown']];
+const LAWS = [['', 'straight: φ and c'], ['points', 'through points'], ['power', 'a power of stress'], ['hoek-brown', 'rock, Hoek and Brown'], ['anisotropic', 'clay, by direction']];
 const FIELDS = {
   points: [],
   power: [number('factor', 'Strength at 1 kPa', 'kPa'), number('exponent', 'Exponent', ''), number('tension_kpa', 'None left at a tension of', 'kPa', {zero: true}), UP_TO],
   'hoek-brown': [number('ucs_mpa', 'Strength of intact rock', 'MPa'), number('gsi', 'Geological strength index', ''), number('mi', 'Constant m_i', ''), number('disturbance', 'Disturbance', '', {zero: true}), UP_TO],
 };
+const DIRECTIONS = [
+  number('passive', 'Passive strength over c', '', {title: 'pressed sideways, over the active strength, which is c'}),
+  number('shear', 'Shear strength over c', '', {title: 'on level and upright planes, likewise'}),
+];
 const three = value => Number(value.toPrecision(3));
 
 // A law to begin with, which is near what the soil has at 50 kPa.
@@ -22,15 +27,20 @@ function first(kind, {phi_deg = 30, cohesion_kpa = 5}) {
   return {kind, ucs_mpa: 10, gsi: 40, mi: 10};
 }
 
+const STRAIGHT = ['phi_deg', 'cohesion_kpa', 'cohesion_gradient_kpa_per_m', 'cohesion_level_m', 'dilation_deg'], OTHER = ['strength', 'strength_factor', 'anisotropy'];
+export const lawOf = soil => soil.strength?.kind ?? (soil.anisotropy ? 'anisotropic' : '');
+
 // Another law in place of the one that a soil has.
 function choose(soil, kind) {
-  if (kind) {
-    soil.strength = first(kind, soil);
-    for (const key of ['phi_deg', 'cohesion_kpa', 'cohesion_gradient_kpa_per_m', 'cohesion_level_m', 'dilation_deg']) delete soil[key];
-  } else {
-    for (const key of ['strength', 'strength_factor']) delete soil[key];
-    Object.assign(soil, {phi_deg: 30, cohesion_kpa: 5});
-  }
+  const before = {...soil};
+  for (const key of OTHER) delete soil[key];
+  if (kind === 'anisotropic') {
+    Object.assign(soil, {phi_deg: 0, cohesion_kpa: before.cohesion_kpa || 20, anisotropy: {passive: .6, shear: .8}});
+    delete soil.dilation_deg;
+  } else if (kind) {
+    for (const key of STRAIGHT) delete soil[key];
+    soil.strength = first(kind, before);
+  } else if (before.strength) Object.assign(soil, {phi_deg: 30, cohesion_kpa: 5});
 }
 
 // Points of normal stress and shear strength.
@@ -57,10 +67,12 @@ function table(law, path, write) {
 export function strength(problem, soil, index, change) {
   const path = `soil.${index}.strength`, law = soil.strength, write = (edit, join) => change(of => edit(of.strength), join);
   const select = html('select', {id: `${path}.kind`, 'aria-describedby': `${path}.wrong`, change: () => change(of => choose(of, select.value), null)}, ...LAWS.map(([value, words]) => html('option', {value}, words)));
-  select.value = law?.kind ?? '';
+  select.value = lawOf(soil);
+  const directions = soil.anisotropy && new Form(problem, soil.anisotropy, `soil.${index}.anisotropy`, (edit, join) => change(of => edit(of.anisotropy), join));
   return [
     html('div', {class: 'field', 'data-path': path}, html('label', {for: select.id}, 'Law of strength'), html('span', {class: 'control'}, select), html('p', {class: 'wrong', id: `${path}.wrong`, hidden: true})),
     law ? html('div', {class: 'two'}, ...new Form(problem, law, path, write).rows(FIELDS[law.kind] ?? [])) : null,
+    directions ? html('div', {class: 'two'}, ...directions.rows(DIRECTIONS)) : null,
     law?.kind === 'points' ? table(law, `${path}.points_kpa`, write) : null,
   ].filter(Boolean);
 }

@@ -115,7 +115,8 @@ fn columns(
         }
     }
     let found = |(region, part): (usize, Option<Part>)| {
-        let what = "regions of different unit weight that lie above each other in a circle";
+        let what = "regions of different unit weight that lie above each other in a circle (one that is both above and below \
+                    others can be cut in two along a level line)";
         part.ok_or_else(|| CertificateError::NotCovered { place: format!("region {region}"), what })
     };
     parts.into_iter().enumerate().map(found).collect()
