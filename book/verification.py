@@ -5,6 +5,7 @@ import json
 from pathlib import Path
 
 ROWS = Path(__file__).resolve().parents[1] / "docs" / "verification"
+PUBLISHED = ROWS.parents[1] / "data" / "published" / "published.csv"
 # Printed with three decimals; the formulas' own rounding comes on top.
 EQUAL = 0.0006
 NAMES = {"coulomb": "Coulomb", "log_spiral": "log-spiral, thesis variant", "log-spiral-thesis": "log-spiral, thesis variant", "chen": "Chen & Liu",
@@ -14,7 +15,7 @@ SOILS = {"ticino_rained": "Ticino, rained", "ticino_loose": "Ticino, loose", "ne
 
 def tables():
     """Markdown by name, as it stands in `<!-- table: name -->`."""
-    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "estimates": estimates(), "direct_shear": direct_shear(), "exact": exact(), "end_factor": end_factor()}
+    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "estimates": estimates(), "direct_shear": direct_shear(), "exact": exact(), "end_factor": end_factor(), "published": published()}
 
 
 def _markdown(head, rows):
@@ -83,6 +84,20 @@ def exact():
         gap = 100 * abs((upper - lower) / (upper + lower) * 2)
         rows.append([row["problem"], _known(row["known"]), f"{lower:.5g} to {upper:.5g}", f"{gap:.2g} %", row["elements"]])
     return _markdown(["problem", "known", "proven bounds", "gap", "elements"], rows)
+
+
+def published():
+    """Proven bounds beside published values, which are of other methods."""
+    found = {row["problem"]: row for row in _read("published.csv")}
+    with open(PUBLISHED, newline="", encoding="utf-8") as file:
+        known = list(csv.DictReader(file))
+    rows = []
+    for row in known:
+        ours = found[row["problem"]]
+        values = row["low"] if row["low"] == row["high"] else f"{row['low']} to {row['high']}"
+        told = f"{row['source']}; {row['note']}" if row["note"] else row["source"]
+        rows.append([told, values, row["methods"], f"{float(ours['lower']):.4g} to {float(ours['upper']):.4g}", f"{100 * float(ours['gap']):.1f} %", ours["seconds"]])
+    return _markdown(["problem", "published", "by", "proven bounds", "gap", "s"], rows)
 
 
 def _known(ends):

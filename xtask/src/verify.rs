@@ -43,12 +43,13 @@ pub(crate) enum Part {
     Diagnosis,
     Soils,
     Chain,
+    Published,
     Browser,
     Fuzz,
     Windows,
 }
 
-pub(crate) const PARTS: [(Part, &str, &str); 14] = [
+pub(crate) const PARTS: [(Part, &str, &str); 15] = [
     (Part::Properties, "properties", "property tests with 20000 cases each"),
     (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
     (Part::Exact, "exact", "known collapse loads on fine meshes"),
@@ -76,6 +77,11 @@ pub(crate) const PARTS: [(Part, &str, &str); 14] = [
         "a thousand soils whose friction falls with stress, a thousand for each combination of unknown loads and slope, and three hundred slopes that stand, fail, or depend",
     ),
     (Part::Chain, "chain", "from simulated strokes to the soil, against the truth; logs of gigabytes"),
+    (
+        Part::Published,
+        "published",
+        "published slopes, cuts and dams beside their values; ten of them drawn on the workbench",
+    ),
     (
         Part::Browser,
         "browser",
@@ -129,6 +135,7 @@ impl Part {
                 "",
             ),
             Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),
+            Self::Published => published(workspace),
             Self::Browser => browser(workspace),
             Self::Fuzz => fuzz::check(workspace),
             Self::Windows => systems::windows(workspace),
@@ -197,6 +204,16 @@ fn browser(workspace: &Workspace) -> Result<(), XtaskError> {
             workspace.target().join("release").join(format!("soilctl{}", std::env::consts::EXE_SUFFIX)),
         )
         .env("SOILCTL_WORKBENCH", folder)
+        .run()
+}
+
+fn published(workspace: &Workspace) -> Result<(), XtaskError> {
+    setup(workspace)?;
+    Step::new("published problems", workspace.venv_python())
+        .args(["-m", "pytest", "tests/python/test_published.py"])
+        .dir(workspace.root())
+        .env("SOILCTL", find_soilctl(workspace)?)
+        .env("SOILCTL_PUBLISHED", "all")
         .run()
 }
 
