@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use soilctl_session::messages::{SoilTruth, decode};
+use soilctl_kinematics::JointAngles;
+use soilctl_plant::{BuriedBlock, block_gap_m};
+use soilctl_session::messages::{JointState, SoilTruth, decode};
 use soilctl_session::read::{Item, scan};
 use soilctl_session::{CONFIGURATION_RECORD, STROKE_RECORD, topics};
 
-use crate::CampaignError;
+use crate::{CampaignError, Plan};
 
 /// Soil counts as failed once this share of the most that it bears in a stroke is mobilised.
 const FAILED: f64 = 0.99;
@@ -40,6 +42,8 @@ pub struct StrokeTruth {
     pub failure: Option<TrueFailure>,
     /// Times in s and the most that the soil bore then, where the plate was, in N.
     limits: Vec<(f64, f64)>,
+    /// Times in s and the way ahead then to a buried block in m, while there is one.
+    gaps: Vec<(f64, f64)>,
 }
 
 impl StrokeTruth {
@@ -50,6 +54,18 @@ impl StrokeTruth {
         let from = self.limits.partition_point(|limit| limit.0 <= time_s - JUST_BEFORE_S);
         let near = self.limits.get(from..to).filter(|near| !near.is_empty())?;
         Some(near.iter().map(|limit| limit.1).sum::<f64>() / near.len() as f64)
+    }
+}
+
+impl StrokeTruth {
+    /// Way ahead of the plate in m to a buried block that is not below it, at a time in s on the log's clock; below 0 by how far it was entered.
+    /// `None` if there is none.
+    #[must_use]
+    pub fn block_gap_m(&self, time_s: f64) -> Option<f64> {
+        let to = self.gaps.partition_point(|gap| gap.0 <= time_s);
+        let (at_s, gap_m) = self.gaps.get(to.checked_sub(1)?)?;
+        // The truth of every step is logged.
+        (time_s - at_s < JUST_BEFORE_S).then_some(*gap_m)
     }
 }
 
@@ -80,21 +96,31 @@ struct Sample {
 pub fn read_truth(log: &Path) -> Result<BatchTruth, CampaignError> {
     let mut batch = BatchTruth::default();
     let mut samples: Vec<Sample> = Vec::new();
+    let mut blocks = Blocks::default();
     scan::<CampaignError>(log, &mut |item| {
         match item {
             Item::Metadata { name: CONFIGURATION_RECORD, content } => {
                 batch.weighed_density_kg_m3 = number(content, "density_kg_m3");
+                blocks = Blocks::of(content).unwrap_or_default();
             }
             // The record of a stroke comes after its messages.
             Item::Metadata { name: STROKE_RECORD, content } => {
-                batch.strokes.extend(stroke(content, &samples));
+                batch.strokes.extend(stroke(content, &samples, &blocks.gaps));
                 samples.clear();
+                blocks.gaps.clear();
             }
             Item::Message(message) if message.channel.topic == topics::TRUE_SOIL => {
                 if let Ok(soil) = decode::<SoilTruth>(message.data) {
                     #[allow(clippy::cast_precision_loss, reason = "exact below 2^53 ns")]
                     let time_s = message.log_time_ns as f64 * 1e-9;
                     samples.push(Sample { time_s, soil });
+                }
+            }
+            Item::Message(message) if message.channel.topic == topics::TRUE_JOINTS => {
+                if let Ok(joints) = decode::<JointState>(message.data) {
+                    #[allow(clippy::cast_precision_loss, reason = "exact below 2^53 ns")]
+                    let time_s = message.log_time_ns as f64 * 1e-9;
+                    blocks.note(time_s, &joints);
                 }
             }
             _ => {}
@@ -104,11 +130,45 @@ pub fn read_truth(log: &Path) -> Result<BatchTruth, CampaignError> {
     Ok(batch)
 }
 
+/// The blocks in the soil of a log, and how far ahead they are.
+#[derive(Default)]
+struct Blocks {
+    plan: Option<(Plan, Vec<BuriedBlock>)>,
+    gaps: Vec<(f64, f64)>,
+}
+
+impl Blocks {
+    /// By the plan that stands in the log; `None` if it has none in this batch.
+    fn of(configuration: &BTreeMap<String, String>) -> Option<Self> {
+        let plan = Plan::from_record(configuration.get("plan")?)?;
+        let blocks = plan.blocks_of(configuration.get("batch")?.parse().ok()?);
+        (!blocks.is_empty()).then(|| Self { plan: Some((plan, blocks)), gaps: Vec::new() })
+    }
+
+    fn note(&mut self, time_s: f64, joints: &JointState) {
+        let Some((plan, blocks)) = &self.plan else { return };
+        let Some(angles) = joints.position.first_chunk() else { return };
+        let arm = plan.params().arm();
+        let Ok(frames) = arm.frames(&JointAngles(*angles)) else { return };
+        let tip = frames.plate_tip;
+        let ahead = [tip.rotation[0][0], tip.rotation[1][0]];
+        let length = libm::hypot(ahead[0], ahead[1]);
+        let depth_m = plan.controller().site.surface_z_m - tip.origin_m[2];
+        if length < 0.1 || depth_m <= 0.0 {
+            return;
+        }
+        let place = [tip.origin_m[0], tip.origin_m[1]];
+        let width_m = arm.config().plate.width_m;
+        let gap = block_gap_m(blocks, place, ahead.map(|part| part / length), width_m, depth_m);
+        self.gaps.extend(gap.map(|gap_m| (time_s, gap_m)));
+    }
+}
+
 fn number(record: &BTreeMap<String, String>, key: &str) -> Option<f64> {
     record.get(key)?.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-fn stroke(record: &BTreeMap<String, String>, samples: &[Sample]) -> Option<StrokeTruth> {
+fn stroke(record: &BTreeMap<String, String>, samples: &[Sample], gaps: &[(f64, f64)]) -> Option<StrokeTruth> {
     let (start_s, end_s) = (number(record, "start_s")?, number(record, "end_s")?);
     let from = samples.partition_point(|sample| sample.time_s < start_s);
     let to = samples.partition_point(|sample| sample.time_s <= end_s);
@@ -120,6 +180,7 @@ fn stroke(record: &BTreeMap<String, String>, samples: &[Sample]) -> Option<Strok
         end_s,
         failure: failure(samples, alpha_deg.to_radians()),
         limits: samples.iter().map(|s| (s.time_s, s.soil.limit_force_now_n)).collect(),
+        gaps: gaps.iter().filter(|gap| (start_s..=end_s).contains(&gap.0)).copied().collect(),
     })
 }
 
@@ -204,7 +265,14 @@ mod tests {
     #[test]
     fn the_limit_is_that_just_before() {
         let limits = (0..1000).map(|i| (f64::from(i) * 0.01, f64::from(i))).collect();
-        let stroke = StrokeTruth { plan_index: None, start_s: 0.0, end_s: 10.0, failure: None, limits };
+        let stroke = StrokeTruth {
+            plan_index: None,
+            start_s: 0.0,
+            end_s: 10.0,
+            failure: None,
+            limits,
+            gaps: Vec::new(),
+        };
         assert!((stroke.limit_force_n(5.001).unwrap() - 475.5).abs() < 1e-9);
         assert_eq!((stroke.limit_force_n(-0.1), stroke.limit_force_n(11.0)), (None, None));
     }

@@ -55,4 +55,6 @@ pub struct SoilTruth {
     pub failing: bool,
     /// Way of the plate since the soil failed in m.
     pub slip_m: f64,
+    /// Way ahead to a buried block in m that is not below the plate; below 0 by how far it was entered. `None` if there is none.
+    pub block_gap_m: Option<f64>,
 }

@@ -40,12 +40,14 @@ impl Plan {
             self.text.parse().map_err(|error: toml::de::Error| refused(error.to_string()))?;
         let batches = toml::Value::try_from(&kept).map_err(|error| refused(error.to_string()))?;
         table.insert("batches".to_owned(), batches);
+        // What an effect makes of strokes is not to be mixed up with what is buried.
+        table.remove("blocks");
         let text = toml::to_string(&table).map_err(|error| refused(error.to_string()))?;
         let mut plan = self.clone();
         let strokes = StrokePlan::from_toml(&text, "plan of single strokes")?;
         plan.params =
             soilctl_controller::Params::new(self.plant.arm().clone(), self.params.config().clone(), strokes)?;
-        plan.file = PlanFile { batches: kept, ..self.file.clone() };
+        plan.file = PlanFile { batches: kept, blocks: Vec::new(), ..self.file.clone() };
         plan.text = text;
         Ok(plan)
     }

@@ -43,8 +43,30 @@ pub struct PlanFile {
     /// How the soil is prepared.
     #[serde(default)]
     pub preparation: Preparation,
+    /// Rigid blocks that are buried in the soil.
+    #[serde(default)]
+    pub blocks: Vec<Block>,
     /// The batches, one preparation of the soil each, with at most 1024 strokes together.
     pub batches: Vec<Batch>,
+}
+
+/// A rigid block that does not move, buried upright and aligned with a radius from the base axis. It reaches down as far as any plate goes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Block {
+    /// Number of the batch in whose soil it lies, from 0. Left out: it lies in that of all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub batch: Option<usize>,
+    /// Distance from the base axis to the face that is turned away from it, which a pulled plate meets, in m; above 0, at most 10.
+    pub face_radius_m: f64,
+    /// Base angle of its middle in degrees; -180 to 180.
+    pub base_deg: f64,
+    /// Depth of its top below the level surface in m; 0 to 1.
+    pub top_m: f64,
+    /// Width across the radius in m; above 0, at most 10.
+    pub width_m: f64,
+    /// Length from that face towards the base in m; above 0, at most 10.
+    pub length_m: f64,
 }
 
 /// A soil: a preset or numbers.

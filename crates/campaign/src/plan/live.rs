@@ -33,6 +33,7 @@ impl Plan {
         if end_factor != 0.0 {
             ground = ground.with_ends(model("table")?.as_ref(), end_factor)?;
         }
+        ground = ground.with_blocks(self.blocks_of(batch))?;
         ground.prepare();
         let park = soilctl_kinematics::JointAngles::from_degrees(self.controller().site.park_deg);
         Ok(Plant::new(self.plant().clone(), Some(ground), &park, sensor_seed)?)

@@ -1,6 +1,7 @@
 //! What is to be done: a plan file, read and checked.
 
 mod apart;
+mod blocks;
 mod by_hand;
 mod demonstration;
 pub mod file;
@@ -75,6 +76,7 @@ impl Plan {
             path => PlantParams::read(arm, &folder.join(path))?,
         };
         let plant = plant.under_gravity(soil.gravity_m_s2)?;
+        blocks::check(&file, name, plant.arm().config().plate.width_m)?;
         let arm = plant.arm().clone();
         let params = match file.controller.as_str() {
             "default" => Params::new(arm, Params::thesis().config().clone(), strokes)?,

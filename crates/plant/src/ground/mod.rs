@@ -1,5 +1,6 @@
 //! Sand: the force on the plate, and the heaps and furrows that it leaves.
 
+mod buried;
 mod limit;
 mod plate;
 mod presets;
@@ -10,6 +11,7 @@ use soilctl_earth_pressure::{EarthPressureError, ForceModel};
 use soilctl_kinematics::{Arm, Frame};
 use soilctl_soil::{Interface, Soil};
 
+pub use buried::{BuriedBlock, block_gap_m};
 pub use presets::{SoilPreset, presets};
 
 use crate::bodies::PointForce;
@@ -18,6 +20,7 @@ use crate::effects::{Contact, Effects, SoilChange};
 use crate::noise::Noise;
 use crate::truth::SoilTruth;
 use crate::{PlantError, PlantParams};
+use buried::{Frictions, Nearby, nearby};
 use plate::PlateContact;
 use strength::Strength;
 use surface::Surface;
@@ -45,6 +48,7 @@ pub struct Ground {
     thickness_m: f64,
     surface_z_m: f64,
     surface: Surface,
+    blocks: Vec<BuriedBlock>,
     noise: Noise,
     preparations: u32,
     change: SoilChange,
@@ -77,6 +81,7 @@ impl Ground {
             strength: Strength::new(&config, preset, model, &soil, &interface)?,
             width_m: shape.width_m,
             thickness_m: shape.thickness_m,
+            blocks: Vec::new(),
             noise: Noise::new(seed),
             preparations: 0,
             change: SoilChange::default(),
@@ -104,6 +109,16 @@ impl Ground {
             return Err(EarthPressureError::NoEnds { model: model.id() }.into());
         }
         self.strength = self.strength.with_ends(model, &self.soil, &self.interface, end_factor)?;
+        Ok(self)
+    }
+
+    /// The same with rigid blocks buried in it, which stay where they are when it is prepared anew.
+    ///
+    /// # Errors
+    /// [`PlantError::Config`] for a block whose numbers are out of their range.
+    pub fn with_blocks(mut self, blocks: Vec<BuriedBlock>) -> Result<Self, PlantError> {
+        blocks.iter().try_for_each(|block| block.check("ground"))?;
+        self.blocks = blocks;
         Ok(self)
     }
 
@@ -207,6 +222,24 @@ impl Ground {
         }
     }
 
+    /// What the plate feels of buried blocks, by the friction that it has on the soil now.
+    fn nearby(&self, hand: &Frame, tip_m: [f64; 3]) -> Nearby {
+        let ahead = [hand.rotation[0][0], hand.rotation[1][0]];
+        let length = libm::hypot(ahead[0], ahead[1]);
+        if self.blocks.is_empty() || length < 0.1 {
+            return Nearby::NOTHING;
+        }
+        let plate = buried::Plate {
+            tip_m: [tip_m[0], tip_m[1]],
+            ahead: ahead.map(|part| part / length),
+            width_m: self.width_m,
+            depth_m: self.surface_z_m - tip_m[2],
+            tool_angle_rad: plate::tool_angle_rad(hand),
+        };
+        let plate_rad = (self.strength.delta_rad + self.change.interface_rad).max(0.0);
+        nearby(&self.blocks, &plate, Frictions { soil_rad: self.strength.phi_rad, plate_rad })
+    }
+
     /// Once a substep: the force on the plate.
     pub(crate) fn press(
         &mut self,
@@ -217,7 +250,18 @@ impl Ground {
     ) -> PointForce {
         let place = [self.change.true_depth_m(self.level_z_m - tip_m[2]), self.heap_m];
         let size = [self.width_m, self.thickness_m];
-        self.plate.press(&self.config, &self.strength, &self.change, size, hand, place, velocity_m_s, dt_s);
+        let near = self.nearby(hand, tip_m);
+        self.plate.press(
+            &self.config,
+            &self.strength,
+            &self.change,
+            &near,
+            size,
+            hand,
+            place,
+            velocity_m_s,
+            dt_s,
+        );
         let force_n = self.plate.force_n(hand);
         // Pressure grows with depth, so that its resultant lies a third of the way up.
         let up_m = -self.plate.slant_m / 3.0;

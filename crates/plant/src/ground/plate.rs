@@ -1,5 +1,6 @@
 use soilctl_kinematics::Frame;
 
+use super::buried::Nearby;
 use super::strength::Strength;
 use crate::config::GroundConfig;
 use crate::effects::SoilChange;
@@ -22,6 +23,8 @@ const DAMPED_AT_M: f64 = 0.0254;
 pub(crate) struct PlateContact {
     /// What is mobilised, -1 to 1.
     mobilised: f64,
+    /// Factor of buried blocks on the limit force so far; 0 before the plate has met soil.
+    ratio: f64,
     /// Stretch of the springs along the plate (soil pressing upwards) and along its edge in m.
     stretch_m: [f64; 2],
     deepest_m: f64,
@@ -45,6 +48,7 @@ impl PlateContact {
         config: &GroundConfig,
         strength: &Strength,
         change: &SoilChange,
+        near: &Nearby,
         [width_m, thickness_m]: [f64; 2],
         hand: &Frame,
         [depth_m, heap_m]: [f64; 2],
@@ -55,10 +59,16 @@ impl PlateContact {
         let along = |column: usize| dot(axis(column), velocity_m_s);
         // Towards the base, sideways, and into the soil.
         let (push, side, down) = (along(0), along(1), along(2));
-        let alpha = libm::atan2(-hand.rotation[2][2], hand.rotation[2][0]);
+        let alpha = tool_angle_rad(hand);
         if depth_m <= 0.0 || alpha <= 0.2 || alpha >= std::f64::consts::PI - 0.2 {
             *self = Self {
-                truth: SoilTruth { depth_m, tool_angle_rad: alpha, heap_m, ..SoilTruth::default() },
+                truth: SoilTruth {
+                    depth_m,
+                    tool_angle_rad: alpha,
+                    heap_m,
+                    block_gap_m: near.gap_m,
+                    ..SoilTruth::default()
+                },
                 ..Self::default()
             };
             return;
@@ -90,7 +100,12 @@ impl PlateContact {
         let facing = if self.mobilised < 0.0 { std::f64::consts::PI - alpha } else { alpha };
         let limit = change.limit_force * strength.limit_n(facing, depth_m, heap_m, width_m, share);
         let residual = self.residual(config, strength);
-        let most_normal = limit * libm::cos(share * delta) * residual;
+        let most_normal = limit * libm::cos(share * delta) * residual * near.ratio;
+        // Soil that bears more since it is confined has to be pressed together first: the force does not leap.
+        if near.ratio > self.ratio && self.ratio > 0.0 {
+            self.mobilised *= self.ratio / near.ratio;
+        }
+        self.ratio = near.ratio;
         let failing = self.mobilise(config, strength, change, alpha, depth_m, way);
 
         // Both faces hold the plate in soil at rest; at the limit the net force of both is inclined by the friction alone.
@@ -113,7 +128,7 @@ impl PlateContact {
         let damping = config.damping_ns_per_m * depth_m / DAMPED_AT_M;
         let free = |force: f64, most: f64| if most > 0.0 { (1.0 - force.abs() / most).max(0.0) } else { 0.0 };
         self.forces_n = [
-            normal + damping * push * free(self.mobilised, 1.0),
+            normal + near.contact_n + damping * push * free(self.mobilised, 1.0),
             tangent + damping * down * free(tangent, grip + bearing),
             lateral + damping * side * free(lateral, most_side),
         ];
@@ -130,6 +145,7 @@ impl PlateContact {
             mobilisation: self.mobilised,
             failing,
             slip_m: self.slip_m,
+            block_gap_m: near.gap_m,
         };
     }
 
@@ -173,6 +189,11 @@ impl PlateContact {
         let [normal, tangent, lateral] = self.forces_n;
         hand.rotation.map(|[x, y, z]| -normal * x - lateral * y - tangent * z)
     }
+}
+
+/// Tool angle in rad.
+pub(super) fn tool_angle_rad(hand: &Frame) -> f64 {
+    libm::atan2(-hand.rotation[2][2], hand.rotation[2][0])
 }
 
 /// How late the soil yields on the way to its limit: gradually at steep angles and in loose soil, drastically else.
