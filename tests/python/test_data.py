@@ -31,7 +31,7 @@ def rows_of(path):
 def check_sidecar(sidecar, table):
     content = json.loads(sidecar.read_text(encoding="utf-8"))
     assert list(content) == KEYS
-    assert content["status"] in ("printed", "reconstructed", "inferred")
+    assert content["status"] in ("printed", "reconstructed", "inferred", "computed")
     assert list(content["units"]) == list(rows_of(table)[0])
     assert all(content["units"].values()) and content["title"] and content["notes"]
     for exception in content["exceptions"]:
@@ -41,7 +41,20 @@ def check_sidecar(sidecar, table):
 
 def test_every_table_has_a_sidecar():
     named = {path.stem for path in DATA.glob("*.csv")}
-    assert named == {*TABLES, "direct_shear", "plate_bounds", "published_soils"}
+    assert named == {*TABLES, "direct_shear", "obstacle_ratios", "plate_bounds", "published_soils"}
+
+
+def test_the_ratios_near_a_block_go_with_bounds_found_anew(soilctl):
+    table = DATA / "obstacle_ratios.csv"
+    assert check_sidecar(DATA / "obstacle_ratios.json", table)["status"] == "computed"
+    rows = [{key: float(value) for key, value in row.items()} for row in rows_of(table)]
+    assert len(rows) == 30
+    # Another mesh and less work: both intervals hold the same ratio.
+    words = ["--phi", 30, "--delta", 20, "--density", 1500, "--ahead", 0.1, "--body-top", 0.05, "--body-height", 0.2]
+    words += ["--body-length", 0.3, "--max-gap", 0.3, "--max-elements", 2000]
+    found = soilctl.json("obstacle", DATA / "tools/plate.toml", *words, code=None)["distances"][0]
+    (row,) = [row for row in rows if (row["phi_deg"], row["ahead_depths"], row["top_depths"]) == (30, 1, 0.5)]
+    assert found["ratio_lower"] <= row["ratio_upper"] and row["ratio_lower"] <= found["ratio_upper"]
 
 
 def test_the_table_of_bounds_has_the_rows_and_the_sidecar_of_a_bracket_file():

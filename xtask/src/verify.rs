@@ -74,7 +74,8 @@ pub(crate) const PARTS: [(Part, &str, &str); 15] = [
     (
         Part::Soils,
         "soils",
-        "a thousand soils whose friction falls with stress, a thousand for each combination of unknown loads and slope, and three hundred slopes that stand, fail, or depend",
+        "a thousand soils whose friction falls with stress, a thousand for each combination of unknown loads and slope, three hundred slopes that stand, fail, or depend, and blocks that are found in four \
+         soils",
     ),
     (Part::Chain, "chain", "from simulated strokes to the soil, against the truth; logs of gigabytes"),
     (
@@ -130,8 +131,8 @@ impl Part {
             Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates", "signals"], ""),
             Self::Soils => ignored(
                 workspace,
-                "laws of stress and stability",
-                &["estimator_law", "estimator_unknowns", "stability"],
+                "laws of stress, stability, and what is buried",
+                &["estimator_law", "estimator_unknowns", "stability", "ahead"],
                 "",
             ),
             Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),

@@ -10,6 +10,8 @@
 //!
 //! In browsers there are those only that need neither recordings nor threads nor drives.
 
+#[cfg(not(target_family = "wasm"))]
+pub mod ahead;
 mod answer;
 #[cfg(not(target_family = "wasm"))]
 pub mod arm;
@@ -102,6 +104,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("shear", shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", simulate, simulate::run),
     use_case!("process", process, process::run),
+    use_case!("ahead", ahead, ahead::run),
     use_case!("diagnose", diagnose, |request, watch| Ok(diagnose::run(request, watch)?.answer)),
     use_case!("diagnose self-test", diagnose::self_test, diagnose::self_test::run),
     use_case!("diagnose self-test-logs", diagnose::self_test_logs, diagnose::self_test_logs::run),

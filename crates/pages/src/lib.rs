@@ -4,6 +4,8 @@
 //! figures, tables and sentences and need no network.
 
 #[cfg(not(target_family = "wasm"))]
+pub mod ahead;
+#[cfg(not(target_family = "wasm"))]
 pub mod arm;
 pub mod bound;
 pub mod certify;

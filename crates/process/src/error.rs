@@ -48,6 +48,16 @@ pub enum ProcessError {
         /// How many are needed.
         least: usize,
     },
+    /// A stroke of another kind than those that it is compared with.
+    #[error(
+        "its force at the first look is {ratio:.2} times what the others say, below {limit:.2}: the soil or the stroke is of another kind, and its course says nothing by theirs"
+    )]
+    Unlike {
+        /// Its force over that of the others.
+        ratio: f64,
+        /// The least by their scatter.
+        limit: f64,
+    },
     /// A URDF that can't be read.
     #[error("the URDF can't be used: {0}")]
     Urdf(String),

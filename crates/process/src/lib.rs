@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod ahead;
 mod blocks;
 mod campaign;
 mod depth_law;

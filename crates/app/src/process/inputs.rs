@@ -18,28 +18,28 @@ const MOST_LOGS: usize = 1_000_000;
 
 /// A log and what its strokes are named after.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Log {
-    pub(super) path: PathBuf,
-    pub(super) name: String,
+pub(crate) struct Log {
+    pub(crate) path: PathBuf,
+    pub(crate) name: String,
 }
 
 #[derive(Debug)]
-pub(super) struct Inputs {
-    pub(super) logs: Vec<Log>,
-    pub(super) settings: LogSettings,
-    pub(super) trace_rate_hz: f64,
-    pub(super) threads: usize,
-    pub(super) out: Option<(PathBuf, Form)>,
-    pub(super) shard: Option<Shard>,
+pub(crate) struct Inputs {
+    pub(crate) logs: Vec<Log>,
+    pub(crate) settings: LogSettings,
+    pub(crate) trace_rate_hz: f64,
+    pub(crate) threads: usize,
+    pub(crate) out: Option<(PathBuf, Form)>,
+    pub(crate) shard: Option<Shard>,
 }
 
 impl Inputs {
     /// Places of the logs that this run is about.
-    pub(super) fn own(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn own(&self) -> impl Iterator<Item = usize> {
         (0..self.logs.len()).filter(|place| self.shard.is_none_or(|shard| shard.has(*place)))
     }
 
-    pub(super) fn of(request: &Request) -> Result<Self, AppError> {
+    pub(crate) fn of(request: &Request) -> Result<Self, AppError> {
         let mut paths = BTreeSet::new();
         for given in &request.logs {
             if given.is_dir() && !soilctl_bag::is_recording(given) {

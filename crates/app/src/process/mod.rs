@@ -13,6 +13,7 @@ mod work;
 
 pub use answer::{Answer, LogOutcome};
 pub use findings::{Analysis, Comparison, Effect, Friction, Group, Law, Lift, Rubbing};
+pub(crate) use inputs::{Inputs, Log};
 pub use manifest::{Found, Skipped};
 pub use request::{AnalysisRequest, Bag, Request, WrenchSense};
 pub use soilctl_process::foreign::{Contact, ContactKind, FreeAir};

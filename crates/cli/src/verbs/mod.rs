@@ -1,6 +1,7 @@
 //! The verbs, one file each. A new verb is a module, a line in [`Verb`] and a line in [`Verb::run`]; what it does is a use
 //! case of `soilctl_app`, in whose list it stands.
 
+mod ahead;
 mod arm;
 mod bound;
 mod certify;
@@ -94,6 +95,8 @@ pub(crate) enum Verb {
     Log(log::Args),
     /// Failure forces of the strokes in logs, and what they say together
     Process(Box<process::Args>),
+    /// Whether something is buried ahead of strokes: where their force rises beyond what the soil explains
+    Ahead(Box<ahead::Args>),
     /// Runs the controller again on a log's inputs and compares every output bit
     Replay(replay::Args),
     /// Hosts a live session: the 500 Hz controller on the simulated arm or on a driver of one's own
@@ -153,6 +156,7 @@ impl Verb {
             Self::Table(args) => table::run(&args, output),
             Self::Log(args) => log::run(&args, output),
             Self::Process(args) => process::run(&args, output),
+            Self::Ahead(args) => ahead::run(&args, output),
             Self::Replay(args) => replay::run(&args, output),
             Self::Run(args) => run::run(&args, output),
             Self::Console(args) => console::run(&args, output),
