@@ -29,13 +29,21 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         &[from, to] if from <= to => [from, to],
         &[one] => [one, one],
         other => {
+            let given: Vec<String> = other.iter().map(|phi| crate::text::number(*phi)).collect();
             return Err(AppError::Request(format!(
-                "--phi has {} numbers; give the least and the greatest friction angle in deg, as 36,40",
-                other.len()
+                "--phi is {}; give the least and then the greatest friction angle in deg, as 36,40",
+                given.join(",")
             )));
         }
     };
-    ratios.friction_angles_deg(phi_deg)?;
+    let [least, most] = ratios.phi_deg();
+    if let Some(phi) = phi_deg.into_iter().find(|phi| !(least..=most).contains(phi)) {
+        return Err(AppError::OutOfRange {
+            key: "--phi".into(),
+            value: crate::text::number(phi),
+            allowed: format!("from {least} to {most} deg, for which there are bounds"),
+        });
+    }
     let form = request
         .table
         .as_deref()
