@@ -131,8 +131,8 @@ impl Part {
             Self::Diagnosis => ignored(workspace, "diagnosis of hidden campaigns", &["rates", "signals"], ""),
             Self::Soils => ignored(
                 workspace,
-                "laws of stress, stability, and what is buried",
-                &["estimator_law", "estimator_unknowns", "stability", "ahead"],
+                "laws of stress, stability, digging, and what is buried",
+                &["estimator_law", "estimator_unknowns", "stability", "ahead", "trench"],
                 "",
             ),
             Self::Chain => ignored(workspace, "the whole chain", &["memory", "chain", "coverage"], ""),

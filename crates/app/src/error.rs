@@ -17,8 +17,9 @@ use thiserror::Error;
 
 #[cfg(not(target_family = "wasm"))]
 use {
-    soilctl_bag::BagError, soilctl_campaign::CampaignError, soilctl_ground::GroundError,
-    soilctl_motion::MotionError, soilctl_process::ProcessError, soilctl_session::SessionError,
+    soilctl_bag::BagError, soilctl_campaign::CampaignError, soilctl_digging::DiggingError,
+    soilctl_ground::GroundError, soilctl_motion::MotionError, soilctl_process::ProcessError,
+    soilctl_session::SessionError,
 };
 
 /// Why a use case gave no answer.
@@ -113,6 +114,10 @@ pub enum AppError {
     #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]
     Campaign(#[from] CampaignError),
+    /// Digging.
+    #[cfg(not(target_family = "wasm"))]
+    #[error(transparent)]
+    Digging(#[from] DiggingError),
     /// A diagnosis.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),

@@ -28,6 +28,8 @@ pub mod diagnose;
 pub mod doctor;
 mod error;
 pub mod estimate;
+#[cfg(not(target_family = "wasm"))]
+pub mod excavate;
 pub mod files;
 mod finite;
 pub mod limits;
@@ -103,6 +105,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("surface", surface, surface::run),
     use_case!("shear", shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", simulate, simulate::run),
+    use_case!("excavate", excavate, excavate::run),
     use_case!("process", process, process::run),
     use_case!("ahead", ahead, ahead::run),
     use_case!("diagnose", diagnose, |request, watch| Ok(diagnose::run(request, watch)?.answer)),

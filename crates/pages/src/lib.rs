@@ -15,6 +15,8 @@ pub mod demo;
 pub mod diagnose;
 mod error;
 pub mod estimate;
+#[cfg(not(target_family = "wasm"))]
+pub mod excavate;
 pub mod limits;
 pub mod obstacle;
 #[cfg(not(target_family = "wasm"))]

@@ -105,6 +105,15 @@ impl Plan {
         Ok(())
     }
 
+    /// The same plan with other settings of the controller, which its text does not name.
+    ///
+    /// # Errors
+    /// [`CampaignError::Controller`] for settings that make no sense, or with which a stroke cannot be reached.
+    pub fn with_controller(&self, config: ControllerConfig) -> Result<Self, CampaignError> {
+        let params = Params::new(self.plant.arm().clone(), config, self.params.plan().clone())?;
+        Ok(Self { params, ..self.clone() })
+    }
+
     /// The text that it was made from.
     #[must_use]
     pub fn text(&self) -> &str {

@@ -14,6 +14,7 @@ mod diagnose;
 mod dig;
 mod doctor;
 mod estimate;
+mod excavate;
 mod limits;
 mod log;
 mod man;
@@ -87,6 +88,8 @@ pub(crate) enum Verb {
     Shear(Box<shear::Args>),
     /// Runs a campaign on the simulated arm and soil, a log for each batch
     Simulate(simulate::Args),
+    /// A trench dug in passes at least cost to the motors: which forces fail the soil, at which tool angle, how deep a pass may be
+    Excavate(Box<excavate::Args>),
     /// A simulated campaign from the soil to the estimate, compared with the truth, on one page
     Demo(demo::Args),
     /// Shows, builds and checks prediction tables
@@ -152,6 +155,7 @@ impl Verb {
             Self::Report(args) => report::run(&args, output),
             Self::Shear(args) => shear::run(&args, output),
             Self::Simulate(args) => simulate::run(&args, output),
+            Self::Excavate(args) => excavate::run(&args, output),
             Self::Demo(args) => demo::run(&args, output),
             Self::Table(args) => table::run(&args, output),
             Self::Log(args) => log::run(&args, output),

@@ -37,6 +37,23 @@ const SCAN: usize = 16;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ChenLiu;
 
+impl ChenLiu {
+    /// Passive factors of a plate that sticks to the soil and is pushed with a force inclined to its normal by the case's `interface`, which may
+    /// be anything from `-phi` to `phi` here: negative where the force points up along the plate.
+    ///
+    /// The triangle at the plate moves as one piece and the plate with it, so that nothing slips on the plate and its friction does not enter:
+    /// an upper bound for every plate that is rough enough to hold the force, Hong (2001), figure 5-13.
+    ///
+    /// # Errors
+    /// [`EarthPressureError::OutsideModel`] outside the model's angles or for an inclination above phi,
+    /// [`EarthPressureError::Singular`] where no mechanism fits.
+    pub fn sticking(case: &Case) -> Result<LoadFactors, EarthPressureError> {
+        let upwards = Case { interface: Angle::from_radians(case.interface.radians().abs()), ..*case };
+        Self.valid_range().check(ID, &upwards)?;
+        passive(case)
+    }
+}
+
 impl ForceModel for ChenLiu {
     fn id(&self) -> &'static str {
         ID
@@ -255,6 +272,25 @@ mod tests {
                 }
                 prop_assert!(best <= brute + 1e-9 * brute.abs(), "{best} {brute}");
             }
+        }
+
+        /// A force that points up along the plate: never above Coulomb's wedge, found by trying all planes, and at most a hundredth below it, since a
+        /// plane is nearly the best mechanism there. Without friction on the plate it is the passive side of the model itself.
+        #[test]
+        fn a_force_that_lifts(alpha in 50.0..100.0, phi in 20.0..45.0, ratio in 0.05..0.9) {
+            let case = Case::from_deg(alpha, 0.0, phi, -ratio * phi);
+            let found = ChenLiu::sticking(&case).unwrap().weight;
+            let (a, f, d) = (case.tool_angle.radians(), case.friction.radians(), case.interface.radians());
+            // Forces on the wedge above a plane at the dip t: weight, the plate's force, and that of the plane at phi to its normal.
+            let wedge = |t: f64| {
+                let area = 0.5 * (a + t).sin() * a.sin() / t.sin();
+                2.0 * area * (t + f).sin() / (a + d + t + f).sin()
+            };
+            let planes = (1..2000).map(|i| f64::from(i) * (std::f64::consts::PI - a) / 2000.0);
+            let best = planes.filter(|t| a + d + t + f < std::f64::consts::PI).map(wedge).fold(f64::INFINITY, f64::min);
+            prop_assert!(found <= best * (1.0 + 1e-9) && found > 0.97 * best, "{found} {best}");
+            let smooth = Case::from_deg(alpha, 0.0, phi, 0.0);
+            prop_assert_eq!(ChenLiu::sticking(&smooth).unwrap(), passive(&smooth).unwrap());
         }
 
         /// Without a fan the mechanism is one sliding plane, so it cannot be above Coulomb's wedge.
