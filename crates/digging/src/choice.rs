@@ -160,7 +160,7 @@ impl Task {
         let [low, high] = angles_deg;
         let at = |deg: f64| match self.cost(params, model, soils, deg, heap_m) {
             Ok(cost) => Ok(Some(cost)),
-            Err(DiggingError::Kinematics(_)) => Ok(None),
+            Err(DiggingError::Kinematics(_) | DiggingError::WayEnds { .. }) => Ok(None),
             Err(other) => Err(other),
         };
         let value = |cost: &Option<Cost>| cost.as_ref().map_or(f64::INFINITY, |cost| cost.of(aim));

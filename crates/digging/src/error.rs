@@ -27,6 +27,14 @@ pub enum DiggingError {
     /// A stroke without a way.
     #[error("a stroke has no way; give it a length")]
     NoWay,
+    /// A stroke that the arm cannot follow.
+    #[error(
+        "the arm cannot follow the stroke beyond {travel_m} m with its wrist held; make it shorter, or begin farther out"
+    )]
+    WayEnds {
+        /// Way in m.
+        travel_m: f64,
+    },
     /// No tool angle can be reached.
     #[error(
         "the arm reaches no tool angle from {low_deg} to {high_deg} deg at a radius of {radius_m} m; move the trench, or allow other tool angles"

@@ -6,6 +6,7 @@ use soilctl_campaign::Plan;
 use soilctl_earth_pressure::ForceModel;
 use soilctl_soil::Angle;
 
+use crate::choice::Task;
 use crate::learn::{Knowledge, Taught};
 use crate::trench::{DONE_M, MOST_PASSES, Pass, Rules, Trench, next_pass};
 use crate::{DiggingError, Dug, Machine, Soils, Surface};
@@ -17,6 +18,8 @@ pub struct Made {
     pub pass: Pass,
     /// What came of it.
     pub dug: Dug,
+    /// Depth below the level surface that it cut to where it began, in m, by the sensors.
+    pub floor_m: f64,
     /// What it taught; `None` if it was not asked.
     pub taught: Option<Taught>,
     /// Ranges of friction angle (deg) and density (kg/m3) of the soils that are consistent after it.
@@ -64,13 +67,16 @@ impl Excavation {
 }
 
 /// Makes the passes of another excavation again in fresh soil, as deep each and at the same places, at a fixed tool angle (deg): what it would have
-/// taken. The share is not kept to.
+/// taken. The share is not kept to, and costs are told without heaps.
 ///
 /// # Errors
-/// As [`Machine::stroke`].
+/// As [`Machine::stroke`] and [`Task::cost`].
+#[allow(clippy::too_many_arguments, reason = "each is what it says")]
 pub fn again(
     plan: &Plan,
     seed: u64,
+    model: &dyn ForceModel,
+    soils: &Soils,
     passes: &[Made],
     tool_angle_deg: f64,
     stop: &AtomicBool,
@@ -85,12 +91,21 @@ pub fn again(
         }
         let mut pass = made.pass.clone();
         pass.stroke.tool_angle_rad = tool_angle_deg.to_radians();
+        let task = Task {
+            radius_m: pass.stroke.radius_m,
+            base_rad: pass.stroke.base_rad,
+            surface_z_m: level_z_m - found.depth_m,
+            depth_m: pass.stroke.depth_m,
+            length_m: plan.params().config().stroke.max_travel_m,
+            friction_nm: plan.plant().config().drives.friction_nm,
+        };
+        pass.cost = task.cost(plan.params(), model, soils, tool_angle_deg, &[])?;
         let dug = machine.stroke(&pass.stroke)?;
         if let Some(first) = dug.samples.first() {
             found.depth_m = level_z_m - first.z_m;
         }
         let done = dug.done;
-        found.passes.push(Made { pass, dug, taught: None, ranges: made.ranges });
+        found.passes.push(Made { pass, dug, floor_m: found.depth_m, taught: None, ranges: made.ranges });
         if !done {
             found.end = End::StrokeFailed;
             break;
@@ -154,7 +169,13 @@ pub fn excavate(
         }
         surface.stroke(&made, dug.travel_m.max(1e-3))?;
         let done = dug.done;
-        found.passes.push(Made { pass, dug, taught, ranges: knowledge.soils().ranges() });
+        found.passes.push(Made {
+            pass,
+            dug,
+            floor_m: found.depth_m,
+            taught,
+            ranges: knowledge.soils().ranges(),
+        });
         if !done {
             found.end = End::StrokeFailed;
             break;

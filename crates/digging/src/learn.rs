@@ -57,6 +57,10 @@ impl<'m> Knowledge<'m> {
         heap_m: f64,
         width_m: f64,
     ) -> Result<Taught, DiggingError> {
+        let [phi, density] = self.before.ranges();
+        if phi[0] >= phi[1] || density[0] >= density[1] {
+            return Ok(Taught::Known);
+        }
         let range = self.model.valid_range().alpha_deg;
         if tool_angle_deg < range.0 || tool_angle_deg > range.1 {
             return Ok(Taught::OutsideModel);
@@ -82,7 +86,6 @@ impl<'m> Knowledge<'m> {
         let label = format!("stroke {}", self.observations.len() + 1);
         let observation = Observation::new(label, plate, point.force_n, half_n)?;
         self.observations.push(observation);
-        let [phi, density] = self.before.ranges();
         let delta = self.before.delta_deg();
         let mut setup = Setup::new(self.model, self.observations.clone(), (delta[0], delta[1]))
             .with_density(density[0], density[1]);
@@ -119,6 +122,8 @@ pub enum Taught {
         /// Half width of its interval in N.
         half_n: f64,
     },
+    /// Friction angle or density were known exactly, so that there was nothing to narrow.
+    Known,
     /// Its failure cannot be told.
     NoFailure,
     /// It was made into a heap.

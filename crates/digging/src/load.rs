@@ -62,13 +62,18 @@ pub fn load(
     let shares = |torques: [f64; 5], limits: [f64; 5]| {
         torques.iter().zip(limits).map(|(torque, limit)| torque.abs() / limit).fold(0.0, f64::max)
     };
-    let rubbing = MotorTorques(std::array::from_fn(|i| motors.0[i] + friction_nm[i].copysign(motors.0[i])));
-    let turning = arm.transmission().joint_torques(&rubbing)?;
-    let heat_a2 = rubbing.0.iter().zip(config.current_a_per_nm).map(|(t, a)| (t * a) * (t * a)).sum();
+    // Friction stands against whichever way a drive turns, which is not known of each while the arm gives way: at most.
+    let rubbing = std::array::from_fn(|i| motors.0[i].abs() + friction_nm[i]);
+    let to_motor = arm.transmission().joint_to_motor();
+    let turning = std::array::from_fn(|joint| {
+        let friction: f64 = (0..5).map(|motor| to_motor[motor][joint].abs() * friction_nm[motor]).sum();
+        joints.0[joint].abs() + friction
+    });
+    let heat_a2 = rubbing.iter().zip(config.current_a_per_nm).map(|(t, a)| (t * a) * (t * a)).sum();
     Ok(Load {
         joints,
         motors,
-        share: shares(turning.0, limits).max(shares(rubbing.0, config.max_torque_nm)),
+        share: shares(turning, limits).max(shares(rubbing, config.max_torque_nm)),
         heat_a2,
         ahead_n: -outward,
     })

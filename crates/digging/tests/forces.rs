@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use soilctl_digging::{Bite, Contact, Soils, borne, sliding_n};
-use soilctl_earth_pressure::{Case, ForceModel, plane_model};
+use soilctl_earth_pressure::{Case, plane_model};
 
 const G: f64 = 9.80665;
 

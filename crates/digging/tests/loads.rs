@@ -76,7 +76,8 @@ fn a_way_keeps_wrist_and_line() {
         assert!((pose.x_m.hypot(pose.y_m) - (0.36 - travel)).abs() < 1e-8);
         assert_eq!((joints.0[0], joints.0[3], joints.0[4]), (first.0[0], first.0[3], first.0[4]));
     }
-    assert!(way(&params, &task.stroke(80.0, 23.0), SURFACE_Z_M, 0.35).is_err());
+    let far = Task { radius_m: 0.95, ..task };
+    assert!(way(&params, &far.stroke(80.0, 23.0), SURFACE_Z_M, 0.05).is_err());
 }
 
 /// Whatever is to be least, no tool angle of a fine grid beats the one found.

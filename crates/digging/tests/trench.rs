@@ -64,7 +64,7 @@ fn dig(soil: &str, wide: f64, trench: &Trench, share: f64, most_m: f64) -> [Exca
     let stop = AtomicBool::new(false);
     let of = |learns| excavate(&plan, 1, table.as_ref(), &soils, trench, &rules, learns, &stop).unwrap();
     let (learning, planned) = (of(true), of(false));
-    let fixed = again(&plan, 1, &planned.passes, 90.0, &stop).unwrap();
+    let fixed = again(&plan, 1, table.as_ref(), &soils, &planned.passes, 90.0, &stop).unwrap();
     let truth = plan.soil();
     for made in &learning.passes {
         let [phi, density] = made.ranges;
@@ -92,14 +92,14 @@ fn dig(soil: &str, wide: f64, trench: &Trench, share: f64, most_m: f64) -> [Exca
 #[test]
 fn a_pass_teaches_the_next() {
     let trench = Trench { radius_m: 0.38, base_rad: 0.0, length_m: 0.05, depth_m: 0.05 };
-    let [learning, planned, _] = dig("glass_beads", 1.0, &trench, 0.6, 0.028);
+    let [learning, planned, _] = dig("glass_beads", 1.0, &trench, 0.65, 0.028);
     assert_eq!(learning.end, End::Complete);
     assert!(matches!(learning.passes[0].taught, Some(Taught::Region { .. })));
     assert!(planned.passes.iter().all(|made| made.taught.is_none()));
     assert!(learning.passes.len() < planned.passes.len() || planned.end != End::Complete);
     assert!(learning.passes[1].pass.stroke.depth_m > planned.passes[1].pass.stroke.depth_m);
     // Planned for the strongest soil that is possible; the share is kept.
-    assert!(learning.peak_share() <= 0.6, "{}", learning.peak_share());
+    assert!(learning.peak_share() <= 0.65, "{}", learning.peak_share());
 }
 
 /// The four soils of the thesis: a pass of 25 mm depth and 50 mm length at the tool angle of least torque, against the same at 90 deg.

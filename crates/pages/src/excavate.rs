@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use soilctl_app::excavate::{Answer, DugTrench, Ended, Manner};
-use soilctl_app::text::{number, range};
+use soilctl_app::text::range;
 use soilctl_figure::{Align, Axis, CalloutKind, Dash, Figure, HtmlReport, Line, RefLine, Size, Table};
 
 use crate::PageError;
@@ -107,7 +107,7 @@ pub fn page(answer: &Answer) -> Result<HtmlReport, PageError> {
             format!("{:.1}", row.alpha_deg),
             format!("{:.2}", row.fails_n),
             format!("{:.1}", 100.0 * row.share),
-            number(row.heat_a2),
+            format!("{:.0}", row.heat_a2),
             format!("{:.2}", row.work_kj_m3),
         ])?;
     }
@@ -142,11 +142,7 @@ fn depths(answer: &Answer) -> Result<Figure, PageError> {
     let mut figure = Figure::new("Depth by passes", Axis::linear("Pass"), Axis::linear("Depth (mm)"));
     for (color, trench) in answer.dug.iter().enumerate() {
         let mut points = vec![(0.0, 0.0)];
-        let mut depth = 0.0;
-        for (i, pass) in (1..).zip(&trench.passes) {
-            depth += 1e3 * pass.depth_m[1];
-            points.push((f64::from(i), depth));
-        }
+        points.extend((1..).zip(&trench.passes).map(|(i, pass)| (f64::from(i), 1e3 * pass.floor_m)));
         figure.push(Line::new(name(trench.manner), points).color(color).dash(Dash::Solid))?;
     }
     Ok(figure)

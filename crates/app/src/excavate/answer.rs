@@ -87,6 +87,8 @@ pub enum Learned {
     Region,
     /// No soil of what was possible explains it together with the others; it was left out.
     Contradicts,
+    /// Friction angle or density were known exactly, so that there was nothing to narrow.
+    Known,
     /// Its failure cannot be told.
     NoFailure,
     /// It was made into a heap.
@@ -102,6 +104,7 @@ impl From<Option<Taught>> for Learned {
         match taught {
             Some(Taught::Region { .. }) => Self::Region,
             Some(Taught::Contradicts { .. }) => Self::Contradicts,
+            Some(Taught::Known) => Self::Known,
             Some(Taught::NoFailure) => Self::NoFailure,
             Some(Taught::Heap) => Self::Heap,
             Some(Taught::OutsideModel) => Self::OutsideModel,
@@ -117,6 +120,8 @@ pub struct DugRow {
     pub planned: PassRow,
     /// Depth that was reached at the end of the insertion and of the stroke (m), in truth.
     pub depth_m: [f64; 2],
+    /// Depth below the level surface that it cut to where it began (m), by the controller's sensors.
+    pub floor_m: f64,
     /// Way of the plate (m).
     pub travel_m: f64,
     /// Soil that the plate swept (m3).

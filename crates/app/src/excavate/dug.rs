@@ -34,7 +34,7 @@ pub(super) fn all(
                 excavate(plan, request.seed, model, before, trench, rules, false, &stop)?
             }
             (Manner::Fixed, Some(Excavation { passes, .. })) => {
-                again(plan, request.seed, passes, FIXED_DEG, &stop)?
+                again(plan, request.seed, model, before, passes, FIXED_DEG, &stop)?
             }
         };
         all.push(told(manner, &found));
@@ -72,6 +72,7 @@ fn made(made: &Made) -> DugRow {
     DugRow {
         planned: row(&made.pass),
         depth_m: dug.depth_m,
+        floor_m: made.floor_m,
         travel_m: dug.travel_m,
         swept_m3: dug.swept_m3,
         peak_force_n: dug.peak_force_n,

@@ -8,7 +8,9 @@ mod soils;
 mod words;
 
 use soilctl_controller::Params;
-use soilctl_digging::{Aim, Bite, Cost, Pass, Push, Rules, Soils, Surface, Task, borne, load, passes, way};
+use soilctl_digging::{
+    Aim, Bite, Cost, DiggingError, Pass, Push, Rules, Soils, Surface, Task, borne, load, passes, way,
+};
 use soilctl_earth_pressure::{ForceModel, plane_model};
 use soilctl_plant::SoilPreset;
 use soilctl_soil::Angle;
@@ -21,7 +23,7 @@ use crate::{AppError, Watch};
 /// Step of the tool angles that are told, in deg.
 const ANGLE_STEP_DEG: f64 = 5.0;
 /// Step of the inclinations that are told, in deg.
-const INCLINATION_STEP_DEG: f64 = 2.5;
+const INCLINATION_STEP_DEG: f64 = 5.0;
 
 /// Plans a trench, and digs it on the simulated arm if that is asked.
 ///
@@ -176,7 +178,7 @@ fn angles(
         match task.cost(params, model, soils, deg, &[]) {
             Ok(cost) => rows.push(angle(&cost)),
             // Out of the arm's reach.
-            Err(soilctl_digging::DiggingError::Kinematics(_)) => {}
+            Err(DiggingError::Kinematics(_) | DiggingError::WayEnds { .. }) => {}
             Err(other) => return Err(other.into()),
         }
     }

@@ -41,7 +41,7 @@ fn plan(answer: &Answer, request: &Request) -> String {
                 Least::Work => "the least work",
             };
             let whole = if answer.complete {
-                format!("{} mm are dug in {} passes", number(1e3 * request.depth_m), answer.passes.len())
+                format!("{} mm are dug in {}", number(1e3 * request.depth_m), passes(answer.passes.len()))
             } else {
                 format!(
                     "after {} passes none keeps the share, and the trench is not as deep as wanted",
@@ -72,14 +72,18 @@ fn trench(dug: &DugTrench, request: &Request) -> String {
         Ended::Stopped => "broken off",
     };
     format!(
-        "{how}: {:.1} of {:.1} mm {what} in {} passes, at most {:.0} % of a torque limit, {:.2} J of work, {:.0} A2 s.",
+        "{how}: {:.1} of {:.1} mm {what} in {}, at most {:.0} % of a torque limit, {:.2} J of work, {:.0} A2 s.",
         1e3 * dug.depth_m,
         1e3 * request.depth_m,
-        dug.passes.len(),
+        passes(dug.passes.len()),
         100.0 * dug.peak_share,
         dug.work_j,
         dug.heat_a2s
     )
+}
+
+fn passes(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "pass" } else { "passes" })
 }
 
 /// Chosen tool angles against the fixed one, where both made the trench.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use soilctl_app::excavate::{self, Answer, Becomes, Ended, Learned, Manner, Request};
-use soilctl_app::text::{columns, number, range};
+use soilctl_app::text::{columns, range};
 use soilctl_app::{Answer as _, Outcome};
 use soilctl_figure::Size;
 use soilctl_pages::excavate::{forces, page, table};
@@ -86,7 +86,7 @@ impl Words for Answer {
             text += &columns(&dug_rows(dug));
         }
         for file in &self.files {
-            text += &format!("\nwritten: {file}");
+            text += &format!("\nwritten: {file}\n");
         }
         for warning in &self.warnings {
             text += &format!("\nnote: {warning}\n");
@@ -129,7 +129,7 @@ fn angle_rows(answer: &Answer) -> Vec<Vec<String>> {
             or_dash(row.bears_n, 2),
             format!("{:.2}", row.fails_n),
             format!("{:.1}", 100.0 * row.share),
-            number(row.heat_a2),
+            format!("{:.0}", row.heat_a2),
             format!("{:.2}", row.work_kj_m3),
         ]);
     }
@@ -155,6 +155,7 @@ fn dug_rows(dug: &soilctl_app::excavate::DugTrench) -> Vec<Vec<String>> {
         let learned = match pass.learned {
             Learned::Region => "yes",
             Learned::Contradicts => "contradicts",
+            Learned::Known => "known",
             Learned::NoFailure => "no failure seen",
             Learned::Heap => "heap",
             Learned::OutsideModel => "outside model",
