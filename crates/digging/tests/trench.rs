@@ -56,63 +56,80 @@ fn passes_keep_to_the_share() {
     assert_eq!(first(0.1, 0.0), None);
 }
 
-/// The passes of all three manners; the soil of the box is never lost, and torque stays below what was planned but for what is rounded off.
-fn dig(soil: &str, wide: f64, trench: &Trench, share: f64, most_m: f64) -> [Excavation; 3] {
+/// The trench with and without learning; the soil of the box is never lost.
+fn dig(soil: &str, wide: f64, trench: &Trench, share: f64, most_m: f64) -> [Excavation; 2] {
     let plan = plan(soil, trench.length_m);
     let table = plane_model("table").unwrap();
     let (soils, rules) = (soils(&plan, wide), rules(&plan, share, most_m));
     let stop = AtomicBool::new(false);
     let of = |learns| excavate(&plan, 1, table.as_ref(), &soils, trench, &rules, learns, &stop).unwrap();
     let (learning, planned) = (of(true), of(false));
-    let fixed = again(&plan, 1, table.as_ref(), &soils, &planned.passes, 90.0, &stop).unwrap();
     let truth = plan.soil();
     for made in &learning.passes {
         let [phi, density] = made.ranges;
         assert!(phi[0] <= truth.phi_deg && truth.phi_deg <= phi[1], "{phi:?}");
         assert!(density[0] <= truth.density_kg_m3 && truth.density_kg_m3 <= density[1], "{density:?}");
     }
-    for (name, found) in [("learning", &learning), ("planned", &planned), ("fixed", &fixed)] {
-        let work_j = found.sum(|dug| dug.work_j.iter().sum());
-        let heat = found.sum(|dug| dug.heat_a2s.iter().sum());
-        let litres = 1e3 * found.sum(|dug| dug.swept_m3);
-        println!(
-            "{soil} {name}: {:?} {} passes {:.1} mm, peak {:.3}, {litres:.3} l, {work_j:.3} J {:.2} kJ/m3, {heat:.0} A2 s {:.0} A2 s/l",
-            found.end,
-            found.passes.len(),
-            1e3 * found.depth_m,
-            found.peak_share(),
-            work_j / litres,
-            heat / litres
-        );
-    }
-    [learning, planned, fixed]
+    tell(soil, "learning", &learning);
+    tell(soil, "planned", &planned);
+    [learning, planned]
+}
+
+/// A row of the table in `docs/how/dig-well.md`.
+fn tell(soil: &str, name: &str, found: &Excavation) {
+    let work_j = found.sum(|dug| dug.work_j.iter().sum());
+    let heat = found.sum(|dug| dug.heat_a2s.iter().sum());
+    let litres = 1e3 * found.sum(|dug| dug.swept_m3);
+    println!(
+        "{soil} {name}: {:?} {} passes {:.1} mm, peak {:.3}, {litres:.3} l, {work_j:.3} J {:.2} kJ/m3, {heat:.0} A2 s {:.0} A2 s/l",
+        found.end,
+        found.passes.len(),
+        1e3 * found.depth_m,
+        found.peak_share(),
+        work_j / litres,
+        heat / litres
+    );
 }
 
 /// In glass beads that are known roughly, what the first pass teaches makes later passes deeper.
 #[test]
 fn a_pass_teaches_the_next() {
-    let trench = Trench { radius_m: 0.38, base_rad: 0.0, length_m: 0.05, depth_m: 0.05 };
-    let [learning, planned, _] = dig("glass_beads", 1.0, &trench, 0.65, 0.028);
+    let trench = Trench { radius_m: 0.38, base_rad: 0.0, length_m: 0.05, depth_m: 0.04 };
+    let [learning, planned] = dig("glass_beads", 1.0, &trench, 0.65, 0.028);
     assert_eq!(learning.end, End::Complete);
     assert!(matches!(learning.passes[0].taught, Some(Taught::Region { .. })));
     assert!(planned.passes.iter().all(|made| made.taught.is_none()));
-    assert!(learning.passes.len() < planned.passes.len() || planned.end != End::Complete);
     assert!(learning.passes[1].pass.stroke.depth_m > planned.passes[1].pass.stroke.depth_m);
+    assert!(learning.passes.len() <= planned.passes.len() || planned.end != End::Complete);
     // Planned for the strongest soil that is possible; the share is kept.
     assert!(learning.peak_share() <= 0.65, "{}", learning.peak_share());
 }
 
-/// The four soils of the thesis: a pass of 25 mm depth and 50 mm length at the tool angle of least torque, against the same at 90 deg.
+/// The four soils of the thesis: a pass of 25 mm depth and 50 mm length at the tool angle of least torque, against the same at 90 deg; and a trench in
+/// glass beads that are known roughly.
 #[test]
 #[ignore = "minutes; cargo xtask verify soils"]
 fn least_torque_against_the_fixed_angle() {
+    let table = plane_model("table").unwrap();
+    let stop = AtomicBool::new(false);
+    let fixed = |soil: &str, wide: f64, trench: &Trench, planned: &Excavation| {
+        let plan = plan(soil, trench.length_m);
+        let soils = soils(&plan, wide);
+        let found = again(&plan, 1, table.as_ref(), &soils, &planned.passes, 90.0, &stop).unwrap();
+        tell(soil, "fixed", &found);
+        found
+    };
     let trench = Trench { radius_m: 0.36, base_rad: 0.0, length_m: 0.05, depth_m: 0.025 };
     let mut better = 0;
     for soil in ["ticino_rained", "ticino_loose", "nevada_fine", "glass_beads"] {
-        let [_, chosen, fixed] = dig(soil, 0.0, &trench, 1.0, 0.025);
-        assert_eq!((chosen.end, fixed.end), (End::Complete, End::Complete));
-        let less = chosen.peak_share() / fixed.peak_share();
-        better += u32::from(less < 0.85);
+        let [_, chosen] = dig(soil, 0.0, &trench, 1.0, 0.025);
+        let upright = fixed(soil, 0.0, &trench, &chosen);
+        assert_eq!((chosen.end, upright.end), (End::Complete, End::Complete));
+        better += u32::from(chosen.peak_share() < 0.85 * upright.peak_share());
     }
     assert!(better >= 2, "{better} of four");
+    let deep = Trench { radius_m: 0.38, base_rad: 0.0, length_m: 0.05, depth_m: 0.05 };
+    let [learning, planned] = dig("glass_beads", 1.0, &deep, 0.65, 0.028);
+    assert!(learning.passes.len() < planned.passes.len());
+    fixed("glass_beads", 1.0, &deep, &planned);
 }

@@ -29,12 +29,21 @@ struct PlanText<'a> {
     batches: Vec<Batch>,
 }
 
-/// The plan whose soil is dug in, with one stroke that nobody makes: at the tool angle that the arm reaches at most radii.
-pub(super) fn plan(request: &Request, soils: &Soils) -> Result<Plan, AppError> {
-    let first = stroke(request, soils, 90.0, 0.01);
-    let text = text(request, vec![first], None)?;
-    let plan = Plan::from_toml(&text, "the plan of the trench", Path::new(""))?;
-    Ok(plan.with_controller(settings(request))?)
+/// The plan whose soil is dug in, with one stroke that nobody makes, at the first tool angle of these (deg) that the arm reaches.
+pub(super) fn plan(request: &Request, soils: &Soils, angles_deg: [f64; 2]) -> Result<Plan, AppError> {
+    let [low, high] = angles_deg;
+    let at = |part: f64| {
+        let text = text(request, vec![stroke(request, soils, low + part * (high - low), 0.01)], None)?;
+        Ok::<Plan, AppError>(Plan::from_toml(&text, "the plan of the trench", Path::new(""))?)
+    };
+    let mut plan = at(0.0);
+    for part in 1..=8 {
+        if plan.is_ok() {
+            break;
+        }
+        plan = at(f64::from(part) / 8.0);
+    }
+    Ok(plan?.with_controller(settings(request))?)
 }
 
 /// The settings that soilctl brings along, but for what ends a stroke.

@@ -36,7 +36,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let preset = SoilPreset::named(&request.soil).map_err(soilctl_campaign::CampaignError::from)?;
     let (before, mut warnings) = soils::possible(request, &preset, watch)?;
     let model = plane_model(&request.model)?;
-    let plan = files::plan(request, &before)?;
+    let plan = files::plan(request, &before, request.angles_deg()?)?;
     let params = plan.params();
     let (trench, rules) = (request.trench(), request.rules(plan.plant().config().drives.friction_nm)?);
     let repose = Angle::from_degrees(before.ranges()[0][0]);

@@ -153,7 +153,8 @@ impl Request {
         }
     }
 
-    pub(super) fn rules(&self, friction_nm: [f64; 5]) -> Result<Rules, AppError> {
+    /// Least and greatest tool angle in deg.
+    pub(super) fn angles_deg(&self) -> Result<[f64; 2], AppError> {
         let angles_deg = match self.alpha_deg[..] {
             [one] => [one, one],
             [low, high] => [low, high],
@@ -171,9 +172,13 @@ impl Request {
                 allowed: "from 45 to 135 deg, the lesser first: what the controller strokes at".into(),
             });
         }
+        Ok(angles_deg)
+    }
+
+    pub(super) fn rules(&self, friction_nm: [f64; 5]) -> Result<Rules, AppError> {
         Ok(Rules {
             share: self.share,
-            angles_deg,
+            angles_deg: self.angles_deg()?,
             aim: self.least.aim(),
             friction_nm,
             least_m: LEAST_PASS_M,
