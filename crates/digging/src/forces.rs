@@ -11,7 +11,7 @@
 //! A force that points up along the plate steeper than the friction makes it slip out. One that points further down makes it dive, unless the
 //! soil below its edge holds it; then no more is borne than by a perfectly rough plate (`delta = phi`).
 
-use soilctl_earth_pressure::{ChenLiu, ForceModel};
+use soilctl_earth_pressure::{Case, ChenLiu, ForceModel};
 use soilctl_soil::{Angle, Plate};
 
 use crate::{DiggingError, Soils};
@@ -114,13 +114,10 @@ fn bears_n(
     bite: &Bite,
     inclination_deg: f64,
 ) -> Result<Option<f64>, DiggingError> {
-    let range = model.valid_range().alpha_deg;
-    if bite.tool_angle_deg < range.0 || bite.tool_angle_deg > range.1 {
-        return Ok(None);
-    }
+    let Some(tool_angle_deg) = covered_deg(model, bite) else { return Ok(None) };
     let scale = scale_n(soils, bite)?;
     let mut least = f64::INFINITY;
-    for (case, density) in soils.corners(false, bite.tool_angle_deg, inclination_deg) {
+    for (case, density) in soils.corners(false, tool_angle_deg, inclination_deg) {
         least = least.min(density * scale * model.predict(&case)?.net_lower.0);
     }
     Ok(least.is_finite().then_some(least))
@@ -143,9 +140,12 @@ fn fails_n(
         if inclination_deg >= 0.0 {
             // The soil behind pushes along.
             weight = ChenLiu.predict(&case)?.net.weight;
-            let covers = bite.tool_angle_deg >= range.alpha_deg.0 && bite.tool_angle_deg <= range.alpha_deg.1;
-            let rough = inclination_deg <= range.delta_deg.1 && case.friction.degrees() <= range.phi_deg.1;
-            if covers && rough && case.friction.degrees() >= range.phi_deg.0 {
+            let phi_deg = case.friction.degrees();
+            let covers = inclination_deg <= range.delta_deg.1
+                && phi_deg >= range.phi_deg.0
+                && phi_deg <= range.phi_deg.1;
+            if let Some(deg) = covered_deg(model, bite).filter(|_| covers) {
+                let case = Case { tool_angle: Angle::from_degrees(deg), ..case };
                 weight = weight.max(model.predict(&case)?.net_upper.0);
             }
         }
@@ -153,6 +153,13 @@ fn fails_n(
         most = most.max(density * scale * weight + heap);
     }
     Ok(most)
+}
+
+/// The tool angle in deg, if the model covers it; what is off by rounding counts as its end.
+fn covered_deg(model: &dyn ForceModel, bite: &Bite) -> Option<f64> {
+    let (low, high) = model.valid_range().alpha_deg;
+    let deg = bite.tool_angle_deg.max(low).min(high);
+    ((deg - bite.tool_angle_deg).abs() < 1e-6).then_some(deg)
 }
 
 /// `1/2 g L^2 w`: a force in N by density and coefficient.

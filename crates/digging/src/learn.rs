@@ -67,7 +67,7 @@ impl<'m> Knowledge<'m> {
         }
         let Some(first) = dug.samples.first() else { return Ok(Taught::NoFailure) };
         let depth_m = dug.surface_z_m - first.z_m;
-        if !(depth_m > DEPTH_M) {
+        if depth_m <= DEPTH_M {
             return Ok(Taught::NoFailure);
         }
         if heap_m > LEVEL * depth_m {

@@ -10,6 +10,8 @@ use crate::{DiggingError, Soils, Surface};
 pub(crate) const MOST_PASSES: usize = 40;
 /// What is left of a depth counts as nothing, in m: the touch does not find the floor better.
 pub(crate) const DONE_M: f64 = 0.0015;
+/// A pass that cuts less deeper than this, in m, is none.
+const DEEPER_M: f64 = 0.0005;
 /// Accuracy of the depth of a pass in m.
 const ACCURACY_M: f64 = 0.0002;
 
@@ -105,7 +107,8 @@ pub fn next_pass(
     Ok(Some(best))
 }
 
-/// The passes of a trench as they are planned beforehand, and whether they make its whole depth: until a pass would take more than its share.
+/// The passes of a trench as they are planned beforehand, and whether they make its whole depth: until a pass would take more than its share, or cuts
+/// no deeper than what has run off since the last.
 ///
 /// # Errors
 /// As [`next_pass`].
@@ -117,16 +120,19 @@ pub fn passes(
     trench: &Trench,
     rules: &Rules,
 ) -> Result<(Vec<Pass>, bool), DiggingError> {
-    let floor_m = params.config().site.surface_z_m - trench.depth_m;
+    let wanted_m = params.config().site.surface_z_m - trench.depth_m;
     let mut found: Vec<Pass> = Vec::new();
+    let mut floor_m = f64::INFINITY;
     while found.len() < MOST_PASSES {
-        let Some(pass) = next_pass(params, model, soils, &surface, trench, rules)? else {
-            return Ok((found, false));
-        };
-        let reached_m = surface.under_m(&pass.stroke).unwrap_or(floor_m) - pass.stroke.depth_m;
+        let Some(pass) = next_pass(params, model, soils, &surface, trench, rules)? else { break };
+        let reached_m = surface.under_m(&pass.stroke).unwrap_or(wanted_m) - pass.stroke.depth_m;
+        if reached_m > floor_m - DEEPER_M {
+            break;
+        }
+        floor_m = reached_m;
         surface.stroke(&pass.stroke, trench.length_m)?;
         found.push(pass);
-        if reached_m <= floor_m + DONE_M {
+        if floor_m <= wanted_m + DONE_M {
             return Ok((found, true));
         }
     }

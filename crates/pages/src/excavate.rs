@@ -123,9 +123,9 @@ pub fn page(answer: &Answer) -> Result<HtmlReport, PageError> {
     }
     page.heading("Method");
     page.paragraph(
-        "Torques are those that hold the arm and press the plate, through the transpose of the Jacobian, at eight places of each stroke, with the heap that \
-         soil ahead of the plate makes. They are for the strongest soil that is possible. Friction of the drives, which the motors overcome too, is none of \
-         them.",
+        "Torques are those that hold the arm, push the plate in and press it ahead, through the transpose of the Jacobian, at nine places of each stroke, with \
+         the heap that soil ahead of the plate makes and the dry friction of the drives. They are for the strongest soil that is possible. How far a plate \
+         sinks on its way, and what pushes it in, is known by practice only, so that the arm may take somewhat more.",
     );
     Ok(page)
 }

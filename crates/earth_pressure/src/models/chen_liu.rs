@@ -278,7 +278,8 @@ mod tests {
         /// plane is nearly the best mechanism there. Without friction on the plate it is the passive side of the model itself.
         #[test]
         fn a_force_that_lifts(alpha in 50.0..100.0, phi in 20.0..45.0, ratio in 0.05..0.9) {
-            let case = Case::from_deg(alpha, 0.0, phi, -ratio * phi);
+            let lift_deg: f64 = ratio * phi;
+            let case = Case::from_deg(alpha, 0.0, phi, -lift_deg);
             let found = ChenLiu::sticking(&case).unwrap().weight;
             let (a, f, d) = (case.tool_angle.radians(), case.friction.radians(), case.interface.radians());
             // Forces on the wedge above a plane at the dip t: weight, the plate's force, and that of the plane at phi to its normal.
