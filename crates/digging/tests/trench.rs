@@ -94,7 +94,7 @@ fn tell(soil: &str, name: &str, found: &Excavation) {
 /// In glass beads that are known roughly, what the first pass teaches makes later passes deeper.
 #[test]
 fn a_pass_teaches_the_next() {
-    let trench = Trench { radius_m: 0.38, base_rad: 0.0, length_m: 0.05, depth_m: 0.04 };
+    let trench = Trench { radius_m: 0.38, base_rad: 0.0, length_m: 0.05, depth_m: 0.046 };
     let [learning, planned] = dig("glass_beads", 1.0, &trench, 0.65, 0.028);
     assert_eq!(learning.end, End::Complete);
     assert!(matches!(learning.passes[0].taught, Some(Taught::Region { .. })));
