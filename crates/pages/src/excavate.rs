@@ -16,7 +16,7 @@ pub fn forces(answer: &Answer) -> Result<Figure, PageError> {
     let [alpha_deg, depth_m] = answer.at;
     let mut figure = Figure::new(
         format!("Forces at {alpha_deg:.0} deg and {:.0} mm", 1e3 * depth_m),
-        Axis::linear("Inclination to the plate's normal (deg; positive downwards)"),
+        Axis::linear("Inclination to the normal (deg, down +)"),
         Axis::linear("Force (N)"),
     );
     let curve = |of: fn(&soilctl_app::excavate::ForceRow) -> Option<f64>| -> Vec<(f64, f64)> {
