@@ -3,6 +3,8 @@
 use std::io::ErrorKind;
 use std::path::Path;
 
+use soilctl_columns::{Cell, ColumnsError, Form, Kind, TableWriter};
+
 use crate::AppError;
 
 /// What a problem with a file is called.
@@ -45,4 +47,26 @@ pub fn can_be_written(path: &Path) -> Result<(), AppError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     folder.map_or(Ok(()), |folder| folder.metadata().map(|_| ())).map_err(failed(path))?;
     if path.is_dir() { Err(failed(path)(ErrorKind::IsADirectory.into())) } else { Ok(()) }
+}
+
+/// The form of a table that `--table` writes, by the name of its file.
+pub(crate) fn table_form(path: &Path) -> Result<Form, AppError> {
+    Form::of(path).ok_or_else(|| {
+        AppError::Request(format!("--table is {}; the name must end in .csv or .parquet", path.display()))
+    })
+}
+
+/// Writes a table called `name` in one go.
+pub(crate) fn save_table<'c, const N: usize>(
+    path: &Path,
+    name: &str,
+    columns: [(&str, Kind); N],
+    rows: impl IntoIterator<Item = [Cell<'c>; N]>,
+) -> Result<(), AppError> {
+    let failed = |problem: ColumnsError| AppError::Request(format!("{}: {problem}", path.display()));
+    let mut table = TableWriter::new(table_form(path)?, Vec::new(), name, columns).map_err(failed)?;
+    for row in rows {
+        table.row(row).map_err(failed)?;
+    }
+    save(path, &table.finish().map_err(failed)?)
 }

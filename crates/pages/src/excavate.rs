@@ -1,8 +1,6 @@
 //! Figures and the page of an excavation.
 
-use std::fmt::Write as _;
-
-use soilctl_app::excavate::{Answer, DugTrench, Ended, Manner};
+use soilctl_app::excavate::{Answer, Ended, Manner};
 use soilctl_app::text::range;
 use soilctl_figure::{Align, Axis, CalloutKind, Dash, Figure, HtmlReport, Line, RefLine, Size, Table};
 
@@ -175,45 +173,4 @@ fn dug(answer: &Answer) -> Result<Table, PageError> {
         ])?;
     }
     Ok(table)
-}
-
-/// Passes as a table: those that were planned, or those that were dug.
-#[must_use]
-pub fn table(answer: &Answer) -> String {
-    let mut text = String::from(
-        "manner,pass,alpha_deg,depth_m,planned_share,peak_share,peak_force_n,work_j,heat_a2s,swept_m3,travel_m\n",
-    );
-    if answer.dug.is_empty() {
-        for (i, pass) in (1..).zip(&answer.passes) {
-            let _ = writeln!(text, "planned,{i},{},{},{},,,,,,", pass.alpha_deg, pass.depth_m, pass.share);
-        }
-    }
-    for trench in &answer.dug {
-        rows(trench, &mut text);
-    }
-    text
-}
-
-fn rows(trench: &DugTrench, text: &mut String) {
-    let manner = match trench.manner {
-        Manner::Learning => "learning",
-        Manner::Planned => "without_learning",
-        Manner::Fixed => "fixed",
-    };
-    for (i, pass) in (1..).zip(&trench.passes) {
-        let planned = &pass.planned;
-        let _ = writeln!(
-            text,
-            "{manner},{i},{},{},{},{},{},{},{},{},{}",
-            planned.alpha_deg,
-            pass.depth_m[0],
-            planned.share,
-            pass.peak_share[0].max(pass.peak_share[1]),
-            pass.peak_force_n,
-            pass.work_j,
-            pass.heat_a2s,
-            pass.swept_m3,
-            pass.travel_m
-        );
-    }
 }

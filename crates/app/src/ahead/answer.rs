@@ -4,10 +4,10 @@ use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_columns::{Cell, ColumnsError, Form, Kind, TableWriter};
+use soilctl_columns::{Cell, Kind};
 use soilctl_process::ahead::{Look, Place, Region};
 
-use crate::files::save;
+use crate::files::save_table;
 use crate::{AppError, Outcome};
 
 /// What became of a stroke.
@@ -173,24 +173,20 @@ impl crate::Answer for Answer {
 
 impl Answer {
     /// Writes the looks.
-    pub(super) fn write_table(&self, path: &Path, form: Form) -> Result<(), AppError> {
-        let failed = |problem: ColumnsError| AppError::Request(format!("{}: {problem}", path.display()));
-        let mut table = TableWriter::new(form, Vec::new(), "ahead", COLUMNS).map_err(failed)?;
-        for stroke in &self.strokes {
-            for look in &stroke.looks {
+    pub(super) fn write_table(&self, path: &Path) -> Result<(), AppError> {
+        let rows = self.strokes.iter().flat_map(|stroke| {
+            stroke.looks.iter().map(|look| {
                 let alarmed = stroke.alarm.as_ref().is_some_and(|alarm| alarm.way_m <= look.way_m);
-                table
-                    .row([
-                        Cell::Text(stroke.stroke_id.as_str().into()),
-                        Cell::Float(look.way_m),
-                        Cell::Float(look.ratio),
-                        Cell::Float(look.limit),
-                        Cell::Float(f64::from(u8::from(alarmed))),
-                    ])
-                    .map_err(failed)?;
-            }
-        }
-        save(path, &table.finish().map_err(failed)?)
+                [
+                    Cell::Text(stroke.stroke_id.as_str().into()),
+                    Cell::Float(look.way_m),
+                    Cell::Float(look.ratio),
+                    Cell::Float(look.limit),
+                    Cell::Float(f64::from(u8::from(alarmed))),
+                ]
+            })
+        });
+        save_table(path, "ahead", COLUMNS, rows)
     }
 }
 

@@ -7,7 +7,6 @@ mod words;
 
 pub use answer::{AlarmAnswer, Answer, LookAnswer, PlaceAnswer, RegionAnswer, StrokeAnswer, Verdict};
 pub use request::Request;
-use soilctl_columns::Form;
 use soilctl_process::ProcessError;
 use soilctl_process::ahead::{Course, Expected, Judged, Ratios, Test, region};
 use strokes::Stroke;
@@ -44,20 +43,10 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
             allowed: format!("from {least} to {most} deg, for which there are bounds"),
         });
     }
-    let form = request
-        .table
-        .as_deref()
-        .map(|path| {
-            let refused = || {
-                AppError::Request(format!(
-                    "--table is {}; the name must end in .csv or .parquet",
-                    path.display()
-                ))
-            };
-            crate::files::can_be_written(path)?;
-            Ok::<_, AppError>((path, Form::of(path).ok_or_else(refused)?))
-        })
-        .transpose()?;
+    if let Some(path) = &request.table {
+        crate::files::can_be_written(path)?;
+        crate::files::table_form(path)?;
+    }
     let read = strokes::read(request, watch)?;
     if !read.strokes.iter().any(|stroke| !stroke.is_reference) {
         let first = read.problems.first().cloned().unwrap_or_default();
@@ -90,8 +79,8 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     };
     answer.verdict = words::verdict(&answer);
     answer.notes = words::notes(&answer);
-    if let Some((path, form)) = form {
-        answer.write_table(path, form)?;
+    if let Some(path) = &request.table {
+        answer.write_table(path)?;
     }
     Ok(answer)
 }

@@ -1,11 +1,15 @@
 //! What an excavation is answered with.
 
+use std::path::Path;
+
 use schemars::JsonSchema;
 use serde::Serialize;
+use soilctl_columns::{Cell, Kind};
 use soilctl_digging::{Contact, End, Taught};
 
 use super::request::Least;
-use crate::Outcome;
+use crate::files::save_table;
+use crate::{AppError, Outcome};
 
 /// What becomes of a plate that is pushed with an inclination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
@@ -257,3 +261,57 @@ impl crate::Answer for Answer {
         if done { Outcome::Done } else { Outcome::Partial }
     }
 }
+
+impl Answer {
+    /// Writes the passes that were planned, or those that were dug.
+    pub(super) fn write_table(&self, path: &Path) -> Result<(), AppError> {
+        let planned = self.passes.iter().map(|pass| ("planned", pass, pass.depth_m, None));
+        let planned = (1..).zip(planned.filter(|_| self.dug.is_empty()));
+        let dug = self.dug.iter().flat_map(|trench| {
+            let passes = trench.passes.iter();
+            (1..).zip(passes.map(|pass| (trench.manner.name(), &pass.planned, pass.depth_m[0], Some(pass))))
+        });
+        let rows = planned.chain(dug).map(|(number, (manner, pass, depth_m, dug))| {
+            let found = |of: fn(&DugRow) -> f64| dug.map_or(Cell::Missing, |dug| Cell::Float(of(dug)));
+            [
+                Cell::Text(manner.into()),
+                Cell::Integer(number),
+                Cell::Float(pass.alpha_deg),
+                Cell::Float(depth_m),
+                Cell::Float(pass.share),
+                found(|dug| dug.peak_share[0].max(dug.peak_share[1])),
+                found(|dug| dug.peak_force_n),
+                found(|dug| dug.work_j),
+                found(|dug| dug.heat_a2s),
+                found(|dug| dug.swept_m3),
+                found(|dug| dug.travel_m),
+            ]
+        });
+        save_table(path, "excavate", COLUMNS, rows)
+    }
+}
+
+impl Manner {
+    /// As tables call it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Learning => "learning",
+            Self::Planned => "without_learning",
+            Self::Fixed => "fixed",
+        }
+    }
+}
+
+const COLUMNS: [(&str, Kind); 11] = [
+    ("manner", Kind::Text),
+    ("pass", Kind::Integer),
+    ("alpha_deg", Kind::Decimal),
+    ("depth_m", Kind::Decimal),
+    ("planned_share", Kind::Decimal),
+    ("peak_share", Kind::OptionalFloat),
+    ("peak_force_n", Kind::OptionalFloat),
+    ("work_j", Kind::OptionalFloat),
+    ("heat_a2s", Kind::OptionalFloat),
+    ("swept_m3", Kind::OptionalFloat),
+    ("travel_m", Kind::OptionalFloat),
+];

@@ -18,6 +18,7 @@ use soilctl_soil::Angle;
 pub use answer::{AngleRow, Answer, Becomes, DugRow, DugTrench, Ended, ForceRow, Learned, Manner, PassRow};
 pub use request::{Least, Request};
 
+use crate::files::{can_be_written, table_form};
 use crate::{AppError, Watch};
 
 /// Step of the tool angles that are told, in deg.
@@ -32,7 +33,10 @@ const INCLINATION_STEP_DEG: f64 = 5.0;
 /// answer.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     crate::request::check(request)?;
-
+    if let Some(path) = &request.table {
+        can_be_written(path)?;
+        table_form(path)?;
+    }
     let preset = SoilPreset::named(&request.soil).map_err(soilctl_campaign::CampaignError::from)?;
     let (before, mut warnings) = soils::possible(request, &preset, watch)?;
     let model = plane_model(&request.model)?;
@@ -90,6 +94,9 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         warnings,
     };
     answer.verdict = words::verdict(&answer, request);
+    if let Some(path) = &request.table {
+        answer.write_table(path)?;
+    }
     Ok(answer)
 }
 

@@ -114,6 +114,10 @@ pub struct Request {
     /// Folder for plan.toml and controller.toml, which `soilctl simulate` runs; made if it is not there
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+
+    /// Writes the passes that were planned, or dug, as a table (.csv or .parquet)
+    #[arg(long, value_name = "FILE")]
+    pub table: Option<PathBuf>,
 }
 
 impl Default for Request {
@@ -136,6 +140,7 @@ impl Default for Request {
             dig: false,
             seed: 1,
             out: None,
+            table: None,
         }
     }
 }

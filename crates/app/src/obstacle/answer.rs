@@ -4,10 +4,10 @@ use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_columns::{Cell, ColumnsError, Form, Kind, TableWriter};
+use soilctl_columns::{Cell, Kind};
 
 use super::BodyKind;
-use crate::files::save;
+use crate::files::save_table;
 use crate::tool::ToolAnswer;
 use crate::{AppError, Outcome};
 
@@ -158,23 +158,18 @@ impl Answer {
 
     /// Writes the table over the distance.
     pub(super) fn write_table(&self, path: &Path) -> Result<(), AppError> {
-        let form = form(path)?;
-        let failed = |problem: ColumnsError| AppError::Request(format!("{}: {problem}", path.display()));
-        let mut table = TableWriter::new(form, Vec::new(), "obstacle", COLUMNS).map_err(failed)?;
-        for one in &self.distances {
-            let known = |x: Option<f64>| x.map_or(Cell::Missing, Cell::Float);
-            table
-                .row([
-                    Cell::Float(one.ahead_m),
-                    known(one.lower_n_per_m),
-                    known(one.upper_n_per_m),
-                    known(one.ratio_lower),
-                    known(one.ratio_upper),
-                    known(one.gap),
-                ])
-                .map_err(failed)?;
-        }
-        save(path, &table.finish().map_err(failed)?)
+        let known = |x: Option<f64>| x.map_or(Cell::Missing, Cell::Float);
+        let row = |one: &DistanceAnswer| {
+            [
+                Cell::Float(one.ahead_m),
+                known(one.lower_n_per_m),
+                known(one.upper_n_per_m),
+                known(one.ratio_lower),
+                known(one.ratio_upper),
+                known(one.gap),
+            ]
+        };
+        save_table(path, "obstacle", COLUMNS, self.distances.iter().map(row))
     }
 }
 
@@ -186,10 +181,3 @@ const COLUMNS: [(&str, Kind); 6] = [
     ("ratio_upper", Kind::OptionalFloat),
     ("gap", Kind::OptionalFloat),
 ];
-
-/// The form of a table by its file's name.
-pub(super) fn form(path: &Path) -> Result<Form, AppError> {
-    Form::of(path).ok_or_else(|| {
-        AppError::Request(format!("--table is {}; the name must end in .csv or .parquet", path.display()))
-    })
-}

@@ -14,7 +14,7 @@ pub use request::{BodyKind, Request};
 use soilctl_limit_analysis::Description;
 use web_time::Instant;
 
-use crate::files::can_be_written;
+use crate::files::{can_be_written, table_form};
 use crate::tool::{Placed, ToolAnswer, notes, write_problem};
 use crate::{AppError, Watch};
 
@@ -52,7 +52,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Found, AppError> {
     for path in [&request.save, &request.problem, &request.table].into_iter().flatten() {
         can_be_written(path)?;
     }
-    request.table.as_deref().map(answer::form).transpose()?;
+    request.table.as_deref().map(table_form).transpose()?;
     let begun = Instant::now();
     let placed = Placed::new(&request.setting)?;
     let distances = distances(request, &placed)?;

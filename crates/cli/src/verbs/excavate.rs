@@ -6,7 +6,7 @@ use soilctl_app::excavate::{self, Answer, Becomes, Ended, Learned, Manner, Reque
 use soilctl_app::text::{columns, range};
 use soilctl_app::{Answer as _, Outcome};
 use soilctl_figure::Size;
-use soilctl_pages::excavate::{forces, page, table};
+use soilctl_pages::excavate::{forces, page};
 use soilctl_pages::save_figure;
 
 use super::pages::PageFiles;
@@ -28,10 +28,6 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 
-    /// Writes the passes that were planned, or dug, as a table (.csv)
-    #[arg(long, value_name = "FILE")]
-    table: Option<PathBuf>,
-
     #[command(flatten)]
     files: PageFiles,
 }
@@ -40,9 +36,6 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
     let answer = excavate::run(&args.request, output)?;
     if let Some(path) = &args.plot {
         save_figure(&forces(&answer)?, path, Size::default())?;
-    }
-    if let Some(path) = &args.table {
-        soilctl_app::files::save(path, table(&answer).as_bytes())?;
     }
     args.files.write(|| page(&answer), output)?;
     output.answer(&answer)?;
