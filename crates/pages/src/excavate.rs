@@ -38,7 +38,7 @@ pub fn forces(answer: &Answer) -> Result<Figure, PageError> {
 /// What tool angles cost.
 fn angles(answer: &Answer) -> Result<Figure, PageError> {
     let mut figure = Figure::new(
-        "What a tool angle takes, in the strongest soil",
+        "What a tool angle takes, in the strongest soil, with the heap that it pushes",
         Axis::linear("Tool angle (deg)"),
         Axis::linear("Part of that at the greatest angle"),
     );

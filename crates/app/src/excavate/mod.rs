@@ -45,7 +45,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let (trench, rules) = (request.trench(), request.rules(plan.plant().config().drives.friction_nm)?);
     let repose = Angle::from_degrees(before.ranges()[0][0]);
     let surface = Surface::level(plan.plant(), params.config().site.surface_z_m, repose)?;
-    let (planned, complete) = passes(params, model.as_ref(), &before, surface, &trench, &rules)?;
+    let (planned, complete) = passes(params, model.as_ref(), &before, surface.clone(), &trench, &rules)?;
     let task = Task {
         radius_m: trench.radius_m,
         base_rad: trench.base_rad,
@@ -54,14 +54,16 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         length_m: trench.length_m,
         friction_nm: rules.friction_nm,
     };
+    // What it pushes ahead on level ground, whatever its tool angle.
+    let heaps_m = surface.heaps_m(&task.stroke(dug::FIXED_DEG, before.delta_deg()[1]), trench.length_m)?;
     let alpha_deg = match planned.first() {
         Some(pass) => pass.cost.tool_angle_deg,
         None => task
-            .best(params, model.as_ref(), &before, rules.angles_deg, rules.aim, &[])?
+            .best(params, model.as_ref(), &before, rules.angles_deg, rules.aim, &heaps_m)?
             .map_or(rules.angles_deg[0], |cost| cost.tool_angle_deg),
     };
     let forces = forces(params, model.as_ref(), &before, &task, alpha_deg)?;
-    let angles = angles(params, model.as_ref(), &before, &task, &rules)?;
+    let angles = angles(params, model.as_ref(), &before, &task, &heaps_m, &rules)?;
     if angles.iter().any(|row| row.bears_n.is_none()) {
         warnings.push(format!(
             "no lower bound is known for some tool angles, which `{}` does not cover; what is enough to fail the soil is told by Chen and Liu's upper bound there",
@@ -166,6 +168,7 @@ fn angles(
     model: &dyn ForceModel,
     soils: &Soils,
     task: &Task,
+    heaps_m: &[f64],
     rules: &Rules,
 ) -> Result<Vec<AngleRow>, AppError> {
     let [low, high] = rules.angles_deg;
@@ -175,14 +178,14 @@ fn angles(
     for i in 0..=steps as u32 {
         degrees.push(low + ANGLE_STEP_DEG * f64::from(i));
     }
-    let best = task.best(params, model, soils, rules.angles_deg, rules.aim, &[])?;
+    let best = task.best(params, model, soils, rules.angles_deg, rules.aim, heaps_m)?;
     degrees.extend(best.as_ref().map(|cost| cost.tool_angle_deg));
     degrees.push(dug::FIXED_DEG);
     degrees.sort_by(f64::total_cmp);
     degrees.dedup_by(|a, b| (*a - *b).abs() < 0.1);
     let mut rows = Vec::new();
     for deg in degrees {
-        match task.cost(params, model, soils, deg, &[]) {
+        match task.cost(params, model, soils, deg, heaps_m) {
             Ok(cost) => rows.push(angle(&cost)),
             // Out of the arm's reach.
             Err(DiggingError::Kinematics(_) | DiggingError::WayEnds { .. }) => {}

@@ -57,7 +57,8 @@ impl Words for Answer {
             1e3 * depth_m
         );
         text += &columns(&force_rows(self));
-        text += "\ntool angles at that depth, in the strongest soil\n\n";
+        text +=
+            "\ntool angles at that depth, in the strongest soil, with the heap that the stroke pushes\n\n";
         text += &columns(&angle_rows(self));
         if !self.passes.is_empty() {
             text += "\npasses as they are planned\n\n";
