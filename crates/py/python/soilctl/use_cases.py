@@ -18,6 +18,12 @@ from ._run import run
 from ._table import PathLike, Table
 
 __all__ = [
+    "AheadAlarm",
+    "AheadAnswer",
+    "AheadLook",
+    "AheadPlace",
+    "AheadRegion",
+    "AheadStroke",
     "ArmSkewingAnswer",
     "ArmSkewingRow",
     "ArmUrdfAnswer",
@@ -86,6 +92,12 @@ __all__ = [
     "EstimateShearTest",
     "EstimateUnknown",
     "EstimateUnknowns",
+    "ExcavateAngleRow",
+    "ExcavateAnswer",
+    "ExcavateDugRow",
+    "ExcavateDugTrench",
+    "ExcavateForceRow",
+    "ExcavatePassRow",
     "LogAnswer",
     "LogContent",
     "LogFound",
@@ -202,6 +214,7 @@ __all__ = [
     "ToolResults",
     "ToolSolve",
     "ToolStretch",
+    "ahead",
     "arm_skewing",
     "arm_urdf",
     "bound",
@@ -214,6 +227,7 @@ __all__ = [
     "diagnose_self_test_logs",
     "doctor",
     "estimate",
+    "excavate",
     "log_doctor",
     "log_export",
     "log_info",
@@ -4544,6 +4558,239 @@ class SimulateAnswer(Answer):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ExcavateAngleRow(Record):
+    """What a stroke at a tool angle takes at most, in the strongest of all soils.
+
+    Attributes:
+        alpha_deg: Tool angle at the insertion (deg).
+        bears_n: Failure force (N) at the begin that every soil bears for certain; null where no lower bound is
+            proven.
+        end_alpha_deg: Tool angle at the end of the stroke (deg): the wrist stays, so that the plate turns with the
+            forearm.
+        fails_n: Failure force (N) at the begin that is enough in every soil.
+        heat_a2: Greatest sum of squared currents on the way (A2): heat (W) for each ohm of winding.
+        share: Greatest share of a torque limit on the way.
+        work_kj_m3: Work on the soil for each volume that is moved (kJ/m3).
+    """
+
+    alpha_deg: float
+    """Tool angle at the insertion (deg)."""
+    bears_n: float | None
+    """Failure force (N) at the begin that every soil bears for certain; null where no lower bound is proven."""
+    end_alpha_deg: float
+    """Tool angle at the end of the stroke (deg): the wrist stays, so that the plate turns with the forearm."""
+    fails_n: float
+    """Failure force (N) at the begin that is enough in every soil."""
+    heat_a2: float
+    """Greatest sum of squared currents on the way (A2): heat (W) for each ohm of winding."""
+    share: float
+    """Greatest share of a torque limit on the way."""
+    work_kj_m3: float
+    """Work on the soil for each volume that is moved (kJ/m3)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ExcavateDugRow(Record):
+    """A pass that was dug.
+
+    Attributes:
+        density_kg_m3: Densities that are possible after it (kg/m3).
+        depth_m: Depth that was reached at the end of the insertion and of the stroke (m), in truth.
+        failure: Why it was not made to its end; null if it was.
+        floor_m: Depth below the level surface that it cut to where it began (m), by the controller's sensors.
+        heat_a2s: Squared currents over the time of insertion and stroke (A2 s): heat (J) for each ohm of winding.
+        learned: What its measurement said.
+        peak_force_n: Greatest force of the soil in the stroke (N), in truth.
+        peak_share: Greatest share of a torque limit in insertion and stroke, of means over 0.1 s.
+        phi_deg: Friction angles that are possible after it (deg).
+        planned: As it was planned.
+        swept_m3: Soil that the plate swept (m3).
+        time_s: Time of insertion and stroke (s).
+        travel_m: Way of the plate (m).
+        work_j: Mechanical work of the motors in insertion and stroke (J).
+    """
+
+    density_kg_m3: list[float]
+    """Densities that are possible after it (kg/m3)."""
+    depth_m: list[float]
+    """Depth that was reached at the end of the insertion and of the stroke (m), in truth."""
+    failure: str | None
+    """Why it was not made to its end; null if it was."""
+    floor_m: float
+    """Depth below the level surface that it cut to where it began (m), by the controller's sensors."""
+    heat_a2s: float
+    """Squared currents over the time of insertion and stroke (A2 s): heat (J) for each ohm of winding."""
+    learned: Literal["region", "contradicts", "known", "no_failure", "heap", "outside_model", "not_asked"]
+    """What its measurement said."""
+    peak_force_n: float
+    """Greatest force of the soil in the stroke (N), in truth."""
+    peak_share: list[float]
+    """Greatest share of a torque limit in insertion and stroke, of means over 0.1 s."""
+    phi_deg: list[float]
+    """Friction angles that are possible after it (deg)."""
+    planned: ExcavatePassRow
+    """As it was planned."""
+    swept_m3: float
+    """Soil that the plate swept (m3)."""
+    time_s: float
+    """Time of insertion and stroke (s)."""
+    travel_m: float
+    """Way of the plate (m)."""
+    work_j: float
+    """Mechanical work of the motors in insertion and stroke (J)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ExcavateDugTrench(Record):
+    """A trench that was dug on the simulated arm.
+
+    Attributes:
+        depth_m: Depth of its floor at the far end (m), by the controller's sensors.
+        ended: Why it ended.
+        heat_a2s: Squared currents over time (A2 s): heat (J) for each ohm of winding.
+        heat_a2s_per_l: The same for the volume swept (A2 s for a litre); null if none was.
+        manner: How.
+        passes: Passes in order.
+        peak_share: Greatest share of a torque limit in any pass.
+        swept_m3: Soil that was swept (m3).
+        time_s: Time of insertions and strokes (s).
+        work_j: Mechanical work of the motors (J).
+        work_kj_m3: The same for the volume swept (kJ/m3); null if none was.
+    """
+
+    depth_m: float
+    """Depth of its floor at the far end (m), by the controller's sensors."""
+    ended: Literal["complete", "too_strong", "stroke_failed", "too_many_passes", "stopped"]
+    """Why it ended."""
+    heat_a2s: float
+    """Squared currents over time (A2 s): heat (J) for each ohm of winding."""
+    heat_a2s_per_l: float | None
+    """The same for the volume swept (A2 s for a litre); null if none was."""
+    manner: Literal["learning", "planned", "fixed"]
+    """How."""
+    passes: list[ExcavateDugRow]
+    """Passes in order."""
+    peak_share: float
+    """Greatest share of a torque limit in any pass."""
+    swept_m3: float
+    """Soil that was swept (m3)."""
+    time_s: float
+    """Time of insertions and strokes (s)."""
+    work_j: float
+    """Mechanical work of the motors (J)."""
+    work_kj_m3: float | None
+    """The same for the volume swept (kJ/m3); null if none was."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ExcavateForceRow(Record):
+    """What all soils bear of forces of one inclination.
+
+    Attributes:
+        bears_n: Force (N) that every soil bears for certain; null where nothing is proven.
+        fails_n: Force (N) that fails every soil for certain; null beyond what the plate transmits.
+        inclination_deg: Inclination of the plate's force to its normal (deg), positive downwards.
+        plate: What becomes of the plate.
+        share: Greatest share of a torque limit at the force that fails; null without one.
+    """
+
+    bears_n: float | None
+    """Force (N) that every soil bears for certain; null where nothing is proven."""
+    fails_n: float | None
+    """Force (N) that fails every soil for certain; null beyond what the plate transmits."""
+    inclination_deg: float
+    """Inclination of the plate's force to its normal (deg), positive downwards."""
+    plate: Literal["sticks", "open", "slips_up", "dives"]
+    """What becomes of the plate."""
+    share: float | None
+    """Greatest share of a torque limit at the force that fails; null without one."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ExcavatePassRow(Record):
+    """A pass as it was planned.
+
+    Attributes:
+        alpha_deg: Tool angle at the insertion (deg).
+        depth_m: Depth below the surface where the plate goes in (m).
+        fails_n: Force (N) at the begin that is enough to fail every soil that was possible.
+        share: Greatest share of a torque limit on the way, in the strongest soil.
+    """
+
+    alpha_deg: float
+    """Tool angle at the insertion (deg)."""
+    depth_m: float
+    """Depth below the surface where the plate goes in (m)."""
+    fails_n: float
+    """Force (N) at the begin that is enough to fail every soil that was possible."""
+    share: float
+    """Greatest share of a torque limit on the way, in the strongest soil."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ExcavateAnswer(Answer):
+    """The answer of ``excavate``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        angles: Tool angles; those that the arm does not reach are missing.
+        at: Tool angle (deg) and depth (m) for which forces and tool angles are told: those of the first pass, or of
+            the least pass if none keeps the share.
+        complete: Whether these passes make the whole depth.
+        delta_deg: Friction on the plate that is possible (deg).
+        density_kg_m3: Densities that are possible (kg/m3).
+        dug: Trenches that were dug on the simulated arm; empty if none was asked for.
+        files: Files that were written.
+        forces: Forces by their inclination.
+        least: What is to be least.
+        passes: Passes as they are planned, without what they will teach.
+        phi_deg: Friction angles that are possible (deg).
+        share: Share of the torque limits that a pass may take.
+        soil: The soil of the simulated box.
+        verdict: The answer in words.
+        warnings: What to keep in mind.
+    """
+
+    schema: Literal["soilctl.excavate/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    angles: list[ExcavateAngleRow]
+    """Tool angles; those that the arm does not reach are missing."""
+    at: list[float]
+    """Tool angle (deg) and depth (m) for which forces and tool angles are told: those of the first pass, or of the
+    least pass if none keeps the share.
+    """
+    complete: bool
+    """Whether these passes make the whole depth."""
+    delta_deg: list[float]
+    """Friction on the plate that is possible (deg)."""
+    density_kg_m3: list[float]
+    """Densities that are possible (kg/m3)."""
+    dug: list[ExcavateDugTrench]
+    """Trenches that were dug on the simulated arm; empty if none was asked for."""
+    files: list[str]
+    """Files that were written."""
+    forces: list[ExcavateForceRow]
+    """Forces by their inclination."""
+    least: Literal["torque", "heat", "work"]
+    """What is to be least."""
+    passes: list[ExcavatePassRow]
+    """Passes as they are planned, without what they will teach."""
+    phi_deg: list[float]
+    """Friction angles that are possible (deg)."""
+    share: float
+    """Share of the torque limits that a pass may take."""
+    soil: str
+    """The soil of the simulated box."""
+    verdict: str
+    """The answer in words."""
+    warnings: list[str]
+    """What to keep in mind."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class ProcessAnalysis(Record):
     """What the strokes say together.
 
@@ -5112,6 +5359,187 @@ class ProcessAnswer(Answer):
     """Strokes with a failure force, in the order of the logs."""
     written: list[str]
     """Files that were written."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AheadAlarm(Record):
+    """An alarm.
+
+    Attributes:
+        from_the_beginning: Whether it is more from the first look on, by comparison with other strokes; else it
+            rose since.
+        last_region: Where a fixed block may be by all looks, seen from the plate at the last; null likewise.
+        last_way_m: Way of the plate at the last look (m).
+        ratio: Force over what the soil explains, at the look that alarms.
+        ratio_range: Between these the ratio lies by the scatter of the others.
+        region: Where a fixed block may be by the looks up to the alarm, seen from the plate then; null where bounds
+            do not apply, since the plate is not upright.
+        time_s: When it came, in s on the clock of the log's stroke.
+        way_m: Way of the plate at the alarm (m).
+    """
+
+    from_the_beginning: bool
+    """Whether it is more from the first look on, by comparison with other strokes; else it rose since."""
+    last_region: AheadRegion | None
+    """Where a fixed block may be by all looks, seen from the plate at the last; null likewise."""
+    last_way_m: float
+    """Way of the plate at the last look (m)."""
+    ratio: float
+    """Force over what the soil explains, at the look that alarms."""
+    ratio_range: list[float]
+    """Between these the ratio lies by the scatter of the others."""
+    region: AheadRegion | None
+    """Where a fixed block may be by the looks up to the alarm, seen from the plate then; null where bounds do not
+    apply, since the plate is not upright.
+    """
+    time_s: float
+    """When it came, in s on the clock of the log's stroke."""
+    way_m: float
+    """Way of the plate at the alarm (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AheadLook(Record):
+    """One look at a stroke.
+
+    Attributes:
+        limit: Ratio above which a stroke alarms.
+        ratio: Force over what the soil explains: at the first look by the other strokes, later by these and the
+            force at the first.
+        way_m: Way of the plate when the look was possible.
+    """
+
+    limit: float
+    """Ratio above which a stroke alarms."""
+    ratio: float
+    """Force over what the soil explains: at the first look by the other strokes, later by these and the force at
+    the first.
+    """
+    way_m: float
+    """Way of the plate when the look was possible."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AheadPlace(Record):
+    """A part of the region.
+
+    Attributes:
+        ahead_m: Distance from the plate's lower edge ahead to the block, from and to (m).
+        top_m: Depth of its top below the surface, from and to (m).
+    """
+
+    ahead_m: list[float]
+    """Distance from the plate's lower edge ahead to the block, from and to (m)."""
+    top_m: list[float]
+    """Depth of its top below the surface, from and to (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AheadRegion(Record):
+    """Where a fixed block may be.
+
+    Attributes:
+        ahead_m: Distances still ahead, from and to (m); null if no block goes with the stroke.
+        is_open: Whether it may be still further ahead than what was looked at.
+        places: All parts.
+        top_m: Depths of its top below the surface, from and to (m); null likewise.
+    """
+
+    ahead_m: list[float] | None
+    """Distances still ahead, from and to (m); null if no block goes with the stroke."""
+    is_open: bool
+    """Whether it may be still further ahead than what was looked at."""
+    places: list[AheadPlace]
+    """All parts."""
+    top_m: list[float] | None
+    """Depths of its top below the surface, from and to (m); null likewise."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AheadStroke(Record):
+    """A stroke.
+
+    Attributes:
+        alarm: The alarm; null if it is none.
+        alpha_deg: Tool angle (deg).
+        depth_m: Depth of the plate at the beginning (m).
+        looks: The looks.
+        looks_planned: Looks over which the probability of a false alarm is shared out.
+        reason: Why it is not judged; null if it is.
+        references: Strokes it was compared with.
+        start_s: When it began, in s on the log's clock.
+        stroke_id: Its name: that of the log, and its number in it.
+        verdict: What became of it.
+    """
+
+    alarm: AheadAlarm | None
+    """The alarm; null if it is none."""
+    alpha_deg: float
+    """Tool angle (deg)."""
+    depth_m: float
+    """Depth of the plate at the beginning (m)."""
+    looks: list[AheadLook]
+    """The looks."""
+    looks_planned: int
+    """Looks over which the probability of a false alarm is shared out."""
+    reason: str | None
+    """Why it is not judged; null if it is."""
+    references: int
+    """Strokes it was compared with."""
+    start_s: float
+    """When it began, in s on the log's clock."""
+    stroke_id: str
+    """Its name: that of the log, and its number in it."""
+    verdict: Literal["alarm", "quiet", "not_judged"]
+    """What became of it."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class AheadAnswer(Answer):
+    """The answer of ``ahead``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        alarms: Strokes that alarm.
+        confidence: Probability that a region holds what bounds and scatter allow.
+        false_alarms: Probability that a stroke with nothing ahead alarms.
+        not_judged: Strokes that are not judged.
+        notes: What else is to be kept in mind.
+        phi_deg: Friction angles of the soil for which regions hold (deg).
+        problems: Logs that cannot be used, and what is missing in others.
+        quiet: Strokes that do not.
+        references: Strokes with nothing ahead, by the logs of ``reference``; null without such logs.
+        strokes: The strokes, by log.
+        verdict: The answer in words.
+    """
+
+    schema: Literal["soilctl.ahead/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    alarms: int
+    """Strokes that alarm."""
+    confidence: float
+    """Probability that a region holds what bounds and scatter allow."""
+    false_alarms: float
+    """Probability that a stroke with nothing ahead alarms."""
+    not_judged: int
+    """Strokes that are not judged."""
+    notes: list[str]
+    """What else is to be kept in mind."""
+    phi_deg: list[float]
+    """Friction angles of the soil for which regions hold (deg)."""
+    problems: list[str]
+    """Logs that cannot be used, and what is missing in others."""
+    quiet: int
+    """Strokes that do not."""
+    references: int | None
+    """Strokes with nothing ahead, by the logs of ``reference``; null without such logs."""
+    strokes: list[AheadStroke]
+    """The strokes, by log."""
+    verdict: str
+    """The answer in words."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -7303,6 +7731,66 @@ def simulate(
     return run("simulate", simulate, locals(), SimulateAnswer)
 
 
+def excavate(
+    *,
+    soil: str = "ticino_loose",
+    phi_deg: Sequence[float] | None = None,
+    delta_deg: Sequence[float] | None = None,
+    density_kg_m3: Sequence[float] | None = None,
+    strokes: Table | None = None,
+    model: Literal["coulomb", "log-spiral", "log-spiral-thesis", "caquot", "chen", "thesis-ub", "thesis-lb", "mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d", "table"] = "table",
+    radius_m: float = 0.36,
+    base_deg: float = 0.0,
+    length_m: float = 0.05,
+    depth_m: float = 0.028,
+    pass_depth_m: float = 0.028,
+    share: float = 0.7,
+    alpha_deg: Sequence[float] = (70.0, 100.0),
+    least: Literal["torque", "heat", "work"] = "torque",
+    dig: bool = False,
+    seed: int = 1,
+    out: PathLike | None = None,
+    table: PathLike | None = None,
+    progress: Progress = None,
+) -> ExcavateAnswer:
+    """A trench in passes that keep to a share of the torque limits: how the plate fails the soil at least cost to
+    the motors.
+
+    Args:
+        soil: Soil of the simulated box that is dug in: a preset of data/plant/soils.toml without cohesion.
+        phi_deg: Friction angles that are thought possible (deg): one, or a least and a greatest.
+        delta_deg: Friction on the plate that is thought possible (deg).
+        density_kg_m3: Densities that are thought possible (kg/m3).
+        strokes: Stroke table (CSV) whose estimate says which soils are possible, as ``soilctl estimate`` finds it
+            with the friction on the plate of the table.
+        model: Force model whose lower bounds count as borne and whose upper bounds as enough to fail.
+        radius_m: Radius of the far end of the trench from the base axis (m). Above 0 and at most 10.
+        base_deg: Base angle of the trench (deg). At least -180 and at most 180.
+        length_m: Length of the trench towards the base (m), which is that of each pass. At least 0.01 and at most
+            0.5.
+        depth_m: Depth of the trench (m). At least 0.015 and at most 0.5.
+        pass_depth_m: Greatest depth of a pass (m). At least 0.015 and at most 0.5.
+        share: Share of the torque limits of joints and motors that a pass may take, in every soil that is possible.
+            Above 0 and at most 1.
+        alpha_deg: Tool angles that may be used (deg): a least and a greatest, 45 to 135.
+        least: What is to be least, among tool angles that keep the share.
+        dig: Digs the trench on the simulated arm: replanned by what each pass taught, without learning, and with
+            the same passes at a fixed tool angle of 90 deg.
+        seed: Seed of noise and scatter of the simulation. At least 0.
+        out: Folder for plan.toml and controller.toml, which ``soilctl simulate`` runs; made if it is not there.
+        table: Writes the passes that were planned, or dug, as a table (.csv or .parquet).
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("excavate", excavate, locals(), ExcavateAnswer, tables=("strokes",))
+
+
 def process(
     logs: Sequence[PathLike],
     *,
@@ -7400,6 +7888,70 @@ class ProcessArguments(TypedDict, total=False):
     width_m: float | None
     wrench_sense: Literal["soil-on-plate", "plate-on-soil"] | None
     wrench_topic: str | None
+
+
+def ahead(
+    logs: Sequence[PathLike],
+    *,
+    reference: Sequence[PathLike] = (),
+    false_alarms: float = 0.02,
+    confidence: float = 0.95,
+    phi_deg: Sequence[float] = (),
+    threads: int | None = None,
+    table: PathLike | None = None,
+    joint_topic: str | None = None,
+    wrench_topic: str | None = None,
+    urdf: PathLike | None = None,
+    sensor_frame: str | None = None,
+    surface_z_m: float | None = None,
+    plate_frame: str | None = None,
+    alpha_deg: float | None = None,
+    width_m: float | None = None,
+    delta_set_deg: float | None = None,
+    tare: Sequence[float] | None = None,
+    tool_weight_n: float | None = None,
+    wrench_sense: Literal["soil-on-plate", "plate-on-soil"] = "soil-on-plate",
+    strokes: Table | None = None,
+    progress: Progress = None,
+) -> AheadAnswer:
+    """Whether something is buried ahead of strokes: where their force rises beyond what the soil explains, and
+    where a rigid block may be then.
+
+    Args:
+        logs: Logs (.mcap, .db3, .bag, or the folder of a split bag), or folders with logs: the strokes to judge.
+        reference: Logs, or folders with logs, of the same plate in the same soil with nothing ahead: what the soil
+            explains. Without them each stroke is compared with the others of its kind that do not alarm.
+        false_alarms: Probability that a stroke with nothing ahead alarms. At least 1e-06 and at most 0.2.
+        confidence: Probability that the region of an alarm holds what bounds and scatter allow. At least 0.5 and at
+            most 0.9999.
+        phi_deg: Friction angle of the soil, from and to (deg), for the region; by default all of the table of
+            bounds, 30,44.
+        threads: Logs that are read at a time; the answer does not depend on it. At least 1 and at most 1024.
+        table: Writes the looks at all strokes as a table (.csv or .parquet).
+        joint_topic: Topic of the joint states.
+        wrench_topic: Topic of the wrenches of soil on plate.
+        urdf: URDF of the arm.
+        sensor_frame: Link of the wrenches.
+        surface_z_m: Height of the soil in the URDF's root frame (m).
+        plate_frame: Link at the plate's lower edge, its z axis down along the plate.
+        alpha_deg: Tool angle (deg).
+        width_m: Width of the plate (m).
+        delta_set_deg: Interface friction that the controller was set to (deg).
+        tare: Readings in free air: FX,FY,FZ or FX,FY,FZ,MX,MY,MZ (N, N m).
+        tool_weight_n: Weight of what the sensor carries (N); it turns with the sensor.
+        wrench_sense: What the wrenches are, if not the force of the soil on the plate: then all readings,
+            ````tare```` too, change their sign.
+        strokes: CSV with the columns start and end of each push (s, on the clock of the stamps).
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("ahead", ahead, locals(), AheadAnswer, tables=("strokes",))
 
 
 def diagnose(
