@@ -238,9 +238,9 @@ def cut():
 def test_the_bar_begins_without_a_gap(capfd):
     pytest.importorskip("tqdm")
     gaps = []
-    soilctl.solve(cut(), max_gap=0.5, max_elements=1500, progress=lambda level: gaps.append(level.gap))
+    soilctl.solve(cut(), max_gap=0.04, max_elements=1500, progress=lambda level: gaps.append(level.gap))
     assert gaps[0] is None and gaps[-1] is not None
-    soilctl.solve(cut(), max_gap=0.5, max_elements=1500, progress=True)
+    soilctl.solve(cut(), max_gap=0.04, max_elements=1500, progress=True)
     shown = capfd.readouterr().err
     assert "no gap yet" in shown and "elements, gap" in shown
     assert shown.endswith("\n"), "the bar is closed"
@@ -332,7 +332,7 @@ def test_a_factor_of_safety_is_bracketed():
     found = soilctl.solve(cut(), max_gap=0.15, max_elements=3000, progress=lambda level: factors.append(level.factor))
     # A vertical cut of clay stands up to a height of 3.776 to 3.781 c / gamma (Martin; Pastor et al.).
     assert found.quantity == "factor of safety" and 3.7776 * 10 / 20 in found and found.gap <= 0.15
-    assert len(factors) > 1 and all(factor > 0 for factor in factors)
+    assert factors and all(factor > 0 for factor in factors)
     with pytest.raises(soilctl.NoAnswerError, match="different strength"):
         found.solution  # noqa: B018
     assert all(soilctl.certify(solution) for solution in found.solutions.values())
