@@ -11,6 +11,8 @@ const PLATE_M: f64 = 100.0;
 const GROUND_M: f64 = 5000.0;
 /// Greatest strength of a bar or sheet for each metre of width, kN/m: strong geogrids and rows of anchors bear less.
 const MEMBER_KN_PER_M: f64 = 5000.0;
+/// Bars and sheets whose faces bear less than this share of the soil's strength are planes of weakness in it.
+const PARTS: f64 = 0.5;
 /// Greatest bending moment of a beam for each metre of width, kNm/m: the strongest combined walls bear less.
 const MOMENT_KNM_PER_M: f64 = 1e4;
 /// Least size of the ground in m.
@@ -82,6 +84,15 @@ fn of_one(d: &Description) -> Vec<String> {
                 "member {:?}: its moment_knm_per_m is {moment}; few beams bear more than {most} for each metre of width: is it in Nm/m, or not over \
                  the spacing?",
                 member.name
+            )
+        }));
+        let parts = member.bond_factor < PARTS && member.moment_knm_per_m.is_none();
+        all.push(parts.then(|| {
+            format!(
+                "member {:?}: its bond_factor is {}: it parts the soil as a smooth sheet does, whose faces bear that share of the soil's strength; the \
+                 soil between the rods of a row is not parted, and holds more than is proven here",
+                member.name,
+                number(member.bond_factor)
             )
         }));
         let value = member.tensile_kn_per_m.max(member.compressive_kn_per_m);
@@ -257,6 +268,14 @@ mod tests {
             let found = notes_of_text(&dam.replacen(old, new, 1));
             assert!(found.len() == 1 && found[0].contains(words), "{new}: {found:?}");
         }
+    }
+
+    #[test]
+    fn a_member_that_parts_the_soil_is_told() {
+        let cut = include_str!("../../../../data/problems/reinforced_cut.toml");
+        assert_eq!(notes_of_text(cut), Vec::<String>::new());
+        let found = notes_of_text(&cut.replacen("bond_factor = 0.8", "bond_factor = 0.2", 1));
+        assert!(found.len() == 1 && found[0].contains("parts the soil"), "{found:?}");
     }
 
     #[test]
