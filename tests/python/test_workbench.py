@@ -519,8 +519,14 @@ def test_curved_strength_has_fields(serve, soilctl, tmp_path):
     assert settled(page)["soil"][0]["strength"] == {"kind": "hoek-brown", "ucs_mpa": 10, "gsi": 40, "mi": 10}
     save(page)
     soilctl("solve", file, "--check", code=0)
+    # Clay by the direction of the stress is no curve: it keeps a cohesion, without friction.
+    page.locator("[id='soil.0.strength.kind']").select_option("anisotropic")
+    page.locator("[id='soil.0.anisotropy.passive']").fill("0.5")
+    soil = settled(page)["soil"][0]
+    assert soil["anisotropy"] == {"passive": 0.5, "shear": 0.8} and soil["phi_deg"] == 0 and "strength" not in soil
+    assert page.evaluate("workbench.state.errors.length") == 0, page.locator("#messages").text_content()
     page.locator("[id='soil.0.strength.kind']").select_option("")
-    assert "strength" not in settled(page)["soil"][0]
+    assert not settled(page)["soil"][0].keys() & {"strength", "anisotropy"}
 
 
 def test_a_section_line_tells_stresses(serve):
