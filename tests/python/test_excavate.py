@@ -65,8 +65,10 @@ def test_torque_goes_with_the_force(exact):
     arm = point - np.array([0.0, 0.3302])
     # A joint's angle bends the arm forwards and down: clockwise, so that torque is z fr - r fz.
     shoulder = abs(arm[1] * push[0] - arm[0] * push[1])
-    # Gravity, friction, sinking, the heap and a heavier end come on top.
-    assert 0.6 * shoulder / 16.5 < row["share"] < 6.0 * shoulder / 16.5 + 0.2
+    # The heap that it pushes, by the mean force ahead over that at the begin; gravity, friction, sinking and a heavier end come on top.
+    heap = row["work_kj_m3"] * 1e3 * 0.127 * depth / (force * np.cos(below))
+    assert 1 < heap < 3
+    assert 0.6 * shoulder / 16.5 < row["share"] < 3.0 * heap * shoulder / 16.5 + 0.2
 
 
 def test_simulate_runs_the_plan(soilctl, tmp_path):

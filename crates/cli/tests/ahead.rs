@@ -7,10 +7,12 @@
     reason = "a test that tells what it measured"
 )]
 
+mod common;
+
 use std::fmt::Write;
 use std::path::Path;
-use std::process::Command;
 
+use common::quiet_json;
 use serde_json::Value;
 use soilctl_campaign::read_truth;
 
@@ -67,19 +69,12 @@ fn plan(soil: Soil, batches: usize, blocks: &[[(f64, f64); 3]]) -> String {
     text
 }
 
-fn json(arguments: &[&str]) -> Value {
-    let words = [arguments, &["--quiet", "--format", "json"]].concat();
-    let done = Command::new(env!("CARGO_BIN_EXE_soilctl")).args(&words).output().unwrap();
-    serde_json::from_slice(&done.stdout)
-        .unwrap_or_else(|problem| panic!("{words:?}: {problem}: {}", String::from_utf8_lossy(&done.stderr)))
-}
-
 fn simulate(folder: &Path, name: &str, seed: u64, plan: &str) -> String {
     std::fs::write(folder.join("controller.toml"), controller()).unwrap();
     let (file, out) = (folder.join(format!("{name}.toml")), folder.join(name));
     std::fs::write(&file, plan).unwrap();
     let out = out.to_str().unwrap().to_owned();
-    json(&["simulate", file.to_str().unwrap(), "--out", &out, "--seed", &seed.to_string()]);
+    quiet_json(&["simulate", file.to_str().unwrap(), "--out", &out, "--seed", &seed.to_string()]);
     out
 }
 
@@ -156,7 +151,8 @@ fn blocks_are_found_before_they_are_touched() {
     let blocks = [[(0.045, 0.1), (0.05, 0.3), (0.05, 2.0)]];
     let watched = simulate(folder.path(), "watched", 2, &plan(soil, 1, &blocks));
     let table = folder.path().join("looks.csv");
-    let answer = json(&["ahead", &watched, "--reference", &reference, "--table", table.to_str().unwrap()]);
+    let answer =
+        quiet_json(&["ahead", &watched, "--reference", &reference, "--table", table.to_str().unwrap()]);
     println!("{}", answer["verdict"]);
     assert_eq!(alarms(&answer), (2, 3), "{answer}");
     let strokes = answer["strokes"].as_array().unwrap();
@@ -201,9 +197,9 @@ fn how_early_and_how_often() {
         let reference = simulate(&folder, "reference", 11, &plan(soil, 5, &[]));
         let clear = simulate(&folder, "clear", 12, &plan(soil, 4, &[]));
         let watched = simulate(&folder, "watched", 13, &plan(soil, blocks.len(), &blocks));
-        let by_reference = alarms(&json(&["ahead", &clear, "--reference", &reference]));
-        let among_themselves = alarms(&json(&["ahead", &clear, &reference]));
-        let answer = json(&["ahead", &watched, "--reference", &reference]);
+        let by_reference = alarms(&quiet_json(&["ahead", &clear, "--reference", &reference]));
+        let among_themselves = alarms(&quiet_json(&["ahead", &clear, &reference]));
+        let answer = quiet_json(&["ahead", &watched, "--reference", &reference]);
         let found = compare(&watched, &answer, &blocks);
         println!(
             "{}: false alarms {by_reference:?} by references, {among_themselves:?} by each other",

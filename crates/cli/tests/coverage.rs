@@ -7,11 +7,13 @@
     reason = "a test that tells what it measured"
 )]
 
+mod common;
+
 use std::fmt::Write;
-use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use common::quiet_json;
 use serde_json::Value;
 
 /// Name, friction angle (deg), friction on the plate (deg), density (kg/m3).
@@ -55,13 +57,6 @@ fn plan(soil: &str, delta_deg: f64, end_factor: f64, batches: usize) -> String {
     text
 }
 
-fn json(arguments: &[&str]) -> Value {
-    let words = [arguments, &["--quiet", "--format", "json"]].concat();
-    let done = Command::new(env!("CARGO_BIN_EXE_soilctl")).args(&words).output().unwrap();
-    serde_json::from_slice(&done.stdout)
-        .unwrap_or_else(|problem| panic!("{words:?}: {problem}: {}", String::from_utf8_lossy(&done.stderr)))
-}
-
 /// What an estimate found of a soil.
 struct Found {
     soil: &'static str,
@@ -80,9 +75,9 @@ fn campaign((soil, phi_deg, delta_deg, density): Soil, seed: usize, batches: usi
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     std::fs::write(path("plan.toml"), plan(soil, delta_deg, end_factor(seed), batches)).unwrap();
     let seed = seed.to_string();
-    json(&["simulate", &path("plan.toml"), "--out", &path("runs"), "--seed", &seed, "--threads", "1"]);
-    json(&["process", &path("runs"), "--out", &path("strokes.csv"), "--threads", "1"]);
-    let answer = json(&["estimate", &path("strokes.csv")]);
+    quiet_json(&["simulate", &path("plan.toml"), "--out", &path("runs"), "--seed", &seed, "--threads", "1"]);
+    quiet_json(&["process", &path("runs"), "--out", &path("strokes.csv"), "--threads", "1"]);
+    let answer = quiet_json(&["estimate", &path("strokes.csv")]);
     let width = |key: &str| Some(answer[key][1].as_f64()? - answer[key][0].as_f64()?);
     let widths = width("phi_deg").zip(width("density_kg_m3")).map(|(phi, rho)| [phi, rho / density]);
     let found = Found { soil, holds: contains(&answer["region"], [phi_deg, density]), widths };

@@ -182,7 +182,7 @@ impl Answer {
                     Cell::Float(look.way_m),
                     Cell::Float(look.ratio),
                     Cell::Float(look.limit),
-                    Cell::Float(f64::from(u8::from(alarmed))),
+                    Cell::Flag(alarmed),
                 ]
             })
         });
@@ -195,5 +195,5 @@ const COLUMNS: [(&str, Kind); 5] = [
     ("way_m", Kind::Decimal),
     ("ratio", Kind::Decimal),
     ("limit", Kind::Decimal),
-    ("alarmed", Kind::Decimal),
+    ("alarmed", Kind::Flag),
 ];

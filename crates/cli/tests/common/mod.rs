@@ -21,6 +21,14 @@ pub(crate) fn json(args: &[&str]) -> (i32, Value) {
     (done.status.code().expect("no signal"), answer)
 }
 
+/// Runs quietly, whatever the exit code: the one document on stdout.
+pub(crate) fn quiet_json(args: &[&str]) -> Value {
+    let words = [args, &["--quiet", "--format", "json"]].concat();
+    let done = soilctl(&words);
+    serde_json::from_slice(&done.stdout)
+        .unwrap_or_else(|problem| panic!("{words:?}: {problem}: {}", String::from_utf8_lossy(&done.stderr)))
+}
+
 /// Runs what must be refused with exit code 2: the message.
 pub(crate) fn refused(args: &[&str]) -> String {
     let done = soilctl(args);

@@ -208,15 +208,15 @@ impl Run<'_> {
             upper: upper.as_ref().map_or(f64::INFINITY, |b| b.value),
         };
         let unsharp = trial.gap() > self.search.trial_gap && trial.is_open();
-        if let Some(bound) = lower.as_ref().filter(|l| l.value >= 1.0) {
-            self.keep_lower(factor, &described, bound.clone());
-        }
-        if let Some(proof) = lower
-            .filter(|l| (SHIFTED..1.0).contains(&l.value))
-            .and_then(|l| self.shifted(factor, &described, &l))
-        {
-            self.search.stands_at(proof.factor);
-            self.found.lower = Some(proof);
+        if let Some(bound) = lower {
+            if bound.value >= 1.0 {
+                self.keep_lower(factor, &described, bound);
+            } else if bound.value >= SHIFTED
+                && let Some(proof) = self.shifted(factor, &described, bound)
+            {
+                self.search.stands_at(proof.factor);
+                self.found.lower = Some(proof);
+            }
         }
         if let Some(bound) = upper.filter(|u| u.value < 1.0)
             && self.found.upper.as_ref().is_none_or(|u| factor < u.factor)
@@ -260,7 +260,7 @@ impl Run<'_> {
         &self,
         factor: f64,
         described: &Described,
-        bound: &Bound<LowerField>,
+        mut bound: Bound<LowerField>,
     ) -> Option<SafetyProof<LowerField>> {
         let factor = factor * bound.value * (1.0 - SHIFT);
         if self.found.lower.as_ref().is_some_and(|l| l.factor >= factor) {
@@ -270,10 +270,9 @@ impl Run<'_> {
         if stronger.stress_kpa != described.stress_kpa {
             return None;
         }
-        let field = LowerField { multiplier: 1.0, ..bound.field.clone() };
-        let value = prove_lower(&stronger.statement, &field).ok().filter(|value| *value >= 1.0)?;
-        let factor = factor * (1.0 - ROUNDING);
-        Some(SafetyProof { factor, described: stronger, bound: Bound { value, field, ..bound.clone() } })
+        bound.field.multiplier = 1.0;
+        bound.value = prove_lower(&stronger.statement, &bound.field).ok().filter(|value| *value >= 1.0)?;
+        Some(SafetyProof { factor: factor * (1.0 - ROUNDING), described: stronger, bound })
     }
 
     /// Takes over a proof that the soil stands.

@@ -1,7 +1,10 @@
 //! From a description to bounds, against closed forms.
 
+use soilctl_certificate::prove_lower;
 use soilctl_limit_analysis::describe::{Aim, BoundaryEntry, Kind, Profile, Side, SoilEntry};
-use soilctl_limit_analysis::{Bounds, Description, EmbeddedPlate, Options, bound, factor_of_safety};
+use soilctl_limit_analysis::{
+    Bounds, Description, EmbeddedPlate, Options, SafetyBounds, Trial, bound, factor_of_safety,
+};
 
 use crate::common::{described, region, soil};
 
@@ -92,6 +95,19 @@ fn a_vertical_cut_in_clay() {
     d.objective = Aim::UnitWeight {};
     let (factor, _) = solve(&d, 1200);
     encloses(factor, 3.776, 0.05);
+}
+
+/// Stresses that bear a part of all that acts prove that part of the factor, at which no trial was made.
+#[test]
+fn a_trial_short_of_all_that_acts_proves_a_smaller_factor() {
+    let options = Options { max_gap: 0.15, max_elements: 1500, ..Options::default() };
+    let d = Description::slope(soil("clay", 0.0, 18.0), 1.0, 90.0);
+    let SafetyBounds { lower, trials, .. } = factor_of_safety(&d, &options, &mut |_, _, _| {}).unwrap();
+    let tried = |trial: &Trial| (trial.factor / lower.factor - 1.0).abs() < 1e-9;
+    assert!(!trials.iter().any(tried), "{trials:?}");
+    assert!(trials.iter().any(|t| (t.factor * t.lower / lower.factor - 1.0).abs() < 1e-8), "{trials:?}");
+    assert_eq!(prove_lower(&lower.described.statement, &lower.bound.field).unwrap(), 1.0);
+    assert!(lower.factor <= 3.7776 && lower.factor > 0.8 * 3.7764);
 }
 
 #[test]
