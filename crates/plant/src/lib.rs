@@ -19,7 +19,7 @@ mod validate;
 
 pub use effects::{Contact, Effects, SoilChange};
 pub use error::PlantError;
-pub use ground::{BuriedBlock, Ground, SoilPreset, block_gap_m, presets};
+pub use ground::{BuriedBlock, FrictionLaw, Ground, SoilPreset, block_gap_m, presets};
 pub use hardware::{Drive, Hardware};
 pub use params::PlantParams;
 pub use plant::Plant;

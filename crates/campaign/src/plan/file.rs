@@ -83,8 +83,11 @@ pub enum SoilEntry {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SoilTable {
-    /// Friction angle in degrees; 1 to 60.
+    /// Friction angle in degrees; 1 to 60. With `friction_law`, that at its reference stress.
     pub phi_deg: f64,
+    /// How friction falls with stress; left out, it is the same everywhere. Only of soil without cohesion and buried blocks.
+    #[serde(default)]
+    pub friction_law: Option<LawTable>,
     /// Friction angle between soil and plate in degrees; 0 to `phi_deg`.
     pub delta_deg: f64,
     /// Cohesion in Pa; 0 to 1e5.
@@ -99,6 +102,17 @@ pub struct SoilTable {
     /// Gravity in m/s2; above 0, at most 30.
     #[serde(default = "standard_gravity")]
     pub gravity_m_s2: f64,
+}
+
+/// Friction as a law of stress, `phi = phi_deg - slope log10(stress / reference)`, with the normal stress where the soil slips. Friction stays
+/// within what the force model answers, and is at least that on the plate.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LawTable {
+    /// Fall of the friction angle in degrees a decade of stress; 0 to 12.
+    pub slope_deg_per_decade: f64,
+    /// Normal stress in Pa at which the friction angle is `phi_deg`; 1 to 1e6.
+    pub reference_stress_pa: f64,
 }
 
 /// How the soil is prepared before each batch.

@@ -16,7 +16,7 @@ use soilctl_controller::{ControllerConfig, Params, StrokePlan};
 use soilctl_earth_pressure::plane_model;
 use soilctl_kinematics::Arm;
 use soilctl_plant::config::PlantConfig;
-use soilctl_plant::{PlantParams, SoilPreset};
+use soilctl_plant::{FrictionLaw, PlantParams, SoilPreset};
 
 use crate::CampaignError;
 use file::{PlanFile, SoilEntry};
@@ -177,6 +177,10 @@ fn soil(file: &PlanFile, name: &str) -> Result<SoilPreset, CampaignError> {
             name: "plan".to_owned(),
             title: "the soil of the plan".to_owned(),
             phi_deg: table.phi_deg,
+            friction_law: table.friction_law.map(|law| FrictionLaw {
+                slope_deg_per_decade: law.slope_deg_per_decade,
+                reference_stress_pa: law.reference_stress_pa,
+            }),
             delta_deg: table.delta_deg,
             cohesion_pa: table.cohesion_pa,
             density_kg_m3: table.density_kg_m3,

@@ -175,6 +175,8 @@ impl Plan {
         let found = &file.soil;
         plan.change(name, &file.model, |soil, plant| {
             soil.phi_deg = found.phi_deg.value;
+            // What the file knows of stress is an effect.
+            soil.friction_law = None;
             soil.delta_deg = (set_deg + found.delta_offset_deg.value).clamp(0.0, soil.phi_deg);
             soil.density_kg_m3 = found.density_kg_m3.value;
             soil.gravity_m_s2 = found.gravity_m_s2;

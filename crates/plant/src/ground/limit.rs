@@ -5,9 +5,9 @@ use soilctl_soil::{Angle, Interface, Soil, WidthRatio};
 
 /// Tool angles of the nodes: from this one, in steps of half a degree.
 const FIRST_DEG: usize = 50;
-const ANGLES: usize = 121;
+pub(super) const ANGLES: usize = 121;
 /// Friction on the plate at the nodes, in sixteenths of the full one.
-const SHARES: usize = 17;
+pub(super) const SHARES: usize = 17;
 
 /// Coefficients of a force model for one soil, at every tool angle and with the friction on the plate in part mobilised.
 ///
@@ -99,33 +99,63 @@ impl LimitCoefficients {
 
     /// Factors at a tool angle in rad with a share (0 to 1) of the friction on the plate, for a depth over width.
     pub(crate) fn at(&self, tool_angle_rad: f64, share: f64, depth_over_width: f64) -> LoadFactors {
-        #[allow(clippy::cast_precision_loss, reason = "small integers")]
-        let (first, last) = (FIRST_DEG as f64, (ANGLES - 2) as f64);
-        let (row, in_row) = place(2.0 * (tool_angle_rad.to_degrees() - first), last);
-        #[allow(clippy::cast_precision_loss, reason = "small integers")]
-        let (column, in_column) = place(share * (SHARES - 1) as f64, (SHARES - 2) as f64);
-        let (low, high) = (&self.nodes[row], &self.nodes[row + 1]);
-        let at = |row: &[LoadFactors; SHARES]| between(&row[column], &row[column + 1], in_column);
-        let mut factors = between(&at(low), &at(high), in_row);
-        if let Some([low, high]) = self.ends.get(row..row + 2).and_then(|rows| rows.first_chunk()) {
-            let mix = |a: f64, b: f64, share: f64| a + share * (b - a);
-            let of = |[wide, term]: [f64; 2]| wide + depth_over_width * term;
-            let at = |row: &[[f64; 2]; SHARES]| mix(of(row[column]), of(row[column + 1]), in_column);
-            factors.weight += mix(at(low), at(high), in_row);
+        let nodes = surrounding(tool_angle_rad, share);
+        let along = |row: usize| {
+            between(&self.nodes[row][nodes.column], &self.nodes[row][nodes.column + 1], nodes.in_column)
+        };
+        let mut factors = between(&along(nodes.row), &along(nodes.row + 1), nodes.in_row);
+        if !self.ends.is_empty() {
+            factors.weight += nodes.mix(|row, column| {
+                let [wide, term] = self.ends[row][column];
+                wide + depth_over_width * term
+            });
         }
         factors
+    }
+
+    /// Factors at a node, in plane strain.
+    pub(super) fn node(&self, angle: usize, share: usize) -> &LoadFactors {
+        &self.nodes[angle][share]
+    }
+}
+
+/// Four nodes around a tool angle and a share of the friction on the plate: the first, and how far from it to the next.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surrounding {
+    row: usize,
+    in_row: f64,
+    column: usize,
+    in_column: f64,
+}
+
+/// The nodes around a tool angle in rad and a share (0 to 1).
+pub(super) fn surrounding(tool_angle_rad: f64, share: f64) -> Surrounding {
+    #[allow(clippy::cast_precision_loss, reason = "small integers")]
+    let (first, last) = (FIRST_DEG as f64, (ANGLES - 2) as f64);
+    let (row, in_row) = place(2.0 * (tool_angle_rad.to_degrees() - first), last);
+    #[allow(clippy::cast_precision_loss, reason = "small integers")]
+    let (column, in_column) = place(share * (SHARES - 1) as f64, (SHARES - 2) as f64);
+    Surrounding { row, in_row, column, in_column }
+}
+
+impl Surrounding {
+    /// Linear between what the four nodes have.
+    pub(super) fn mix(&self, of: impl Fn(usize, usize) -> f64) -> f64 {
+        let mix = |a: f64, b: f64, share: f64| a + share * (b - a);
+        let along = |row: usize| mix(of(row, self.column), of(row, self.column + 1), self.in_column);
+        mix(along(self.row), along(self.row + 1), self.in_row)
     }
 }
 
 /// Tool angle of a node in deg.
 #[allow(clippy::cast_precision_loss, reason = "small integers")]
-fn angle_deg(i: usize) -> f64 {
+pub(super) fn angle_deg(i: usize) -> f64 {
     FIRST_DEG as f64 + 0.5 * i as f64
 }
 
 /// Share of the friction on the plate at a node.
 #[allow(clippy::cast_precision_loss, reason = "small integers")]
-fn share(k: usize) -> f64 {
+pub(super) fn share(k: usize) -> f64 {
     k as f64 / (SHARES - 1) as f64
 }
 
@@ -137,7 +167,7 @@ fn place(at: f64, last: f64) -> (usize, f64) {
     (index, (at - cell).clamp(0.0, 1.0))
 }
 
-fn between(a: &LoadFactors, b: &LoadFactors, share: f64) -> LoadFactors {
+pub(super) fn between(a: &LoadFactors, b: &LoadFactors, share: f64) -> LoadFactors {
     let mix = |a: f64, b: f64| a + share * (b - a);
     LoadFactors {
         weight: mix(a.weight, b.weight),
@@ -147,7 +177,7 @@ fn between(a: &LoadFactors, b: &LoadFactors, share: f64) -> LoadFactors {
     }
 }
 
-fn round(value: f64) -> f64 {
+pub(super) fn round(value: f64) -> f64 {
     (value * 1e9).round() * 1e-9
 }
 

@@ -6,6 +6,7 @@ mod plate;
 mod presets;
 mod strength;
 mod surface;
+mod under_stress;
 
 use soilctl_earth_pressure::{EarthPressureError, ForceModel};
 use soilctl_kinematics::{Arm, Frame};
@@ -13,6 +14,7 @@ use soilctl_soil::{Interface, Soil};
 
 pub use buried::{BuriedBlock, block_gap_m};
 pub use presets::{SoilPreset, presets};
+pub use under_stress::FrictionLaw;
 
 use crate::bodies::PointForce;
 use crate::config::{BoxConfig, GroundConfig};
@@ -115,8 +117,14 @@ impl Ground {
     /// The same with rigid blocks buried in it, which stay where they are when it is prepared anew.
     ///
     /// # Errors
-    /// [`PlantError::Config`] for a block whose numbers are out of their range.
+    /// [`PlantError::Config`] for a block whose numbers are out of their range, or in soil whose friction falls with stress: what blocks do is
+    /// known for one friction angle.
     pub fn with_blocks(mut self, blocks: Vec<BuriedBlock>) -> Result<Self, PlantError> {
+        if let Some(law) = self.preset.friction_law.filter(|_| !blocks.is_empty()) {
+            let (key, slope) = ("friction_law.slope_deg_per_decade", law.slope_deg_per_decade);
+            let allowed = "left out where blocks are buried".to_owned();
+            crate::rules::Rules { file: "ground" }.check(key, slope, "deg/decade", false, allowed)?;
+        }
         blocks.iter().try_for_each(|block| block.check("ground"))?;
         self.blocks = blocks;
         Ok(self)

@@ -1,6 +1,7 @@
 use serde::{Deserialize, Serialize};
 use soilctl_soil::{Angle, Interface, Soil};
 
+use super::FrictionLaw;
 use crate::PlantError;
 use crate::rules::Rules;
 
@@ -17,6 +18,9 @@ pub struct SoilPreset {
     pub title: String,
     /// Friction angle in degrees; 1 to 60.
     pub phi_deg: f64,
+    /// How friction falls with stress; without it, it is the same everywhere. Only of soil without cohesion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction_law: Option<FrictionLaw>,
     /// Friction angle between soil and plate in degrees; 0 to `phi_deg`.
     pub delta_deg: f64,
     /// Cohesion in Pa; 0 to 1e5.
@@ -97,6 +101,11 @@ impl SoilPreset {
         rules.range("phi_deg", self.phi_deg, "deg", 1.0, 60.0)?;
         rules.range("delta_deg", self.delta_deg, "deg", 0.0, self.phi_deg)?;
         rules.range("cohesion_pa", self.cohesion_pa, "Pa", 0.0, 1e5)?;
+        if let Some(law) = &self.friction_law {
+            law.check(&rules)?;
+            let allowed = "0 Pa where `friction_law` says how friction falls with stress".to_owned();
+            rules.check("cohesion_pa", self.cohesion_pa, "Pa", self.cohesion_pa == 0.0, allowed)?;
+        }
         rules.range("density_kg_m3", self.density_kg_m3, "kg/m3", 100.0, 1e4)?;
         rules.range("loosest_kg_m3", self.loosest_kg_m3, "kg/m3", 100.0, 1e4)?;
         let above = self.loosest_kg_m3 + 1.0;

@@ -3,18 +3,28 @@ use soilctl_soil::{Interface, Soil};
 
 use super::SoilPreset;
 use super::limit::LimitCoefficients;
+use super::under_stress::UnderStress;
 use crate::config::GroundConfig;
+
+/// Coefficients of limit forces, by what friction depends on.
+#[derive(Debug, Clone)]
+enum Limits {
+    /// The same at every stress.
+    Everywhere(LimitCoefficients),
+    /// Falling with stress.
+    UnderStress(UnderStress),
+}
 
 /// What the soil can bear: limit force, edge resistance, friction, and how fast they are mobilised.
 #[derive(Debug, Clone)]
 pub(crate) struct Strength {
-    limits: LimitCoefficients,
+    limits: Limits,
     gravity_m_s2: f64,
     cohesion_pa: f64,
     pub(crate) density_kg_m3: f64,
     /// 0 loosest, 1 densest.
     pub(crate) relative_density: f64,
-    /// Friction angle of the soil in rad.
+    /// Friction angle of the soil in rad; with a law of stress that at its reference, by which the edge and soil at rest go.
     pub(crate) phi_rad: f64,
     /// Friction angle on the plate in rad.
     pub(crate) delta_rad: f64,
@@ -37,7 +47,21 @@ impl Strength {
         let root = libm::tan(std::f64::consts::FRAC_PI_4 + 0.5 * phi);
         let n_q = libm::exp(std::f64::consts::PI * tan) * root * root;
         Ok(Self {
-            limits: LimitCoefficients::new(model, soil, interface, config.bracket_fraction)?,
+            limits: match &preset.friction_law {
+                None => Limits::Everywhere(LimitCoefficients::new(
+                    model,
+                    soil,
+                    interface,
+                    config.bracket_fraction,
+                )?),
+                Some(law) => Limits::UnderStress(UnderStress::new(
+                    law,
+                    model,
+                    soil,
+                    interface,
+                    config.bracket_fraction,
+                )?),
+            },
             gravity_m_s2: soil.gravity_m_s2(),
             cohesion_pa: soil.cohesion_pa(),
             density_kg_m3: soil.density_kg_m3(),
@@ -57,7 +81,14 @@ impl Strength {
         interface: &Interface,
         factor: f64,
     ) -> Result<Self, EarthPressureError> {
-        self.limits = self.limits.with_ends(model, soil, interface, factor)?;
+        self.limits = match self.limits {
+            Limits::Everywhere(limits) => {
+                Limits::Everywhere(limits.with_ends(model, soil, interface, factor)?)
+            }
+            Limits::UnderStress(limits) => {
+                Limits::UnderStress(limits.with_ends(model, soil, interface, factor)?)
+            }
+        };
         Ok(self)
     }
 
@@ -80,7 +111,10 @@ impl Strength {
         share: f64,
     ) -> f64 {
         let slant_m = depth_m / libm::sin(tool_angle_rad);
-        let factors = self.limits.at(tool_angle_rad, share, depth_m / width_m);
+        let factors = match &self.limits {
+            Limits::Everywhere(limits) => limits.at(tool_angle_rad, share, depth_m / width_m),
+            Limits::UnderStress(limits) => limits.at(tool_angle_rad, share, depth_m, width_m),
+        };
         let per_length = slant_m * width_m;
         let weight = self.unit_weight_n_m3() * (0.5 * slant_m * factors.weight + heap_m * factors.surcharge);
         per_length * (weight + self.cohesion_pa * factors.cohesion)
