@@ -134,3 +134,51 @@ def test_predictions_for_a_stroke_table(soilctl, validate, data):
         size = stroke["depth_m"], 0.127
         force = float(reference.coulomb_force_n(stroke["alpha_deg"], 40, 23, 1600, *size))
         assert stroke["force_n"] == pytest.approx(force, rel=1e-6)
+
+
+def rankine_in_layers_n(depth_m, phi_ref_deg, slope_deg, reference_pa, density, width_m):
+    """A smooth upright plate: stresses of Rankine ahead and behind, each layer with the friction of its own slip planes."""
+    z = (np.arange(4000) + 0.5) * depth_m / 4000
+    vertical = density * reference.GRAVITY_M_S2 * z
+
+    def pressure(side):
+        sine = np.full_like(z, 0.6)
+        for _ in range(80):
+            stress = vertical * (1 + side * sine)
+            sine = np.sin(np.radians(phi_ref_deg - slope_deg * np.log10(stress / reference_pa)))
+        return vertical * (1 + side * sine) / (1 - side * sine)
+
+    return width_m * np.sum(pressure(1) - pressure(-1)) * depth_m / 4000
+
+
+@pytest.mark.parametrize("depth_m", [0.01, 0.04, 0.15])
+def test_a_law_of_stress_holds_the_force_of_layers_with_their_own_friction(soilctl, validate, depth_m):
+    for phi, slope, stress in [(40, 5, 1000), (34, 3, 200), (38, 7, 5000)]:
+        plate = ["--alpha", 90, "--delta", 0, "--depth", depth_m, "--width", 0.127, "--density", 1500]
+        law = ["--friction-law", f"{slope}:{slope}", "--reference-stress", stress]
+        answer = soilctl.json("predict", "--phi", phi, *plate, *law)
+        validate(answer)
+        low, high = answer["friction_law"]["force_n"]
+        assert low <= rankine_in_layers_n(depth_m, phi, slope, stress, 1500, 0.127) <= high
+        assert low <= answer["force_n"] <= high
+        wider = soilctl.json("predict", "--phi", phi, *plate, "--friction-law", f"1:{slope}", "--reference-stress", stress)
+        assert wider["friction_law"]["force_n"][0] <= low and wider["friction_law"]["force_n"][1] >= high
+
+
+def test_a_law_without_slope_is_one_friction_angle(soilctl):
+    plain = soilctl.json("predict", *BASE, *SIZE)
+    law = soilctl.json("predict", *BASE, *SIZE, "--friction-law", "0:0", "--reference-stress", 1000)
+    assert law["friction_law"]["force_n"] == [plain["force_n"]] * 2
+    assert law["friction_law"]["phi_deg"] == [40, 40]
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (SIZE[:4], "--density"),
+        ([*SIZE, "--cohesion", 100], "for its weight alone"),
+    ],
+)
+def test_a_law_of_stress_that_cannot_be_applied_is_refused(soilctl, options, words):
+    found = soilctl("predict", *BASE, *options, "--friction-law", "3:6", "--reference-stress", 1000, code=2)
+    assert words in found.stderr

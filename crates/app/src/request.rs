@@ -10,6 +10,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 use soilctl_earth_pressure::{EarthPressureError, ForceModel, Loads as SoilLoads, MODEL_IDS};
+use soilctl_estimator::MAX_SLOPE_DEG;
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
 use crate::AppError;
@@ -209,6 +210,21 @@ impl Ends {
             None if model.has_ends() && (sized || !model.is_for_plane_strain()) => Ok(Self::Finite),
             None => Ok(Self::None),
         }
+    }
+}
+
+/// How friction falls with stress, in degrees a decade: LOW:HIGH.
+pub(crate) fn slopes(text: &str) -> Result<(f64, f64), String> {
+    let (low, high) = text.split_once(':').ok_or("it must be LOW:HIGH in degrees a decade, such as 3:6")?;
+    check_slopes((finite(low)?, finite(high)?))
+}
+
+/// The same slopes, if soil may have them.
+pub(crate) fn check_slopes((low, high): (f64, f64)) -> Result<(f64, f64), String> {
+    if 0.0 <= low && low <= high && high <= MAX_SLOPE_DEG {
+        Ok((low, high))
+    } else {
+        Err(format!("LOW must be at most HIGH, both 0 to {MAX_SLOPE_DEG} degrees a decade"))
     }
 }
 

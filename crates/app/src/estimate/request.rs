@@ -6,10 +6,9 @@ use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::MODEL_IDS;
-use soilctl_estimator::MAX_SLOPE_DEG;
 
 use super::unknowns::Intervals;
-use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help};
+use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help, slopes};
 use crate::{AppError, TableSource};
 
 /// What a force's uncertainty means.
@@ -251,17 +250,6 @@ impl Request {
             (None, None, Uncertainty::Sigma) if !self.exact => Ok(BandKind::AsTold(CONFIDENCE)),
             (None, _, _) => Ok(BandKind::Own),
         }
-    }
-}
-
-fn slopes(text: &str) -> Result<(f64, f64), String> {
-    let (low, high) = text.split_once(':').ok_or("it must be LOW:HIGH in degrees a decade, such as 3:6")?;
-    let (low, high) = (finite(low)?, finite(high)?);
-    let (least, most) = (0.0, MAX_SLOPE_DEG);
-    if least <= low && low <= high && high <= most {
-        Ok((low, high))
-    } else {
-        Err(format!("LOW must be at most HIGH, both {least} to {most} degrees a decade"))
     }
 }
 

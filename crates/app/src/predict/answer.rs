@@ -5,6 +5,7 @@ use serde::Serialize;
 use soilctl_earth_pressure::ValidRange;
 use soilctl_soil::Provenance;
 
+use super::law::LawPrediction;
 use crate::request::Ends;
 
 /// Force and coefficients of a plate from a named model. Coefficients are null when a stroke table was given.
@@ -35,6 +36,8 @@ pub struct Answer {
     pub width_ratio: Option<f64>,
     /// Failure force in N with all loads; null without depth, width or density.
     pub force_n: Option<f64>,
+    /// What a law of stress makes of it; null without one.
+    pub friction_law: Option<LawPrediction>,
     /// Change of `k_net` in per cent when one angle grows by 1 deg and the others stay; null with a stroke table.
     pub sensitivity_percent_per_deg: Option<Sensitivity>,
     /// What was asked.

@@ -2,12 +2,14 @@
 
 mod answer;
 mod chosen;
+mod law;
 mod patched;
 mod request;
 mod single;
 mod strokes;
 
 pub use answer::{Answer, BracketEnds, Inputs, Range, Sensitivity, StrokePrediction};
+pub use law::LawPrediction;
 pub use request::Request;
 use soilctl_earth_pressure::Case;
 
@@ -24,7 +26,10 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Answer, AppError> {
     }
     match (&request.strokes, request.alpha_deg) {
         (Some(table), _) => strokes::predict(request, table),
-        (None, Some(alpha)) => single::predict(request, alpha),
+        (None, Some(alpha)) => match request.friction_law {
+            Some(slopes) => law::predict(request, alpha, slopes),
+            None => single::predict(request, alpha),
+        },
         (None, None) => Err(AppError::Request("give --alpha DEG or --strokes FILE".into())),
     }
 }

@@ -68,6 +68,7 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
         ends: Ends::None,
         width_ratio: None,
         force_n,
+        friction_law: None,
         sensitivity_percent_per_deg: None,
         inputs: Inputs {
             alpha_deg: request.alpha_deg,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_earth_pressure::{Loads as SoilLoads, MODEL_IDS};
 use soilctl_soil::SoilError;
 
-use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help};
+use crate::request::{Ends, Loads, NumberOrColumn, finite, model_help, slopes};
 use crate::{AppError, TableSource};
 
 /// Force and coefficients of a plate from a named model.
@@ -38,6 +38,16 @@ pub struct Request {
     #[arg(long = "phi", value_name = "DEG", value_parser = finite, allow_negative_numbers = true,
           required_unless_present = "model_file")]
     pub phi_deg: Option<f64>,
+
+    /// Friction falls with stress: by so many degrees a decade of normal stress, between LOW and HIGH. --phi is then the friction angle at
+    /// --reference-stress
+    #[arg(long, value_name = "LOW:HIGH", value_parser = slopes, conflicts_with_all = ["strokes", "model_file"])]
+    pub friction_law: Option<(f64, f64)>,
+
+    /// Normal stress (Pa) at which --phi is the friction angle, with --friction-law
+    #[arg(long = "reference-stress", value_name = "PA", value_parser = finite, allow_negative_numbers = true, requires = "friction_law")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub reference_stress_pa: Option<f64>,
 
     /// Friction angle between soil and plate (deg), or `column` for delta_set_deg of --strokes
     #[arg(
@@ -85,6 +95,8 @@ impl Default for Request {
             alpha_deg: None,
             model_file: None,
             phi_deg: None,
+            friction_law: None,
+            reference_stress_pa: None,
             delta_deg: None,
             density_kg_m3: None,
             depth_m: None,

@@ -57,6 +57,7 @@ pub(super) fn predict(request: &Request, alpha_deg: f64) -> Result<Answer, AppEr
         ends: plate_ends,
         width_ratio: width_ratio.finite(),
         force_n: complete.then(|| found.force_n(&plate, &soil, &loads)),
+        friction_law: None,
         sensitivity_percent_per_deg: Some(sensitivity(model, &case)),
         inputs: Inputs {
             alpha_deg: Some(alpha_deg),

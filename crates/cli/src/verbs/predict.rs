@@ -128,6 +128,12 @@ fn coefficients_text(answer: &Answer) -> String {
         Some(force) => line("force_n", number(force), "N, with all loads"),
         None => line("force_n", "-".into(), "needs --depth, --width and --density"),
     }
+    if let Some(law) = &answer.friction_law {
+        let range = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
+        line("phi_deg", range(law.phi_deg), "deg, at the stress where the soil slips");
+        line("slip_stress", range(law.slip_stress_pa), "Pa");
+        line("force_n", range(law.force_n), "N, for all of these");
+    }
     text
 }
 
