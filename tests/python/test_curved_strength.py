@@ -60,6 +60,25 @@ def of_power(factor, exponent, tension, surcharge):
     )
 
 
+def of_friction_law(phi_deg, slope_deg, reference, most_deg, surcharge):
+    """By the normal stress on the planes that slip."""
+    k = math.radians(slope_deg) / math.log(10)
+    kink = reference * math.exp(math.radians(phi_deg - most_deg) / k)
+    phi = lambda x: math.radians(phi_deg) - k * math.log(x / reference)
+    tau = lambda x: x * math.tan(phi(x))
+    slope = lambda x: math.tan(phi(x)) - k / math.cos(phi(x)) ** 2
+    bend = lambda x: -k / x / math.cos(phi(x)) ** 2 * (1 - 2 * k * math.tan(phi(x)))
+    return prandtl(
+        p=lambda x: x + tau(x) * slope(x),
+        radius=lambda x: tau(x) * math.hypot(1, slope(x)),
+        dp=lambda x: 1 + slope(x) ** 2 + tau(x) * bend(x),
+        cos=lambda x: 1 / math.hypot(1, slope(x)),
+        # The whole fan has stresses above the kink.
+        from_=(1.001 * kink, 1e3 * surcharge),
+        surcharge=surcharge,
+    )
+
+
 def of_hoek_brown(ucs, gsi, mi, disturbance):
     """By the least principal stress."""
     mb = mi * math.exp((gsi - 100) / (28 - 14 * disturbance))
@@ -95,6 +114,12 @@ def test_the_quadrature_is_prandtl_s_for_a_straight_line():
     ("strength", "surcharge", "exact", "apart"),
     [
         ('{kind = "power", factor = 1.2, exponent = 0.85}', 10, of_power(1.2, 0.85, 0, 10), 0.08),
+        (
+            '{kind = "friction-law", phi_deg = 30, slope_deg_per_decade = 5, reference_kpa = 100, greatest_phi_deg = 45}',
+            10,
+            of_friction_law(30, 5, 100, 45, 10),
+            0.08,
+        ),
         ('{kind = "power", factor = 3, exponent = 0.6, tension_kpa = 5}', 0, of_power(3, 0.6, 5, 0), 0.08),
         ('{kind = "hoek-brown", ucs_mpa = 2, gsi = 25, mi = 6}', 0, of_hoek_brown(2000, 25, 6, 0), 0.18),
     ],

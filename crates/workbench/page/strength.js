@@ -6,10 +6,11 @@ import {fromField, toField, unit} from './units.js';
 
 const number = (key, label, unit, more = {}) => ({key, label, unit, kind: 'number', ...more});
 const UP_TO = number('up_to_kpa', 'Followed up to', 'kPa', {optional: true, help: 'a multiple of what weight and loads make, if it is not said'});
-const LAWS = [['', 'straight: φ and c'], ['points', 'through points'], ['power', 'a power of stress'], ['hoek-brown', 'rock, Hoek and Brown'], ['anisotropic', 'clay, by direction']];
+const LAWS = [['', 'straight: φ and c'], ['points', 'through points'], ['power', 'a power of stress'], ['friction-law', 'friction that falls with stress'], ['hoek-brown', 'rock, Hoek and Brown'], ['anisotropic', 'clay, by direction']];
 const FIELDS = {
   points: [],
   power: [number('factor', 'Strength at 1 kPa', 'kPa'), number('exponent', 'Exponent', ''), number('tension_kpa', 'None left at a tension of', 'kPa', {zero: true}), UP_TO],
+  'friction-law': [number('phi_deg', 'φ at the reference', '°'), number('slope_deg_per_decade', 'Less a decade by', '°'), number('reference_kpa', 'Reference', 'kPa'), number('greatest_phi_deg', 'φ at most', '°', {optional: true, help: '55° if it is not said'}), UP_TO],
   'hoek-brown': [number('ucs_mpa', 'Strength of intact rock', 'MPa'), number('gsi', 'Geological strength index', ''), number('mi', 'Constant m_i', ''), number('disturbance', 'Disturbance', '', {zero: true}), UP_TO],
 };
 const DIRECTIONS = [
@@ -24,6 +25,7 @@ function first(kind, {phi_deg = 30, cohesion_kpa = 5}) {
   const tan = Math.max(.1, Math.tan(phi_deg * Math.PI / 180)), at = cohesion_kpa + 50 * tan;
   if (kind === 'points') return {kind, points_kpa: [[0, cohesion_kpa], [50, three(at)], [200, three(at + 135 * tan)]]};
   if (kind === 'power') return {kind, factor: three(Math.max(.1, at) / 50 ** .8), exponent: .8};
+  if (kind === 'friction-law') return {kind, phi_deg: Math.min(50, Math.max(20, phi_deg)), slope_deg_per_decade: 5, reference_kpa: 50};
   return {kind, ucs_mpa: 10, gsi: 40, mi: 10};
 }
 

@@ -48,6 +48,22 @@ pub enum StrengthLaw {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         up_to_kpa: Option<f64>,
     },
+    /// `sigma tan(phi)` with a friction angle that falls with the logarithm of stress, `phi_deg - slope log10(sigma / reference)`, and is at most
+    /// `greatest_phi_deg`: sand, as estimates with a law of stress tell it. It is followed down to a third of `phi_deg`; beyond, strength does not fall.
+    FrictionLaw {
+        /// Friction angle in degrees at the reference stress, 15 to 69.9.
+        phi_deg: f64,
+        /// Fall of the friction angle in degrees a decade of stress, 0.1 to 8.
+        slope_deg_per_decade: f64,
+        /// The reference, 0.001 to 1e6 kPa.
+        reference_kpa: f64,
+        /// Friction angle in degrees where stress is small; from `phi_deg` to 69.9.
+        #[serde(default = "greatest_phi_deg")]
+        greatest_phi_deg: f64,
+        /// The normal stress up to which the curve is followed; a multiple of what the weight and the loads make if it is left out.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        up_to_kpa: Option<f64>,
+    },
     /// Rock after Hoek, Carranza-Torres and Corkum (2002): `sigma_1 = sigma_3 + ucs (m_b sigma_3/ucs + s)^a`.
     HoekBrown {
         /// Uniaxial compressive strength of the intact rock, 0.01 to 1000 MPa.
@@ -65,6 +81,14 @@ pub enum StrengthLaw {
     },
 }
 
+/// The part of its friction down to which a law of stress is followed.
+const LEFT: f64 = 1.0 / 3.0;
+
+/// Few sands have more, at any stress.
+const fn greatest_phi_deg() -> f64 {
+    55.0
+}
+
 impl fmt::Display for StrengthLaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -77,6 +101,12 @@ impl fmt::Display for StrengthLaw {
             }
             Self::Power { factor, exponent, tension_kpa, .. } => {
                 write!(f, "strength {factor} (σ + {tension_kpa})^{exponent} kPa")
+            }
+            Self::FrictionLaw { phi_deg, slope_deg_per_decade, reference_kpa, greatest_phi_deg, .. } => {
+                write!(
+                    f,
+                    "phi {phi_deg} deg at {reference_kpa} kPa, less by {slope_deg_per_decade} deg a decade, at most {greatest_phi_deg} deg"
+                )
             }
             Self::HoekBrown { ucs_mpa, gsi, mi, disturbance, .. } => {
                 write!(f, "Hoek-Brown, UCS {ucs_mpa} MPa, GSI {gsi}, mi {mi}, D {disturbance}")
@@ -133,18 +163,21 @@ struct Curve<'a> {
     exponent: f64,
     tip: f64,
     up_to: f64,
+    /// Up to here from the tip it is straight.
+    straight_to: f64,
     at: &'a dyn Fn(f64) -> At,
 }
 
 impl Curve<'_> {
     fn lines(&self) -> Lines {
         let reach = self.up_to - self.tip;
+        let first = FIRST.max((self.straight_to - self.tip) / reach).min(0.5);
         // Between knots whose distances from the tip have the ratio `exp(l)`, a power `x^b` is at most `b (1 - b) l^2/8` above its chord.
         let log_ratio = (8.0 * BETWEEN / (self.exponent * (1.0 - self.exponent))).sqrt();
-        let chords = 1 + (-FIRST.ln() / log_ratio).ceil() as i32;
+        let chords = 1 + (-first.ln() / log_ratio).ceil() as i32;
         let knot = |i: i32| {
             let power = f64::from(chords - i) / f64::from(chords - 1);
-            if i == 0 { self.tip } else { self.tip + reach * FIRST.powf(power) }
+            if i == 0 { self.tip } else { self.tip + reach * first.powf(power) }
         };
         let times = |part: f64, slope: f64, cohesion: f64| of_slope(part * slope, part * cohesion);
         let [less, more] = [1.0 - ROUNDING, 1.0 + ROUNDING];
@@ -162,10 +195,15 @@ impl Curve<'_> {
             self.tip + if i == 0 { 0.25 * b } else { (a * b).sqrt() }
         };
         let level = times(less, 0.0, (self.at)(self.up_to).shear);
-        Lines {
+        let mut lines = Lines {
             inside: (0..chords).map(chord).chain([level]).collect(),
             outside: (0..chords).map(|i| tangent(between(i))).chain([tangent(self.up_to)]).collect(),
+        };
+        // What is straight is one line.
+        for side in [&mut lines.inside, &mut lines.outside] {
+            side.dedup_by(|next, line| (next.phi_deg - line.phi_deg).abs() < SAME_SLOPE);
         }
+        lines
     }
 }
 
@@ -220,6 +258,23 @@ impl StrengthLaw {
                 number(entry, "strength.tension_kpa", *tension_kpa, STRESS)?;
                 limit(*up_to_kpa)
             }
+            Self::FrictionLaw {
+                phi_deg,
+                slope_deg_per_decade,
+                reference_kpa,
+                greatest_phi_deg,
+                up_to_kpa,
+            } => {
+                let friction = Range { low: 15.0, high: 69.9, words: "15 to 69.9 deg" };
+                number(entry, "strength.phi_deg", *phi_deg, friction)?;
+                let slopes = Range { low: 0.1, high: 8.0, words: "0.1 to 8 deg a decade" };
+                number(entry, "strength.slope_deg_per_decade", *slope_deg_per_decade, slopes)?;
+                let stresses = Range { low: 1e-3, high: 1e6, words: "0.001 to 1e6 kPa" };
+                number(entry, "strength.reference_kpa", *reference_kpa, stresses)?;
+                let most = Range { low: *phi_deg, high: 69.9, words: "from strength.phi_deg to 69.9 deg" };
+                number(entry, "strength.greatest_phi_deg", *greatest_phi_deg, most)?;
+                limit(*up_to_kpa)
+            }
             Self::HoekBrown { ucs_mpa, gsi, mi, disturbance, up_to_kpa } => {
                 let ucs = Range { low: 0.01, high: 1e3, words: "0.01 to 1000 MPa" };
                 number(entry, "strength.ucs_mpa", *ucs_mpa, ucs)?;
@@ -254,6 +309,7 @@ impl StrengthLaw {
                 tip: -tension_kpa,
                 up_to: up_to_kpa
                     .unwrap_or_else(|| about_kpa.max(UNKNOWN_LOAD * factor * tension_kpa.powf(exponent))),
+                straight_to: -tension_kpa,
                 at: &|sigma| At {
                     normal: sigma,
                     shear: factor * (sigma + tension_kpa).max(0.0).powf(exponent),
@@ -261,6 +317,35 @@ impl StrengthLaw {
                 },
             }
             .lines(),
+            Self::FrictionLaw {
+                phi_deg,
+                slope_deg_per_decade,
+                reference_kpa,
+                greatest_phi_deg,
+                up_to_kpa,
+            } => {
+                let slope = slope_deg_per_decade.to_radians() / std::f64::consts::LN_10;
+                let (most, at_reference) = (greatest_phi_deg.to_radians(), phi_deg.to_radians());
+                let straight_to = reference_kpa * ((at_reference - most) / slope).exp();
+                let at = |sigma: f64| {
+                    let phi = at_reference - slope * (sigma / reference_kpa).ln();
+                    if sigma <= straight_to {
+                        return At { normal: sigma, shear: sigma * most.tan(), slope: most.tan() };
+                    }
+                    At {
+                        normal: sigma,
+                        shear: sigma * phi.tan(),
+                        slope: phi.tan() - slope / phi.cos().powi(2),
+                    }
+                };
+                // A third of the friction is left there, and strength still grows.
+                let farthest = reference_kpa * (at_reference * (1.0 - LEFT) / slope).exp();
+                let up_to = up_to_kpa.unwrap_or(about_kpa).min(farthest);
+                let At { normal, shear, slope } = at(up_to);
+                // Where the curve is flattest it bends most, in the measure of logarithms.
+                let exponent = if up_to > straight_to { normal * slope / shear } else { 0.99 };
+                Curve { exponent, tip: 0.0, up_to, straight_to, at: &at }.lines()
+            }
             Self::HoekBrown { ucs_mpa, gsi, mi, disturbance, up_to_kpa } => {
                 let ucs = 1e3 * ucs_mpa;
                 let mb = mi * ((gsi - 100.0) / (28.0 - 14.0 * disturbance)).exp();
@@ -271,6 +356,7 @@ impl StrengthLaw {
                     exponent: a,
                     tip: -s * ucs / mb,
                     up_to: up_to_kpa.unwrap_or_else(|| about_kpa.max(UNKNOWN_LOAD * difference(0.0))),
+                    straight_to: -s * ucs / mb,
                     // Balmer (1952): where the circle of a least principal stress touches the envelope.
                     at: &|least| {
                         let grows = a * mb * (mb * least / ucs + s).max(0.0).powf(a - 1.0);

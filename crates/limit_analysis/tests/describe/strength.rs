@@ -57,6 +57,50 @@ fn greatest(lines: &[StrengthLine], least: f64) -> f64 {
     lines.iter().map(of).fold(f64::INFINITY, f64::min)
 }
 
+/// Friction that falls with stress is between its lines, whose slopes fall, from where it is greatest to where a third is left; and near to
+/// both.
+#[test]
+fn friction_that_falls_with_stress_is_between_its_lines() {
+    for (phi_deg, slope_deg_per_decade, reference_kpa, greatest_phi_deg) in [
+        (38.0, 5.0, 10.0, 55.0),
+        (42.0, 0.5, 1.0, 44.0),
+        (30.0, 8.0, 100.0, 50.0),
+        (15.0, 8.0, 0.1, 60.0),
+        (40.0, 4.0, 1e4, 41.0),
+    ] {
+        let law = StrengthLaw::FrictionLaw {
+            phi_deg,
+            slope_deg_per_decade,
+            reference_kpa,
+            greatest_phi_deg,
+            up_to_kpa: Some(500.0),
+        };
+        let it = material(&slope(of_law(law)));
+        let [inside, outside] = lines(&it);
+        for side in [&inside, &outside] {
+            assert!(side.windows(2).all(|two| two[1].phi_deg < two[0].phi_deg), "{side:?}");
+        }
+        let mut between = 0.0;
+        for i in 1..=300 {
+            let sigma = 500.0 * (f64::from(i) / 300.0).powi(3);
+            let fallen = phi_deg - slope_deg_per_decade * (sigma / reference_kpa).log10();
+            if fallen < phi_deg / 3.0 {
+                break;
+            }
+            let strength = sigma * fallen.min(greatest_phi_deg).to_radians().tan();
+            let (less, more) = (shear(&inside, sigma), shear(&outside, sigma));
+            assert!(
+                less <= strength * (1.0 + 1e-9) && more >= strength * (1.0 - 1e-9),
+                "{sigma}: {less} {strength} {more}"
+            );
+            if sigma > 2.0 {
+                between = f64::max(between, (more - less) / strength);
+            }
+        }
+        assert!(between < 0.03, "{phi_deg}: {between}");
+    }
+}
+
 #[test]
 fn a_power_is_between_its_chords_and_tangents() {
     for (factor, exponent, tension_kpa) in
@@ -125,7 +169,18 @@ fn divided_laws_are_laws() {
         disturbance,
         up_to_kpa: None,
     };
+    let friction =
+        |phi_deg, slope_deg_per_decade, reference_kpa, greatest_phi_deg| StrengthLaw::FrictionLaw {
+            phi_deg,
+            slope_deg_per_decade,
+            reference_kpa,
+            greatest_phi_deg,
+            up_to_kpa: None,
+        };
     let laws = [
+        friction(38.0, 5.0, 10.0, 55.0),
+        friction(15.0, 8.0, 1e-3, 15.0),
+        friction(69.0, 0.1, 1e6, 69.9),
         power(1.1, 0.86, 0.0),
         power(3.0, 0.6, 5.0),
         power(5.0, 0.3, 40.0),
@@ -224,6 +279,19 @@ fn laws_that_are_none_are_refused() {
     refused("a straight line has phi_deg", &|s| s.strength = power(1.0, 1.0, 0.0));
     refused("strength.factor is NaN", &|s| s.strength = power(f64::NAN, 0.8, 0.0));
     refused("strength.tension_kpa is -1", &|s| s.strength = power(1.0, 0.8, -1.0));
+    let friction = |phi_deg, slope_deg_per_decade, greatest_phi_deg| {
+        let (reference_kpa, up_to_kpa) = (1.0, None);
+        Some(StrengthLaw::FrictionLaw {
+            phi_deg,
+            slope_deg_per_decade,
+            reference_kpa,
+            greatest_phi_deg,
+            up_to_kpa,
+        })
+    };
+    refused("strength.phi_deg is 14", &|s| s.strength = friction(14.0, 5.0, 55.0));
+    refused("strength.slope_deg_per_decade is 0", &|s| s.strength = friction(38.0, 0.0, 55.0));
+    refused("from strength.phi_deg to 69.9 deg", &|s| s.strength = friction(38.0, 5.0, 37.0));
     let points = |points: &[[f64; 2]]| Some(StrengthLaw::Points { points_kpa: points.to_vec() });
     refused("fewer than two points", &|s| s.strength = points(&[[0.0, 1.0]]));
     refused("must grow from one", &|s| s.strength = points(&[[0.0, 1.0], [0.0, 2.0]]));
