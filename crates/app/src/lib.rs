@@ -93,6 +93,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("convert", convert, convert::run),
     use_case!("design", design, design::run),
     use_case!("stability", stability, stability::run),
+    use_case!("climb", stability::climb, stability::climb::run),
     use_case!("soils", soils, soils::run),
     use_case!("certify", certify, |request, watch| Ok(certify::run(request, watch)?.answer)),
     use_case!("table show", table::show, table::show::run),

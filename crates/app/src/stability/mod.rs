@@ -2,6 +2,7 @@
 
 mod answer;
 mod by_law;
+pub mod climb;
 mod factor;
 mod layers;
 mod region;

@@ -1,6 +1,6 @@
 //! The bounds with the weakest and the strongest soil, at the stresses of the problem, and where between them it begins to stand.
 
-use soilctl_limit_analysis::Options;
+use soilctl_limit_analysis::{Decision, Level, Options, decide};
 
 use super::answer::{FrictionBasis, SlopeAnswer, Trial};
 use super::factor::{Found, of_description, with_soil};
@@ -87,9 +87,21 @@ impl<'a> Search<'a> {
         Ok(Self { request, site, soils, watch, options })
     }
 
+    /// Where the friction of soils without a law comes from, and the stresses at which they slip.
+    pub(super) fn basis(&self) -> Result<(FrictionBasis, Option<[f64; 2]>), AppError> {
+        let phi_deg = self.middle_deg();
+        let scouted = self.scout(phi_deg)?;
+        Ok((self.basis_without_law(phi_deg, &scouted)?, scouted.stress_pa))
+    }
+
+    fn middle_deg(&self) -> f64 {
+        let [weakest, strongest] = self.soils.phi_deg();
+        f64::midpoint(weakest, strongest).clamp(5.0, 60.0)
+    }
+
     pub(super) fn run(&self) -> Result<Outcome, AppError> {
         let guess = self.soils.phi_deg();
-        let phi_deg = f64::midpoint(guess[0], guess[1]).clamp(5.0, 60.0);
+        let phi_deg = self.middle_deg();
         let scouted = self.scout(phi_deg)?;
         let mut outcome = if self.soils.has_law() {
             self.by_law(scouted.stress_pa)?
@@ -158,17 +170,20 @@ impl<'a> Search<'a> {
 
     /// Stresses by coarse bounds.
     fn scout(&self, phi_deg: f64) -> Result<Found, AppError> {
-        let options = Options {
+        self.bounds("stresses", self.middle(phi_deg), &self.coarse())
+    }
+
+    fn coarse(&self) -> Options {
+        Options {
             max_gap: SCOUT_GAP.max(self.options.max_gap),
             max_work: ((SCOUT_SHARE * self.options.max_work as f64) as u64).max(1),
             max_seconds: self.options.max_seconds.map(|all| SCOUT_SHARE * all),
             ..self.options.clone()
-        };
-        self.bounds("stresses", self.middle(phi_deg), &options)
+        }
     }
 
     /// A soil of the middle density and cohesion.
-    fn middle(&self, phi_deg: f64) -> Soil {
+    pub(super) fn middle(&self, phi_deg: f64) -> Soil {
         let middle = |[low, high]: [f64; 2]| f64::midpoint(low, high);
         let cohesion_kpa = middle(self.soils.more_cohesion_kpa());
         Soil { phi_deg, density_kg_m3: middle(self.soils.density_kg_m3), cohesion_kpa }
@@ -219,16 +234,32 @@ impl<'a> Search<'a> {
 
     /// An upper bound with a friction angle, and cohesion (kPa), that holds for all densities: by the mechanism of one of them.
     pub(super) fn upper(&self, phi_deg: f64, cohesion_kpa: f64) -> Result<Option<f64>, AppError> {
+        self.upper_by(phi_deg, cohesion_kpa, &self.part())
+    }
+
+    /// The same, coarse.
+    pub(super) fn coarse_upper(&self, phi_deg: f64, cohesion_kpa: f64) -> Result<Option<f64>, AppError> {
+        self.upper_by(phi_deg, cohesion_kpa, &self.coarse())
+    }
+
+    fn upper_by(&self, phi_deg: f64, cohesion_kpa: f64, options: &Options) -> Result<Option<f64>, AppError> {
         let middle = self.middle(phi_deg).density_kg_m3;
         for density_kg_m3 in std::iter::once(middle).chain(self.densities()) {
             let soil = Soil { phi_deg, density_kg_m3, cohesion_kpa };
-            let found = self.bounds("strongest soil", soil, &self.part())?;
+            let found = self.bounds("strongest soil", soil, options)?;
             let upper = found.upper_between(self.site, soil, self.soils.density_kg_m3)?;
             if upper.is_some() || self.is_stopped() {
                 return Ok(upper);
             }
         }
         Ok(None)
+    }
+
+    /// Whether a problem with one soil reaches what is required, with bounds no sharper than that takes, and coarse ones.
+    pub(super) fn decide(&self, soil: Soil) -> Result<Decision, AppError> {
+        let description = self.site.with_soil(soil)?;
+        let mut say = |level: &Level, _| self.watch.say(&format!("{} elements", level.upper.elements));
+        Ok(decide(&description, self.site.required(), &self.coarse(), &mut say)?)
     }
 
     /// Whether a lower bound is all that was asked for.

@@ -41,8 +41,17 @@ pub(super) struct Site {
 
 impl Site {
     pub(super) fn read(request: &Request, soils: &Soils) -> Result<Self, AppError> {
-        let mut description = Description::read(&request.problem).map_err(LimitError::from)?;
-        let name = request.problem.display();
+        let description = Description::read(&request.problem).map_err(LimitError::from)?;
+        Self::new(description, &request.problem.display().to_string(), request, soils)
+    }
+
+    /// A problem of this name in messages.
+    pub(super) fn new(
+        mut description: Description,
+        name: &str,
+        request: &Request,
+        soils: &Soils,
+    ) -> Result<Self, AppError> {
         let refused = |words: String| Err(AppError::Request(format!("{name}: {words}")));
         let soil = match (&request.soil, description.soils.len()) {
             (Some(wanted), _) => description.soils.iter().position(|soil| soil.name == *wanted),
@@ -89,6 +98,11 @@ impl Site {
             );
         }
         Ok(site)
+    }
+
+    /// The same where gravity is so great across the surface (m/s2).
+    pub(super) fn under_gravity(self, gravity_m_s2: f64) -> Self {
+        Self { gravity_m_s2, ..self }
     }
 
     /// Whether the ground goes on beyond the mesh for ever, where no field is looked at.

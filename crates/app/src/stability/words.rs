@@ -137,17 +137,7 @@ pub(super) fn warnings(answer: &Answer, request: &Request, soils: &Soils) -> Vec
             answer.tried_stress_pa.map_or_else(|| "stresses that were not published".into(), stresses)
         )),
     }
-    let [weak, strong] = soils.cut;
-    if weak || strong {
-        let which = match (weak, strong) {
-            (true, true) => "weaker and stronger",
-            (true, false) => "weaker",
-            (false, _) => "stronger",
-        };
-        warnings.push(format!(
-            "the search of the estimate ended before its region did: {which} soils may explain the strokes too, and nothing is said of them"
-        ));
-    }
+    warnings.extend(cut(soils));
     if answer.gravity_m_s2 != STANDARD_GRAVITY_M_S2 && !request.keep_weight {
         warnings.push(format!(
             "gravity of {} m/s2 makes the weight of {}; all other weights and loads are those of the file",
@@ -156,4 +146,17 @@ pub(super) fn warnings(answer: &Answer, request: &Request, soils: &Soils) -> Vec
         ));
     }
     warnings
+}
+
+/// That the search of the estimate ended before its region did, if so.
+pub(super) fn cut(soils: &Soils) -> Option<String> {
+    let which = match soils.cut {
+        [true, true] => "weaker and stronger",
+        [true, false] => "weaker",
+        [false, true] => "stronger",
+        [false, false] => return None,
+    };
+    Some(format!(
+        "the search of the estimate ended before its region did: {which} soils may explain the strokes too, and nothing is said of them"
+    ))
 }

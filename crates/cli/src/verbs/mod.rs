@@ -5,6 +5,7 @@ mod ahead;
 mod arm;
 mod bound;
 mod certify;
+mod climb;
 mod completions;
 mod console;
 mod convert;
@@ -64,6 +65,8 @@ pub(crate) enum Verb {
     Design(design::Args),
     /// Tells whether a slope, footing or wall stands for every soil that explains the strokes, or that was published
     Stability(stability::Args),
+    /// Tells which slopes a wheel climbs on every soil that explains the strokes, or that was published
+    Climb(climb::Args),
     /// Soils of the Moon and Mars with strength and density as published
     Soils(soils::Args),
     /// Makes a problem file of a drawing (DXF, GeoJSON, CSV), or a drawing of a problem file
@@ -143,6 +146,7 @@ impl Verb {
             Self::Solve(args) => solve::run(&args, output),
             Self::Design(args) => design::run(&args, output),
             Self::Stability(args) => stability::run(&args, output),
+            Self::Climb(args) => climb::run(&args, output),
             Self::Soils(args) => soils::run(&args, output),
             Self::Convert(args) => convert::run(&args, output),
             Self::Workbench(args) => workbench::run(&args, output),
