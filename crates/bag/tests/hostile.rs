@@ -54,7 +54,7 @@ fn read_all(path: &Path) -> Result<(u64, Ending), BagError> {
 }
 
 /// Files with their names in the recording, of which one at a time is damaged.
-const FILES: [&str; 14] = [
+const FILES: [&str; 16] = [
     "none.mcap",
     "zstd.mcap",
     "lz4.mcap",
@@ -69,6 +69,8 @@ const FILES: [&str; 14] = [
     "none.bag",
     "bz2.bag",
     "lz4.bag",
+    "clouds.mcap",
+    "clouds.bag",
 ];
 
 #[test]

@@ -96,7 +96,7 @@ impl Look {
         let wanted = match kind {
             Some(Kind::Joints) => true,
             Some(Kind::Wrench) => !self.frames.contains_key(topic),
-            Some(Kind::Text) | None => false,
+            Some(Kind::Text | Kind::Points) | None => false,
         };
         if !wanted {
             return false;
@@ -114,7 +114,7 @@ impl Look {
                 self.frames.insert(topic.clone(), frame);
                 true
             }
-            Some(Ok(Reading::Text(_)) | Err(_)) | None => false,
+            Some(Ok(Reading::Text(_) | Reading::Points { .. }) | Err(_)) | None => false,
         }
     }
 

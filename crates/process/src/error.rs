@@ -142,6 +142,7 @@ impl From<BagError> for ProcessError {
                     Kind::Joints => "sensor_msgs/msg/JointState",
                     Kind::Wrench => "geometry_msgs/msg/WrenchStamped",
                     Kind::Text => "std_msgs/msg/String",
+                    Kind::Points => "sensor_msgs/msg/PointCloud2",
                 };
                 Self::Topic { wanted, message_type, known }
             }

@@ -84,7 +84,7 @@ pub struct Topic {
     pub message_type: String,
     /// How many there are.
     pub messages: u64,
-    /// What they tell: `joints`, `wrench` or `text`, if one of these. This and what follows is there only of recordings of other
+    /// What they tell: `joints`, `wrench`, `text` or `points`, if one of these. This and what follows is there only of recordings of other
     /// programs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<&'static str>,

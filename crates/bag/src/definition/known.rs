@@ -2,7 +2,7 @@
 
 use super::Ros;
 
-const TYPES: [(&str, &str); 17] = [
+const TYPES: [(&str, &str); 19] = [
     ("geometry_msgs/Quaternion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 w"),
     ("geometry_msgs/Transform", "geometry_msgs/Vector3 translation\ngeometry_msgs/Quaternion rotation"),
     (
@@ -16,6 +16,12 @@ const TYPES: [(&str, &str); 17] = [
         "sensor_msgs/JointState",
         "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort",
     ),
+    (
+        "sensor_msgs/PointCloud2",
+        "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\nbool is_bigendian\nuint32 point_step\n\
+         uint32 row_step\nuint8[] data\nbool is_dense",
+    ),
+    ("sensor_msgs/PointField", "string name\nuint32 offset\nuint8 datatype\nuint32 count"),
     ("std_msgs/Bool", "bool data"),
     ("std_msgs/Empty", ""),
     ("std_msgs/Float32", "float32 data"),

@@ -139,6 +139,12 @@ impl<'a> Cursor<'a> {
         }
     }
 
+    /// A list of bytes.
+    pub(super) fn bytes(&mut self, most: usize) -> Result<&'a [u8], String> {
+        let length = self.length(most)?;
+        self.take(length)
+    }
+
     /// Passes over values of one size.
     pub(super) fn pass(&mut self, size: usize, count: usize) -> Result<(), String> {
         if count > 0 {

@@ -5,6 +5,7 @@ mod cursor;
 mod parts;
 mod pass;
 mod plan;
+mod points;
 mod readers;
 
 use soilctl_columns::Cell;
@@ -33,16 +34,19 @@ pub enum Kind {
     Wrench,
     /// Text.
     Text,
+    /// A cloud of points.
+    Points,
 }
 
 impl Kind {
-    /// In one word: `joints`, `wrench` or `text`.
+    /// In one word: `joints`, `wrench`, `text` or `points`.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
             Self::Joints => "joints",
             Self::Wrench => "wrench",
             Self::Text => "text",
+            Self::Points => "points",
         }
     }
 }
@@ -53,6 +57,9 @@ impl std::fmt::Display for Kind {
             Self::Joints => "joint states (a type with `string[] name` and `float64[] position`)",
             Self::Wrench => "wrenches (a type with `force` and `torque`)",
             Self::Text => "text (`std_msgs/String`)",
+            Self::Points => {
+                "points (a type with `fields`, `point_step` and `data`, as `sensor_msgs/PointCloud2`)"
+            }
         })
     }
 }
@@ -80,6 +87,17 @@ pub enum Reading {
     },
     /// Text.
     Text(String),
+    /// A cloud of points.
+    Points {
+        /// The stamp in ns, if it was set.
+        stamp_ns: Option<i64>,
+        /// The frame that the header names; empty if there is none.
+        frame: String,
+        /// Finite points `x, y, z`, in m.
+        points: Vec<[f64; 3]>,
+        /// How many points are left out because a coordinate is not finite.
+        missing: usize,
+    },
 }
 
 /// Reads the messages of a channel.

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use super::plan::{Part, Plan};
+use super::points;
 use crate::definition::{Base, Definition, Field, Shape, Structure};
 
 /// How a message of this type is read, if it is of a kind.
@@ -65,6 +66,15 @@ fn own(definition: &Definition, number: usize, structure: &Structure) -> Found {
             put(&mut plan, place, part);
         }
         return Some((Kind::Joints, plan));
+    }
+    if let Some(found) = points::parts(definition, structure) {
+        for (place, field) in structure.fields.iter().enumerate() {
+            put(&mut plan, place, about(definition, field));
+        }
+        for (place, part) in found {
+            put(&mut plan, place, part);
+        }
+        return Some((Kind::Points, plan));
     }
     if let [_, _] = structure.fields.as_slice() {
         for (name, from) in [("force", 0), ("torque", 3)] {

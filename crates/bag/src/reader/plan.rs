@@ -1,6 +1,7 @@
 use super::cursor::Cursor;
+use super::points::Layout;
 use super::{Encoding, Kind, Reading, pass};
-use crate::definition::{Base, Definition, Field};
+use crate::definition::{Base, Definition, Field, Shape};
 
 /// What to do with each field of a type.
 #[derive(Debug, Clone, Default)]
@@ -25,6 +26,14 @@ pub(super) enum Part {
     /// A number of the wrench.
     Number(usize),
     Text,
+    /// Channels of a cloud of points.
+    Channels,
+    /// A size of a cloud.
+    Size(usize),
+    /// Whether its numbers have their highest byte first.
+    BigEndian,
+    /// Its points.
+    Bytes,
 }
 
 /// What was met so far.
@@ -37,6 +46,7 @@ struct Met<'a> {
     positions: Vec<f64>,
     wrench: [f64; 6],
     text: &'a str,
+    cloud: Layout<'a>,
 }
 
 impl Plan {
@@ -55,12 +65,14 @@ impl Plan {
         let mut met = Met::default();
         self.walk(definition, encoding, &mut cursor, &mut met, 0)?;
         cursor.end()?;
-        let Met { stamp, frame, names, positions, wrench, text } = met;
+        let Met { stamp, frame, names, positions, wrench, text, cloud } = met;
         let stamp_ns = stamp.map(|(_, ns)| ns);
+        let frame = frame.map(|(_, frame)| frame.to_owned()).unwrap_or_default();
         match kind {
-            Kind::Wrench => {
-                let frame = frame.map(|(_, frame)| frame.to_owned()).unwrap_or_default();
-                Ok(Reading::Wrench { stamp_ns, frame, wrench })
+            Kind::Wrench => Ok(Reading::Wrench { stamp_ns, frame, wrench }),
+            Kind::Points => {
+                let (points, missing) = cloud.points()?;
+                Ok(Reading::Points { stamp_ns, frame, points, missing })
             }
             Kind::Text => Ok(Reading::Text(text.to_owned())),
             // ROS allows a joint state to leave positions out.
@@ -127,10 +139,19 @@ impl Plan {
                     }
                 }
                 Part::Text => met.text = text(cursor)?,
+                Part::Channels => met.cloud.read_channels(cursor, most(field))?,
+                Part::Size(which) => met.cloud.read_size(cursor, *which)?,
+                Part::BigEndian => met.cloud.read_big(cursor)?,
+                Part::Bytes => met.cloud.read_bytes(cursor, most(field))?,
             }
         }
         Ok(())
     }
+}
+
+/// The longest that a list may be by its definition.
+const fn most(field: &Field) -> usize {
+    if let Shape::Bounded(most) = field.shape { most } else { usize::MAX }
 }
 
 fn float(cursor: &mut Cursor<'_>, field: &Field) -> Result<f64, String> {
