@@ -18,8 +18,8 @@ use thiserror::Error;
 #[cfg(not(target_family = "wasm"))]
 use {
     soilctl_bag::BagError, soilctl_campaign::CampaignError, soilctl_digging::DiggingError,
-    soilctl_ground::GroundError, soilctl_motion::MotionError, soilctl_process::ProcessError,
-    soilctl_session::SessionError,
+    soilctl_ground::GroundError, soilctl_heights::HeightsError, soilctl_motion::MotionError,
+    soilctl_process::ProcessError, soilctl_session::SessionError,
 };
 
 /// Why a use case gave no answer.
@@ -110,6 +110,10 @@ pub enum AppError {
     #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]
     Ground(#[from] GroundError),
+    /// Height maps.
+    #[cfg(not(target_family = "wasm"))]
+    #[error(transparent)]
+    Heights(#[from] HeightsError),
     /// A simulated campaign.
     #[cfg(not(target_family = "wasm"))]
     #[error(transparent)]
@@ -161,6 +165,7 @@ impl AppError {
                 MotionError::Write { .. }
                     | MotionError::Bag(BagError::File { .. } | BagError::NotARecording { .. })
             ) | Self::Campaign(CampaignError::File { .. })
+                | Self::Heights(HeightsError::File { .. } | HeightsError::Format { .. })
         ) {
             return true;
         }

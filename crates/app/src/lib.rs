@@ -32,6 +32,8 @@ pub mod estimate;
 pub mod excavate;
 pub mod files;
 mod finite;
+#[cfg(not(target_family = "wasm"))]
+pub mod heights;
 pub mod limits;
 #[cfg(not(target_family = "wasm"))]
 pub mod log;
@@ -104,6 +106,7 @@ pub const USE_CASES: &[UseCase] = &[
     use_case!("places", places, places::run),
     use_case!("profile", profile, profile::run),
     use_case!("surface", surface, surface::run),
+    use_case!("heights", heights, heights::run),
     use_case!("shear", shear, |request, watch| Ok(shear::run(request, watch)?.answer)),
     use_case!("simulate", simulate, simulate::run),
     use_case!("excavate", excavate, excavate::run),

@@ -17,6 +17,8 @@ mod error;
 pub mod estimate;
 #[cfg(not(target_family = "wasm"))]
 pub mod excavate;
+#[cfg(not(target_family = "wasm"))]
+pub mod heights;
 pub mod limits;
 pub mod obstacle;
 #[cfg(not(target_family = "wasm"))]

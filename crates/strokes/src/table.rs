@@ -114,6 +114,32 @@ impl StrokeTable {
         self
     }
 
+    /// The same table with other numbers in a row, counted from 0, by the names of their columns, which are added where they are not there.
+    ///
+    /// # Errors
+    /// [`StrokesError`] if a number is outside the range of its column. A name that is no column of numbers changes nothing, nor does a row that
+    /// is not there.
+    pub fn with_numbers(mut self, row: usize, numbers: &[(&str, f64)]) -> Result<Self, StrokesError> {
+        for (name, value) in numbers {
+            let Stored::Numbers(known, _) = Stored::new(name) else { continue };
+            let Some(&line) = self.lines.get(row) else { continue };
+            let place = CellPlace { file: &self.name, line, column: known.about.name };
+            place.check(*value, value, &known.about, false)?;
+            if !self.columns.iter().any(|column| column.name() == *name) {
+                self.columns.push(Stored::Numbers(known, vec![f64::NAN; self.lines.len()]));
+            }
+            for column in &mut self.columns {
+                if let Stored::Numbers(of, values) = column
+                    && of.about.name == *name
+                    && let Some(cell) = values.get_mut(row)
+                {
+                    *cell = *value;
+                }
+            }
+        }
+        Ok(self)
+    }
+
     /// Writes the table as csv in one go, columns in the order in which they were read. Numbers are written so that they
     /// read back to the same bits.
     ///

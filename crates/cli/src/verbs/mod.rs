@@ -16,6 +16,7 @@ mod dig;
 mod doctor;
 mod estimate;
 mod excavate;
+mod heights;
 mod limits;
 mod log;
 mod man;
@@ -83,6 +84,8 @@ pub(crate) enum Verb {
     Profile(profile::Args),
     /// What the crack ahead of the plate says of the soil, beside what the force says
     Surface(surface::Args),
+    /// What height maps before and after a stroke say: where the ground broke, heap and furrow
+    Heights(heights::Args),
     /// Where model and measurement disagree, which effect is missing, and the gap after it is added
     Diagnose(diagnose::Args),
     /// One HTML page: the estimate with its figures and what they mean
@@ -155,6 +158,7 @@ impl Verb {
             Self::Places(args) => places::run(&args, output),
             Self::Profile(args) => profile::run(&args, output),
             Self::Surface(args) => surface::run(&args, output),
+            Self::Heights(args) => heights::run(&args, output),
             Self::Diagnose(args) => diagnose::run(&args, output),
             Self::Report(args) => report::run(&args, output),
             Self::Shear(args) => shear::run(&args, output),

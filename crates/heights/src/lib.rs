@@ -1,0 +1,14 @@
+#![doc = include_str!("../README.md")]
+
+mod change;
+mod error;
+mod map;
+mod points;
+mod read;
+mod stroke;
+
+pub use change::{Change, Shift, change};
+pub use error::HeightsError;
+pub use map::{Grid, HeightMap, MOST_CELLS, MOST_HEIGHT_M};
+pub use read::{Format, Moment, Reading, Source, is_recording, read, read_after};
+pub use stroke::{Break, NoBreak, Plate, Profile, Stroke, Volume, stroke};

@@ -1,0 +1,89 @@
+//! Clouds of points in recordings.
+
+use std::path::Path;
+
+use soilctl_bag::{BagError, Early, Item, Kind, Readers, Reading, contents, scan};
+
+use crate::HeightsError;
+
+/// The topic that depth cameras have if they have a single one.
+const USUAL: &str = "/points";
+
+/// Which cloud of a recording.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Moment {
+    /// The first that has points.
+    First,
+    /// The last that has points.
+    Last,
+    /// The last that was logged at this time or before it, in s since the first one.
+    At(f64),
+}
+
+/// A cloud that was found.
+pub(super) struct Cloud {
+    pub(super) points: Vec<[f64; 3]>,
+    pub(super) missing: usize,
+    pub(super) frame: String,
+    pub(super) time_ns: i64,
+    pub(super) notes: Vec<String>,
+}
+
+/// Whether a file or folder is a recording.
+#[must_use]
+pub fn is_recording(path: &Path) -> bool {
+    path.is_dir() || soilctl_bag::is_recording(path)
+}
+
+pub(super) fn cloud(path: &Path, topic: Option<&str>, moment: Moment) -> Result<Cloud, HeightsError> {
+    let found = contents(path)?;
+    let topic = found.choose(topic, USUAL, Kind::Points)?;
+    let first_ns = found.topics.get(&topic).map_or(0, |topic| topic.first_ns);
+    let last_ns = match moment {
+        Moment::First | Moment::Last => u64::MAX,
+        Moment::At(seconds) => first_ns.saturating_add((seconds.max(0.0) * 1e9) as u64),
+    };
+    let (mut readers, mut cloud, mut unreadable) = (Readers::new(), None::<(u64, Cloud)>, Vec::new());
+    let done = scan::<Early>(path, &mut |item| {
+        let Item::Message(message) = item else { return Ok(()) };
+        let time = message.log_time_ns;
+        // Messages of a recording need not be in the order of their times.
+        let better = cloud.as_ref().is_none_or(|(known, _)| match moment {
+            Moment::First => time < *known,
+            Moment::Last | Moment::At(_) => time >= *known,
+        });
+        if message.channel.topic != topic || time > last_ns || !better {
+            return Ok(());
+        }
+        match readers.read(&message) {
+            Some(Ok(Reading::Points { stamp_ns, frame, points, missing })) if !points.is_empty() => {
+                let time_ns = stamp_ns.unwrap_or_else(|| i64::try_from(time).unwrap_or(i64::MAX));
+                cloud = Some((time, Cloud { points, missing, frame, time_ns, notes: Vec::new() }));
+                Ok(())
+            }
+            Some(Err(problem)) => {
+                unreadable.push(problem);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    });
+    match done {
+        Ok(_) | Err(Early::Enough) => {}
+        Err(Early::Failed(error)) => return Err(error.into()),
+    }
+    let Some((_, mut cloud)) = cloud else {
+        let reason = match (unreadable.first(), moment) {
+            (Some(problem), _) => format!("none of its clouds can be read: {problem}"),
+            (None, Moment::At(seconds)) => format!("none of its clouds up to {seconds} s has points"),
+            (None, Moment::First | Moment::Last) => "none of its clouds has points".to_owned(),
+        };
+        return Err(BagError::Unreadable { topic, reason }.into());
+    };
+    if let Some(problem) = unreadable.first() {
+        let count = unreadable.len();
+        cloud.notes.push(format!("{count} clouds on {topic} cannot be read and are left out: {problem}"));
+    }
+    cloud.notes.extend(found.ending.damage.iter().map(|damage| format!("{}: {damage}", path.display())));
+    Ok(cloud)
+}
