@@ -90,7 +90,7 @@ fn profile(answer: &Answer) -> Result<Figure, PageError> {
     )?;
     if let Some(broke) = &answer.broke {
         // Distances are along the surface, the profile on the map.
-        let level = libm_cos(answer.slope_deg);
+        let level = on_map(answer.slope_deg);
         let [low, high] = broke.within_m.map(|m| 1e3 * m * level);
         figure.push(Span::vertical("where the ground broke", low, high))?;
         figure.push(RefLine::vertical("most likely", 1e3 * broke.distance_m * level))?;
@@ -99,8 +99,9 @@ fn profile(answer: &Answer) -> Result<Figure, PageError> {
     Ok(figure)
 }
 
-fn libm_cos(deg: f64) -> f64 {
-    deg.to_radians().cos()
+/// A length along ground of a slope over that on the map.
+fn on_map(slope_deg: f64) -> f64 {
+    slope_deg.to_radians().cos()
 }
 
 fn rise(answer: &Answer) -> Result<Figure, PageError> {
@@ -143,7 +144,7 @@ fn above(answer: &Answer, title: &str, name: &str, sign: f64) -> Result<Figure, 
     let wide = 500.0 * answer.width_m;
     figure.push(Line::new("plate", vec![(0.0, -wide), (0.0, wide)]).width(4.0).dash(Dash::Solid).color(6))?;
     if let Some(broke) = &answer.broke {
-        let at = 1e3 * broke.distance_m * libm_cos(answer.slope_deg);
+        let at = 1e3 * broke.distance_m * on_map(answer.slope_deg);
         let line = vec![(at, -wide), (at, wide)];
         figure.push(Line::new("where the ground broke", line).width(2.0).dash(Dash::Dash).color(1))?;
     }
@@ -151,7 +152,7 @@ fn above(answer: &Answer, title: &str, name: &str, sign: f64) -> Result<Figure, 
     let ends = [-0.5 * wide, 0.5 * wide];
     let far = 1e3 * answer.broke.as_ref().map_or(answer.width_m, |broke| broke.within_m[1]);
     let lines: Vec<Vec<(f64, f64)>> = ends.iter().map(|y| vec![(0.0, *y), (far, *y)]).collect();
-    figure.push(Paths::new("lines of the profile", lines).width(1.0).color(7))?;
+    figure.push(Paths::new("lines of the profile", lines).width(1.0).color(2))?;
     Ok(figure)
 }
 

@@ -7,22 +7,19 @@ use super::PictureAnswer;
 /// Most cells along either side.
 const MOST: usize = 70;
 /// Widths of the plate that are shown at least around it.
-const AROUND: f64 = 1.5;
+const AROUND: f64 = 1.0;
+/// Widths of the plate that are shown around heap and furrow.
+const MARGIN: f64 = 0.2;
 
 pub(super) fn picture(change: &Change, plate: &Plate, said: &Stroke) -> PictureAnswer {
     let grid = &change.grid;
     // What changed, and the plate with some ground around it.
     let around = AROUND * plate.width_m;
     let (mut low, mut high) = ([-around; 2], [around; 2]);
-    for cell in 0..grid.cells() {
-        if change.changed.get(cell) == Some(&true) {
-            let at = plate.seen_from(grid.place(cell));
-            for axis in 0..2 {
-                // Noise stands out here and there; what is far away is not the stroke's.
-                let most = 6.0 * plate.width_m;
-                low[axis] = low[axis].min(at[axis].max(-most));
-                high[axis] = high[axis].max(at[axis].min(most));
-            }
+    for volume in [&said.heap, &said.furrow] {
+        for (axis, extent) in volume.extent_m.iter().enumerate() {
+            low[axis] = low[axis].min(extent[0] - MARGIN * plate.width_m);
+            high[axis] = high[axis].max(extent[1] + MARGIN * plate.width_m);
         }
     }
     if let Ok(broke) = &said.broke {

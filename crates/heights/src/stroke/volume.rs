@@ -29,6 +29,8 @@ pub struct Volume {
     pub off_map: bool,
     /// Cells beside it that were not seen.
     pub hidden: usize,
+    /// Where its cells are: least and greatest distance (m) ahead of the plate's face, and to the left of its middle.
+    pub extent_m: [[f64; 2]; 2],
 }
 
 /// Heap, furrow, and what changed elsewhere.
@@ -78,7 +80,7 @@ pub(super) fn volumes(change: &Change, plate: &Plate, deviations: f64) -> [Volum
     };
     let sum = |of: &[bool], other: &[bool], sign: f64| {
         let cells: Vec<usize> = (0..grid.cells()).filter(|&cell| share(cell, of, other, sign)).collect();
-        volume(change, &cells, sign)
+        volume(change, plate, &cells, sign)
     };
     let elsewhere = parts
         .size
@@ -90,11 +92,16 @@ pub(super) fn volumes(change: &Change, plate: &Plate, deviations: f64) -> [Volum
     [sum(&up, &down, 1.0), sum(&down, &up, -1.0), Volume { cells: elsewhere, ..Volume::default() }]
 }
 
-fn volume(change: &Change, cells: &[usize], sign: f64) -> Volume {
+fn volume(change: &Change, plate: &Plate, cells: &[usize], sign: f64) -> Volume {
     let (grid, area) = (&change.grid, change.grid.area_m2());
+    let mut extent_m = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     let (mut volume, mut beside) = (Volume::default(), vec![false; grid.cells()]);
     for &cell in cells {
         volume.off_map |= grid.is_edge(cell);
+        let at = plate.seen_from(grid.place(cell));
+        for (extent, x) in extent_m.iter_mut().zip(at) {
+            *extent = [extent[0].min(x), extent[1].max(x)];
+        }
         match change.by_m[cell] {
             Some(by) => {
                 volume.m3 += sign * by * area;
@@ -103,6 +110,9 @@ fn volume(change: &Change, cells: &[usize], sign: f64) -> Volume {
             }
             None => beside[cell] = true,
         }
+    }
+    if !cells.is_empty() {
+        volume.extent_m = extent_m;
     }
     volume.hidden = beside.iter().filter(|hidden| **hidden).count();
     let count = volume.cells as f64;
