@@ -7,6 +7,8 @@ use crate::{Grid, HeightMap};
 
 /// More cells than these make a plane hardly more certain, beside how noise clumps.
 const MOST_ROWS: usize = 8_000;
+/// Fewest cells with slopes that tell a shift.
+const FEWEST_SLOPES: usize = 200;
 
 /// What lies between the maps.
 pub(super) struct Fit {
@@ -16,10 +18,9 @@ pub(super) struct Fit {
     pub(super) tilt: [f64; 2],
     /// Standard deviation of `up_m` over that of a cell.
     pub(super) up_per_noise: f64,
-    /// Where the second map must be read, against where it was.
-    pub(super) sideways: Option<Sideways>,
 }
 
+/// Where the second map must be read, against where it was.
 #[derive(Clone, Copy)]
 pub(super) struct Sideways {
     pub(super) by_m: [f64; 2],
@@ -64,36 +65,51 @@ pub(super) fn slopes(map: &HeightMap) -> Vec<Option<[f64; 2]>> {
     (0..heights.len()).map(steps).collect()
 }
 
-/// The plane between the maps on `still` cells, robustly, and the shift sideways by the slopes: reading the second map at a shift `u` changes it
-/// by slope times `u`, so the difference is the plane minus slope times the missing shift (Lucas and Kanade 1981).
-pub(super) fn fit(
+/// Places of cells from the origin, over a length of the size of the map, which keeps the normal equations in order; and that length.
+fn rows<'a>(
+    grid: &'a Grid,
+    cells: &'a [usize],
+    origin: [f64; 2],
+) -> (impl Iterator<Item = (usize, [f64; 2])> + 'a, f64) {
+    let every = cells.len().div_ceil(MOST_ROWS).max(1);
+    let scale = (grid.cells() as f64).sqrt() * grid.cell_m();
+    let rows = cells.iter().step_by(every).map(move |&cell| {
+        let place = grid.place(cell);
+        (cell, [0, 1].map(|axis| (place[axis] - origin[axis]) / scale))
+    });
+    (rows, scale)
+}
+
+/// The plane between the maps on unchanged cells, robustly.
+pub(super) fn fit(grid: &Grid, by_m: &[Option<f64>], still: &[usize], origin: [f64; 2]) -> Fit {
+    let (rows, scale) = rows(grid, still, origin);
+    let rows: Vec<([f64; 3], f64)> =
+        rows.filter_map(|(cell, [x, y])| Some(([1.0, x, y], by_m[cell]?))).collect();
+    let solved = huber(&rows).map_or(Solved { x: [0.0; 3], inverse: [[0.0; 3]; 3] }, |(solved, _)| solved);
+    let [up_m, a, b] = solved.x;
+    Fit { origin, up_m, tilt: [a / scale, b / scale], up_per_noise: solved.inverse[0][0].sqrt() }
+}
+
+/// The shift sideways by slopes of the ground: reading the second map at a shift `u` changes it by slope times `u`, so the difference is a plane
+/// minus slope times the missing shift (Lucas and Kanade 1981). `None` where too few slopes are known.
+pub(super) fn sideways(
     grid: &Grid,
     by_m: &[Option<f64>],
     slopes: &[Option<[f64; 2]>],
-    still: &[usize],
+    aside: &[usize],
     origin: [f64; 2],
-) -> Fit {
-    let every = still.len().div_ceil(MOST_ROWS).max(1);
-    // Lengths of the size of the map keep the normal equations in order.
-    let scale = (grid.cells() as f64).sqrt() * grid.cell_m();
-    let some: Vec<([f64; 3], f64, Option<[f64; 2]>)> = still
-        .iter()
-        .step_by(every)
-        .filter_map(|&cell| {
-            let place = grid.place(cell);
-            let [x, y] = [0, 1].map(|axis| (place[axis] - origin[axis]) / scale);
-            Some(([1.0, x, y], by_m[cell]?, slopes[cell]))
+) -> Option<Sideways> {
+    let (rows, _) = rows(grid, aside, origin);
+    let rows: Vec<([f64; 5], f64)> = rows
+        .filter_map(|(cell, [x, y])| {
+            let [p, q] = slopes[cell]?;
+            Some(([1.0, x, y, -p, -q], by_m[cell]?))
         })
         .collect();
-    let plane: Vec<([f64; 3], f64)> = some.iter().map(|(row, by, _)| (*row, *by)).collect();
-    let solved = huber(&plane).map_or(Solved { x: [0.0; 3], inverse: [[0.0; 3]; 3] }, |(solved, _)| solved);
-    let with_slopes: Vec<([f64; 5], f64)> = some
-        .iter()
-        .filter_map(|([one, x, y], by, slopes)| slopes.map(|[p, q]| ([*one, *x, *y, -p, -q], *by)))
-        .collect();
-    let sideways = (with_slopes.len() > 50).then(|| huber(&with_slopes)).flatten().map(|(solved, sd)| {
-        Sideways { by_m: [solved.x[3], solved.x[4]], sd_m: [3, 4].map(|i| sd * solved.inverse[i][i].sqrt()) }
-    });
-    let [up_m, a, b] = solved.x;
-    Fit { origin, up_m, tilt: [a / scale, b / scale], up_per_noise: solved.inverse[0][0].sqrt(), sideways }
+    if rows.len() < FEWEST_SLOPES {
+        return None;
+    }
+    let (solved, sd) = huber(&rows)?;
+    let [_, _, _, x, y] = solved.x;
+    Some(Sideways { by_m: [x, y], sd_m: [3, 4].map(|i| sd * solved.inverse[i][i].sqrt()) })
 }

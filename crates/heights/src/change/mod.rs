@@ -11,10 +11,12 @@ pub(crate) use noise::smoothed;
 
 /// Fewest cells seen in both maps, and of unchanged ground.
 const FEWEST_CELLS: usize = 100;
+/// Part of the seen ground that must be away from the plate's path for this alone to align the maps: less of it determines no plane.
+const ASIDE: f64 = 0.3;
 /// Noise is not taken to be less than this, in m: no scanner of ground is finer.
 const LEAST_NOISE_M: f64 = 1e-6;
 /// Rounds of telling unchanged ground and aligning the maps by it.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 7;
 /// Part of a cell below which a sideways shift is not worth an interpolation.
 const LEAST_SHIFT: f64 = 0.1;
 /// Standard deviations that a sideways shift must be from nothing.
@@ -83,24 +85,24 @@ pub fn change(
     let slopes = align::slopes(before);
     let mut raw = difference(before, after, [0.0; 2]);
     check(before, after, plate, &raw)?;
-    let mut off_path = true;
+    let aside = raw.iter().zip(&path).filter(|(by, path)| by.is_some() && !**path).count();
+    let off_path = aside as f64 >= ASIDE * raw.iter().flatten().count() as f64 && aside >= FEWEST_CELLS;
     for round in 0..ROUNDS {
         let calm = |cell: usize, changed: &[bool]| {
             !(changed.get(cell) == Some(&true) || off_path && path.get(cell) == Some(&true))
         };
-        let mut still: Vec<usize> =
+        let still: Vec<usize> =
             (0..grid.cells()).filter(|cell| raw[*cell].is_some() && calm(*cell, &change.changed)).collect();
-        if round == 0 && still.len() < FEWEST_CELLS {
-            off_path = false;
-            still = (0..grid.cells()).filter(|cell| raw[*cell].is_some()).collect();
-        }
         if still.len() < FEWEST_CELLS {
             break;
         }
-        let fit = align::fit(&grid, &raw, &slopes, &still, plate.at_m);
-        // The last round only reads.
-        let step = fit.sideways.filter(|step| step.is_certain(CERTAIN, LEAST_SHIFT * grid.cell_m()));
-        if let Some(step) = step.filter(|_| round + 1 < ROUNDS) {
+        let fit = align::fit(&grid, &raw, &still, plate.at_m);
+        // A heap looks like slopes that were moved, so it is away from the path that a shift shows; the first round does not know yet what changed
+        // there, and the last one only reads.
+        let aside: Vec<usize> = still.iter().copied().filter(|cell| !path[*cell]).collect();
+        let step = align::sideways(&grid, &raw, &slopes, &aside, plate.at_m)
+            .filter(|step| step.is_certain(CERTAIN, LEAST_SHIFT * grid.cell_m()));
+        if let Some(step) = step.filter(|_| round > 0 && round + 1 < ROUNDS) {
             for (shift, by) in change.shift.sideways_m.iter_mut().zip(step.by_m) {
                 *shift += by;
             }
@@ -169,7 +171,7 @@ fn notes(change: &mut Change, off_path: bool, height_sd_m: Option<f64>) {
     }
     if !off_path {
         change.notes.push(
-            "hardly any ground beside the plate's path was seen, so the maps are aligned by ground that the stroke may have moved; scan more to the sides"
+            "little of the ground that was seen is away from the plate's path, so the maps are aligned by ground on it too, where it does not stand out; scan more to the sides"
                 .to_owned(),
         );
     }
