@@ -13,6 +13,7 @@ import pytest
 from conftest import strict_json
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
+from scipy.spatial.transform import Rotation
 
 WIDTH, FURROW, DEEP, TOP = 0.127, 0.05, 0.012, 0.008
 PLATE, HEADING = (0.31, -0.12), 30.0
@@ -84,22 +85,38 @@ def test_edge_and_volumes_hold_the_truth(soilctl, tmp_path, validate):
     assert held >= 7
 
 
-def record(path, scans, frames=("bin", "bin"), topic="/camera/points"):
-    """Clouds of floats, a second apart, as a depth camera without rows writes them."""
-    store = get_typestore(Stores.ROS2_HUMBLE)
-    types = store.types
-    kind = "sensor_msgs/msg/PointCloud2"
+STORE = get_typestore(Stores.ROS2_HUMBLE)
+
+
+def header(t, frame):
+    stamp = STORE.types["builtin_interfaces/msg/Time"](sec=int(t), nanosec=round(t % 1 * 1e9))
+    return STORE.types["std_msgs/msg/Header"](stamp=stamp, frame_id=frame)
+
+
+def cloud(t, points, frame):
+    """Floats without rows, as many depth cameras write them."""
+    field = STORE.types["sensor_msgs/msg/PointField"]
+    return STORE.types["sensor_msgs/msg/PointCloud2"](
+        header=header(t, frame), height=1, width=len(points), fields=[field(name=n, offset=4 * i, datatype=7, count=1) for i, n in enumerate("xyz")],
+        is_bigendian=False, point_step=12, row_step=12 * len(points), data=np.frombuffer(points.astype("<f4").tobytes(), np.uint8), is_dense=False,
+    )  # fmt: skip
+
+
+def write_bag(path, messages):
+    """Messages as (topic, time in s, message), in the order of their times."""
     with Writer(path, version=9, storage_plugin=StoragePlugin.MCAP) as writer:
-        connection = writer.add_connection(topic, kind, typestore=store)
-        for second, (points, frame) in enumerate(zip(scans, frames, strict=True)):
-            stamp = types["builtin_interfaces/msg/Time"](sec=1000 + second, nanosec=0)
-            fields = [types["sensor_msgs/msg/PointField"](name=n, offset=4 * i, datatype=7, count=1) for i, n in enumerate("xyz")]
-            cloud = types[kind](
-                header=types["std_msgs/msg/Header"](stamp=stamp, frame_id=frame), height=1, width=len(points), fields=fields, is_bigendian=False,
-                point_step=12, row_step=12 * len(points), data=np.frombuffer(points.astype("<f4").tobytes(), np.uint8), is_dense=False,
-            )  # fmt: skip
-            writer.write(connection, (1000 + second) * 10**9, store.serialize_cdr(cloud, kind))
+        connections = {}
+        for topic, t, message in sorted(messages, key=lambda one: one[1]):
+            kind = message.__msgtype__
+            if topic not in connections:
+                connections[topic] = writer.add_connection(topic, kind, typestore=STORE)
+            writer.write(connections[topic], round(t * 1e9), STORE.serialize_cdr(message, kind))
     return path
+
+
+def record(path, scans, frames=("bin", "bin"), topic="/camera/points"):
+    clouds = zip(scans, frames, strict=True)
+    return write_bag(path, [(topic, 1000 + t, cloud(1000 + t, points, frame)) for t, (points, frame) in enumerate(clouds)])
 
 
 def scan(random, edge=None, count=60_000):
@@ -137,6 +154,69 @@ def test_clouds_of_a_recording(soilctl, tmp_path, validate):
     assert "in the frame bin, the one after in camera" in soilctl("heights", apart, apart, *place(), "--width", WIDTH, code=2).stderr
 
 
+def gantry(alpha_deg):
+    """Three sliding axes with a plate, its z axis down along it, and a camera that looks down from the base."""
+    alpha, heading = math.radians(alpha_deg), math.radians(HEADING)
+    ahead, up = np.array([math.cos(heading), math.sin(heading), 0.0]), np.array([0.0, 0.0, 1.0])
+    down, across = math.cos(alpha) * ahead - math.sin(alpha) * up, np.cross(up, ahead)
+    turn = Rotation.from_matrix(np.stack([np.cross(across, down), across, down], 1)).as_euler("xyz")
+    links, joints = ["base", "x", "y", "z", "blade", "wrist", "camera_optical"], []
+    for parent, link, axis in (("base", "x", "1 0 0"), ("x", "y", "0 1 0"), ("y", "z", "0 0 1")):
+        limit = '<limit lower="-2" upper="2" effort="9" velocity="9"/>'
+        joints.append(f'<joint name="to_{link}" type="prismatic"><parent link="{parent}"/><child link="{link}"/><axis xyz="{axis}"/>{limit}</joint>')
+    fixed = (
+        ("z", "blade", (0, 0, 0), turn),
+        ("z", "wrist", (0, 0, 0.3), (0, 0, 0)),
+        ("base", "camera_optical", (0.3, -0.1, 0.7), (math.pi, 0, 0.4)),
+    )
+    for parent, link, xyz, rpy in fixed:
+        origin = f'<origin xyz="{" ".join(map(str, xyz))}" rpy="{" ".join(map(str, rpy))}"/>'
+        joints.append(f'<joint name="to_{link}" type="fixed"><parent link="{parent}"/><child link="{link}"/>{origin}</joint>')
+    urdf = '<robot name="g">' + "".join(f'<link name="{link}"/>' for link in links) + "".join(joints) + "</robot>"
+    return urdf, lambda points: Rotation.from_euler("xyz", (math.pi, 0, 0.4)).inv().apply(points - (0.3, -0.1, 0.7)), ahead
+
+
+def test_the_arm_of_the_recording_tells_where_the_plate_was(soilctl, tmp_path, validate):
+    """A drag of 50 mm whose face ends at the plate's place, then the arm goes away; the camera's z points down."""
+    random, edge, depth, alpha_deg = np.random.default_rng(6), 0.08, 0.025, 70.0
+    urdf, into_camera, ahead = gantry(alpha_deg)
+    (tmp_path / "arm.urdf").write_text(urdf)
+    # The lower edge is ahead of the face by what the plate leans.
+    surface = rough(*PLATE)
+    end = np.array([*PLATE, surface]) + depth / math.tan(math.radians(alpha_deg)) * ahead - (0, 0, depth)
+    begin, high = end - FURROW * ahead, np.array([0, 0, 0.2])
+    times, places = [0.0, 1, 3, 5, 6, 8], np.array([begin + high, begin + high, begin, end, end + high, end + 4 * high])
+    states = []
+    for t in np.arange(0.0, 8.0, 0.02):
+        position = np.array([np.interp(t, times, places[:, i]) for i in range(3)])
+        empty = np.array([])
+        state = STORE.types["sensor_msgs/msg/JointState"](header=header(2000 + t, ""), name=["to_x", "to_y", "to_z"], position=position, velocity=empty, effort=empty)
+        states.append(("/joint_states", 2000 + t, state))
+    scans = [(t, into_camera(scan(random, of))) for t, of in ((0.5, None), (7.5, edge))]
+    clouds = [("/points", 2000 + t, cloud(2000 + t, points, "camera_optical")) for t, points in scans]
+    path = write_bag(tmp_path / "arm", states + clouds)
+    arm = ["--urdf", tmp_path / "arm.urdf", "--plate-frame", "blade", "--width", WIDTH, "--cell", 0.004, "--plate-sd", 0.001]
+    answer = ask(soilctl, path, path, *arm)
+    validate(answer)
+    assert answer["plate"]["x_m"] == pytest.approx(PLATE[0], abs=1e-3) and answer["plate"]["y_m"] == pytest.approx(PLATE[1], abs=1e-3)
+    assert answer["plate"]["heading_deg"] == pytest.approx(HEADING, abs=0.5)
+    low, high = answer["break"]["within_m"]
+    assert low <= edge <= high
+    # The depth is known from the arm and the first scan.
+    assert answer["pushed_m"] == pytest.approx(FURROW * DEEP / depth, rel=0.08)
+    for options, words in [
+        (("--plate-frame", "wrist"), "was never below the ground"),
+        (("--plate-frame", "shovel"), "shovel"),
+        (("--after-at", 0.1), "one cloud at both times"),
+        (("--plate-x", 1), "cannot be used with '--plate-x"),
+    ]:
+        words_of = [word for word in arm if word not in ("--plate-frame", "blade")] if "--plate-frame" in options else arm
+        assert words in soilctl("heights", path, path, *words_of, *options, code=2).stderr
+    elsewhere = [("/points", t, cloud(t, points, "map")) for _, t, _ in clouds for points in [scans[0][1]]]
+    path = write_bag(tmp_path / "elsewhere", states + elsewhere)
+    assert "clouds are in the frame map" in soilctl("heights", path, path, *arm, code=2).stderr
+
+
 def strokes(ground, phi_deg):
     bounds = ground.Bounds()
     for alpha_deg in (70.0, 80.0, 90.0, 100.0):
@@ -161,7 +241,7 @@ def test_a_scan_goes_into_the_stroke_table_and_narrows_or_contradicts(soilctl, t
     scans = grids(tmp_path, random, crack, noise=0.0002)
     into = ["--strokes", table, "--stroke", "s80", "--out", out]
     answer = ask(soilctl, *scans, *place(), *into)
-    assert (answer["width_m"], answer["written"]) == (WIDTH, str(out))
+    assert (answer["plate"]["width_m"], answer["written"]) == (WIDTH, str(out))
     assert answer["pushed_m"] == pytest.approx(FURROW * DEEP / rows[1]["depth_m"], rel=0.03)
     with open(out, newline="") as file:
         written = list(csv.DictReader(file))
@@ -198,6 +278,8 @@ def test_what_cannot_be_said_is_not(soilctl, tmp_path):
     for options, words in [
         ((*place((5.0, 0.0)), "--width", WIDTH), "no ground within"),
         (place(), "give --width"),
+        (("--plate-x", 1, "--width", WIDTH), "--plate-y"),
+        (("--width", WIDTH), "the plate's place is not known"),
         ((*place(), "--width", 0), "--width is 0 m; it must be at least 0.0001 m"),
         ((*place(), "--width", WIDTH, "--deviations", 0.5), "--deviations is 0.5"),
         ((*place(), "--width", WIDTH, "--out", tmp_path / "o.csv"), "--strokes"),

@@ -10,5 +10,5 @@ mod stroke;
 pub use change::{Change, Shift, change};
 pub use error::HeightsError;
 pub use map::{Grid, HeightMap, MOST_CELLS, MOST_HEIGHT_M};
-pub use read::{Format, Moment, Reading, Source, is_recording, read, read_after};
+pub use read::{Cloud, Format, Moment, Reading, Source, cloud, is_recording, of_cloud, read, read_after};
 pub use stroke::{Break, NoBreak, Plate, Profile, Stroke, Volume, stroke};

@@ -17,7 +17,7 @@ pub fn page(answer: &Answer) -> Result<HtmlReport, PageError> {
     let mut page = HtmlReport::new("What does a scan of the ground say?");
     page.kind("Height maps").subtitle(format!(
         "Before and after a stroke with a plate {} mm wide; a cell is {} mm",
-        number(1e3 * answer.width_m),
+        number(1e3 * answer.plate.width_m),
         number(round(1e3 * answer.maps.first().map_or(0.0, |map| map.cell_m)))
     ));
     let (kind, title) = if answer.broke.is_some() {
@@ -141,7 +141,7 @@ fn above(answer: &Answer, title: &str, name: &str, sign: f64) -> Result<Figure, 
     let most = if sign > 0.0 { answer.heap.most_m } else { answer.furrow.most_m };
     let top = 1e3 * most.max(answer.deviations * answer.noise_m);
     figure.push(Shades::new(name, parts, 0.0, top))?;
-    let wide = 500.0 * answer.width_m;
+    let wide = 500.0 * answer.plate.width_m;
     figure.push(Line::new("plate", vec![(0.0, -wide), (0.0, wide)]).width(4.0).dash(Dash::Solid).color(6))?;
     if let Some(broke) = &answer.broke {
         let at = 1e3 * broke.distance_m * on_map(answer.slope_deg);
@@ -150,7 +150,7 @@ fn above(answer: &Answer, title: &str, name: &str, sign: f64) -> Result<Figure, 
     }
     // The part of the width that the profile is the mean of.
     let ends = [-0.5 * wide, 0.5 * wide];
-    let far = 1e3 * answer.broke.as_ref().map_or(answer.width_m, |broke| broke.within_m[1]);
+    let far = 1e3 * answer.broke.as_ref().map_or(answer.plate.width_m, |broke| broke.within_m[1]);
     let lines: Vec<Vec<(f64, f64)>> = ends.iter().map(|y| vec![(0.0, *y), (far, *y)]).collect();
     figure.push(Paths::new("lines of the profile", lines).width(1.0).color(2))?;
     Ok(figure)

@@ -46,6 +46,23 @@ pub struct MapAnswer {
     pub missing_points: usize,
 }
 
+/// The plate as its stroke ended.
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
+pub struct PlateAnswer {
+    /// Middle of its face at the surface (m), in the frame of the maps: as given, or that of the arm's root.
+    pub x_m: f64,
+    /// The same along y (m).
+    pub y_m: f64,
+    /// Standard deviation of that along the heading (m).
+    pub sd_m: f64,
+    /// Where it pushed to (deg), counter-clockwise from the x axis.
+    pub heading_deg: f64,
+    /// Its width (m).
+    pub width_m: f64,
+    /// Its depth (m); null if it is not known.
+    pub depth_m: Option<f64>,
+}
+
 /// How the second map was moved to lie on unchanged ground of the first.
 #[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct ShiftAnswer {
@@ -127,10 +144,8 @@ pub struct PictureAnswer {
 pub struct Answer {
     /// The maps before and after.
     pub maps: Vec<MapAnswer>,
-    /// Width of the plate (m).
-    pub width_m: f64,
-    /// Standard deviation of the plate's place along its heading (m).
-    pub plate_sd_m: f64,
+    /// The plate as its stroke ended.
+    pub plate: PlateAnswer,
     /// Standard deviation of the change of a cell where nothing happened (m).
     pub noise_m: f64,
     /// Variance of sums over many cells of noise, over that of as many independent cells.

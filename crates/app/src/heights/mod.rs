@@ -1,6 +1,7 @@
 //! Height maps before and after a stroke: where the ground broke ahead of the plate, and the soil that was moved.
 
 mod answer;
+mod arm;
 mod picture;
 mod request;
 mod words;
@@ -14,7 +15,8 @@ use soilctl_heights::{
 use soilctl_strokes::{ReadOptions, StrokeRow, StrokeTable};
 
 pub use answer::{
-    Answer, BreakAnswer, Format, MapAnswer, PictureAnswer, ProfileAnswer, ShiftAnswer, VolumeAnswer,
+    Answer, BreakAnswer, Format, MapAnswer, PictureAnswer, PlateAnswer, ProfileAnswer, ShiftAnswer,
+    VolumeAnswer,
 };
 pub use request::Request;
 
@@ -44,30 +46,31 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         )
     })?;
     let depth_m = request.depth_m.or(row.map(|row| row.depth_m));
-    // It reads two files and computes for a moment.
-    watch.stop(Interrupted::LeavesNothing);
-    let at_m = [request.plate_x_m, request.plate_y_m];
-    let mut plate = Plate { at_m, sd_m: 0.0, heading_deg: request.heading_deg, width_m };
-    plate.check()?;
-    let reading = Reading {
-        around_m: at_m,
-        reach_m: request.reach_m.unwrap_or(REACH * width_m),
-        cell_m: request.cell_m,
-        topic: request.topic.clone(),
-        moment: request.before_at_s.map_or(Moment::First, Moment::At),
-    };
-    let (before, of_before) = read(&request.before, &reading)?;
-    let reading = Reading { moment: request.after_at_s.map_or(Moment::Last, Moment::At), ..reading };
-    let (after, of_after) = read_after(&request.after, &reading, before.grid())?;
-    let notes = compare(request, &of_before, &of_after)?;
+    let stop = watch.stop(Interrupted::LeavesNothing);
+    let Scans { before, after, sources: [of_before, of_after], mut plate, depth_m, mut notes } =
+        match (request.plate_x_m, request.plate_y_m, request.heading_deg) {
+            (Some(x), Some(y), Some(heading_deg)) => {
+                let plate = Plate { at_m: [x, y], sd_m: 0.0, heading_deg, width_m };
+                plate.check()?;
+                by_place(request, plate, depth_m)?
+            }
+            _ => arm::scans(request, width_m, depth_m, &stop)?,
+        };
+    notes.extend(compare(request, &of_before, &of_after)?);
     plate.sd_m = request.plate_sd_m.unwrap_or(0.5 * before.grid().cell_m());
     let found = change(&before, &after, &plate, request.deviations, request.height_sd_m)?;
     let said = stroke(&before, &found, &plate, request.deviations)?;
     let maps = [(&request.before, &before, of_before), (&request.after, &after, of_after)];
     let mut answer = Answer {
         maps: maps.into_iter().map(|(path, map, source)| map_answer(path, map, &source)).collect(),
-        width_m,
-        plate_sd_m: plate.sd_m,
+        plate: PlateAnswer {
+            x_m: plate.at_m[0],
+            y_m: plate.at_m[1],
+            sd_m: plate.sd_m,
+            heading_deg: plate.heading_deg,
+            width_m,
+            depth_m,
+        },
         pushed_m: depth_m.map(|depth| said.furrow.m3.max(0.0) / (width_m * depth)),
         picture: picture::picture(&found, &plate, &said),
         ..answer(request, &found, said)
@@ -85,6 +88,37 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         answer.written = Some(out.display().to_string());
     }
     Ok(answer)
+}
+
+/// Two maps, and the plate on them.
+struct Scans {
+    before: HeightMap,
+    after: HeightMap,
+    sources: [Source; 2],
+    plate: Plate,
+    depth_m: Option<f64>,
+    notes: Vec<String>,
+}
+
+/// How both maps are to be read.
+fn readings(request: &Request, around_m: [f64; 2], width_m: f64) -> [Reading; 2] {
+    let before = Reading {
+        around_m,
+        reach_m: request.reach_m.unwrap_or(REACH * width_m),
+        cell_m: request.cell_m,
+        topic: request.topic.clone(),
+        moment: request.before_at_s.map_or(Moment::First, Moment::At),
+    };
+    let after = Reading { moment: request.after_at_s.map_or(Moment::Last, Moment::At), ..before.clone() };
+    [before, after]
+}
+
+/// Maps around a plate whose place is known.
+fn by_place(request: &Request, plate: Plate, depth_m: Option<f64>) -> Result<Scans, AppError> {
+    let [first, second] = readings(request, plate.at_m, plate.width_m);
+    let (before, of_before) = read(&request.before, &first)?;
+    let (after, of_after) = read_after(&request.after, &second, before.grid())?;
+    Ok(Scans { before, after, sources: [of_before, of_after], plate, depth_m, notes: Vec::new() })
 }
 
 /// A stroke table and the stroke in it that is asked about.
@@ -121,17 +155,7 @@ fn compare(request: &Request, before: &Source, after: &Source) -> Result<Vec<Str
         )));
     }
     if let (Some(first), Some(second)) = (before.time_ns, after.time_ns) {
-        if first == second && request.before == request.after {
-            return Err(AppError::Request(format!(
-                "{} has one cloud at both times; give --before-at and --after-at, in s after its first cloud",
-                request.before.display()
-            )));
-        }
-        if second < first {
-            return Err(AppError::Request(
-                "the map after the stroke is older than that before it; give them in the other order".into(),
-            ));
-        }
+        in_order(request, first, second)?;
     }
     let mut notes: Vec<String> = before.notes.iter().chain(&after.notes).cloned().collect();
     if before.frame.contains("optical") {
@@ -141,6 +165,22 @@ fn compare(request: &Request, before: &Source, after: &Source) -> Result<Vec<Str
         ));
     }
     Ok(notes)
+}
+
+/// Refuses clouds of which the second is not later.
+fn in_order(request: &Request, first_ns: i64, second_ns: i64) -> Result<(), AppError> {
+    if first_ns == second_ns && request.before == request.after {
+        return Err(AppError::Request(format!(
+            "{} has one cloud at both times; give --before-at and --after-at, in s after its first cloud",
+            request.before.display()
+        )));
+    }
+    if second_ns < first_ns {
+        return Err(AppError::Request(
+            "the map after the stroke is older than that before it; give them in the other order".into(),
+        ));
+    }
+    Ok(())
 }
 
 fn map_answer(path: &Path, map: &HeightMap, source: &Source) -> MapAnswer {
@@ -190,8 +230,7 @@ fn answer(request: &Request, change: &Change, said: Stroke) -> Answer {
     let shift = change.shift;
     Answer {
         maps: Vec::new(),
-        width_m: 0.0,
-        plate_sd_m: 0.0,
+        plate: PlateAnswer { x_m: 0.0, y_m: 0.0, sd_m: 0.0, heading_deg: 0.0, width_m: 0.0, depth_m: None },
         noise_m: change.noise_m,
         clumping: change.clumping,
         unchanged_cells: change.unchanged,

@@ -21,20 +21,21 @@ pub struct Request {
     #[arg(value_hint = clap::ValueHint::AnyPath)]
     pub after: PathBuf,
 
-    /// Middle of the plate's face at the surface where the stroke ended (m), in the frame of the maps
-    #[arg(long = "plate-x", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
+    /// Middle of the plate's face at the surface where the stroke ended (m), in the frame of the maps; without it, what the arm in the recording
+    /// tells
+    #[arg(long = "plate-x", value_name = "M", value_parser = finite, allow_negative_numbers = true, requires_all = ["plate_y_m", "heading_deg"])]
     #[schemars(extend("minimum" = -1e8, "maximum" = 1e8))]
-    pub plate_x_m: f64,
+    pub plate_x_m: Option<f64>,
 
     /// The same along y (m)
-    #[arg(long = "plate-y", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
+    #[arg(long = "plate-y", value_name = "M", value_parser = finite, allow_negative_numbers = true, requires = "plate_x_m")]
     #[schemars(extend("minimum" = -1e8, "maximum" = 1e8))]
-    pub plate_y_m: f64,
+    pub plate_y_m: Option<f64>,
 
-    /// Where the plate pushed to (deg), counter-clockwise from the x axis
+    /// Where the plate pushed to (deg), counter-clockwise from the x axis; without it, where the arm moved the plate between the clouds
     #[arg(long = "heading", value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
     #[schemars(extend("minimum" = -360.0, "maximum" = 360.0))]
-    pub heading_deg: f64,
+    pub heading_deg: Option<f64>,
 
     /// Standard deviation of the plate's place along its heading (m); without it half a cell is taken
     #[arg(long = "plate-sd", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
@@ -46,7 +47,7 @@ pub struct Request {
     #[schemars(extend("minimum" = 1e-4, "maximum" = 100.0))]
     pub width_m: Option<f64>,
 
-    /// Depth of the plate (m), which tells how far the furrow says that it pushed; of the stroke in --strokes, if it is not given
+    /// Depth of the plate (m), which tells how far the furrow says that it pushed; of the stroke in --strokes or of the arm, if it is not given
     #[arg(long = "depth", value_name = "M", value_parser = finite, allow_negative_numbers = true)]
     #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 100.0))]
     pub depth_m: Option<f64>,
@@ -85,6 +86,18 @@ pub struct Request {
     #[schemars(extend("minimum" = 0.0))]
     pub after_at_s: Option<f64>,
 
+    /// Link at the plate's lower edge, its z axis down along the plate, of the arm in the recording [default: plate_tip]
+    #[arg(long, value_name = "LINK", conflicts_with = "plate_x_m")]
+    pub plate_frame: Option<String>,
+
+    /// URDF of that arm [default: the one in the recording]
+    #[arg(long, value_name = "FILE", conflicts_with = "plate_x_m", value_hint = clap::ValueHint::AnyPath)]
+    pub urdf: Option<PathBuf>,
+
+    /// Topic of its joint states [default: /joint_states, or the only one]
+    #[arg(long, value_name = "TOPIC", conflicts_with = "plate_x_m")]
+    pub joint_topic: Option<String>,
+
     /// Stroke table (CSV) that the stroke is in
     #[arg(long, value_name = "FILE", requires = "stroke", value_hint = clap::ValueHint::AnyPath)]
     pub strokes: Option<PathBuf>,
@@ -107,9 +120,9 @@ impl Default for Request {
         Self {
             before: PathBuf::new(),
             after: PathBuf::new(),
-            plate_x_m: 0.0,
-            plate_y_m: 0.0,
-            heading_deg: 0.0,
+            plate_x_m: None,
+            plate_y_m: None,
+            heading_deg: None,
             plate_sd_m: None,
             width_m: None,
             depth_m: None,
@@ -120,6 +133,9 @@ impl Default for Request {
             topic: None,
             before_at_s: None,
             after_at_s: None,
+            plate_frame: None,
+            urdf: None,
+            joint_topic: None,
             strokes: None,
             stroke: None,
             out: None,

@@ -92,7 +92,7 @@ pub(super) fn warnings(
     if request.plate_sd_m.is_none() {
         warnings.push(format!(
             "how well the plate's place is known was not said; {} mm, half a cell, are taken (--plate-sd)",
-            mm(answer.plate_sd_m)
+            mm(answer.plate.sd_m)
         ));
     }
     for (name, volume) in [("heap", &answer.heap), ("furrow", &answer.furrow)] {

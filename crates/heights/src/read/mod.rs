@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-pub use recording::{Moment, is_recording};
+pub use recording::{Cloud, Moment, cloud, is_recording};
 
 use crate::points::{grid_over, medians, on_nodes};
 use crate::{Grid, HeightMap, HeightsError};
@@ -104,15 +104,8 @@ fn read_onto(
 ) -> Result<(HeightMap, Source), HeightsError> {
     let file = path.display().to_string();
     if is_recording(path) {
-        let cloud = recording::cloud(path, reading.topic.as_deref(), reading.moment)?;
-        let source = Source {
-            frame: cloud.frame,
-            time_ns: Some(cloud.time_ns),
-            missing: cloud.missing,
-            notes: cloud.notes,
-            ..Source::of(Format::Cloud)
-        };
-        return gridded(&file, cloud.points, reading, grid, source);
+        let cloud = cloud(path, reading.topic.as_deref(), reading.moment)?;
+        return of_cloud(&file, cloud, reading, grid);
     }
     let mut input = File::open(path).map_err(|error| HeightsError::file(&file, &error))?;
     let size = input.metadata().map_err(|error| HeightsError::file(&file, &error))?.len();
@@ -143,6 +136,26 @@ fn read_onto(
         return cropped(&file, map, reading, Source { missing, ..Source::of(Format::Table) });
     }
     gridded(&file, points, reading, grid, Source { missing, ..Source::of(Format::ScatteredTable) })
+}
+
+/// The map of a cloud: medians of its points in the cells of `grid`, or of a grid of its own. `file` stands for where it is from.
+///
+/// # Errors
+/// [`HeightsError`] if no points are within reach, or the cells would be too many.
+pub fn of_cloud(
+    file: &str,
+    cloud: Cloud,
+    reading: &Reading,
+    grid: Option<&Grid>,
+) -> Result<(HeightMap, Source), HeightsError> {
+    let source = Source {
+        frame: cloud.frame,
+        time_ns: Some(cloud.time_ns),
+        missing: cloud.missing,
+        notes: cloud.notes,
+        ..Source::of(Format::Cloud)
+    };
+    gridded(file, cloud.points, reading, grid, source)
 }
 
 fn cropped(

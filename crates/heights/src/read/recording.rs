@@ -20,13 +20,19 @@ pub enum Moment {
     At(f64),
 }
 
-/// A cloud that was found.
-pub(super) struct Cloud {
-    pub(super) points: Vec<[f64; 3]>,
-    pub(super) missing: usize,
-    pub(super) frame: String,
-    pub(super) time_ns: i64,
-    pub(super) notes: Vec<String>,
+/// A cloud of points of a recording.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cloud {
+    /// Points with finite coordinates, in m.
+    pub points: Vec<[f64; 3]>,
+    /// Points without, left out.
+    pub missing: usize,
+    /// The frame that it names; empty if there is none.
+    pub frame: String,
+    /// When it was taken: its stamp, or else its log time, in ns.
+    pub time_ns: i64,
+    /// What is odd, in sentences.
+    pub notes: Vec<String>,
 }
 
 /// Whether a file or folder is a recording.
@@ -35,7 +41,11 @@ pub fn is_recording(path: &Path) -> bool {
     path.is_dir() || soilctl_bag::is_recording(path)
 }
 
-pub(super) fn cloud(path: &Path, topic: Option<&str>, moment: Moment) -> Result<Cloud, HeightsError> {
+/// The cloud of a recording at a moment, on a topic or on the only one that has clouds.
+///
+/// # Errors
+/// [`HeightsError::Bag`] if it cannot be read, or has no cloud with points then.
+pub fn cloud(path: &Path, topic: Option<&str>, moment: Moment) -> Result<Cloud, HeightsError> {
     let found = contents(path)?;
     let topic = found.choose(topic, USUAL, Kind::Points)?;
     let first_ns = found.topics.get(&topic).map_or(0, |topic| topic.first_ns);
