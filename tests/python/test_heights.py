@@ -288,6 +288,20 @@ def test_what_cannot_be_said_is_not(soilctl, tmp_path):
     assert "check the path" in soilctl("heights", tmp_path / "none.tif", scans[1], *place(), "--width", WIDTH, code=2).stderr
 
 
+def test_the_scans_of_the_documentation_are_what_their_script_makes(data, tmp_path):
+    spec = importlib.util.spec_from_file_location("make_scan", data / "scan" / "make.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    folder = tmp_path / "data" / "scan"
+    folder.mkdir(parents=True)
+    for name in ("places", "plate_bounds.csv"):
+        (folder.parent / name).symlink_to(data / name)
+    module.HERE = folder
+    module.main()
+    for name in ("before.asc", "after.asc"):
+        assert (folder / name).read_bytes() == (data / "scan" / name).read_bytes()
+
+
 def test_the_page_opens(soilctl, tmp_path, open_page):
     page = tmp_path / "heights.html"
     soilctl("heights", *grids(tmp_path, np.random.default_rng(5), 0.08), *place(), "--width", WIDTH, "--depth", 0.025, "--report", page)

@@ -7,6 +7,9 @@ use crate::{Grid, HeightMap, HeightsError};
 /// Points a cell that a grid is made for if nobody says its cell: enough for a median that a stray point does not move.
 const POINTS_A_CELL: f64 = 5.0;
 
+/// The most that a point may be off its node, in steps.
+const OFF_NODE: f64 = 0.1;
+
 /// A map of the medians of the points in each cell, and the median of how many there are in a cell that has some.
 ///
 /// # Errors
@@ -61,44 +64,70 @@ fn round_up(value: f64) -> f64 {
 /// # Errors
 /// Those of [`HeightMap::new`].
 pub(crate) fn on_nodes(points: &[[f64; 3]]) -> Result<Option<HeightMap>, HeightsError> {
-    let Some((first, step, size)) = nodes(points) else { return Ok(None) };
-    let grid = Grid::new(size, first, [step[0], 0.0], [0.0, step[1]])?;
+    let axes = [0, 1].map(|axis| Axis::of(points, axis));
+    let [Some(x), Some(y)] = axes else { return Ok(None) };
+    // Few digits make gaps uneven, so that the least of them is wrong; then all nodes have points.
+    for [x, y] in [[x.by_gap, y.by_gap], [x.by_number, y.by_number]] {
+        let (columns, rows) = (x.count + 1, y.count + 1);
+        // Points anywhere would need a far finer grid.
+        if columns.saturating_mul(rows) > points.len().saturating_mul(4) {
+            continue;
+        }
+        let grid = Grid::new([columns, rows], [x.first, y.first], [x.step, 0.0], [0.0, y.step])?;
+        if let Some(heights) = taken(&grid, points) {
+            return HeightMap::new(grid, heights).map(Some);
+        }
+    }
+    Ok(None)
+}
+
+/// Heights of the nodes, if every point is at one, and no two are at the same.
+fn taken(grid: &Grid, points: &[[f64; 3]]) -> Option<Vec<Option<f64>>> {
     let mut heights = vec![None; grid.cells()];
     for &[x, y, z] in points {
         let [i, j] = grid.at([x, y]);
         let off = (i - i.round()).abs().max((j - j.round()).abs());
-        let place = grid.cell_of([x, y]).and_then(|cell| heights.get_mut(cell));
-        match place {
-            Some(height) if off < 0.01 && height.is_none() => *height = Some(z),
-            _ => return Ok(None),
+        let height = grid.cell_of([x, y]).and_then(|cell| heights.get_mut(cell))?;
+        if off > OFF_NODE || height.replace(z).is_some() {
+            return None;
         }
     }
-    HeightMap::new(grid, heights).map(Some)
+    Some(heights)
 }
 
-/// First node, steps and numbers of nodes, if most of the nodes are taken.
-fn nodes(points: &[[f64; 3]]) -> Option<([f64; 2], [f64; 2], [usize; 2])> {
-    let (mut first, mut step, mut size) = ([0.0; 2], [0.0; 2], [0; 2]);
-    for axis in 0..2 {
+/// Nodes along an axis: the first, and how many steps follow.
+#[derive(Debug, Clone, Copy)]
+struct Nodes {
+    first: f64,
+    step: f64,
+    count: usize,
+}
+
+/// What nodes may be by the coordinates that points have.
+struct Axis {
+    by_gap: Nodes,
+    by_number: Nodes,
+}
+
+impl Axis {
+    fn of(points: &[[f64; 3]], axis: usize) -> Option<Self> {
         let mut values: Vec<f64> = points.iter().map(|point| point[axis]).collect();
         values.sort_by(f64::total_cmp);
-        let (low, high) = (*values.first()?, *values.last()?);
-        let span = high - low;
-        // What is nearer than this is one coordinate, written with few digits.
+        let (first, last) = (*values.first()?, *values.last()?);
+        let span = last - first;
+        // What is nearer than this is one coordinate.
         let same = 1e-6 * span;
         let gaps =
             values.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?)).filter(|gap| *gap > same);
-        let least = gaps.fold(f64::INFINITY, f64::min);
+        let (least, number) =
+            gaps.fold((f64::INFINITY, 0_usize), |(least, number), gap| (f64::min(least, gap), number + 1));
         let count = (span / least).round();
-        if !(count >= 1.0 && count < points.len() as f64) {
+        if number == 0 || count >= points.len() as f64 {
             return None;
         }
-        first[axis] = low;
-        step[axis] = span / count;
-        size[axis] = count as usize + 1;
+        let nodes = |count: usize| Nodes { first, step: span / count as f64, count };
+        Some(Self { by_gap: nodes(count as usize), by_number: nodes(number) })
     }
-    // Points anywhere would need a far finer grid.
-    (size[0].saturating_mul(size[1]) <= points.len().saturating_mul(4)).then_some((first, step, size))
 }
 
 #[cfg(test)]
@@ -125,6 +154,22 @@ mod tests {
         assert!(on_nodes(&twice).unwrap().is_none());
         points[5][0] += 0.03;
         assert!(on_nodes(&points).unwrap().is_none());
+        assert!(on_nodes(&points[..1]).unwrap().is_none() && on_nodes(&[]).unwrap().is_none());
+    }
+
+    /// Steps of a third of a cm, written to the tenth of a mm.
+    #[test]
+    fn coordinates_may_be_rounded() {
+        let mut points = Vec::new();
+        for j in 0..50 {
+            for i in 0..60 {
+                let [x, y] = [i, j].map(|k| (1e4 * f64::from(k) / 300.0).round() / 1e4);
+                points.push([x, y, f64::from(i + j)]);
+            }
+        }
+        let map = on_nodes(&points).unwrap().unwrap();
+        assert_eq!((map.grid().size(), map.seen()), ([60, 50], 3000));
+        assert_eq!(map.heights_m()[61], Some(2.0));
     }
 
     #[test]

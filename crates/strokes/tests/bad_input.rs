@@ -163,3 +163,19 @@ fn a_missing_file_is_named() {
     let message = StrokeTable::read("no/such.csv".as_ref(), ReadOptions::default()).unwrap_err().to_string();
     assert!(message.starts_with("no/such.csv: "), "{message}");
 }
+
+/// Numbers go into their columns, which are added where they are not there, and what means nothing here stays.
+#[test]
+fn numbers_are_put_into_a_row() {
+    let table = read("stroke_id,alpha_deg,depth_m,width_m,force_n,force_sd_n,remark\na,80,0.02,0.1,5,0.1,wet\nb,70,0.02,0.1,4,0.1,\n").unwrap();
+    let put = |row, numbers: &[(&str, f64)]| table.clone().with_numbers(row, numbers);
+    let changed = put(1, &[("break_distance_m", 0.06), ("force_n", 4.5), ("remark", 1.0)]).unwrap();
+    let rows: Vec<_> = changed.rows().collect();
+    assert_eq!((rows[0].break_distance_m, rows[1].break_distance_m), (None, Some(0.06)));
+    assert_eq!((rows[0].force_n, rows[1].force_n), (5.0, 4.5));
+    let remarks = changed.unknown_columns().next().unwrap();
+    assert_eq!((remarks.cell(0), remarks.cell(1)), (Some("wet"), Some("")));
+    let problem = put(0, &[("break_distance_m", -0.06)]).unwrap_err().to_string();
+    assert!(problem.contains("line 2") && problem.contains("break_distance_m"), "{problem}");
+    assert_eq!(put(7, &[("force_n", 9.0)]).unwrap().rows().map(|row| row.force_n).sum::<f64>(), 9.0);
+}

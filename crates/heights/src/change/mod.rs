@@ -52,6 +52,8 @@ pub struct Change {
     pub shift: Shift,
     /// Cells of unchanged ground.
     pub unchanged: usize,
+    /// Side (m) of the larger cells of both maps: what is finer was not seen.
+    pub finest_m: f64,
     /// What is odd, in sentences.
     pub notes: Vec<String>,
 }
@@ -78,6 +80,7 @@ pub fn change(
         clumping: 1.0,
         shift: Shift::default(),
         unchanged: 0,
+        finest_m: grid.cell_m().max(after.grid().cell_m()),
         notes: Vec::new(),
         grid,
     };
@@ -127,6 +130,12 @@ pub fn change(
     }
     if change.by_m.is_empty() || change.unchanged < FEWEST_CELLS {
         return Err(HeightsError::NoOverlap { cells: raw.iter().flatten().count() });
+    }
+    if after.grid().cell_m() > 1.5 * grid.cell_m() {
+        change.notes.push(
+            "the cells of the second map are larger than those of the first, and limit what is seen"
+                .to_owned(),
+        );
     }
     notes(&mut change, off_path, height_sd_m);
     Ok(change)

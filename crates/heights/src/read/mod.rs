@@ -15,7 +15,7 @@ use crate::points::{grid_over, medians, on_nodes};
 use crate::{Grid, HeightMap, HeightsError};
 
 /// The longest text file that is read, in bytes.
-const MOST_BYTES: u64 = 1 << 30;
+const MOST_BYTES: u64 = 1 << 29;
 
 /// What a map was read from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -180,7 +180,7 @@ fn gridded(
     file: &str,
     mut points: Vec<[f64; 3]>,
     reading: &Reading,
-    grid: Option<&Grid>,
+    onto: Option<&Grid>,
     mut source: Source,
 ) -> Result<(HeightMap, Source), HeightsError> {
     let all = points.len();
@@ -190,10 +190,17 @@ fn gridded(
         let reason = format!("none of its {all} points is within {} m of the plate", reading.reach_m);
         return Err(HeightsError::format(file, reason));
     }
-    let grid = grid.map_or_else(|| grid_over(file, &points, reading.cell_m), |grid| Ok(*grid))?;
+    let grid = onto.map_or_else(|| grid_over(file, &points, reading.cell_m), |grid| Ok(*grid))?;
+    let chosen = onto.is_none() && reading.cell_m.is_none();
     let (map, count) = medians(grid, &points)?;
     source.points = Some(points.len());
     source.points_a_cell = Some(count);
+    if chosen {
+        source.notes.push(format!(
+            "points are put into cells of {:.4} m, some five each; other cells can be asked for",
+            map.grid().cell_m()
+        ));
+    }
     if count < 3 {
         source.notes.push(format!(
             "half of the cells of {file} have {count} points or fewer, whose median a stray point moves; larger cells are steadier"

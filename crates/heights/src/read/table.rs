@@ -3,7 +3,7 @@
 use crate::HeightsError;
 
 /// The most points that are read.
-const MOST_POINTS: usize = 50_000_000;
+const MOST_POINTS: usize = 10_000_000;
 const COLUMNS: [&str; 3] = ["x_m", "y_m", "z_m"];
 
 /// The points of a table with the columns `x_m`, `y_m`, `z_m`; others are passed over. Rows whose height is empty or NaN have no point;

@@ -142,7 +142,7 @@ pub fn stroke(
         Break {
             distance_m: along * edge.at,
             sd_m: libm::hypot(along * random, plate.sd_m),
-            resolution_m: 0.5 * along,
+            resolution_m: 0.5 * along * (change.finest_m / lines.step_m),
             parts_m: parts.map(|part| part.map(|at| along * at)),
             again_m: edge.again.map(|at| along * at),
         }
