@@ -51,7 +51,7 @@ pub fn page(answer: &Answer) -> Result<HtmlReport, PageError> {
         "The second map is laid on the first by a plane, and a shift sideways where slopes of the ground show one, from ground away from the plate's path that did not change. What is left \
          there is the noise. The edge is found on the mean over lines across the middle half of the plate: for every place where the rise may end, a step, a slope and a \
          hollow foot are fitted up to it and nothing beyond, and how well that fits is the place's weight. Volumes are sums over what stands out of the noise, with \
-         two cells around it.",
+         two cells around it, and further rings as long as their mean does.",
     );
     Ok(page)
 }

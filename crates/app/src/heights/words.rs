@@ -3,7 +3,7 @@
 use soilctl_heights::NoBreak;
 
 use super::{Answer, Request, VolumeAnswer};
-use crate::text::measured;
+use crate::text::{measured, sentence_case};
 
 fn mm(m: f64) -> String {
     format!("{:.1}", 1e3 * m)
@@ -13,8 +13,13 @@ fn mm(m: f64) -> String {
 pub(super) fn no_break(why: NoBreak) -> String {
     match why {
         NoBreak::NoRise { most_m, needed_m } => format!(
-            "nothing near the plate rises out of the noise: the profile ahead rises by {} mm at most, where {} mm would count; is the plate's place right, and was \
-             the map made after the stroke?",
+            "nothing near the plate rises out of the noise: the profile ahead rises by {} mm at most, where {} mm would count; check the plate's place, and that \
+             the map was made after the stroke",
+            mm(most_m),
+            mm(needed_m)
+        ),
+        NoBreak::Faint { most_m, needed_m } => format!(
+            "the ground ahead rises by {} mm at most, less than the {} mm that would show where the rise ends; finer maps or less noise are needed",
             mm(most_m),
             mm(needed_m)
         ),
@@ -38,8 +43,14 @@ pub(super) fn verdict(answer: &Answer) -> String {
         (None, Some(why)) => format!("It cannot be said where the ground broke: {why}."),
         (None, None) => String::new(),
     };
-    let litres = |volume: &VolumeAnswer| measured(1e3 * volume.volume_m3, 1e3 * volume.sd_m3, "l");
-    text += &format!(" The heap has {}, the furrow {}", litres(&answer.heap), litres(&answer.furrow));
+    let said = |name: &str, volume: &VolumeAnswer| {
+        if volume.cells == 0 {
+            format!("no {name} stands out of the noise")
+        } else {
+            format!("the {name} has {}", measured(1e3 * volume.volume_m3, 1e3 * volume.sd_m3, "l"))
+        }
+    };
+    text += &format!(" {}, {}", sentence_case(&said("heap", &answer.heap)), said("furrow", &answer.furrow));
     text += &match (answer.swelling, answer.swelling_sd) {
         (Some(ratio), Some(sd)) => format!("; the soil takes {} times the room.", measured(ratio, sd, "1")),
         _ => ".".to_owned(),

@@ -8,6 +8,10 @@ use super::lines::Noise;
 const QUIET: usize = 3;
 /// Part of the highest rise from which on the fall to the edge counts.
 const FALL: f64 = 0.5;
+/// How far beyond half of the highest rise its edge is looked for at least, over the way from the peak to there; a straight side has 1.
+const FOOT: f64 = 2.0;
+/// The highest rise must be this many times what counts, so that half of it does.
+const CLEAR: f64 = 2.0;
 /// Samples before the last that count at least.
 const TOP: usize = 4;
 /// Places between two samples where the edge may be.
@@ -19,6 +23,13 @@ pub enum NoBreak {
     /// Nothing near the plate rises out of the noise.
     NoRise {
         /// The highest rise within the plate's width of its face, in m.
+        most_m: f64,
+        /// What it would have to be, in m.
+        needed_m: f64,
+    },
+    /// It rises, but by too little to see where the rise ends.
+    Faint {
+        /// The highest rise, in m.
         most_m: f64,
         /// What it would have to be, in m.
         needed_m: f64,
@@ -74,12 +85,20 @@ pub(super) fn find(
     }
     let again = (quiet.end..rise_m.len()).find(|&i| (i..i + QUIET).all(is_up));
     let value = |i: usize| rise_m.get(i).copied().flatten();
-    let most = (first..=last).filter_map(value).fold(0.0, f64::max);
+    let (peak, most) = (first..=last)
+        .filter_map(|i| Some((i, value(i)?)))
+        .fold((first, 0.0), |best, here| if here.1 > best.1 { here } else { best });
+    if most < CLEAR * least {
+        return Err(NoBreak::Faint { most_m: most, needed_m: CLEAR * least });
+    }
     let top =
         (first..=last).rev().find(|&i| value(i).is_some_and(|rise| rise >= FALL * most)).unwrap_or(first);
+    // Below the noise a straight side goes on as far as it came from its peak.
+    let foot = top + (FOOT * (top - peak) as f64).ceil() as usize;
+    let end = foot.max(last + QUIET.max(last - top + 1));
+    let end = end.min(again.map_or(rise_m.len(), |again| again - 1) - 1);
     // A fall within a sample or two is a step, of whose top some samples are needed.
     let top = top.min(last.saturating_sub(TOP)).max(first);
-    let end = (last + QUIET.max(last - top + 1)).min(again.map_or(rise_m.len(), |again| again - 1) - 1);
     let samples: Vec<(f64, f64)> = (top..=end).filter_map(|i| Some((i as f64 + 0.5, value(i)?))).collect();
     let places = (end - top) * PLACES;
     let fits: Vec<Fit> =
@@ -176,6 +195,7 @@ mod tests {
             matches!(no(&flat), NoBreak::NoRise { most_m: 2e-4, needed_m } if (needed_m - 3e-4).abs() < 1e-12)
         );
         assert_eq!(no(&profile(|_| 1e-2)), NoBreak::OffMap);
+        assert!(matches!(no(&profile(|x| if x < 15.0 { 5e-4 } else { 0.0 })), NoBreak::Faint { .. }));
         let mut hidden = profile(|x| if x < 15.0 { 1e-2 } else { 0.0 });
         hidden[14..20].fill(None);
         assert_eq!(no(&hidden), NoBreak::Hidden);

@@ -7,8 +7,12 @@ use soilctl_stats::sd_of_median_abs;
 use super::Plate;
 use crate::change::{Change, smoothed};
 
-/// Cells around what stands out that are counted with it: its tails are in noise, which sums to nothing.
+/// Cells around what stands out that are counted with it at least: its tails are in noise, which sums to nothing.
 const MARGIN: usize = 2;
+/// Most rings of cells that are added for tails.
+const MOST_RINGS: usize = 60;
+/// Standard deviations of its mean by which a ring stands out.
+const TAIL: f64 = 2.0;
 /// Fewest cells of a change elsewhere that is told.
 const FEWEST: usize = 9;
 /// How near to the plate or to the furrow a change is the stroke's, in cells.
@@ -74,6 +78,7 @@ pub(super) fn volumes(change: &Change, plate: &Plate, deviations: f64) -> [Volum
         cells
     };
     let (up, down) = (belongs(1), belongs(-1));
+    let (up, down) = (with_tails(change, &up, &down, 1.0), with_tails(change, &down, &up, -1.0));
     // Between both, a cell is of the one that its change says.
     let share = |cell: usize, of: &[bool], other: &[bool], sign: f64| {
         of[cell] && (!other[cell] || change.by_m[cell].is_some_and(|by| sign * by > 0.0))
@@ -119,6 +124,29 @@ fn volume(change: &Change, plate: &Plate, cells: &[usize], sign: f64) -> Volume 
     let noise = change.noise_m * (count * change.clumping).sqrt();
     volume.sd_m3 = area * libm::hypot(noise, count * change.shift.up_sd_m);
     volume
+}
+
+/// Adds rings of cells around `of` as long as the mean over a whole ring stands out, where its cells do not one by one; those of `other` are not
+/// asked.
+fn with_tails(change: &Change, of: &[bool], other: &[bool], sign: f64) -> Vec<bool> {
+    let mut of = of.to_vec();
+    for _ in 0..MOST_RINGS {
+        let larger = grow(change, &of);
+        let (mut sum, mut count) = (0.0, 0.0);
+        for cell in 0..of.len() {
+            if larger[cell] && !of[cell] && !other[cell] {
+                let by = change.by_m[cell];
+                sum += sign * by.unwrap_or(0.0);
+                count += f64::from(u8::from(by.is_some()));
+            }
+        }
+        let level = change.shift.up_sd_m * count;
+        if sum <= TAIL * libm::hypot(change.noise_m * (count * change.clumping).sqrt(), level) {
+            break;
+        }
+        of = larger;
+    }
+    of
 }
 
 fn grow(change: &Change, cells: &[bool]) -> Vec<bool> {
