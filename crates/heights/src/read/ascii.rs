@@ -53,8 +53,8 @@ pub(super) fn read(text: &str, file: &str) -> Result<HeightMap, HeightsError> {
         let reason = format!("it ends after {} of {} heights", heights.len(), columns * rows);
         return Err(HeightsError::format(file, reason));
     }
-    let cell =
-        *header.get("cellsize").ok_or_else(|| HeightsError::format(file, "its header has no cellsize"))?;
+    let cell = header.get("cellsize").copied().filter(|cell| *cell > 0.0);
+    let cell = cell.ok_or_else(|| HeightsError::format(file, "its header has no cellsize above 0"))?;
     let [left, below] = ["x", "y"].map(|axis| {
         let corner = header.get(&format!("{axis}llcorner")).map(|corner| corner + 0.5 * cell);
         corner.or(header.get(&format!("{axis}llcenter")).copied())
@@ -114,7 +114,9 @@ mod tests {
             ("nrows 2", "nrows 3", "ends after 6 of 9"),
             ("nrows 2", "nrows 1", "more heights"),
             ("cellsize 0.5", "cellsize", "no number"),
-            ("cellsize 0.5", "cellsize 0", "side of a cell"),
+            ("cellsize 0.5", "cellsize 0", "no cellsize above 0"),
+            ("cellsize 0.5", "cellsize -0.5", "no cellsize above 0"),
+            ("cellsize 0.5", "cellsize 5000", "side of a cell"),
             ("cellsize 0.5", "cells 0.5", "no key"),
             ("xllcorner 10\n", "", "no xllcorner"),
             ("6", "six", "`six` is no height"),

@@ -130,6 +130,10 @@ fn place(input: &mut Input, size: [usize; 2], file: &str) -> Result<Grid, Height
     let (corner, column, row) = match (matrix.as_deref(), scale.as_deref(), ties.as_deref()) {
         (Some(&[a, b, _, d, e, f, _, h, ..]), _, _) => ([d, h], [a, e], [b, f]),
         (None, Some(&[sx, sy, sz]), Some(&[i, j, _, x, y, _])) => {
+            if sx.min(sy).is_nan() || sx <= 0.0 || sy <= 0.0 {
+                let reason = format!("its ModelPixelScale is {sx} and {sy} m; both must be above 0");
+                return Err(HeightsError::format(file, reason));
+            }
             if sz != 0.0 && sz != 1.0 {
                 return Err(HeightsError::format(
                     file,
