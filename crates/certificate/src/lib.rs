@@ -368,7 +368,7 @@ pub use shown::{
 };
 pub use solution::{Claim, Computed, MAX_FILE_BYTES, SCHEMA, Scale, Solution};
 pub use statement::{
-    Anisotropy, Bending, Boundary, Condition, Envelope, Line, LineUse, Linear, Material, Member, Objective,
-    Region, Statement, StrengthLine,
+    Anisotropy, Bending, Boundary, Condition, Envelope, Grip, Line, LineUse, Linear, Material, Member,
+    Objective, Region, Statement, StrengthLine,
 };
 pub use upper::prove_upper;

@@ -35,7 +35,7 @@ pub struct Statement {
 }
 
 /// A straight member in the soil, thin: a bar, a sheet, a tie, all perfectly flexible, or a beam, which bends. It carries an axial force
-/// and takes the soil along up to what its faces bear; a beam carries a moment and a shear force besides, and may have soil on one of
+/// and takes the soil along up to what its faces bear, or its [grip](Grip) if it is a row of bars; a beam carries a moment and a shear force besides, and may have soil on one of
 /// its sides only, which is [`Lined`](Condition::Lined) then. Forces are per unit width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -62,6 +62,31 @@ pub struct Member {
     /// What a beam bears by bending; a member without it is flexible.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bending: Option<Bending>,
+    /// What a row of bars takes from the soil, which goes on between them: an entry for each line of the path, in order. A member
+    /// without it is a sheet or a beam, which parts the soil and has faces. With it `bond` is one, and there is no `bending`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pullout: Option<Vec<Grip>>,
+}
+
+/// What soil that goes on between the bars of a row hands to them along a line, either way.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Grip {
+    /// Greatest force over length (stress) at the first and the last point of the line itself, at least zero; linear between.
+    pub resistance: [f64; 2],
+    /// The fractions of the line between which there is this much; elsewhere there is none. The first is at least zero, the second
+    /// not less than that and at most one.
+    #[serde(default = "whole", skip_serializing_if = "is_whole")]
+    pub part: [f64; 2],
+}
+
+fn whole() -> [f64; 2] {
+    [0.0, 1.0]
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_whole(part: &[f64; 2]) -> bool {
+    *part == whole()
 }
 
 /// What a beam bears across itself. Its greatest forces do not depend on each other.

@@ -1,6 +1,6 @@
 //! Members on a mesh: their edges, from start to end.
 
-use soilctl_certificate::{LineUse, Member, Side};
+use soilctl_certificate::{Grip, LineUse, Member, Place, Side};
 
 use crate::mesh::Mesh;
 use crate::problem::Problem;
@@ -16,6 +16,9 @@ pub(crate) struct MemberEdge {
     /// The line, and whether the member goes along it from its first point to its last.
     pub(crate) line: usize,
     pub(crate) is_forward: bool,
+    /// The place of the line on the member's path, and the fractions of the line at the edge's start and end.
+    pub(crate) piece: usize,
+    pub(crate) fractions: [f64; 2],
     /// Start and end, as the member goes.
     pub(crate) ends: [Point; 2],
     /// How far along the member they are.
@@ -45,10 +48,38 @@ impl MemberEdge {
         self.faces().next().unwrap_or(Side { triangle: 0, corner: 0 })
     }
 
+    /// What soil hands to a row of bars over the length of the edge, at its start and its end; nothing if the member is no such row.
+    pub(crate) fn gripped(&self, member: &Member) -> Option<Gripped> {
+        let Grip { resistance: [from, to], part: [first, last] } =
+            *member.pullout.as_ref()?.get(self.piece)?;
+        let at = self.fractions.map(|s| (from + (to - from) * s).max(0.0));
+        let [start, end] = if self.is_forward {
+            self.fractions
+        } else {
+            let [a, b] = self.fractions;
+            [b, a]
+        };
+        // As the certificate has it.
+        Some(if (from, to) == (0.0, 0.0) || end <= first || start >= last {
+            Gripped { is_free: true, most: [0.0; 2] }
+        } else {
+            Gripped { is_free: start < first || end > last, most: at }
+        })
+    }
+
     /// Both, if there is soil on both sides.
     pub(crate) fn both(&self) -> Option<[Side; 2]> {
         Some([self.sides[0]?, self.sides[1]?])
     }
+}
+
+/// The resistance to slip of a row of bars along an edge.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gripped {
+    /// Whether it is zero on some of the edge, so that stresses must not count on it.
+    pub(crate) is_free: bool,
+    /// The most that it may be at the start and at the end.
+    pub(crate) most: [f64; 2],
 }
 
 /// All edges of all members, one member after the other.
@@ -71,15 +102,23 @@ pub(crate) fn member_edges(problem: &Problem, mesh: &Mesh, topology: &Topology) 
             let Some(member) = problem.member_whose_left_is(left) else { continue };
             let [start, end] = problem.member_ends(member);
             let corners = mesh.triangles[triangle].corners;
-            let mut ends = [1, 2].map(|i| mesh.vertices[corners[(corner + i) % 3]].position);
+            let mut vertices = [1, 2].map(|i| &mesh.vertices[corners[(corner + i) % 3]]);
             if left != on {
-                ends.reverse();
+                vertices.reverse();
             }
+            let ends = vertices.map(|vertex| vertex.position);
+            let fractions = vertices.map(|vertex| match vertex.place {
+                Place::OnLine { s, .. } => s,
+                Place::Corner { point } if problem.statement().lines[left.line].from == point => 0.0,
+                Place::Corner { .. } | Place::Inside => 1.0,
+            });
+            let path = &problem.members()[member].path;
+            let piece = path.iter().position(|side| *side == left).unwrap_or(0);
             let d = between(start, end);
             let place = ends.map(|p| dot(between(start, p), d) / length(d));
             let is_end = [ends[0] == start, ends[1] == end];
             let (line, is_forward) = (left.line, left.forward);
-            edges.push(MemberEdge { member, sides, line, is_forward, ends, place, is_end });
+            edges.push(MemberEdge { member, sides, line, is_forward, piece, fractions, ends, place, is_end });
         }
     }
     edges.sort_by(|a, b| a.member.cmp(&b.member).then(a.place[0].total_cmp(&b.place[0])));

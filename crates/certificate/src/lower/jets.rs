@@ -145,10 +145,14 @@ impl Maker<'_> {
         if matches!(across.jet, Jet::Kinked { .. }) || across.vertex != self.field.copies[copy].vertex {
             return Err(bad(copy, "it must depend on a copy of the same vertex that depends on no other"));
         }
-        if self.problem.piece(line).is_none() {
+        let Some(piece) = self.problem.piece(line) else {
             return Err(bad(copy, "it depends on a line that is no member"));
+        };
+        // All lines of a member are proven to be in one line.
+        let mut path = self.problem.statement.members[piece.member].path.iter();
+        if !path.any(|side| self.fraction(copy, side.line).is_ok()) {
+            return Err(bad(copy, "not on the member that it depends on"));
         }
-        self.fraction(copy, line)?;
         let jet = self.jet(other)?;
         let n = self.problem.direction(line).turned();
         Ok(LocalJet { slopes: jet.slopes + n * Interval::point(jump), ..jet })

@@ -57,8 +57,10 @@ impl StressFunction<'_> {
         let stored = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
         let absolute = |slope: Interval| slope + self.gauges.gradient(0, frame).dot(turned);
         match self.tiling.beyond(side) {
-            Beyond::Soil(_) if self.tiling.member(side).is_some() => absolute(stored(side)),
             Beyond::Soil(other) => {
+                if let Some(on) = self.tiling.member(side) {
+                    return absolute(self.slope_beside_bar(side, other, &on).unwrap_or_else(|| stored(side)));
+                }
                 let slope = if other < side { -stored(other) } else { stored(side) };
                 let [start, end] = self.ends(side);
                 if [end, start] == self.ends(other) {

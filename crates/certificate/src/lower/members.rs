@@ -6,22 +6,37 @@
 //! along itself, and nothing across.
 //! The slope across an edge is quadratic, and so is `N`: it is within its limits if its three Bernstein coefficients are.
 //! An end that is not attached has `N = 0`; one that is attached to the structure hands `N` to it.
+//!
+//! A row of bars between which the soil goes on takes `dN/ds` from it, linear along an edge, which its resistance limits. It has no faces. Where
+//! there is no resistance, nor is it proven to be there all along an edge, `N` does not change: both kinks there are one and the same
+//! number, and the slope across the middle on the right is not read but follows.
 
 use super::{StressFunction, ends};
 use crate::CertificateError;
 use crate::fields::{Jet, LowerField};
 use crate::interval::{Interval, Vector};
 use crate::mesh::Side;
-use crate::problem::{Attached, Problem, Stress};
+use crate::problem::{Attached, Gripped, Problem, Stress};
 use crate::tiling::{MemberEdge, OnMember, after};
 
 use super::loads::Station;
 
 /// What the slope across, to the left of the member, is more on the left than on the right: at a copy on its left and one on its right,
 /// over the length of the line's vector, with that vector; nothing if that is not known to be all by which the jets there differ.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Kink {
     jump: Interval,
     line: Option<usize>,
+}
+
+impl Kink {
+    /// Whether it is another one exactly, so that the member bears the same force.
+    fn is_same(&self, other: &Self) -> bool {
+        let is_none = |kink: &Self| kink.jump.is_zero();
+        let is_one =
+            self.line == other.line && (self.jump.lo(), self.jump.hi()) == (other.jump.lo(), other.jump.hi());
+        is_one || (is_none(self) && is_none(other))
+    }
 }
 
 /// The kink between two copies of a vertex on a member, if their jets differ by no more than such a jump.
@@ -93,6 +108,7 @@ impl StressFunction<'_> {
             let member = edge.member();
             let forces = self.section_forces(edge)?;
             self.check_force(edge, forces.axial)?;
+            self.check_grip(edge, forces.axial)?;
             if let Some(bent) = forces.bent {
                 self.check_bending(edge, bent)?;
             }
@@ -159,18 +175,20 @@ impl StressFunction<'_> {
     fn axial_force(&self, side: Side, other: Side, on: &OnMember) -> Result<[Interval; 3], CertificateError> {
         let [start, end] = ends(self.field, side);
         let [other_end, other_start] = ends(self.field, other);
-        let at = |left: usize, right: usize| {
-            let found = kink(self.problem, self.field, &self.stations, on, [left, right]);
-            let same_surface = self.jets[left].surface == self.jets[right].surface;
-            let Some(kink) = found.filter(|_| same_surface) else {
-                let problem = "the stress function is not proven to be the same on both sides of the member";
-                return Err(CertificateError::BadField { place: side.to_string(), problem });
-            };
+        let kinks = self.kinks(side, other, on).filter(|_| {
+            [(start, other_start), (end, other_end)]
+                .into_iter()
+                .all(|(left, right)| self.jets[left].surface == self.jets[right].surface)
+        });
+        let Some(kinks) = kinks else {
+            let problem = "the stress function is not proven to be the same on both sides of the member";
+            return Err(CertificateError::BadField { place: side.to_string(), problem });
+        };
+        let [a, b] = kinks.map(|kink| {
             let length =
                 kink.line.map_or(Interval::ZERO, |line| self.problem.direction(line).square().sqrt());
-            Ok(kink.jump * length)
-        };
-        let [a, b] = [at(start, other_start)?, at(end, other_end)?];
+            kink.jump * length
+        });
         let corners = self.tiling.corners(side.triangle);
         let edge = corners[after(side.corner, 2)] - corners[after(side.corner, 1)];
         let slope = |side: Side| Interval::point(self.field.slopes[side.triangle][side.corner]);
@@ -178,6 +196,14 @@ impl StressFunction<'_> {
         if [start, end].map(apex) != [other_start, other_end].map(apex) {
             let what = "a member that meets free ground without cohesion on one side only";
             return Err(CertificateError::NotCovered { place: side.to_string(), what });
+        }
+        if self.is_free(on) {
+            if !kinks[0].is_same(&kinks[1]) {
+                let problem = "the force in a bar must not change where the soil hands it none";
+                return Err(CertificateError::BadField { place: side.to_string(), problem });
+            }
+            // The slope across on its right is what makes it so.
+            return Ok([a; 3]);
         }
         if apex(start) || apex(end) {
             // Next to an apex stored slopes are not used. Those across, beyond a cubic that is known to second order at the apex, grow
@@ -187,6 +213,62 @@ impl StressFunction<'_> {
         // That on the right is along the vector turned right.
         let middle = (slope(side) + slope(other)) / edge.square().sqrt();
         Ok([a, Interval::point(2.0) * middle - (a + b).half(), b])
+    }
+
+    /// The kinks at the start and the end of an edge on a member's left, if the jets there differ by no more.
+    fn kinks(&self, side: Side, other: Side, on: &OnMember) -> Option<[Kink; 2]> {
+        let [start, end] = ends(self.field, side);
+        let [other_end, other_start] = ends(self.field, other);
+        let at = |pair: [usize; 2]| kink(self.problem, self.field, &self.stations, on, pair);
+        Some([at([start, other_start])?, at([end, other_end])?])
+    }
+
+    /// Whether soil hands a bar no force along an edge, or is not proven to be able to along all of it.
+    fn is_free(&self, on: &OnMember) -> bool {
+        matches!(self.problem.gripped(on), Some(Gripped::Free | Gripped::Partly(_)))
+    }
+
+    /// Where soil hands a bar no force, the slope across the middle of an edge on its right follows from that on its left and the
+    /// force, which is one along the edge: along the edge's vector turned left, which is the other way round on the right. Nothing elsewhere.
+    pub(super) fn slope_beside_bar(&self, side: Side, other: Side, on: &OnMember) -> Option<Interval> {
+        if on.is_left || !self.is_free(on) {
+            return None;
+        }
+        let [kink, _] = self.kinks(other, side, on)?;
+        let left = Interval::point(self.field.slopes[other.triangle][other.corner]);
+        let along = self.along(other);
+        let force = kink.line.map_or(Interval::ZERO, |line| {
+            let by = self.problem.direction(line).dot(along);
+            kink.jump * if self.problem.piece(line).is_some_and(|p| p.left.forward) { by } else { -by }
+        });
+        Some(force - left)
+    }
+
+    /// The edge of a triangle as a vector.
+    fn along(&self, side: Side) -> Vector {
+        let corners = self.tiling.corners(side.triangle);
+        corners[after(side.corner, 2)] - corners[after(side.corner, 1)]
+    }
+
+    /// Checks that a row of bars takes no more from the soil along an edge than it can: its force is quadratic there, so what it takes is
+    /// linear, as its resistance is.
+    fn check_grip(&self, edge: &MemberEdge, [a, b, c]: [Interval; 3]) -> Result<(), CertificateError> {
+        // Where there is no resistance the force is one by construction.
+        let Some(Gripped::Whole(resistance)) = self.problem.gripped(&edge.on) else { return Ok(()) };
+        let [start, end] = self.tiling.ends_on_member(edge);
+        let half = (end - start).square().sqrt().half();
+        for (node, (taken, resistance)) in [b - a, c - b].into_iter().zip(resistance).enumerate() {
+            let most = self.divisor.part(resistance) * half;
+            if let Some(spare) = [most - taken, most + taken].into_iter().find(|s| !s.is_at_least_zero()) {
+                return Err(CertificateError::NotProven {
+                    quantity: "pullout resistance of the bar to spare, times half the length of the edge,",
+                    place: format!("{}, {}", place(edge), ["its start", "its end"][node]),
+                    low: spare.lo(),
+                    unit: "force",
+                });
+            }
+        }
+        Ok(())
     }
 
     fn check_force(&self, edge: &MemberEdge, coefficients: [Interval; 3]) -> Result<(), CertificateError> {

@@ -3,6 +3,7 @@
 mod anisotropy;
 mod envelope;
 mod far;
+mod grip;
 mod members;
 mod numbers;
 mod outline;
@@ -16,6 +17,7 @@ use crate::statement::{Condition, LineUse, Linear, Material, Statement};
 pub(crate) use anisotropy::Anisotropy;
 pub(crate) use envelope::{Envelope, Straight, StressPoint};
 pub(crate) use far::FarFrame;
+pub(crate) use grip::Gripped;
 pub(crate) use members::{Attached, Piece};
 pub(crate) use numbers::{exists, finite};
 pub(crate) use reference::{Column, ReferenceStress, Stress};

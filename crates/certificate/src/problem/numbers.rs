@@ -1,7 +1,7 @@
 use super::envelope;
 use crate::CertificateError;
 use crate::interval::Vector;
-use crate::statement::{Anisotropy, Condition, Linear, Material, Objective, Statement};
+use crate::statement::{Anisotropy, Condition, Grip, Linear, Material, Member, Objective, Statement};
 
 /// Most lines of a statement: some checks compare all pairs.
 const MAX_LINES: usize = 1024;
@@ -117,6 +117,7 @@ fn check_members(statement: &Statement) -> Result<(), CertificateError> {
         at_least_zero("compression", place, member.compression, "force")?;
         let holds = member.bond > 0.0 && member.bond <= 1.0;
         within("bond", place, member.bond, "", "above 0 and at most 1", holds)?;
+        check_grips(member, place)?;
         for (quantity, most) in member
             .bending
             .iter()
@@ -128,6 +129,27 @@ fn check_members(statement: &Statement) -> Result<(), CertificateError> {
     if statement.width.is_some() && !statement.members.is_empty() {
         let (place, what) = ("the statement".into(), "members beside a structure with ends");
         return Err(CertificateError::NotCovered { place, what });
+    }
+    Ok(())
+}
+
+/// Checks what a row of bars takes from the soil.
+fn check_grips(member: &Member, place: impl Fn() -> String) -> Result<(), CertificateError> {
+    let Some(grips) = &member.pullout else { return Ok(()) };
+    let bad = |problem| Err(CertificateError::BadStatement { place: place(), problem });
+    if grips.len() != member.path.len() {
+        return bad("its pullout must have an entry for each line of its path");
+    }
+    if member.bond != 1.0 || member.bending.is_some() {
+        return bad("a row of bars has no faces and does not bend: its bond is 1, and it has no bending");
+    }
+    for Grip { resistance, part: [from, to] } in grips {
+        for value in resistance {
+            at_least_zero("pullout resistance", &place, *value, "stress")?;
+        }
+        let allowed = "at least 0, in order, and at most 1";
+        let holds = *from >= 0.0 && from <= to && *to <= 1.0;
+        within("fraction of the line with pullout resistance", &place, *to, "", allowed, holds)?;
     }
     Ok(())
 }

@@ -65,7 +65,8 @@ fn on_member(problem: &Problem, on: OnLine) -> Option<OnMember> {
     let first = if is_left { on.start } else { on.end };
     // Exactly, so that no two places are one.
     let order = if piece.left.forward { first } else { -first };
-    Some(OnMember { piece, is_left, place: (piece.number, order) })
+    let part = [on.start.min(on.end), on.start.max(on.end)];
+    Some(OnMember { piece, is_left, place: (piece.number, order), part })
 }
 
 fn same_region(mesh: &Mesh, a: Side, b: Side) -> bool {

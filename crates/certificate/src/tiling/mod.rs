@@ -39,6 +39,8 @@ pub(crate) struct OnMember {
     pub(crate) is_left: bool,
     /// What orders the edges of a member from its start to its end: the place of the line on its path, and how far along that.
     pub(crate) place: (usize, f64),
+    /// The fractions of the line between which the edge is, the lesser one first.
+    pub(crate) part: [f64; 2],
 }
 
 /// An edge along a member: the triangle edges on its left and on its right, at least one, both in soil unless a beam lines the soil.

@@ -161,6 +161,7 @@ impl Description {
             number(&entry, "tensile_kn_per_m", member.tensile_kn_per_m, FORCE)?;
             number(&entry, "compressive_kn_per_m", member.compressive_kn_per_m, FORCE)?;
             number(&entry, "bond_factor", member.bond_factor, BOND)?;
+            super::pullout::check(&entry, member)?;
             if member.moment_knm_per_m.is_some() != member.shear_kn_per_m.is_some() {
                 let problem =
                     "a beam has both moment_knm_per_m and shear_kn_per_m; a bar or a sheet has neither";

@@ -10,6 +10,7 @@ use super::holds::Holds;
 use super::input::Description;
 use super::parts::{MemberEnd, MemberEntry};
 use super::plan::Plan;
+use super::pullout::grips;
 use super::segments::{Drawing, Owner, Segment};
 use crate::error::LimitError;
 use crate::vector::{between, dot, length};
@@ -258,6 +259,7 @@ impl Description {
             tension: force(entry.tensile_kn_per_m),
             compression: force(entry.compressive_kn_per_m),
             bond: entry.bond_factor,
+            pullout: grips(entry, path, &plan.map, |kn_per_m2| units.stress(kn_per_m2)),
             attached: [MemberEnd::Start, MemberEnd::End].map(|end| entry.attached.contains(&end)),
             bending: entry.moment_knm_per_m.zip(entry.shear_kn_per_m).map(|(moment, shear)| Bending {
                 moment: force(moment) / units.length_m,

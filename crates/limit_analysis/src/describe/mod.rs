@@ -32,6 +32,7 @@ mod input;
 mod members;
 mod parts;
 mod plan;
+mod pullout;
 mod ready;
 mod reduce;
 mod seepage;

@@ -211,7 +211,8 @@ pub struct StructureEntry {
 }
 
 /// A straight bar or sheet inside the soil, thin and perfectly flexible: a geogrid, a nail, a strip. It bears an axial force and
-/// takes the soil along. With a moment it is a beam, such as a sheet pile or a raft, which may also lie along the outline of the soil.
+/// takes the soil along. A sheet parts the soil, and the soil slides along its faces; with a pullout resistance it is a row of bars
+/// (nails, strips, anchors, piles along themselves), between which the soil goes on. With a moment it is a beam, such as a sheet pile or a raft, which may also lie along the outline of the soil.
 /// Forces are per metre of width.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -229,6 +230,13 @@ pub struct MemberEntry {
     /// most 1.
     #[serde(default = "one", skip_serializing_if = "is_one")]
     pub bond_factor: f64,
+    /// Instead of a bond factor, of a row of bars between which the soil goes on: greatest force from the soil for each metre of bar, that
+    /// of one bar over the spacing; everywhere, or at the start and the end. Zero is a tie that the soil hands nothing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pullout_kn_per_m2: Option<Profile>,
+    /// Length from the start along which the soil hands a row of bars nothing, such as the free length of anchors.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub free_length_m: f64,
     /// Ends that are attached to the boundary, structure or beam there: they bear a force, others do not. Ends of beams are clamped.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub attached: Vec<MemberEnd>,
@@ -246,6 +254,13 @@ impl MemberEntry {
     pub const fn bends(&self) -> bool {
         self.moment_knm_per_m.is_some()
     }
+
+    /// Its length.
+    #[must_use]
+    pub fn length_m(&self) -> f64 {
+        let [a, b] = [0, 1].map(|i| self.line.get(i).copied().unwrap_or_default());
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    }
 }
 
 impl Default for MemberEntry {
@@ -256,6 +271,8 @@ impl Default for MemberEntry {
             tensile_kn_per_m: 0.0,
             compressive_kn_per_m: 0.0,
             bond_factor: 1.0,
+            pullout_kn_per_m2: None,
+            free_length_m: 0.0,
             attached: Vec::new(),
             moment_knm_per_m: None,
             shear_kn_per_m: None,

@@ -1,6 +1,7 @@
 //! The same problem with weaker soil.
 
 use super::input::Description;
+use super::parts::Profile;
 
 /// What parts of strength are divided by.
 #[derive(Debug, Clone, Copy)]
@@ -11,6 +12,8 @@ pub(super) struct Divisors {
     pub(super) cohesion: f64,
     /// Those of soils and faces without friction.
     pub(super) undrained: f64,
+    /// What soil hands to bars: of the bond it is the soil that yields.
+    pub(super) pullout: f64,
 }
 
 impl Divisors {
@@ -33,15 +36,16 @@ impl Divisors {
 }
 
 impl Description {
-    /// The problem with cohesion, adhesion, tension and the tangents of all friction angles divided by a factor.
+    /// The problem with cohesion, adhesion, tension, pullout resistances and the tangents of all friction angles divided by a factor.
     #[must_use]
     pub fn reduced(&self, factor: f64) -> Self {
         let mut weaker = self.clone();
-        weaker.weaken(Divisors { friction: factor, cohesion: factor, undrained: factor });
+        let by = Divisors { friction: factor, cohesion: factor, undrained: factor, pullout: factor };
+        weaker.weaken(by);
         weaker
     }
 
-    /// Divides the strength of all soils and faces.
+    /// Divides the strength of all soils and faces, and what bars have from it.
     pub(super) fn weaken(&mut self, by: Divisors) {
         for soil in &mut self.soils {
             let divisor = by.beside(soil.phi_deg.unwrap_or(f64::INFINITY));
@@ -64,6 +68,12 @@ impl Description {
         }
         for structure in &mut self.structures {
             by.face(&mut structure.delta_deg, &mut structure.adhesion_kpa);
+        }
+        for pullout in self.members.iter_mut().filter_map(|member| member.pullout_kn_per_m2.as_mut()) {
+            *pullout = match *pullout {
+                Profile::Uniform(value) => Profile::Uniform(value / by.pullout),
+                Profile::Linear(ends) => Profile::Linear(ends.map(|value| value / by.pullout)),
+            };
         }
         let of_plates = self.plates.iter_mut().flat_map(|p| &mut p.in_soil);
         for face in of_plates.chain(self.structures.iter_mut().flat_map(|s| &mut s.in_soil)) {

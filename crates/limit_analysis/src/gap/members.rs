@@ -44,6 +44,31 @@ fn axial(forces: &Forces, s: f64) -> f64 {
     at(&forces.axial, s)
 }
 
+/// What a row of bars takes from the soil: by what the force grows along the edge.
+fn taken(edge: &MemberEdge, forces: &Forces, s: f64) -> f64 {
+    slope(edge, &forces.axial, s)
+}
+
+/// What slip of the soil along a row of bars takes up and their forces do not match.
+fn slipped(
+    problem: &Problem,
+    velocity: &VelocityField,
+    stress: &StressField,
+    (edge, along): (&MemberEdge, &[f64; 3]),
+) -> f64 {
+    let (Some(gripped), Some(side)) = (edge.gripped(&problem.members()[edge.member]), edge.sides[0]) else {
+        return 0.0;
+    };
+    let t = edge.along();
+    let nodes = [(side.corner + 1) % 3, 3 + side.corner, (side.corner + 2) % 3];
+    let soil = nodes.map(|node| dot(velocity.control[side.triangle][node], t));
+    let slip: [f64; 3] = std::array::from_fn(|i| along[i] - soil[i]);
+    let [from, to] = gripped.most;
+    let [a, b, c] = slip.map(f64::abs);
+    let spent = edge.length() * (from * (3.0 * a + 2.0 * b + c) + to * (a + 2.0 * b + 3.0 * c)) / 12.0;
+    stress.part * spent - work_of(stress, edge, taken, |s| at(&slip, s))
+}
+
 fn moment(forces: &Forces, s: f64) -> f64 {
     forces.bent.map_or(0.0, |(moment, _)| cubic(&moment, s))
 }
@@ -67,6 +92,7 @@ pub(super) fn add_shares(
         let [a, b, c] = *along;
         let force = |place: f64| borne(stress, edge.member, place, axial);
         let mut share = spent(b - a) + spent(c - b) - work(stress, edge, axial, |s| slope(edge, along, s));
+        share += slipped(problem, velocity, stress, (edge, along));
         let jump = |change: f64, place: f64| spent(change) - change * force(place);
         let is_of = |other: &&(MemberEdge, [f64; 3], [f64; 3])| other.0.member == edge.member;
         let next = pieces.get(i + 1).filter(is_of);
@@ -150,6 +176,16 @@ fn work(
     what: impl Fn(&Forces, f64) -> f64,
     rate: impl Fn(f64) -> f64,
 ) -> f64 {
+    work_of(stress, edge, |_, forces, s| what(forces, s), rate)
+}
+
+/// The same of what follows from a force on an edge of the stress field.
+fn work_of(
+    stress: &StressField,
+    edge: &MemberEdge,
+    what: impl Fn(&MemberEdge, &Forces, f64) -> f64,
+    rate: impl Fn(f64) -> f64,
+) -> f64 {
     let [from, to] = edge.place;
     let mut cuts = vec![from, to];
     for (other, _) in stress.members.iter().filter(|(other, _)| other.member == edge.member) {
@@ -164,7 +200,7 @@ fn work(
             let mut edges = stress.members.iter().filter(|(other, _)| other.member == edge.member);
             let on = edges.clone().find(|(other, _)| middle <= other.place[1]).or_else(|| edges.next_back());
             on.map_or(0.0, |(other, forces)| {
-                what(forces, (place - other.place[0]) / (other.place[1] - other.place[0]))
+                what(other, forces, (place - other.place[0]) / (other.place[1] - other.place[0]))
             })
         };
         let parts = [(1.0, p), (4.0, middle), (1.0, q)];

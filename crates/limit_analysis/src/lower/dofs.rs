@@ -1,5 +1,7 @@
 //! The Airy stress function of a problem on a mesh: its unknowns, with the static boundary conditions built in.
 
+use std::collections::BTreeMap;
+
 use soilctl_certificate::{Condition, Gauge, Gradient, LineUse, LowerField, Side, VertexCopy};
 use soilctl_conic::{Form, Program};
 
@@ -9,7 +11,7 @@ use super::reference::ReferenceStress;
 use super::split_vertices::{Meeting, SplitVertices};
 use super::surfaces::Surfaces;
 use super::unknown_jet::UnknownJet;
-use crate::members::MemberEdge;
+use crate::members::{MemberEdge, member_edges};
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
@@ -84,6 +86,39 @@ fn gauges(problem: &Problem, copies: &SplitVertices, program: &mut Program) -> (
     (gauges, gradients)
 }
 
+/// The edges on both sides of bars to which the soil hands nothing there, with the axial force times the length of the edge, by which
+/// the slopes across both add up.
+fn free_edges(
+    problem: &Problem,
+    mesh: &Mesh,
+    topology: &Topology,
+    copies: &SplitVertices,
+    jets: &[[Form; 3]],
+) -> BTreeMap<Side, Form> {
+    let mut free = BTreeMap::new();
+    for edge in member_edges(problem, mesh, topology).into_iter().filter(|edge| copies.is_free(edge)) {
+        let Some([side, other]) = edge.both() else { continue };
+        let force = kink(&edge, jets, copies.ends(side).0, copies.ends(other).1);
+        let force = Form::default().plus(edge.length(), &force);
+        free.insert(side, force.clone());
+        free.insert(other, force);
+    }
+    free
+}
+
+/// What the slope to the left of a member is more on its left, at a copy there and one on its right.
+fn kink(edge: &MemberEdge, jets: &[[Form; 3]], left: usize, right: usize) -> Form {
+    if left == right {
+        return Form::default();
+    }
+    let t = edge.along();
+    let difference = |i: usize| jets[left][i].clone().plus(-1.0, &jets[right][i]);
+    let force = Form::default().plus(-t[1], &difference(1)).plus(t[0], &difference(2));
+    // What is the same on both sides leaves nothing behind.
+    let terms = force.terms.into_iter().filter(|(_, c)| c.abs() > 0.0).collect();
+    Form { terms, ..force }
+}
+
 /// The slope across the middle of each edge.
 fn slopes(
     problem: &Problem,
@@ -91,6 +126,7 @@ fn slopes(
     topology: &Topology,
     copies: &SplitVertices,
     across: &[Option<Across>],
+    free: &BTreeMap<Side, Form>,
     program: &mut Program,
 ) -> Vec<[(usize, Form); 3]> {
     let mut slopes: Vec<[(usize, Form); 3]> =
@@ -118,7 +154,11 @@ fn slopes(
             None => {
                 let Some(other) = topology.across[s.triangle][s.corner] else { continue };
                 if topology.line[s.triangle][s.corner].is_some_and(|l| copies.is_kinked_along(l.line)) {
-                    slopes[s.triangle][s.corner] = (0, own());
+                    let is_second = (other.triangle, other.corner) < (s.triangle, s.corner);
+                    slopes[s.triangle][s.corner] = match free.get(&s).filter(|_| is_second) {
+                        Some(force) => (0, force.clone().plus(-1.0, &slopes[other.triangle][other.corner].1)),
+                        None => (0, own()),
+                    };
                     continue;
                 }
                 let base = copies.cut(s).unwrap_or(0);
@@ -158,10 +198,11 @@ impl StressFunction {
             .collect();
         let across = slopes_across(problem, reference, &touching, program);
         let shapes = copies.shapes(&across, &gauges, program);
-        let slopes = slopes(problem, mesh, topology, &copies, &across, program);
+        let jets: Vec<[Form; 3]> = shapes.iter().map(UnknownJet::jet).collect();
+        let free = free_edges(problem, mesh, topology, &copies, &jets);
+        let slopes = slopes(problem, mesh, topology, &copies, &across, &free, program);
         let far = problem.statement().boundaries.iter().any(|b| b.condition == Condition::Far);
         let far_stress = far.then(|| program.unknown());
-        let jets = shapes.iter().map(UnknownJet::jet).collect();
         let SplitVertices { corners, vertex_of, apex, surfaces, loads, .. } = copies;
         Self {
             corners,
@@ -185,18 +226,7 @@ impl StressFunction {
     pub(crate) fn axial_force(&self, edge: &MemberEdge) -> [Form; 3] {
         let Some([side, other]) = edge.both() else { return std::array::from_fn(|_| Form::default()) };
         let corner = |side: Side, i: usize| self.corners[side.triangle][(side.corner + i) % 3];
-        let at = |left: usize, right: usize| {
-            let [a, b] = [left, right].map(|copy| &self.jets[copy]);
-            let t = edge.along();
-            if left == right {
-                return Form::default();
-            }
-            let difference = |i: usize| a[i].clone().plus(-1.0, &b[i]);
-            let force = Form::default().plus(-t[1], &difference(1)).plus(t[0], &difference(2));
-            // What is the same on both sides leaves nothing behind.
-            let terms = force.terms.into_iter().filter(|(_, c)| c.abs() > 0.0).collect();
-            Form { terms, ..force }
-        };
+        let at = |left: usize, right: usize| kink(edge, &self.jets, left, right);
         let slope = |side: Side| &self.slopes[side.triangle][side.corner].1;
         let by = 1.0 / edge.length();
         let middle = Form::default().plus(by, slope(side)).plus(by, slope(other));

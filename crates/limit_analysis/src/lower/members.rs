@@ -79,6 +79,13 @@ impl Lower {
                     self.limit(shear, [most.shear; 2], scale);
                 }
             }
+            if let Some(gripped) = edge.gripped(m).filter(|gripped| !gripped.is_free) {
+                let [a, b, c] = &forces.axial;
+                let half = 0.5 * h;
+                for ((from, to), most) in [(a, b), (b, c)].into_iter().zip(gripped.most) {
+                    self.limit(&to.clone().plus(-1.0, from), [half * most; 2], scale);
+                }
+            }
             if problem.has_factor() {
                 continue;
             }

@@ -197,7 +197,8 @@ impl Lower {
         }
         for (k, part) in stresses.iter().enumerate() {
             let Some(side) = topology.line[triangle][k] else { continue };
-            if let Some(member) = problem.member_on(side.line) {
+            // What soil that goes on between bars hands to them is limited with their force.
+            if let Some(member) = problem.member_on(side.line).filter(|member| !problem.goes_on(*member)) {
                 self.add_bond(&problem.members()[member], soil, part, &v, k, &scale);
             }
             let Some(condition) = problem.condition(side) else { continue };

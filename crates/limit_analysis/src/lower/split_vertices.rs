@@ -9,7 +9,7 @@ use super::loads::Loads;
 use super::reference::ReferenceStress;
 use super::surfaces::{AT_REST, Surfaces, is_bare, numbers};
 use super::unknown_jet::{Turn, Unknown, UnknownJet};
-use crate::members::{bears_force, member_edges};
+use crate::members::{MemberEdge, bears_force, member_edges};
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
@@ -67,6 +67,8 @@ struct Kink {
     line: usize,
     /// Whether the member may bear a force there.
     bears: bool,
+    /// The copy whose jump this one is too, and its sign: along bars to which the soil hands nothing the force is one.
+    shares: Option<(usize, f64)>,
 }
 
 impl<'a> SplitVertices<'a> {
@@ -121,6 +123,7 @@ impl<'a> SplitVertices<'a> {
         copies.find_surfaces(reference);
         copies.find_given();
         copies.find_kinks();
+        copies.join_free();
         copies
     }
 
@@ -149,8 +152,53 @@ impl<'a> SplitVertices<'a> {
                 let (copy, own) =
                     if is_known(right) && !is_known(left) { (right, left) } else { (left, right) };
                 let bears = !e.is_end[end] || m.attached[end];
-                self.kink_of[own] = Some(Kink { copy, line: e.line, bears });
+                self.kink_of[own] = Some(Kink { copy, line: e.line, bears, shares: None });
                 self.surfaces.of_copy[own] = self.surfaces.of_copy[copy];
+            }
+        }
+    }
+
+    /// Makes the force of bars one number from end to end of where the soil hands them nothing: zero, if it is so anywhere there.
+    fn join_free(&mut self) {
+        let edges = member_edges(self.problem, self.mesh, self.topology);
+        let mut run: Vec<Option<(usize, bool)>> = Vec::new();
+        for (i, e) in edges.iter().enumerate() {
+            if !self.is_free(e) {
+                continue;
+            }
+            let Some([side, other]) = e.both() else { continue };
+            let ((a, b), (d, c)) = (self.ends(side), self.ends(other));
+            for (left, right) in [(a, c), (b, d)] {
+                let depends = |own: usize, copy: usize| self.kink_of[own].is_some_and(|k| k.copy == copy);
+                let on_left = depends(left, right).then_some((left, true));
+                run.push(on_left.or_else(|| depends(right, left).then_some((right, false))));
+            }
+            let goes_on = |next: &MemberEdge| next.member == e.member && self.is_free(next);
+            if !edges.get(i + 1).is_some_and(goes_on) {
+                self.join(&std::mem::take(&mut run));
+            }
+        }
+    }
+
+    /// Whether the soil hands nothing to bars along an edge.
+    pub(super) fn is_free(&self, edge: &MemberEdge) -> bool {
+        let member = &self.problem.members()[edge.member];
+        bears_force(member) && edge.gripped(member).is_some_and(|gripped| gripped.is_free)
+    }
+
+    fn join(&mut self, run: &[Option<(usize, bool)>]) {
+        let kinks: Vec<(usize, bool)> = run.iter().copied().flatten().collect();
+        let bears = |(own, _): &(usize, bool)| self.kink_of[*own].is_some_and(|kink| kink.bears);
+        let is_one = kinks.len() == run.len() && kinks.iter().all(bears);
+        // Unknowns are handed out in the order of copies.
+        let Some(&(first, is_left)) = kinks.iter().min() else { return };
+        let Some(line) = self.kink_of[first].map(|kink| kink.line) else { return };
+        for (own, on_left) in kinks {
+            let Some(kink) = &mut self.kink_of[own] else { continue };
+            kink.bears = is_one;
+            if is_one {
+                kink.line = line;
+                kink.shares = (own != first).then_some((first, if on_left == is_left { 1.0 } else { -1.0 }));
             }
         }
     }
@@ -340,12 +388,18 @@ impl<'a> SplitVertices<'a> {
             })
             .collect();
         for (own, kink) in self.kink_of.iter().enumerate() {
-            let Some(Kink { copy, line, bears }) = *kink else { continue };
+            let Some(Kink { copy, line, bears, shares }) = *kink else { continue };
             let n = turned(self.along_line(line));
             let h = self.length[own];
             let stress = self.problem.stress_scale(self.region[own], self.position(own), h);
             let unit = h * stress / n[0].hypot(n[1]);
-            let jump = bears.then(|| Unknown { index: program.unknown(), unit });
+            let shared = shares.and_then(|(first, sign)| match &shapes[first] {
+                UnknownJet::Kinked { jump: Some(jump), .. } => {
+                    Some(Unknown { unit: sign * jump.unit, ..*jump })
+                }
+                _ => None,
+            });
+            let jump = shared.or_else(|| bears.then(|| Unknown { index: program.unknown(), unit }));
             let (base, beyond) = (shapes[copy].base(), shapes[copy].jet());
             shapes[own] = UnknownJet::Kinked { copy, base, beyond, line, n, jump };
         }

@@ -6,6 +6,8 @@ use super::domain::Domain;
 use super::fan::Disc;
 use super::triangulation::to_spade;
 use super::wanted::Wanted;
+use soilctl_certificate::{Member, Statement};
+
 use crate::vector::{Point, along, angle, between, cross, distance, dot};
 
 /// Two things nearer than this fraction of the wanted size become one.
@@ -175,16 +177,32 @@ pub(super) fn forced(
     }
     for (line, Forced { free, met }) in forced.iter_mut().enumerate() {
         let length = domain.length(line);
+        let room = |s: f64| NEAR * profiles[line].size(s * length) / length;
+        let grips = grips_of(domain.statement, line);
+        let grips: Vec<f64> = grips.into_iter().filter(|s| free[0] < *s && *s < free[1]).collect();
+        // Where the grip on bars begins and ends comes before where guides meet their line.
+        met.retain(|s| grips.iter().all(|grip| (grip - s).abs() > room(*s)));
         met.sort_by(f64::total_cmp);
         let mut last = free[0];
         met.retain(|&s| {
-            let room = NEAR * profiles[line].size(s * length) / length;
-            let keep = s - last > room && free[1] - s > room;
+            let keep = s - last > room(s) && free[1] - s > room(s);
             if keep {
                 last = s;
             }
             keep
         });
+        met.extend(grips);
+        met.sort_by(f64::total_cmp);
+        met.dedup();
     }
     forced
+}
+
+/// Where on a line soil begins and ends to hand force to bars along it.
+fn grips_of(statement: &Statement, line: usize) -> Vec<f64> {
+    let of = |member: &Member| {
+        let number = member.path.iter().position(|side| side.line == line)?;
+        member.pullout.as_ref()?.get(number).map(|grip| grip.part)
+    };
+    statement.members.iter().find_map(of).map_or_else(Vec::new, |part| part.to_vec())
 }

@@ -7,12 +7,15 @@ use super::edge_velocity::EdgeVelocity;
 use super::nodes::Element;
 use super::strength::{Limit, over_edge};
 use super::{Builder, Edge, Side};
-use crate::members::{MemberEdge, beam_at_end, member_edges, velocity_at_end};
+use crate::members::{Gripped, MemberEdge, beam_at_end, member_edges, velocity_at_end};
 use crate::problem::Soil;
 use crate::vector::{Point, between, dot, length, midpoint, turned};
 
 /// A beam's strength over what a typical stress does to one of its length, beyond which no flow is likely to bend it.
 const ENOUGH_TO_BEND: f64 = 30.0;
+
+/// What soil hands to bars over a typical stress in it, beyond which no flow is likely to slip along them: the soil itself bears less.
+const ENOUGH_TO_STICK: f64 = 1e3;
 
 /// How a member moves along one edge.
 #[derive(Debug, Clone)]
@@ -29,7 +32,7 @@ pub(crate) struct MemberPiece {
 enum Kind {
     /// The soil, which is one on both sides.
     Soil,
-    /// Its part along; across it goes with soil that keeps its volume.
+    /// Its part along; across it goes with soil that keeps its volume, or that goes on between bars.
     Along,
     Free,
 }
@@ -190,7 +193,38 @@ impl Builder<'_> {
         a == b || (is_still(a) && is_still(b))
     }
 
+    /// A row of bars: the soil is one on both sides, and slips along them.
+    fn add_bar_edge(&mut self, edge: MemberEdge, gripped: Gripped) -> MemberPiece {
+        let soil = self.slide(edge.first());
+        let region = self.meshed.mesh.triangles[edge.first().triangle].region;
+        let length = edge.length();
+        let stress = self.meshed.problem.stress_scale(region, midpoint(edge.ends[0], edge.ends[1]), length);
+        let sticks = gripped.most.into_iter().fold(f64::INFINITY, f64::min) > ENOUGH_TO_STICK * stress;
+        let costs = over_edge(gripped.most).map(|most| most * length / 3.0);
+        let kind = if sticks { Kind::Soil } else { Kind::Along };
+        let mut piece =
+            MemberPiece { edge, along: soil.slip.clone(), across: soil.opening, kinds: [kind; 3] };
+        if sticks {
+            return piece;
+        }
+        for (i, (along, cost)) in soil.slip.iter().zip(costs).enumerate() {
+            piece.along[i] = Form::unknown(self.program.unknown(), 1.0);
+            if cost == 0.0 {
+                continue;
+            }
+            let slip = piece.along[i].clone().plus(-1.0, along);
+            let most = Form::unknown(self.program.unknown(), 1.0);
+            self.power.dissipate(cost, &most);
+            self.program.non_negative(most.clone().plus(1.0, &slip));
+            self.program.non_negative(most.plus(-1.0, &slip));
+        }
+        piece
+    }
+
     fn add_member_edge(&mut self, edge: MemberEdge) -> MemberPiece {
+        if let Some(gripped) = edge.gripped(&self.meshed.problem.members()[edge.member]) {
+            return self.add_bar_edge(edge, gripped);
+        }
         let soils = [
             edge.sides[0].map(|side| self.slide(side)),
             edge.sides[1].map(|side| self.slide(side).reversed()),

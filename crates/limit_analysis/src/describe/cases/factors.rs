@@ -125,7 +125,8 @@ impl Factors {
             );
             return Err(DescriptionError::entry(title, problem));
         }
-        problem.weaken(Divisors { friction, cohesion, undrained });
+        // Pullout is a resistance, and has factors of its own.
+        problem.weaken(Divisors { friction, cohesion, undrained, pullout: 1.0 });
         for soil in &mut problem.soils {
             soil.unit_weight_kn_m3 *= one(self.weight);
         }
