@@ -36,6 +36,15 @@ pub struct MemberFlow {
     /// Its motion at the edge's start, in the middle and at its end: the velocity is the quadratic polynomial with these Bernstein
     /// coefficients. It may jump from one edge to the next.
     pub motion: [MemberMotion; 3],
+    /// Of a row of bars: how much faster than this they move along themselves, likewise. The motion is that of the soil right at the bars
+    /// then, from which that beside it may slide away.
+    #[serde(default, skip_serializing_if = "sticks")]
+    pub slip: [f64; 3],
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn sticks(slip: &[f64; 3]) -> bool {
+    *slip == [0.0; 3]
 }
 
 /// A Bernstein coefficient of a member's velocity.

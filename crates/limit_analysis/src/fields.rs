@@ -25,6 +25,24 @@ pub(crate) struct StressField {
     pub(crate) members: Vec<(MemberEdge, Forces)>,
 }
 
+/// How a member moves along an edge: Bernstein coefficients.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MemberVelocity {
+    pub(crate) edge: MemberEdge,
+    /// Along itself and across, to its left; of a row of bars, that of the soil right at them.
+    pub(crate) along: [f64; 3],
+    pub(crate) across: [f64; 3],
+    /// How much faster than that bars move along themselves.
+    pub(crate) slip: [f64; 3],
+}
+
+impl MemberVelocity {
+    /// Its own velocity along itself.
+    pub(crate) fn own(&self) -> [f64; 3] {
+        std::array::from_fn(|i| self.along[i] + self.slip[i])
+    }
+}
+
 /// What a member bears along an edge: Bernstein coefficients.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Forces {
@@ -53,8 +71,8 @@ pub(crate) struct VelocityField {
     pub(crate) limits: Vec<Limit>,
     /// Power of the loads whose factor is bounded; one if a force is.
     pub(crate) live: f64,
-    /// Velocities of members along themselves and across, to their left: Bernstein coefficients on each edge.
-    pub(crate) members: Vec<(MemberEdge, [f64; 3], [f64; 3])>,
+    /// How members move on each edge.
+    pub(crate) members: Vec<MemberVelocity>,
 }
 
 /// Strain rates `[exx, eyy, 2 exy]` at corners, and the rate that a second kind of strength works on: the shear rate beyond the dilation
@@ -121,7 +139,13 @@ impl VelocityField {
             None => vec![whole(&upper.corners[t], &control[t], &upper.limits[t])],
         });
         let value = |forms: &[Form; 3]| forms.each_ref().map(|f| f.value(x));
-        let members = upper.members.iter().map(|m| (m.edge, value(&m.along), value(&m.across))).collect();
+        let members = upper.members.iter().map(|m| MemberVelocity {
+            edge: m.edge,
+            along: value(&m.along),
+            across: value(&m.across),
+            slip: value(&m.slip),
+        });
+        let members = members.collect();
         Self { pieces: pieces.collect(), control, limits: upper.limits.clone(), live: upper.live, members }
     }
 }

@@ -263,11 +263,6 @@ impl Problem {
         self.statement.members[member].bending.is_some()
     }
 
-    /// Whether soil goes on between the bars of a member, which is a row of them.
-    pub(crate) fn goes_on(&self, member: usize) -> bool {
-        self.statement.members[member].pullout.is_some()
-    }
-
     /// Whether any member is a beam.
     pub(crate) fn has_beams(&self) -> bool {
         self.statement.members.iter().any(|member| member.bending.is_some())
@@ -321,18 +316,6 @@ impl Problem {
                 return Err(LimitError::NotCovered {
                     what: "adhesion on a face without friction, in soil with friction",
                     advice: "give the face a friction angle above zero",
-                });
-            }
-        }
-        let bars = self.members().iter().filter(|member| member.pullout.is_some());
-        for side in bars.flat_map(|member| &member.path) {
-            let soils = [*side, side.reversed()].map(|side| self.owner(side).map(|r| &self.soils[r]));
-            if let [Some(left), Some(right)] = soils
-                && left.is_isochoric != right.is_isochoric
-            {
-                return Err(LimitError::NotCovered {
-                    what: "a bar along the edge between soil with friction and soil without",
-                    advice: "move it a little to one side, into the soil that it is in",
                 });
             }
         }

@@ -43,14 +43,15 @@ fn bar(line: [[f64; 2]; 2], tensile_kn_per_m: f64, pullout: Profile) -> MemberEn
     }
 }
 
-/// A bar in a block of soil that is held all around, pulled out by a head that the soil cannot hold.
+/// A bar in a block of soil that is held all around but at its top, pulled out by a head that the soil cannot hold.
 fn pulled(phi_deg: f64, member: MemberEntry) -> Description {
-    let polygon = vec![[0.0, 0.0], [8.0, 0.0], [8.0, 4.0], [0.0, 4.0]];
+    let polygon = vec![[0.0, 0.0], [8.0, 0.0], [8.0, 6.0], [0.0, 6.0]];
     Description {
         default_boundary: Some(Kind::Fixed),
         objective: Aim::Structure { name: "head".into(), direction: [-1.0, 0.0] },
         soils: vec![soil(phi_deg, 10.0, 0.0)],
         regions: vec![RegionEntry { name: None, soil: "soil".into(), polygon }],
+        boundaries: vec![BoundaryEntry::on_sides(Kind::Free, &[Side::Top])],
         structures: vec![StructureEntry {
             name: "head".into(),
             edge: vec![[0.0, 3.0], [0.0, 1.0]],
@@ -78,21 +79,26 @@ fn a_bar_is_pulled_out_of_strong_soil_by_its_resistance_times_its_length_or_torn
             (200.0, Profile::Linear([2.0, 6.0]), 2.0, 10.0),
         ] {
             let member = MemberEntry { free_length_m: free, ..bar(level, tensile, pullout) };
-            encloses(bounds(&pulled(phi_deg, member), 400), exact, 5e-3);
+            encloses(bounds(&pulled(phi_deg, member), 300), exact, 1e-2);
         }
     }
 }
 
-/// Grip that begins at a vertex of a sloping line, and slip that the head's motion has a part of.
+/// Grip that begins somewhere on a sloping line, and a head that slides along itself, down or up.
 #[test]
 fn a_sloping_anchor_bears_what_is_behind_its_free_length() {
-    let line = [[0.0, 1.0], [4.0, 3.0]];
-    let member = MemberEntry { free_length_m: 1.1, ..bar(line, 200.0, Profile::Uniform(5.0)) };
-    let mut it = pulled(0.0, member);
-    it.structures[0].edge = vec![[0.0, 3.5], [0.0, 0.5]];
-    it.structures[0].adhesion_kpa = 1e-4;
-    let (length, cos) = (20.0_f64.sqrt(), 4.0 / 20.0_f64.sqrt());
-    encloses(bounds(&it, 500), 5.0 * (length - 1.1) * cos, 5e-3);
+    for (line, direction) in [([[0.0, 1.0], [2.0, 3.0]], -1.0), ([[0.0, 3.0], [2.0, 1.0]], 1.0)] {
+        let member = MemberEntry { free_length_m: 1.1, ..bar(line, 200.0, Profile::Uniform(5.0)) };
+        let mut it = pulled(0.0, member);
+        it.objective = Aim::Structure { name: "head".into(), direction: [0.0, direction] };
+        it.structures[0].edge = vec![[0.0, 3.5], [0.0, 0.5]];
+        it.structures[0].adhesion_kpa = 1e-4;
+        // Held all around it is simpler still.
+        it.regions[0].polygon = vec![[0.0, 0.0], [8.0, 0.0], [8.0, 4.0], [0.0, 4.0]];
+        it.boundaries.clear();
+        let exact = 5.0 * (8.0_f64.sqrt() - 1.1) * 0.5_f64.sqrt() + 3.0 * 1e-4;
+        encloses(bounds(&it, 500), exact, 1e-4);
+    }
 }
 
 /// Soil that fails at both faces of a bar holds it no longer: more grip than that is as much as that, and as that of a sheet that sticks.
@@ -144,7 +150,7 @@ fn a_bar_helps_a_cut_by_no_more_than_a_wedge_says_and_never_weakens_it() {
     assert!((wedge(phi_deg, 0.0, 0.0) - bare).abs() < 1e-3 * bare);
     let mut last = [0.0; 2];
     for member in [None, Some((60.0, 0.0)), Some((60.0, 10.0)), Some((60.0, 30.0)), Some((120.0, 30.0))] {
-        let [lower, upper] = bounds(&cut(phi_deg, member), 1200).map(|factor| 18.0 * factor);
+        let [lower, upper] = bounds(&cut(phi_deg, member), 800).map(|factor| 18.0 * factor);
         let (tensile, pullout) = member.unwrap_or_default();
         let wedge = wedge(phi_deg, tensile, pullout);
         assert!(lower <= wedge && upper <= 1.01 * wedge, "{member:?}: {lower} {upper} {wedge}");
@@ -169,8 +175,7 @@ fn tied_wall(member: MemberEntry) -> Description {
         soils: vec![soil(30.0, 0.0, 18.0)],
         regions: vec![RegionEntry { name: None, soil: "soil".into(), polygon }],
         boundaries: vec![
-            BoundaryEntry::on_sides(Kind::Smooth, &[Side::Bottom]),
-            BoundaryEntry::on_sides(Kind::Fixed, &[Side::Right]),
+            BoundaryEntry::on_sides(Kind::Fixed, &[Side::Bottom, Side::Right]),
         ],
         structures: vec![StructureEntry {
             name: "wall".into(),
@@ -196,7 +201,7 @@ fn a_tie_or_an_anchor_takes_what_it_bears_off_the_thrust() {
         ..bar([[0.0, 3.0], [7.0, 3.0]], 100.0, Profile::Uniform(4.0))
     };
     for (member, exact) in [(tie, 30.0 - 75.0), (anchor, 16.0 - 75.0)] {
-        let [lower, upper] = bounds(&tied_wall(member), 1200);
+        let [lower, upper] = bounds(&tied_wall(member), 1500);
         assert!(lower <= exact + 1e-6 && exact - 1e-6 <= upper, "{lower} {upper} {exact}");
         assert!(upper - lower < 1.5, "{lower} {upper} {exact}");
     }

@@ -17,11 +17,6 @@ pub(crate) enum Gripped {
 }
 
 impl Problem<'_> {
-    /// Whether the soil goes on between the bars of a member.
-    pub(crate) fn goes_on(&self, member: usize) -> bool {
-        self.statement.members[member].pullout.is_some()
-    }
-
     /// What a row of bars takes from the soil along an edge; nothing of sheets and beams, which have faces.
     pub(crate) fn gripped(&self, on: &OnMember) -> Option<Gripped> {
         let grips = self.statement.members[on.piece.member].pullout.as_ref()?;

@@ -110,6 +110,7 @@ pub(super) fn numbers(problem: &Problem, field: &UpperField) -> Result<(), Certi
             };
             numbers.into_iter().try_for_each(|x| finite("velocity", place, x, ""))?;
         }
+        piece.slip.into_iter().try_for_each(|x| finite("slip", place, x, ""))?;
     }
     field.walls.iter().enumerate().try_for_each(|(i, x)| finite("value", || format!("wall {i}"), *x, ""))
 }

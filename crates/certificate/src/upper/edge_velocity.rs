@@ -98,10 +98,10 @@ impl VelocityField<'_> {
         }
     }
 
-    /// Whether the stream function and its slopes go on across an edge, on which there is no member that parts the soil: both triangles have it, with the same vertex
+    /// Whether the stream function and its slopes go on across an edge, on which there is no member: both triangles have it, with the same vertex
     /// copies at both ends of the edge; they also use the same slope across its middle then.
     pub(super) fn is_glued(&self, side: Side, other: Side) -> bool {
-        if self.tiling.member(side).is_some_and(|on| !self.problem.goes_on(on.piece.member)) {
+        if self.tiling.member(side).is_some() {
             return false;
         }
         let ends = |side: Side| match self.field.flows[side.triangle] {

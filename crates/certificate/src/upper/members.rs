@@ -4,10 +4,11 @@
 //! positive and `-compression dw` where it is negative. Along an edge `w` is quadratic: it goes up and down by no more than its
 //! Bernstein coefficients do, one after the other. Jumps between edges, and to what an end is attached to, count alike.
 //!
-//! Soil goes on between the bars of a row: its velocity `v` is one on both sides, and `w` is the bars' own. What they take from the soil,
-//! `dN/ds`, does the work `dN/ds (v - w)`, at most their resistance times the slip.
+//! Bars of a row slip in the soil right at them, whose velocity `z` is a choice of the flow as that of a sheet is; the soil beside may slide away
+//! from that on both sides, as in any layer of it. With `w` the velocity of the bars, what they take from the soil does the work `dN/ds (w -
+//! z)`, at most their resistance times the slip.
 //!
-//! Other members have faces. The soil slides past each under a flow rule of its own, that of a layer which bears a part of the soil's shear strength. Across,
+//! The soil slides past each face under a flow rule of its own, that of a layer which bears a part of the soil's shear strength. Across,
 //! a flexible member's velocity need not be continuous: it has no part in `w`. With `u` the velocity across of a beam, virtual work
 //! demands `int M d(u') + int V [u]`, at most the greatest moment times all changes of `u'` and the greatest shear force times all jumps of
 //! `u`. Along an edge `u` is quadratic, so `u'` changes there by the difference of its values at the ends.
@@ -146,7 +147,7 @@ impl VelocityField<'_> {
                 place: format!("member {}", edge.member()),
                 problem: "there is an edge whose motion is not given",
             })?;
-            pieces.push(self.member_edge(edge, flow.motion)?);
+            pieces.push(self.member_edge(edge, flow)?);
         }
         Ok(pieces)
     }
@@ -165,11 +166,7 @@ impl VelocityField<'_> {
     }
 
     /// How a member moves along an edge. Checks that the soil slides past it as its faces demand.
-    fn member_edge(
-        &self,
-        edge: &MemberEdge,
-        motion: [MemberMotion; 3],
-    ) -> Result<PieceFlow, CertificateError> {
+    fn member_edge(&self, edge: &MemberEdge, flow: &MemberFlow) -> Result<PieceFlow, CertificateError> {
         let ends = self.tiling.ends_on_member(edge);
         let length = (ends[1] - ends[0]).square().sqrt();
         let member = edge.member();
@@ -187,14 +184,11 @@ impl VelocityField<'_> {
             ));
         }
         let first = edge.first().unwrap_or(Side { triangle: 0, corner: 0 });
-        if let Some(gripped) = self.problem.gripped(&edge.on) {
-            return self.bar_edge(edge, gripped, motion);
-        }
         let mut own = EdgeVelocity { slip: [Interval::ZERO; 3], opening: [Interval::ZERO; 3] };
         // Whether the soil on either side goes along exactly, and across exactly.
         let mut along_exactly = [[false; 3]; 2];
         let mut across_exactly = [[false; 3]; 2];
-        for (i, motion) in motion.into_iter().enumerate() {
+        for (i, motion) in flow.motion.into_iter().enumerate() {
             let (along, across) = match motion {
                 MemberMotion::Soil => {
                     let one = edge.both().is_some_and(|[side, other]| self.is_one_soil(side, other, i));
@@ -246,50 +240,29 @@ impl VelocityField<'_> {
             beside = beside + self.bond(side, strength, bond, past)?;
             beside = beside + self.load_on_beam(side, if on == 0 { own } else { own.reversed() });
         }
-        let [along, across] = [own.slip, own.opening].map(|of| of.map(|x| x / length));
+        let [mut along, across] = [own.slip, own.opening].map(|of| of.map(|x| x / length));
+        if flow.slip != [0.0; 3] {
+            let slip = flow.slip.map(Interval::point);
+            beside = beside + self.slipped(edge, slip.map(|s| s * length))?;
+            along = [0, 1, 2].map(|i| along[i] + slip[i]);
+        }
         Ok(PieceFlow { member, ends, along, across, beside })
     }
 
-    /// How a row of bars moves along an edge, and what its slip in the soil takes up. Checks that the soil there moves as one: it goes
-    /// on between the bars.
-    fn bar_edge(
-        &self,
-        edge: &MemberEdge,
-        gripped: Gripped,
-        motion: [MemberMotion; 3],
-    ) -> Result<PieceFlow, CertificateError> {
-        let Some([side, other]) = edge.both() else {
-            let problem = "there must be soil on both sides of it";
-            return Err(CertificateError::BadField { place: format!("member {}", edge.member()), problem });
-        };
-        let is_one = self.is_glued(side, other) || (0..3).all(|i| self.is_one_soil(side, other, i));
-        if !is_one {
-            return Err(bad(side, "the soil is not proven to move as one on both sides of a bar"));
-        }
-        let ends = self.tiling.ends_on_member(edge);
-        let length = (ends[1] - ends[0]).square().sqrt();
-        let soil = self.slide(side);
-        let (mut along, mut slip) = (soil.slip, [Interval::ZERO; 3]);
-        for (i, motion) in motion.into_iter().enumerate() {
-            match motion {
-                MemberMotion::Soil => {}
-                MemberMotion::Along { along: own } => {
-                    along[i] = Interval::point(own) * length;
-                    slip[i] = along[i] - soil.slip[i];
-                }
-                MemberMotion::Free { .. } => {
-                    return Err(bad(side, "a bar moves across itself as the soil does"));
-                }
+    /// What slip of bars in the soil at them takes up, given times the length of the edge: it is at most the polynomial that has the sizes
+    /// of its coefficients.
+    fn slipped(&self, edge: &MemberEdge, slip: [Interval; 3]) -> Result<Power, CertificateError> {
+        let resistance = match self.problem.gripped(&edge.on) {
+            Some(Gripped::Free) => return Ok(Power::ZERO),
+            Some(Gripped::Partly(most) | Gripped::Whole(most)) => most,
+            None => {
+                return Err(CertificateError::BadField {
+                    place: format!("member {}", edge.member()),
+                    problem: "only bars between which the soil goes on slip in the soil at them",
+                });
             }
-        }
-        let resistance = match gripped {
-            Gripped::Free => [Interval::ZERO; 2],
-            Gripped::Partly(most) | Gripped::Whole(most) => most,
         };
-        // The slip is at most the quadratic polynomial that has the sizes of its coefficients.
-        let beside = Power::dissipated(means::over_edge(resistance, slip.map(Interval::abs)));
-        let [along, across] = [along, soil.opening].map(|of| of.map(|x| x / length));
-        Ok(PieceFlow { member: edge.member(), ends, along, across, beside })
+        Ok(Power::dissipated(means::over_edge(resistance, slip.map(Interval::abs))))
     }
 
     /// What loads do on a beam that lines the soil, given its velocity as the triangle goes.

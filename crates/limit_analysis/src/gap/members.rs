@@ -2,15 +2,15 @@
 
 use soilctl_certificate::{Bending, Side};
 
-use crate::fields::{Forces, StressField, VelocityField};
+use crate::fields::{Forces, MemberVelocity, StressField, VelocityField};
 use crate::members::{MemberEdge, beam_at_end, velocity_at_end};
 use crate::problem::Problem;
 use crate::vector::{Point, between, dot, length};
 
 /// Velocity of a member at the control points of an edge beside it, as the triangle there sees the edge, and the member's bond.
 pub(super) fn beside(problem: &Problem, velocity: &VelocityField, side: Side) -> Option<([Point; 3], f64)> {
-    let (edge, along, across) =
-        velocity.members.iter().find(|(edge, ..)| edge.faces().any(|face| face == side))?;
+    let MemberVelocity { edge, along, across, .. } =
+        velocity.members.iter().find(|piece| piece.edge.faces().any(|face| face == side))?;
     let t = edge.along();
     let mut control =
         [0, 1, 2].map(|i| [along[i] * t[0] - across[i] * t[1], along[i] * t[1] + across[i] * t[0]]);
@@ -49,24 +49,14 @@ fn taken(edge: &MemberEdge, forces: &Forces, s: f64) -> f64 {
     slope(edge, &forces.axial, s)
 }
 
-/// What slip of the soil along a row of bars takes up and their forces do not match.
-fn slipped(
-    problem: &Problem,
-    velocity: &VelocityField,
-    stress: &StressField,
-    (edge, along): (&MemberEdge, &[f64; 3]),
-) -> f64 {
-    let (Some(gripped), Some(side)) = (edge.gripped(&problem.members()[edge.member]), edge.sides[0]) else {
-        return 0.0;
-    };
-    let t = edge.along();
-    let nodes = [(side.corner + 1) % 3, 3 + side.corner, (side.corner + 2) % 3];
-    let soil = nodes.map(|node| dot(velocity.control[side.triangle][node], t));
-    let slip: [f64; 3] = std::array::from_fn(|i| along[i] - soil[i]);
+/// What slip of a row of bars in the soil takes up and their forces do not match.
+fn slipped(problem: &Problem, stress: &StressField, piece: &MemberVelocity) -> f64 {
+    let MemberVelocity { edge, slip, .. } = piece;
+    let Some(gripped) = edge.gripped(&problem.members()[edge.member]) else { return 0.0 };
     let [from, to] = gripped.most;
     let [a, b, c] = slip.map(f64::abs);
     let spent = edge.length() * (from * (3.0 * a + 2.0 * b + c) + to * (a + 2.0 * b + 3.0 * c)) / 12.0;
-    stress.part * spent - work_of(stress, edge, taken, |s| at(&slip, s))
+    stress.part * spent - work_of(stress, edge, taken, |s| at(slip, s))
 }
 
 fn moment(forces: &Forces, s: f64) -> f64 {
@@ -85,23 +75,25 @@ pub(super) fn add_shares(
     shares: &mut [f64],
 ) {
     let pieces = &velocity.members;
-    for (i, (edge, along, across)) in pieces.iter().enumerate() {
+    for (i, piece) in pieces.iter().enumerate() {
+        let MemberVelocity { edge, across, .. } = piece;
+        let along = &piece.own();
         let m = &problem.members()[edge.member];
         let spent =
             |change: f64| stress.part * (m.tension * change.max(0.0) + m.compression * (-change).max(0.0));
         let [a, b, c] = *along;
         let force = |place: f64| borne(stress, edge.member, place, axial);
         let mut share = spent(b - a) + spent(c - b) - work(stress, edge, axial, |s| slope(edge, along, s));
-        share += slipped(problem, velocity, stress, (edge, along));
         let jump = |change: f64, place: f64| spent(change) - change * force(place);
-        let is_of = |other: &&(MemberEdge, [f64; 3], [f64; 3])| other.0.member == edge.member;
+        share += slipped(problem, stress, piece);
+        let is_of = |other: &&MemberVelocity| other.edge.member == edge.member;
         let next = pieces.get(i + 1).filter(is_of);
         let is_first = i.checked_sub(1).and_then(|i| pieces.get(i)).filter(is_of).is_none();
         if is_first && let Some(v) = end_of_member(problem, velocity, edge.member, 0) {
             share += jump(a - v, edge.place[0]);
         }
         match next {
-            Some((_, next, _)) => share += jump(next[0] - c, edge.place[1]),
+            Some(next) => share += jump(next.own()[0] - c, edge.place[1]),
             None => {
                 if let Some(v) = end_of_member(problem, velocity, edge.member, 1) {
                     share += jump(v - c, edge.place[1]);
@@ -111,7 +103,7 @@ pub(super) fn add_shares(
         if let Some(most) = m.bending {
             // What clamps an end is at rest.
             let clamp = m.attached[1].then_some((0.0, 0.0));
-            let after = next.map(|(next, _, across)| (slope(next, across, 0.0), across[0])).or(clamp);
+            let after = next.map(|next| (slope(&next.edge, &next.across, 0.0), next.across[0])).or(clamp);
             share += bent(most, edge, across, after, stress);
             if is_first && m.attached[0] {
                 share += turned(most, edge, edge.place[0], [slope(edge, across, 0.0), across[0]], stress);
@@ -152,8 +144,8 @@ fn turned(most: Bending, edge: &MemberEdge, place: f64, [turn, step]: [f64; 2], 
 fn end_of_member(problem: &Problem, velocity: &VelocityField, member: usize, end: usize) -> Option<f64> {
     let Some(beam) = beam_at_end(problem, member, end) else { return velocity_at_end(problem, member, end) };
     let at = problem.member_ends(member)[end];
-    let (t, [along, across]) = velocity.members.iter().filter(|piece| piece.0.member == beam).find_map(
-        |(edge, along, across)| {
+    let (t, [along, across]) = velocity.members.iter().filter(|piece| piece.edge.member == beam).find_map(
+        |MemberVelocity { edge, along, across, .. }| {
             let i = if edge.ends[1] == at { 2 } else { 0 };
             (i == 2 || edge.ends[0] == at).then(|| (edge.along(), [along[i], across[i]]))
         },

@@ -197,8 +197,7 @@ impl Lower {
         }
         for (k, part) in stresses.iter().enumerate() {
             let Some(side) = topology.line[triangle][k] else { continue };
-            // What soil that goes on between bars hands to them is limited with their force.
-            if let Some(member) = problem.member_on(side.line).filter(|member| !problem.goes_on(*member)) {
+            if let Some(member) = problem.member_on(side.line) {
                 self.add_bond(&problem.members()[member], soil, part, &v, k, &scale);
             }
             let Some(condition) = problem.condition(side) else { continue };

@@ -7,7 +7,7 @@ use super::edge_velocity::EdgeVelocity;
 use super::nodes::Element;
 use super::strength::{Limit, over_edge};
 use super::{Builder, Edge, Side};
-use crate::members::{Gripped, MemberEdge, beam_at_end, member_edges, velocity_at_end};
+use crate::members::{MemberEdge, beam_at_end, member_edges, velocity_at_end};
 use crate::problem::Soil;
 use crate::vector::{Point, between, dot, length, midpoint, turned};
 
@@ -21,9 +21,11 @@ const ENOUGH_TO_STICK: f64 = 1e3;
 #[derive(Debug, Clone)]
 pub(crate) struct MemberPiece {
     pub(crate) edge: MemberEdge,
-    /// Bernstein coefficients of its velocity along itself and across, to its left.
+    /// Bernstein coefficients of its velocity along itself and across, to its left: of a row of bars, that of the soil right at them.
     pub(crate) along: [Form; 3],
     pub(crate) across: [Form; 3],
+    /// How much faster than that bars move along themselves.
+    pub(crate) slip: [Form; 3],
     kinds: [Kind; 3],
 }
 
@@ -32,12 +34,17 @@ pub(crate) struct MemberPiece {
 enum Kind {
     /// The soil, which is one on both sides.
     Soil,
-    /// Its part along; across it goes with soil that keeps its volume, or that goes on between bars.
+    /// Its part along; across it goes with soil that keeps its volume.
     Along,
     Free,
 }
 
 impl MemberPiece {
+    /// Its own velocity along itself.
+    fn own(&self) -> [Form; 3] {
+        [0, 1, 2].map(|i| self.along[i].clone().plus(1.0, &self.slip[i]))
+    }
+
     /// How fast a beam turns at the start and the end.
     fn turns(&self) -> [Form; 2] {
         let [a, b, c] = &self.across;
@@ -54,7 +61,8 @@ impl MemberPiece {
             }
         };
         let Side { triangle, corner } = self.edge.first();
-        MemberFlow { triangle, corner, motion: [0, 1, 2].map(motion) }
+        let slip = self.slip.each_ref().map(|slip| slip.value(x));
+        MemberFlow { triangle, corner, motion: [0, 1, 2].map(motion), slip }
     }
 }
 
@@ -81,7 +89,7 @@ impl Builder<'_> {
         let pieces: Vec<MemberPiece> = edges.into_iter().map(|edge| self.add_member_edge(edge)).collect();
         for (i, piece) in pieces.iter().enumerate() {
             let member = piece.edge.member;
-            let [a, b, c] = &piece.along;
+            let [a, b, c] = &piece.own();
             self.add_stretch(member, a, b);
             self.add_stretch(member, b, c);
             let [turns, turned] = piece.turns();
@@ -95,7 +103,7 @@ impl Builder<'_> {
             }
             match pieces.get(i + 1).filter(is_of) {
                 Some(next) => {
-                    self.add_stretch(member, c, &next.along[0]);
+                    self.add_stretch(member, c, &next.own()[0]);
                     let turn = next.turns()[0].clone().plus(-1.0, &turned);
                     self.add_bend(member, &turn, &next.across[0].clone().plus(-1.0, &piece.across[2]));
                 }
@@ -193,45 +201,38 @@ impl Builder<'_> {
         a == b || (is_still(a) && is_still(b))
     }
 
-    /// A row of bars: the soil is one on both sides, and slips along them.
-    fn add_bar_edge(&mut self, edge: MemberEdge, gripped: Gripped) -> MemberPiece {
-        let soil = self.slide(edge.first());
+    /// How bars of a row slip in the soil at them.
+    fn add_slip_of_bars(&mut self, edge: &MemberEdge) -> [Form; 3] {
+        let mut slip = [Form::default(), Form::default(), Form::default()];
+        let Some(gripped) = edge.gripped(&self.meshed.problem.members()[edge.member]) else { return slip };
         let region = self.meshed.mesh.triangles[edge.first().triangle].region;
         let length = edge.length();
         let stress = self.meshed.problem.stress_scale(region, midpoint(edge.ends[0], edge.ends[1]), length);
-        let sticks = gripped.most.into_iter().fold(f64::INFINITY, f64::min) > ENOUGH_TO_STICK * stress;
-        let costs = over_edge(gripped.most).map(|most| most * length / 3.0);
-        let kind = if sticks { Kind::Soil } else { Kind::Along };
-        let mut piece =
-            MemberPiece { edge, along: soil.slip.clone(), across: soil.opening, kinds: [kind; 3] };
-        if sticks {
-            return piece;
+        let [from, to] = gripped.most;
+        if from.min(to) > ENOUGH_TO_STICK * stress {
+            return slip;
         }
-        for (i, (along, cost)) in soil.slip.iter().zip(costs).enumerate() {
-            piece.along[i] = Form::unknown(self.program.unknown(), 1.0);
-            if cost == 0.0 {
-                continue;
+        for (slip, most) in slip.iter_mut().zip(over_edge(gripped.most)) {
+            *slip = Form::unknown(self.program.unknown(), 1.0);
+            if most > 0.0 {
+                let size = Form::unknown(self.program.unknown(), 1.0);
+                self.power.dissipate(most * length / 3.0, &size);
+                self.program.non_negative(size.clone().plus(1.0, slip));
+                self.program.non_negative(size.plus(-1.0, slip));
             }
-            let slip = piece.along[i].clone().plus(-1.0, along);
-            let most = Form::unknown(self.program.unknown(), 1.0);
-            self.power.dissipate(cost, &most);
-            self.program.non_negative(most.clone().plus(1.0, &slip));
-            self.program.non_negative(most.plus(-1.0, &slip));
         }
-        piece
+        slip
     }
 
     fn add_member_edge(&mut self, edge: MemberEdge) -> MemberPiece {
-        if let Some(gripped) = edge.gripped(&self.meshed.problem.members()[edge.member]) {
-            return self.add_bar_edge(edge, gripped);
-        }
         let soils = [
             edge.sides[0].map(|side| self.slide(side)),
             edge.sides[1].map(|side| self.slide(side).reversed()),
         ];
         let keeps = edge.sides.map(|side| side.is_some_and(|s| self.meshed.is_isochoric(s.triangle)));
         let empty = || [Form::default(), Form::default(), Form::default()];
-        let mut piece = MemberPiece { edge, along: empty(), across: empty(), kinds: [Kind::Soil; 3] };
+        let slip = self.add_slip_of_bars(&edge);
+        let mut piece = MemberPiece { edge, along: empty(), across: empty(), slip, kinds: [Kind::Soil; 3] };
         for i in 0..3 {
             if let Some(soil) = soils[0].as_ref().filter(|_| self.is_one_soil(&piece.edge, i)) {
                 piece.along[i] = soil.slip[i].clone();

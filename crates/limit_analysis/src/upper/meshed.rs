@@ -65,11 +65,8 @@ impl<'a> MeshedProblem<'a> {
             return Edge::Boundary(condition);
         }
         let Some(other) = self.topology.across[triangle][corner] else { return Edge::Glued };
-        if let Some(member) =
-            self.topology.line[triangle][corner].and_then(|l| self.problem.member_on(l.line))
-        {
-            // Soil goes on between the bars of a row.
-            return if self.problem.goes_on(member) { Edge::Glued } else { Edge::Member { other } };
+        if self.topology.line[triangle][corner].is_some_and(|l| self.problem.member_on(l.line).is_some()) {
+            return Edge::Member { other };
         }
         let [here, there] = [triangle, other.triangle].map(|t| self.mesh.triangles[t].region);
         let jump = |region| Edge::Jump { other, region };

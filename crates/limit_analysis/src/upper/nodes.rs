@@ -105,14 +105,14 @@ impl Elements {
     }
 }
 
-/// Vertex copies of triangles of soil without friction at both ends of the edges of members that part it, on the left and on the right.
+/// Vertex copies of triangles of soil without friction at both ends of the edges of members, on the left and on the right.
 fn across_members(
     meshed: &MeshedProblem,
     corners: impl Fn(usize) -> Option<[usize; 3]>,
 ) -> Vec<([usize; 2], usize)> {
     let mut pairs = Vec::new();
     for e in member_edges(meshed.problem, meshed.mesh, meshed.topology) {
-        let Some([side, other]) = e.both().filter(|_| !meshed.problem.goes_on(e.member)) else { continue };
+        let Some([side, other]) = e.both() else { continue };
         let (Some(left), Some(right)) = (corners(side.triangle), corners(other.triangle)) else { continue };
         for (i, j) in [(1, 2), (2, 1)] {
             pairs.push(([left[(side.corner + i) % 3], right[(other.corner + j) % 3]], e.line));
