@@ -174,9 +174,7 @@ fn tied_wall(member: MemberEntry) -> Description {
         objective: Aim::Structure { name: "wall".into(), direction: [-1.0, 0.0] },
         soils: vec![soil(30.0, 0.0, 18.0)],
         regions: vec![RegionEntry { name: None, soil: "soil".into(), polygon }],
-        boundaries: vec![
-            BoundaryEntry::on_sides(Kind::Fixed, &[Side::Bottom, Side::Right]),
-        ],
+        boundaries: vec![BoundaryEntry::on_sides(Kind::Fixed, &[Side::Bottom, Side::Right])],
         structures: vec![StructureEntry {
             name: "wall".into(),
             edge: vec![[0.0, 5.0], [0.0, 0.0]],

@@ -83,9 +83,9 @@ export class Form {
   }
 
   // One value, or one at each end of the line.
-  profile({key, label, unit}, id) {
+  profile({key, label, unit, empty = '0'}, id) {
     const value = this.of[key], ends = (Array.isArray(value) ? value : [value, undefined]).map(end => toField(end, unit));
-    const inputs = ['', '.end'].map((part, k) => html('input', {id: id + part, inputmode: 'decimal', autocomplete: 'off', value: ends[k] ?? '', placeholder: k ? 'the same' : '0',
+    const inputs = ['', '.end'].map((part, k) => html('input', {id: id + part, inputmode: 'decimal', autocomplete: 'off', value: ends[k] ?? '', placeholder: k ? 'the same' : empty,
       'aria-label': `${label} in ${named(unit)}${k ? ', at the end of the line if it differs' : ''}`, 'aria-describedby': `${id}.wrong`,
       input: () => {
         const found = inputs.map(input => input.value.trim() ? parse(input.value) : undefined);

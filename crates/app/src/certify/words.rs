@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_certificate::{
-    Anisotropy, Bending, Condition, Envelope, LineUse, Linear, Material, Member, Objective, Region, Scale,
-    Statement, StrengthLine,
+    Anisotropy, Bending, Condition, Envelope, Grip, LineUse, Linear, Material, Member, Objective, Region,
+    Scale, Statement, StrengthLine,
 };
 
 /// Most lines of one kind; of the others their number is told.
@@ -146,7 +146,7 @@ fn side(statement: &Statement, side: LineUse) -> String {
 
 /// From where to where a member goes, and what it bears.
 fn member(statement: &Statement, member: &Member) -> String {
-    let Member { path, tension, compression, bond, attached, bending, name: _ } = member;
+    let Member { path, tension, compression, bond, attached, bending, pullout, name: _ } = member;
     let end = |side: Option<&LineUse>, i: usize| {
         let line = side.and_then(|side| Some(statement.lines.get(side.line)?.walked(side.forward)[i]));
         line.map_or_else(|| "a line that is missing".to_owned(), |point| place(statement, point))
@@ -163,12 +163,35 @@ fn member(statement: &Statement, member: &Member) -> String {
         }
         None => String::new(),
     };
+    let held = match pullout {
+        Some(grips) => format!("bars between which the soil goes on, {}", gripped(path, grips)),
+        None => format!("faces bear {bond} times the shear strength of the soil beside them"),
+    };
     format!(
-        "from {} to {}: tension up to {tension}, compression up to {compression}{bending}, faces bear {bond} times the shear strength of \
-         the soil beside them, {attached}",
+        "from {} to {}: tension up to {tension}, compression up to {compression}{bending}, {held}, {attached}",
         end(path.first(), 0),
         end(path.last(), 1)
     )
+}
+
+/// What bars bear of the soil along the lines of their path, from their start to their end.
+fn gripped(path: &[LineUse], grips: &[Grip]) -> String {
+    let piece = |(walk, grip): (&LineUse, &Grip)| {
+        let Grip { resistance: [mut a, mut b], part: [mut from, mut to] } = *grip;
+        if !walk.forward {
+            (a, b, from, to) = (b, a, 1.0 - to, 1.0 - from);
+        }
+        let values = if a == b { a.to_string() } else { format!("{a} to {b}") };
+        let part = if [from, to] == [0.0, 1.0] {
+            String::new()
+        } else {
+            format!(" between {} and {} of the line's length", plain(from), plain(to))
+        };
+        format!("{values}{part}")
+    };
+    let mut pieces: Vec<String> = path.iter().zip(grips).map(piece).collect();
+    pieces.dedup();
+    format!("held by {} over their length", pieces.join(", then "))
 }
 
 fn linear(value: Linear) -> String {

@@ -11,7 +11,9 @@ const PLATE_M: f64 = 100.0;
 const GROUND_M: f64 = 5000.0;
 /// Greatest strength of a bar or sheet for each metre of width, kN/m: strong geogrids and rows of anchors bear less.
 const MEMBER_KN_PER_M: f64 = 5000.0;
-/// Bars and sheets whose faces bear less than this share of the soil's strength are planes of weakness in it.
+/// Greatest pullout resistance of a row of bars for each metre of bar, kN/m2: rows of grouted anchors in dense soil hold less.
+const PULLOUT_KN_PER_M2: f64 = 500.0;
+/// Sheets whose faces bear less than this share of the soil's strength are planes of weakness in it.
 const PARTS: f64 = 0.5;
 /// Greatest bending moment of a beam for each metre of width, kNm/m: the strongest combined walls bear less.
 const MOMENT_KNM_PER_M: f64 = 1e4;
@@ -86,11 +88,21 @@ fn of_one(d: &Description) -> Vec<String> {
                 member.name
             )
         }));
+        let pullout =
+            member.pullout_kn_per_m2.map_or(0.0, |profile| profile.ends().into_iter().fold(0.0, f64::max));
+        all.push((pullout > PULLOUT_KN_PER_M2).then(|| {
+            let (pullout, most) = (number(pullout), number(PULLOUT_KN_PER_M2));
+            format!(
+                "member {:?}: its pullout_kn_per_m2 is {pullout}; rows of bars hold few more than {most}: is it the stress on the skin, or not \
+                 over the spacing?",
+                member.name
+            )
+        }));
         let parts = member.bond_factor < PARTS && member.moment_knm_per_m.is_none();
         all.push(parts.then(|| {
             format!(
-                "member {:?}: its bond_factor is {}: it parts the soil as a smooth sheet does, whose faces bear that share of the soil's strength; the \
-                 soil between the rods of a row is not parted, and holds more than is proven here",
+                "member {:?}: its bond_factor is {}: it parts the soil as a smooth sheet does, whose faces bear that share of the soil's strength; if \
+                 it is a row of bars, between which the soil goes on, give pullout_kn_per_m2 instead",
                 member.name,
                 number(member.bond_factor)
             )
@@ -275,7 +287,11 @@ mod tests {
         let cut = include_str!("../../../../data/problems/reinforced_cut.toml");
         assert_eq!(notes_of_text(cut), Vec::<String>::new());
         let found = notes_of_text(&cut.replacen("bond_factor = 0.8", "bond_factor = 0.2", 1));
-        assert!(found.len() == 1 && found[0].contains("parts the soil"), "{found:?}");
+        assert!(found.len() == 1 && found[0].contains("give pullout_kn_per_m2 instead"), "{found:?}");
+        let bars = |pullout: &str| notes_of_text(&cut.replacen("bond_factor = 0.8", pullout, 1));
+        assert_eq!(bars("pullout_kn_per_m2 = 10"), Vec::<String>::new());
+        let found = bars("pullout_kn_per_m2 = [10, 900]");
+        assert!(found.len() == 1 && found[0].contains("pullout_kn_per_m2 is 900"), "{found:?}");
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_certificate::Linear;
-use soilctl_limit_analysis::describe::{Case, MemberEnd, MemberEntry};
+use soilctl_limit_analysis::describe::{Case, MemberEnd, MemberEntry, Profile};
 use soilctl_limit_analysis::{Described, Description, LimitError};
 
 use super::{Asked, BoundaryKind, SeepageAnswer};
@@ -131,6 +131,11 @@ pub struct CheckedMember {
     pub compressive_kn_per_m: f64,
     /// What each face bears of the shear strength of the soil beside it.
     pub bond_factor: f64,
+    /// What the soil that goes on between a row of bars hands to each metre, at the start and the end; null for sheets and beams, which
+    /// have faces.
+    pub pullout_kn_per_m2: Option<[f64; 2]>,
+    /// Length from the start along which it hands bars nothing.
+    pub free_length_m: f64,
     /// Whether its start and its end are attached to what is there, and so may bear a force.
     pub attached: [bool; 2],
     /// Greatest bending moment that a beam bears; null for a bar or a sheet.
@@ -141,13 +146,14 @@ pub struct CheckedMember {
 
 impl CheckedMember {
     fn new(member: &MemberEntry) -> Self {
-        let [a, b] = [0, 1].map(|i| member.line.get(i).copied().unwrap_or_default());
         Self {
             name: member.name.clone(),
-            length_m: (b[0] - a[0]).hypot(b[1] - a[1]),
+            length_m: member.length_m(),
             tensile_kn_per_m: member.tensile_kn_per_m,
             compressive_kn_per_m: member.compressive_kn_per_m,
             bond_factor: member.bond_factor,
+            pullout_kn_per_m2: member.pullout_kn_per_m2.map(Profile::ends),
+            free_length_m: member.free_length_m,
             attached: [MemberEnd::Start, MemberEnd::End].map(|end| member.attached.contains(&end)),
             moment_knm_per_m: member.moment_knm_per_m,
             shear_kn_per_m: member.shear_kn_per_m,

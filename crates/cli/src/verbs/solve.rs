@@ -174,6 +174,7 @@ impl Words for check::Answer {
                 "compression kN/m",
                 "moment kNm/m",
                 "bond",
+                "pullout kN/m2",
                 "attached",
             ]
             .map(str::to_owned);
@@ -186,7 +187,19 @@ impl Words for check::Answer {
                     [true, true] => "start, end",
                 };
                 let numbers = [m.length_m, m.tensile_kn_per_m, m.compressive_kn_per_m].map(number);
-                let rest = [number_or_dash(m.moment_knm_per_m), number(m.bond_factor), attached.to_owned()];
+                let bond = if m.pullout_kn_per_m2.is_some() { "-".to_owned() } else { number(m.bond_factor) };
+                let pullout = match m.pullout_kn_per_m2 {
+                    None => "-".to_owned(),
+                    Some(_) if m.free_length_m > 0.0 => {
+                        format!(
+                            "{} from {} m",
+                            m.pullout_kn_per_m2.map_or_else(String::new, span),
+                            number(m.free_length_m)
+                        )
+                    }
+                    Some(ends) => span(ends),
+                };
+                let rest = [number_or_dash(m.moment_knm_per_m), bond, pullout, attached.to_owned()];
                 rows.push([&[m.name.clone()][..], &numbers, &rest].concat());
             }
             text += "\n";

@@ -2,7 +2,7 @@
 
 use soilctl_app::solve::BoundaryKind;
 use soilctl_app::text::{line_force_unit, moment_unit, number};
-use soilctl_certificate::{Boundary, Condition, LineUse, Material, Member, Objective, Statement};
+use soilctl_certificate::{Boundary, Condition, Grip, LineUse, Material, Member, Objective, Statement};
 use soilctl_figure::Polygon;
 use soilctl_limit_analysis::results::{Point, Units};
 
@@ -85,11 +85,26 @@ fn members(
                 let [moment, unit] = moment_words(units, bending.moment);
                 format!("beam: {moment} {unit}{bond}")
             }
-            None => format!("member: {} {unit}{compression}{bond}", force(m.tension)),
+            None => match &m.pullout {
+                Some(grips) => {
+                    let grip = gripped(grips, |x| number(round(units.stress * x)));
+                    format!("bars: {} {unit}{compression}, {grip} {}", force(m.tension), units.stress_name)
+                }
+                None => format!("member: {} {unit}{compression}{bond}", force(m.tension)),
+            },
         };
         Some((words, ends))
     };
     statement.members.iter().filter_map(of).collect()
+}
+
+/// The pullout resistance of bars, from the least to the greatest.
+fn gripped(grips: &[Grip], number: impl Fn(f64) -> String) -> String {
+    let all = || grips.iter().flat_map(|grip| grip.resistance);
+    let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
+    let is_free = low < high || grips.iter().any(|grip| grip.part != [0.0, 1.0]);
+    let up_to = if is_free { "up to " } else { "" };
+    format!("pullout {up_to}{}", number(high))
 }
 
 fn moment_words(units: &Units, moment: f64) -> [String; 2] {

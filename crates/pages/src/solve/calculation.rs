@@ -71,7 +71,9 @@ fn assumptions(found: &Solved) -> Vec<(&'static str, String)> {
     all.push(("Safety", match (found.cases.is_empty(), found.answer.quantity) {
         (false, _) => "partial factors are those of the load cases above, and no others".to_owned(),
         (true, Asked::FactorOfSafety) => {
-            "the factor divides cohesion and the tangent of the friction angle; no partial factors were applied".to_owned()
+            let bars = description.members.iter().any(|member| member.pullout_kn_per_m2.is_some());
+            let pullout = if bars { ", and the pullout resistance of bars" } else { "" };
+            format!("the factor divides cohesion and the tangent of the friction angle{pullout}; no partial factors were applied")
         }
         (true, Asked::ForceKnPerM | Asked::LoadFactor | Asked::WeightFactor | Asked::AccelerationOverG) => {
             "values are as given; no partial factors were applied".to_owned()
