@@ -253,6 +253,24 @@
 //! multiple of the edge's normal ([`StreamJet::Slip`], [`StreamJet::SlipAtWall`]): the stream function and its slope along the edge are one on both sides, so nothing passes
 //! through the edge, and what slips along it dissipates as in any other layer.
 //!
+//! *Bars in rows* ([`Member::pullout`]): the soil goes on between them. In plane strain they are smeared over their spacing; what stands for the
+//! soil's grip on them is a greatest force `q` for each length, along themselves and either way, whatever the stress beside them is. They have no faces. With
+//! `s` their slip, so that they move at `z + s` along themselves, where `z` is a velocity that the flow chooses for the soil right at them,
+//!
+//! ```text
+//! balance             T(left) + T(right) = t dN/ds,    |dN/ds| <= q;    stresses on either side are limited by the soil's own strength alone
+//! virtual work        N(end) w(end) - N(start) w(start) - int T . v  =  int N dw + int dN/ds s - int T . (v - z),    w = t . z + s,  both sides
+//! dissipation         int max(tension dw, -compression dw) + int q |s| + that of a layer of the soil on each side, between its velocity v and z
+//! ```
+//!
+//! The traction on each side is one that the soil there bears, so a layer of it dissipates no less than `-T . (v - z)`, as beside a sheet whose `bond` is
+//! one. Soil that moves as one has `v = z` on both sides and dissipates nothing there. So a row of bars bears no less than the ground without
+//! it (`N = 0`), no more the less it is held, and at most what a sheet does whose `bond` is one, which is the case of boundless `q`.
+//!
+//! `N` is quadratic along an edge, so `dN/ds` is linear, as `q` is: it is within `q` if it is at both ends. Where `q` is zero, or not given on all of an
+//! edge, `N` is one number along it: both kinks are the same multiple of the normal of one line, and the slope across the middle on the right is made of
+//! that on the left and `N`. The kinematic side takes the full `q` on such an edge. `|s|` is at most the quadratic polynomial with the sizes of its coefficients.
+//!
 //! A *beam* is a member with [`Bending`]. It bears a moment and a shear force besides, `|M| <= moment`, `|V| <= shear`, whatever its other
 //! forces are, and is stiff across itself. With `T` as above, `u` its velocity to its left, and the load on its other side in place of
 //! `T` where it [lines](Condition::Lined) the soil,

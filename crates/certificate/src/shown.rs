@@ -50,11 +50,11 @@ pub struct ShownMember {
     pub ends: [[f64; 2]; 2],
     /// A quadratic polynomial along it, as Bernstein coefficients: of the axial force, or of the member's velocity along itself.
     pub along: [f64; 3],
-    /// What a beam does across itself.
+    /// What a beam does across itself, or how bars slip in the soil.
     pub across: Option<ShownAcross>,
 }
 
-/// What a beam does across itself along a triangle edge: Bernstein coefficients.
+/// What a beam does across itself along a triangle edge, or how bars slip there: Bernstein coefficients.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShownAcross {
     /// In a stress field: cubic and quadratic.
@@ -66,6 +66,8 @@ pub enum ShownAcross {
     },
     /// In a flow, its velocity to its left: quadratic. The beam yields where the slope of this changes.
     Velocity([f64; 3]),
+    /// In a flow, how much faster bars of a row move along themselves than the soil at them, where that holds on to them: quadratic.
+    Slip([f64; 3]),
 }
 
 /// A flow in plain numbers. Edge `k` of a triangle lies opposite to corner `k`.
@@ -142,10 +144,14 @@ pub fn show_flow(statement: &Statement, field: &UpperField) -> Result<ShownFlow,
             }
             pieces.push(found);
         }
-        let velocities = along?.into_iter().zip(tiling.along_members()).map(|([along, across], edge)| {
-            let bends = statement.members[edge.member()].bending.is_some();
-            (along, bends.then(|| ShownAcross::Velocity(across.map(Interval::middle))))
-        });
+        let velocities =
+            along?.into_iter().zip(tiling.along_members()).map(|([along, across, slip], edge)| {
+                let member = &statement.members[edge.member()];
+                let velocity = || ShownAcross::Velocity(across.map(Interval::middle));
+                let slips = || ShownAcross::Slip(slip.map(Interval::middle));
+                let bent = member.bending.is_some().then(velocity);
+                (along, bent.or_else(|| member.pullout.is_some().then(slips)))
+            });
         let members = members(tiling, velocities.collect(), "velocity of a member", "velocity")?;
         Ok(ShownFlow { corners: corners(tiling), adjoins: adjoins(tiling), pieces, members })
     })?
@@ -165,7 +171,7 @@ fn members(
         let numbers = match across {
             None => Vec::new(),
             Some(ShownAcross::Forces { moment, shear }) => moment.into_iter().chain(shear).collect(),
-            Some(ShownAcross::Velocity(velocity)) => velocity.to_vec(),
+            Some(ShownAcross::Velocity(velocity) | ShownAcross::Slip(velocity)) => velocity.to_vec(),
         };
         for x in along.into_iter().chain(numbers) {
             finite(quantity, || format!("member {}", edge.member()), x, unit)?;

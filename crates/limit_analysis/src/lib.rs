@@ -52,7 +52,9 @@
 //!
 //! Bars and sheets bear an axial force `N` along a line. In the static program the slope of `f` across the line jumps by `N`, which is bounded by two rows for
 //! each Bernstein coefficient; in the kinematic one the member has a velocity along itself, soil may slide on both sides, and each rise of
-//! the velocity costs the tension that is borne, each fall the compression. [`soilctl_certificate`] states both.
+//! the velocity costs the tension that is borne, each fall the compression. Where the soil goes on between the bars of a row, what `N` grows by along
+//! the line is bounded by two rows at each end of an edge, and in the kinematic program bars slip in the soil at them, at the cost of their
+//! pullout resistance. [`soilctl_certificate`] states all of it.
 //!
 //! # Duality, and the gap
 //!

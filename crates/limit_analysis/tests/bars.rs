@@ -168,12 +168,17 @@ fn a_bar_helps_a_cut_by_no_more_than_a_wedge_says_and_never_weakens_it() {
 
 /// A smooth wall of 5 m that moves away from sand, tied to the ground behind by a bar that the sand hands nothing, or anchored in it.
 fn tied_wall(member: MemberEntry) -> Description {
-    let polygon = vec![[0.0, 0.0], [10.0, 0.0], [10.0, 5.0], [0.0, 5.0]];
+    // The sand is cut in two upright, so that bars go along two lines.
+    let region = |[left, right]: [f64; 2]| RegionEntry {
+        name: None,
+        soil: "soil".into(),
+        polygon: vec![[left, 0.0], [right, 0.0], [right, 5.0], [left, 5.0]],
+    };
     Description {
         default_boundary: Some(Kind::Free),
         objective: Aim::Structure { name: "wall".into(), direction: [-1.0, 0.0] },
         soils: vec![soil(30.0, 0.0, 18.0)],
-        regions: vec![RegionEntry { name: None, soil: "soil".into(), polygon }],
+        regions: vec![region([0.0, 2.0]), region([2.0, 10.0])],
         boundaries: vec![BoundaryEntry::on_sides(Kind::Fixed, &[Side::Bottom, Side::Right])],
         structures: vec![StructureEntry {
             name: "wall".into(),

@@ -185,6 +185,30 @@ fn slopes_with_a_bar_are_no_weaker_for_a_stronger_one() {
     }
 }
 
+/// Without bars, with bars between which the soil goes on and that hold better and better, and with a sheet that sticks.
+#[test]
+fn slopes_are_no_weaker_for_bars_that_hold_better() {
+    for case in 0..cases(1) {
+        let mut seed = 3000 + case;
+        let with = |pullout: Option<Profile>, free_length_m: f64| {
+            let mut it = slope(3000 + case, 50.0);
+            let member = &mut it.members[0];
+            (member.bond_factor, member.pullout_kn_per_m2) = (1.0, pullout);
+            member.free_length_m = free_length_m * member.length_m();
+            it
+        };
+        let [free, at_start, at_end] = [0.6, 20.0, 20.0].map(|most| most * drawn(&mut seed));
+        let grip = |times: f64| Some(Profile::Linear([times * at_start, times * at_end]));
+        let bare = Description { members: Vec::new(), ..with(None, 0.0) };
+        let all = [bare, with(grip(1.0), free), with(grip(3.0), free), with(grip(3.0), 0.0), with(None, 0.0)];
+        let all = all.map(|it| bounds(&it, 600));
+        for (i, [lower, upper]) in all.into_iter().enumerate() {
+            assert!(lower <= upper, "{case}, {i}: {lower} {upper}");
+            assert!(all[..i].iter().all(|weaker| weaker[0] <= upper), "{case}, {i}: {all:?}");
+        }
+    }
+}
+
 #[test]
 fn walls_are_no_weaker_for_more_of_each_strength() {
     for case in 0..cases(1) {

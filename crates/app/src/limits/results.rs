@@ -84,6 +84,8 @@ pub struct MemberAnswer {
     pub gets_longer: Option<f64>,
     /// What it gets shorter, likewise.
     pub gets_shorter: Option<f64>,
+    /// The greatest speed at which bars of a row slip in the soil in that flow, likewise: near one where they are pulled out. Null for sheets and beams.
+    pub slip: Option<f64>,
     /// How a beam bends; null for a bar or a sheet.
     pub bending: Option<BendingAnswer>,
 }
@@ -142,7 +144,22 @@ impl BendingAnswer {
     }
 }
 
+/// Bars that slip in the soil by less than this part of the speed that others are compared with move along with it.
+const SLIPS: f64 = 0.05;
+
 impl MemberAnswer {
+    /// How it yields in the flow of the upper bound, in words.
+    #[must_use]
+    pub fn yields(&self) -> &'static str {
+        let Some((longer, shorter)) = self.gets_longer.zip(self.gets_shorter) else { return "-" };
+        match (longer + shorter > 0.0, self.slip.is_some_and(|slip| slip > SLIPS)) {
+            (false, false) => "no",
+            (true, false) => "stretches",
+            (false, true) => "slips",
+            (true, true) => "stretches, slips",
+        }
+    }
+
     /// All members of what fields show.
     fn all(fields: &Fields) -> Result<Vec<Self>, AppError> {
         let units = &fields.units;
@@ -178,6 +195,7 @@ impl MemberAnswer {
                 }),
                 gets_longer: stretch.map(|s| s.longer / speed),
                 gets_shorter: stretch.map(|s| s.shorter / speed),
+                slip: stretch.and_then(|s| s.slip).map(|slip| slip / speed),
                 bending,
             }
         };

@@ -37,6 +37,8 @@ struct PieceFlow {
     /// Velocities along itself and across, to its left: Bernstein coefficients.
     along: [Interval; 3],
     across: [Interval; 3],
+    /// How much faster bars move along themselves than the soil at them, where that holds on to them.
+    slip: [Interval; 3],
     /// What soil dissipates that slides past there, less the power of loads on the other side of a beam.
     beside: Power,
 }
@@ -152,9 +154,10 @@ impl VelocityField<'_> {
         Ok(pieces)
     }
 
-    /// How all members move, edge by edge: along themselves and across.
-    pub(super) fn along_members(&self) -> Result<Vec<[[Interval; 3]; 2]>, CertificateError> {
-        Ok(self.pieces_of_members()?.into_iter().map(|piece| [piece.along, piece.across]).collect())
+    /// How all members move, edge by edge: along themselves and across, and how bars slip.
+    pub(super) fn along_members(&self) -> Result<Vec<[[Interval; 3]; 3]>, CertificateError> {
+        let motion = |piece: PieceFlow| [piece.along, piece.across, piece.slip];
+        Ok(self.pieces_of_members()?.into_iter().map(motion).collect())
     }
 
     /// What a member dissipates where its velocity along itself changes.
@@ -241,12 +244,15 @@ impl VelocityField<'_> {
             beside = beside + self.load_on_beam(side, if on == 0 { own } else { own.reversed() });
         }
         let [mut along, across] = [own.slip, own.opening].map(|of| of.map(|x| x / length));
+        let mut slip = flow.slip.map(Interval::point);
         if flow.slip != [0.0; 3] {
-            let slip = flow.slip.map(Interval::point);
             beside = beside + self.slipped(edge, slip.map(|s| s * length))?;
             along = [0, 1, 2].map(|i| along[i] + slip[i]);
         }
-        Ok(PieceFlow { member, ends, along, across, beside })
+        if matches!(self.problem.gripped(&edge.on), Some(Gripped::Free)) {
+            slip = [Interval::ZERO; 3];
+        }
+        Ok(PieceFlow { member, ends, along, across, slip, beside })
     }
 
     /// What slip of bars in the soil at them takes up, given times the length of the edge: it is at most the polynomial that has the sizes

@@ -53,8 +53,8 @@ pub fn prove_upper(statement: &Statement, field: &UpperField) -> Result<f64, Cer
 /// A polynomial velocity on a triangle: its corners, then its control points at corners and edges.
 pub(crate) type Piece = ([Vector; 3], [Vector; 6]);
 
-/// Velocities of members along themselves and across on their edges, in the order of [`Tiling::along_members`].
-pub(crate) type MemberVelocities = Result<Vec<[[Interval; 3]; 2]>, CertificateError>;
+/// Velocities of members along themselves and across on their edges, and the slip of bars, in the order of [`Tiling::along_members`].
+pub(crate) type MemberVelocities = Result<Vec<[[Interval; 3]; 3]>, CertificateError>;
 
 /// Velocities on the pieces of each triangle, and of members, on a checked mesh. No flow rule is checked.
 pub(crate) fn piece_velocities<T>(

@@ -200,21 +200,17 @@ pub(crate) fn results_text(results: &ResultsAnswer) -> String {
             format!("bears, {force}"),
             "greatest tension".into(),
             "used, %".into(),
-            "stretches".into(),
+            "yields".into(),
         ];
         let mut rows = vec![header.to_vec()];
         for m in &results.members {
             let known = |x: Option<f64>| x.map_or_else(|| "-".into(), |x| number(rounded(x)));
-            let yields = m
-                .gets_longer
-                .zip(m.gets_shorter)
-                .map_or("-", |(longer, shorter)| if longer + shorter > 0.0 { "yes" } else { "no" });
             rows.push(vec![
                 m.name.clone(),
                 number(rounded(m.tensile_strength)),
                 known(m.greatest_tension),
                 known(m.utilisation.map(|used| 100.0 * used)),
-                yields.to_owned(),
+                m.yields().to_owned(),
             ]);
         }
         text += &columns(&rows);

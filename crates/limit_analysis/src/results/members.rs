@@ -80,6 +80,8 @@ pub struct MemberStretch {
     pub longer: f64,
     /// What it gets shorter, likewise.
     pub shorter: f64,
+    /// The greatest speed at which bars of a row slip in the soil at them, where that holds on to them; nothing of other members.
+    pub slip: Option<f64>,
     /// Where a beam bends: distances from its start, and how fast it turns there (velocity over length).
     pub hinges: Course,
 }
@@ -159,7 +161,12 @@ impl FlowResults {
                 from += length;
             }
             let kept = |x: f64| if x > least { x } else { 0.0 };
-            MemberStretch { member, longer: kept(longer), shorter: kept(shorter), hinges }
+            let slips = edges.iter().filter_map(|edge| match edge.across {
+                Some(ShownAcross::Slip(slip)) => Some([0.0, 0.5, 1.0].map(|s| polynomial(slip, s).abs())),
+                Some(ShownAcross::Velocity(_) | ShownAcross::Forces { .. }) | None => None,
+            });
+            let slip = slips.flatten().reduce(f64::max);
+            MemberStretch { member, longer: kept(longer), shorter: kept(shorter), slip, hinges }
         };
         (0..self.statement.members.len()).map(of).collect()
     }
@@ -172,7 +179,7 @@ fn turn(edge: &ShownMember, next: Option<&ShownMember>) -> [f64; 2] {
             let by = 2.0 / distance(edge.ends[0], edge.ends[1]);
             Some([by * (b - a), by * (c - b)])
         }
-        Some(ShownAcross::Forces { .. }) | None => None,
+        Some(ShownAcross::Forces { .. } | ShownAcross::Slip(_)) | None => None,
     };
     let Some([start, end]) = slopes(edge) else { return [0.0; 2] };
     [end - start, next.and_then(slopes).map_or(0.0, |[next, _]| next - end)]

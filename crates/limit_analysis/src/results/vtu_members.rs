@@ -32,7 +32,7 @@ pub fn write_members_vtu(stress: &StressResults, units: &Units) -> Result<Option
                     Some(ShownAcross::Forces { moment, shear }) => {
                         [polynomial(shear, s), polynomial(moment, s)]
                     }
-                    Some(ShownAcross::Velocity(_)) | None => [0.0; 2],
+                    Some(ShownAcross::Velocity(_) | ShownAcross::Slip(_)) | None => [0.0; 2],
                 };
                 axial.push(force * polynomial(edge.along, s));
                 shear.push(force * across);

@@ -165,22 +165,17 @@ fn members(page: &mut HtmlReport, fields: &Fields, results: &ResultsAnswer) -> R
     let cell = |x: f64| number(round(x));
     let known = |x: Option<f64>| x.map_or_else(|| "–".into(), cell);
     for m in &results.members {
-        let yields = match m.gets_longer.zip(m.gets_shorter) {
-            Some((longer, shorter)) if longer + shorter > 0.0 => "yes",
-            Some(_) => "no",
-            None => "–",
-        };
         table.row([
             m.name.clone(),
             cell(m.tensile_strength),
             known(m.greatest_tension),
             known(m.greatest_tension_at),
             known(m.utilisation.map(|used| 100.0 * used)),
-            yields.to_owned(),
+            m.yields().to_owned(),
         ])?;
     }
     page.table(table).paragraph(
-        "A member yields where the flow of the upper bound stretches it. The forces are those of one field that proves the lower bound; \
+        "A member yields where the flow of the upper bound stretches it, or where it slips in the soil as bars do that are pulled out. The forces are those of one field that proves the lower bound; \
          others may prove it too.",
     );
     beams(page, fields, results)
