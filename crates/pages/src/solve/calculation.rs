@@ -68,6 +68,10 @@ fn assumptions(found: &Solved) -> Vec<(&'static str, String)> {
         all.push(("Bars and sheets", "bear forces along themselves alone, up to the given strengths, which are design values: no factor divides \
                                       them".to_owned()));
     }
+    if description.members.iter().any(|member| member.pullout_kn_per_m2.is_some()) {
+        all.push(("Bars in rows", "smeared over their spacing: the soil goes on between them, and hands them no more than the given pullout resistance, \
+                                   whatever the stress on them is; their bending and shearing off is not examined".to_owned()));
+    }
     all.push(("Safety", match (found.cases.is_empty(), found.answer.quantity) {
         (false, _) => "partial factors are those of the load cases above, and no others".to_owned(),
         (true, Asked::FactorOfSafety) => {
