@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use soilctl_certificate::{
-    CertificateError, Grip, Member, MemberMotion, Statement, prove_lower, prove_upper,
+    CertificateError, Grip, Jet, Member, MemberMotion, Statement, prove_lower, prove_upper,
 };
 use soilctl_limit_analysis::describe::{
     Aim, BoundaryEntry, Kind, MemberEnd, MemberEntry, Profile, RegionEntry, Side, SoilEntry, StructureEntry,
@@ -235,6 +235,17 @@ fn altered_bars_are_refused() {
     assert!(prove_lower(&with(1.0, 0.5), lower).is_err());
     assert!(prove_lower(&with(1.0, 0.0), lower).is_ok());
     assert!(prove_upper(&with(1.0, 0.0), upper).unwrap() > 1.3 * found.upper.value);
+    // The force is one number along the free length, of which nothing may be taken; elsewhere it may be what it is.
+    let mut field = lower.clone();
+    let free = 1.0 / it.described().unwrap().length_m;
+    let is_free = |x: f64| 0.0 < x && x < free;
+    let places: Vec<f64> = field.mesh.vertices.iter().map(|vertex| vertex.position[0]).collect();
+    let kink = field.copies.iter_mut().find_map(|copy| match &mut copy.jet {
+        Jet::Kinked { jump, .. } if is_free(places[copy.vertex]) => Some(jump),
+        _ => None,
+    });
+    *kink.unwrap() *= 1.0 + 1e-12;
+    assert!(matches!(prove_lower(statement, &field), Err(CertificateError::BadField { .. })));
     // A sheet has faces, on which the soil would have to slide.
     let mut sheet = statement.clone();
     sheet.members[0].pullout = None;

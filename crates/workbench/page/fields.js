@@ -46,7 +46,7 @@ export const ENTRY = {
     text('name', 'Name'), number('tensile_kn_per_m', 'Tension at most', 'kN/m'), number('compressive_kn_per_m', 'Compression at most', 'kN/m', {zero: true}),
     number('bond_factor', 'Bond over strength of soil', '', {optional, help: '1 if not said', only: of => of.pullout_kn_per_m2 === undefined}),
     {key: 'pullout_kn_per_m2', label: 'Pullout resistance, if soil goes on between bars', unit: 'kPa', kind: 'profile', empty: 'a sheet', only: of => of.moment_knm_per_m === undefined},
-    number('free_length_m', 'Free length from the start', 'm', {zero: true, only: of => of.pullout_kn_per_m2 !== undefined}),
+    number('free_length_m', 'Free length from the start', 'm', {zero: true, only: of => of.pullout_kn_per_m2 !== undefined || of.free_length_m !== undefined}),
     {key: 'attached', label: 'Attached ends', kind: 'words', options: ['start', 'end']},
     number('moment_knm_per_m', 'Bending moment at most', 'kNm/m', {optional, help: 'a beam, if it is said; with a shear force'}),
     number('shear_kn_per_m', 'Shear force at most', 'kN/m', {optional}),

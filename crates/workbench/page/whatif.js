@@ -27,7 +27,8 @@ function things(problem) {
   });
   const ys = shapes(problem).flatMap(shape => shape.points.map(p => p[1])), tall = Math.max(.5, Math.ceil(Math.max(...ys) - Math.min(...ys)));
   list(problem, 'member').forEach((of, k) => {
-    all.push({id: `member.${k}`, name: `sheet ${of.name}`, find: draft => draft.member[k], sliders: [slider('tensile_kn_per_m', 'tension at most', 'kN/m', 0, upTo(of.tensile_kn_per_m, 20), 1)]});
+    const held = typeof of.pullout_kn_per_m2 === 'number' ? [slider('pullout_kn_per_m2', 'pullout resistance', 'kPa', 0, upTo(of.pullout_kn_per_m2, 20), .5)] : [];
+    all.push({id: `member.${k}`, name: `${of.pullout_kn_per_m2 === undefined ? 'sheet' : 'bars'} ${of.name}`, find: draft => draft.member[k], sliders: [slider('tensile_kn_per_m', 'tension at most', 'kN/m', 0, upTo(of.tensile_kn_per_m, 20), 1), ...held]});
   });
   list(problem, 'head').forEach((of, k) => {
     all.push({id: `head.${k}`, name: `head ${of.name ?? k + 1}`, find: draft => draft.head[k], sliders: [slider('head_m', 'total head', 'm', Math.min(...ys), Math.max(...ys) + tall, .05)]});

@@ -185,13 +185,13 @@ fn gripped(path: &[LineUse], grips: &[Grip]) -> String {
         let part = if [from, to] == [0.0, 1.0] {
             String::new()
         } else {
-            format!(" between {} and {} of the line's length", plain(from), plain(to))
+            format!(" between the fractions {} and {} of it", plain(from), plain(to))
         };
-        format!("{values}{part}")
+        format!("{values} for each length{part}")
     };
     let mut pieces: Vec<String> = path.iter().zip(grips).map(piece).collect();
     pieces.dedup();
-    format!("held by {} over their length", pieces.join(", then "))
+    format!("held by {}", pieces.join(", then "))
 }
 
 fn linear(value: Linear) -> String {
