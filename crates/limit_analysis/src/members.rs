@@ -5,7 +5,10 @@ use soilctl_certificate::{Grip, LineUse, Member, Place, Side};
 use crate::mesh::Mesh;
 use crate::problem::Problem;
 use crate::topology::Topology;
-use crate::vector::{Point, between, dot, length};
+use crate::vector::{Point, between, dot, length, midpoint};
+
+/// Grip over a typical stress in the soil that is as good as none.
+const NEGLIGIBLE: f64 = 1e-4;
 
 /// A triangle edge on a member.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,6 +68,16 @@ impl MemberEdge {
         } else {
             Gripped { is_free: start < first || end > last, most: at }
         })
+    }
+
+    /// Whether the force of a row of bars is to be one along the edge: the soil hands them nothing there, or so little that the program's accuracy
+    /// could not tell.
+    pub(crate) fn is_free(&self, problem: &Problem, mesh: &Mesh) -> bool {
+        let Some(gripped) = self.gripped(&problem.members()[self.member]) else { return false };
+        let region = mesh.triangles[self.first().triangle].region;
+        let stress = problem.stress_scale(region, midpoint(self.ends[0], self.ends[1]), self.length());
+        let [from, to] = gripped.most;
+        gripped.is_free || from.min(to) < NEGLIGIBLE * stress
     }
 
     /// Both, if there is soil on both sides.

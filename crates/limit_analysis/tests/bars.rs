@@ -77,6 +77,7 @@ fn a_bar_is_pulled_out_of_strong_soil_by_its_resistance_times_its_length_or_torn
             (200.0, Profile::Uniform(5.0), 1.3, 5.0 * 2.7),
             (200.0, Profile::Linear([2.0, 6.0]), 0.0, 16.0),
             (200.0, Profile::Linear([2.0, 6.0]), 2.0, 10.0),
+            (200.0, Profile::Linear([0.06, 6.0]), 0.0, 12.12),
         ] {
             let member = MemberEntry { free_length_m: free, ..bar(level, tensile, pullout) };
             encloses(bounds(&pulled(phi_deg, member), 300), exact, 1e-2);
@@ -149,7 +150,14 @@ fn a_bar_helps_a_cut_by_no_more_than_a_wedge_says_and_never_weakens_it() {
     let bare = 15.0 * (45.0 + 0.5 * phi_deg).to_radians().tan();
     assert!((wedge(phi_deg, 0.0, 0.0) - bare).abs() < 1e-3 * bare);
     let mut last = [0.0; 2];
-    for member in [None, Some((60.0, 0.0)), Some((60.0, 10.0)), Some((60.0, 30.0)), Some((120.0, 30.0))] {
+    for member in [
+        None,
+        Some((60.0, 0.0)),
+        Some((60.0, 1e-7)),
+        Some((60.0, 10.0)),
+        Some((60.0, 30.0)),
+        Some((120.0, 30.0)),
+    ] {
         let [lower, upper] = bounds(&cut(phi_deg, member), 800).map(|factor| 18.0 * factor);
         let (tensile, pullout) = member.unwrap_or_default();
         let wedge = wedge(phi_deg, tensile, pullout);
@@ -238,7 +246,8 @@ fn altered_bars_are_refused() {
     // The force is one number along the free length, of which nothing may be taken; elsewhere it may be what it is.
     let mut field = lower.clone();
     let free = 1.0 / it.described().unwrap().length_m;
-    let is_free = |x: f64| 0.0 < x && x < free;
+    let head = statement.points.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min);
+    let is_free = |x: f64| head < x && x < head + free;
     let places: Vec<f64> = field.mesh.vertices.iter().map(|vertex| vertex.position[0]).collect();
     let kink = field.copies.iter_mut().find_map(|copy| match &mut copy.jet {
         Jet::Kinked { jump, .. } if is_free(places[copy.vertex]) => Some(jump),
@@ -282,6 +291,10 @@ fn bars_that_make_no_sense_are_refused_in_words() {
     };
     refused(&|m| m.bond_factor = 0.5, "keep one");
     refused(&|m| m.pullout_kn_per_m2 = Some(Profile::Uniform(-1.0)), "pullout_kn_per_m2");
+    refused(
+        &|m| m.pullout_kn_per_m2 = Some(Profile::Linear([0.0, 10.0])),
+        "a hundredth of that at the other",
+    );
     refused(&|m| m.free_length_m = 6.0, "free_length_m");
     let mut it = cut(20.0, Some((60.0, 10.0)));
     (it.members[0].pullout_kn_per_m2, it.members[0].free_length_m) = (None, 1.0);

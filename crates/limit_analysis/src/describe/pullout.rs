@@ -11,6 +11,9 @@ use crate::vector::{between, distance, dot};
 /// Nobody's bars bear more.
 const PULLOUT: Range = Range { low: 0.0, high: 1e6, words: "0 to 1e6 kN/m2" };
 
+/// Least grip at one end over that at the other: where it vanished, rounding would ask for more than there is.
+const LEAST: f64 = 0.01;
+
 /// Where the grip begins nearer than this fraction of a line to one of its ends, it begins there.
 const NEAR: f64 = 1e-6;
 
@@ -26,6 +29,12 @@ pub(super) fn check(entry: &str, member: &MemberEntry) -> Result<(), Description
     };
     for value in pullout.ends() {
         number(entry, "pullout_kn_per_m2", value, PULLOUT)?;
+    }
+    let [from, to] = pullout.ends();
+    if from.min(to) < LEAST * from.max(to) {
+        return wrong(
+            "pullout_kn_per_m2 at one end is less than a hundredth of that at the other, which no proof covers; give it that much, or a free_length_m",
+        );
     }
     let free = Range { low: 0.0, high: member.length_m(), words: "0 to the length of the member in m" };
     number(entry, "free_length_m", member.free_length_m, free)?;

@@ -79,7 +79,7 @@ impl Lower {
                     self.limit(shear, [most.shear; 2], scale);
                 }
             }
-            if let Some(gripped) = edge.gripped(m).filter(|gripped| !gripped.is_free) {
+            if let Some(gripped) = edge.gripped(m).filter(|_| !edge.is_free(problem, mesh)) {
                 let [a, b, c] = &forces.axial;
                 let half = 0.5 * h;
                 for ((from, to), most) in [(a, b), (b, c)].into_iter().zip(gripped.most) {

@@ -182,8 +182,7 @@ impl<'a> SplitVertices<'a> {
 
     /// Whether the soil hands nothing to bars along an edge.
     pub(super) fn is_free(&self, edge: &MemberEdge) -> bool {
-        let member = &self.problem.members()[edge.member];
-        bears_force(member) && edge.gripped(member).is_some_and(|gripped| gripped.is_free)
+        bears_force(&self.problem.members()[edge.member]) && edge.is_free(self.problem, self.mesh)
     }
 
     fn join(&mut self, run: &[Option<(usize, bool)>]) {
