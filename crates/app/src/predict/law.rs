@@ -39,9 +39,6 @@ pub(super) fn predict(request: &Request, alpha_deg: f64, slopes: (f64, f64)) -> 
     let Some(reference_stress_pa) = request.reference_stress_pa else {
         return Err(wrong("give --reference-stress PA, at which --phi is the friction angle"));
     };
-    if !(reference_stress_pa > 0.0) {
-        return Err(wrong("--reference-stress must be above 0 Pa"));
-    }
     let loads = &request.loads;
     if loads.cohesion_pa != 0.0 || loads.adhesion_pa != 0.0 || loads.surcharge_pa != 0.0 {
         return Err(wrong(

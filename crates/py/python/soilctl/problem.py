@@ -105,6 +105,27 @@ class PowerStrength(TypedDict, total=False):
     is left out.
     """
 
+class FrictionLawStrength(TypedDict, total=False):
+    """``sigma tan(phi)`` with a friction angle that falls with the logarithm of stress, ``phi_deg - slope
+    log10(sigma / reference)``, and is at most ``greatest_phi_deg``: sand, as estimates with a law of stress tell
+    it. It is followed down to a third of ``phi_deg``; beyond, strength does not fall.
+    """
+
+    greatest_phi_deg: float
+    """Friction angle in degrees where stress is small; from ``phi_deg`` to 69.9."""
+    kind: Literal["friction-law"]
+    """Which kind it is."""
+    phi_deg: float
+    """Friction angle in degrees at the reference stress, 15 to 69.9."""
+    reference_kpa: float
+    """The reference, 0.001 to 1e6 kPa."""
+    slope_deg_per_decade: float
+    """Fall of the friction angle in degrees a decade of stress, 0.1 to 8."""
+    up_to_kpa: float
+    """The normal stress up to which the curve is followed; a multiple of what the weight and the loads make if it
+    is left out.
+    """
+
 class HoekBrownStrength(TypedDict, total=False):
     """Rock after Hoek, Carranza-Torres and Corkum (2002): ``sigma_1 = sigma_3 + ucs (m_b sigma_3/ucs + s)^a``."""
 
@@ -125,7 +146,7 @@ class HoekBrownStrength(TypedDict, total=False):
 
 
 #: How the shear strength of a soil grows with the effective normal stress. Stresses are in kPa.
-StrengthLaw: TypeAlias = PointsStrength | PowerStrength | HoekBrownStrength
+StrengthLaw: TypeAlias = PointsStrength | PowerStrength | FrictionLawStrength | HoekBrownStrength
 
 
 class Problem(Entries):
@@ -221,12 +242,16 @@ class Problem(Entries):
         attached: Sequence[Literal["start", "end"]] | None = None,
         bond_factor: float | None = None,
         compressive_kn_per_m: float | None = None,
+        free_length_m: float | None = None,
         moment_knm_per_m: float | None = None,
+        pullout_kn_per_m2: float | Sequence[float] | None = None,
         shear_kn_per_m: float | None = None,
     ) -> Problem:
         """A straight bar or sheet inside the soil, thin and perfectly flexible: a geogrid, a nail, a strip. It bears an
-        axial force and takes the soil along. With a moment it is a beam, such as a sheet pile or a raft, which may
-        also lie along the outline of the soil. Forces are per metre of width.
+        axial force and takes the soil along. A sheet parts the soil, and the soil slides along its faces; with a
+        pullout resistance it is a row of bars (nails, strips, anchors, piles along themselves), between which the
+        soil goes on. With a moment it is a beam, such as a sheet pile or a raft, which may also lie along the
+        outline of the soil. Forces are per metre of width.
 
         Args:
             name: Its name.
@@ -237,10 +262,15 @@ class Problem(Entries):
             bond_factor: Shear stress that each face bears, over what the soil beside it bears at the same effective
                 normal stress; above 0, at most 1.
             compressive_kn_per_m: Greatest compression; a sheet bears none.
+            free_length_m: Length from the start along which the soil hands a row of bars nothing, such as the free
+                length of anchors.
             moment_knm_per_m: Greatest bending moment of a beam.
+            pullout_kn_per_m2: Instead of a bond factor, of a row of bars between which the soil goes on: greatest force
+                from the soil for each metre of bar, that of one bar over the spacing; everywhere, or at the start and
+                the end. Zero is a tie that the soil hands nothing.
             shear_kn_per_m: Greatest shear force of a beam.
         """
-        return self._add("member", {"name": name, "line": line, "tensile_kn_per_m": tensile_kn_per_m, "attached": attached, "bond_factor": bond_factor, "compressive_kn_per_m": compressive_kn_per_m, "moment_knm_per_m": moment_knm_per_m, "shear_kn_per_m": shear_kn_per_m})
+        return self._add("member", {"name": name, "line": line, "tensile_kn_per_m": tensile_kn_per_m, "attached": attached, "bond_factor": bond_factor, "compressive_kn_per_m": compressive_kn_per_m, "free_length_m": free_length_m, "moment_knm_per_m": moment_knm_per_m, "pullout_kn_per_m2": pullout_kn_per_m2, "shear_kn_per_m": shear_kn_per_m})
 
     def objective_structure(
         self,

@@ -41,6 +41,8 @@ __all__ = [
     "CertifyAnswer",
     "CertifyChecked",
     "CertifySaid",
+    "ClimbAnswer",
+    "ClimbTrial",
     "ConvertAnswer",
     "ConvertLeftOut",
     "ConvertSoil",
@@ -98,6 +100,14 @@ __all__ = [
     "ExcavateDugTrench",
     "ExcavateForceRow",
     "ExcavatePassRow",
+    "HeightsAnswer",
+    "HeightsBreak",
+    "HeightsMap",
+    "HeightsPicture",
+    "HeightsPlate",
+    "HeightsProfile",
+    "HeightsShift",
+    "HeightsVolume",
     "LogAnswer",
     "LogContent",
     "LogFound",
@@ -118,6 +128,7 @@ __all__ = [
     "PredictAnswer",
     "PredictBracketEnds",
     "PredictInputs",
+    "PredictLawPrediction",
     "PredictRange",
     "PredictSensitivity",
     "PredictStrokePrediction",
@@ -219,6 +230,7 @@ __all__ = [
     "arm_urdf",
     "bound",
     "certify",
+    "climb",
     "convert",
     "demo",
     "design",
@@ -228,6 +240,7 @@ __all__ = [
     "doctor",
     "estimate",
     "excavate",
+    "heights",
     "log_doctor",
     "log_export",
     "log_info",
@@ -308,6 +321,34 @@ class PredictInputs(Record):
     """Surcharge."""
     width_m: float | None
     """Width of the plate; null if not given or if it comes from the strokes."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class PredictLawPrediction(Record):
+    """What a law of stress leaves open: ranges over its slopes, over what is known of the stress where the soil
+    slips, and over the bracket of the model if it has one.
+
+    Attributes:
+        force_n: Failure force (N).
+        phi_deg: Friction angle (deg) there; the coefficients, the force and the sensitivity of this answer are
+            those of its middle.
+        reference_stress_pa: Normal stress (Pa) at which the friction angle is the one of the inputs.
+        slip_stress_pa: Normal stress (Pa) where the soil slips.
+        slope_deg_per_decade: Slopes of the law (deg a decade).
+    """
+
+    force_n: list[float]
+    """Failure force (N)."""
+    phi_deg: list[float]
+    """Friction angle (deg) there; the coefficients, the force and the sensitivity of this answer are those of its
+    middle.
+    """
+    reference_stress_pa: float
+    """Normal stress (Pa) at which the friction angle is the one of the inputs."""
+    slip_stress_pa: list[float]
+    """Normal stress (Pa) where the soil slips."""
+    slope_deg_per_decade: list[float]
+    """Slopes of the law (deg a decade)."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -395,6 +436,7 @@ class PredictAnswer(Answer):
         version: Version of the program.
         ends: Whether the plate has ends.
         force_n: Failure force in N with all loads; null without depth, width or density.
+        friction_law: What a law of stress makes of it; null without one.
         inputs: What was asked.
         interpolation_margin: By how much, relatively, interpolation in a table may be wrong (the largest over the
             strokes); 0 for a formula or a solved cell.
@@ -423,6 +465,8 @@ class PredictAnswer(Answer):
     """Whether the plate has ends."""
     force_n: float | None
     """Failure force in N with all loads; null without depth, width or density."""
+    friction_law: PredictLawPrediction | None
+    """What a law of stress makes of it; null without one."""
     inputs: PredictInputs
     """What was asked."""
     interpolation_margin: float
@@ -633,6 +677,8 @@ class BoundMember(Record):
             no field.
         greatest_tension_at: Distance of that from its start.
         name: Its name.
+        slip: The greatest speed at which bars of a row slip in the soil in that flow, likewise: near one where they
+            are pulled out. Null for sheets and beams.
         tensile_strength: Greatest tension that it bears.
         utilisation: The greatest of these over the strength for it: how far it is used; of a beam with its moment
             and shear force.
@@ -658,6 +704,10 @@ class BoundMember(Record):
     """Distance of that from its start."""
     name: str
     """Its name."""
+    slip: float | None
+    """The greatest speed at which bars of a row slip in the soil in that flow, likewise: near one where they are
+    pulled out. Null for sheets and beams.
+    """
     tensile_strength: float
     """Greatest tension that it bears."""
     utilisation: float | None
@@ -987,6 +1037,8 @@ class ToolMember(Record):
             no field.
         greatest_tension_at: Distance of that from its start.
         name: Its name.
+        slip: The greatest speed at which bars of a row slip in the soil in that flow, likewise: near one where they
+            are pulled out. Null for sheets and beams.
         tensile_strength: Greatest tension that it bears.
         utilisation: The greatest of these over the strength for it: how far it is used; of a beam with its moment
             and shear force.
@@ -1012,6 +1064,10 @@ class ToolMember(Record):
     """Distance of that from its start."""
     name: str
     """Its name."""
+    slip: float | None
+    """The greatest speed at which bars of a row slip in the soil in that flow, likewise: near one where they are
+    pulled out. Null for sheets and beams.
+    """
     tensile_strength: float
     """Greatest tension that it bears."""
     utilisation: float | None
@@ -1587,6 +1643,8 @@ class SolveMember(Record):
             no field.
         greatest_tension_at: Distance of that from its start.
         name: Its name.
+        slip: The greatest speed at which bars of a row slip in the soil in that flow, likewise: near one where they
+            are pulled out. Null for sheets and beams.
         tensile_strength: Greatest tension that it bears.
         utilisation: The greatest of these over the strength for it: how far it is used; of a beam with its moment
             and shear force.
@@ -1612,6 +1670,10 @@ class SolveMember(Record):
     """Distance of that from its start."""
     name: str
     """Its name."""
+    slip: float | None
+    """The greatest speed at which bars of a row slip in the soil in that flow, likewise: near one where they are
+    pulled out. Null for sheets and beams.
+    """
     tensile_strength: float
     """Greatest tension that it bears."""
     utilisation: float | None
@@ -1898,9 +1960,12 @@ class SolveCheckCheckedMember(Record):
         attached: Whether its start and its end are attached to what is there, and so may bear a force.
         bond_factor: What each face bears of the shear strength of the soil beside it.
         compressive_kn_per_m: Greatest compression that it bears.
+        free_length_m: Length from the start along which it hands bars nothing.
         length_m: Its length.
         moment_knm_per_m: Greatest bending moment that a beam bears; null for a bar or a sheet.
         name: Its name.
+        pullout_kn_per_m2: What the soil that goes on between a row of bars hands to each metre, at the start and
+            the end; null for sheets and beams, which have faces.
         shear_kn_per_m: Greatest shear force of a beam.
         tensile_kn_per_m: Greatest tension that it bears.
     """
@@ -1911,12 +1976,18 @@ class SolveCheckCheckedMember(Record):
     """What each face bears of the shear strength of the soil beside it."""
     compressive_kn_per_m: float
     """Greatest compression that it bears."""
+    free_length_m: float
+    """Length from the start along which it hands bars nothing."""
     length_m: float
     """Its length."""
     moment_knm_per_m: float | None
     """Greatest bending moment that a beam bears; null for a bar or a sheet."""
     name: str
     """Its name."""
+    pullout_kn_per_m2: list[float] | None
+    """What the soil that goes on between a row of bars hands to each metre, at the start and the end; null for
+    sheets and beams, which have faces.
+    """
     shear_kn_per_m: float | None
     """Greatest shear force of a beam."""
     tensile_kn_per_m: float
@@ -2349,6 +2420,97 @@ class StabilityAnswer(Answer):
     """Normal stresses at which the soil was tried by strokes and tests (Pa); null if they were not published."""
     upper: float | None
     """Proven upper bound on the factor with every one of the soils; null if there is none."""
+    verdict: str
+    """The answer in words."""
+    warnings: list[str]
+    """What to keep in mind."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ClimbTrial(Record):
+    """Bounds on one slope.
+
+    Attributes:
+        lower: Proven lower bound on how many times its load a strip like the wheel's contact bears, with every one
+            of the soils; null if none was found.
+        slope_deg: The slope (deg).
+        upper: Proven upper bound on it, with every one of the soils; null if none was found.
+    """
+
+    lower: float | None
+    """Proven lower bound on how many times its load a strip like the wheel's contact bears, with every one of the
+    soils; null if none was found.
+    """
+    slope_deg: float
+    """The slope (deg)."""
+    upper: float | None
+    """Proven upper bound on it, with every one of the soils; null if none was found."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ClimbAnswer(Answer):
+    """The answer of ``climb``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        answer: Whether it climbs the slope that was asked about; null if none was.
+        climbs_to_deg: Steepest of the slopes that were tried (deg) on which every one of the soils is proven to
+            bear it; null if there is none.
+        cohesion_pa: Their cohesion (Pa), if it is published; null where strokes say nothing of it, and there is
+            none.
+        density_kg_m3: Their densities (kg/m3).
+        friction_basis: Where these come from.
+        gives_way_from_deg: Least of them (deg) on which every one is proven to give way; null if there is none.
+        gravity_m_s2: Gravity (m/s2).
+        phi_deg: Friction angles of the soils (deg); with a law of stress those at the stresses that were tried.
+        pressure_pa: Mean pressure under the wheel on level ground (Pa).
+        seconds: Time spent (s).
+        slip_stress_pa: Normal stresses (Pa) at which the soil slips under the wheel when it gives way; null if that
+            was not found.
+        steepest_deg: Steepest slope (deg) that is looked at: the weakest soil falls by itself beyond, or 60 deg.
+        trials: The slopes that were tried, growing.
+        tried_stress_pa: Normal stresses (Pa) at which the soil was tried by strokes and tests; null if they were
+            not published.
+        verdict: The answer in words.
+        warnings: What to keep in mind.
+    """
+
+    schema: Literal["soilctl.climb/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    answer: Literal["stands", "fails", "depends"] | None
+    """Whether it climbs the slope that was asked about; null if none was."""
+    climbs_to_deg: float | None
+    """Steepest of the slopes that were tried (deg) on which every one of the soils is proven to bear it; null if
+    there is none.
+    """
+    cohesion_pa: list[float] | None
+    """Their cohesion (Pa), if it is published; null where strokes say nothing of it, and there is none."""
+    density_kg_m3: list[float]
+    """Their densities (kg/m3)."""
+    friction_basis: Literal["law", "same_stress", "constant"]
+    """Where these come from."""
+    gives_way_from_deg: float | None
+    """Least of them (deg) on which every one is proven to give way; null if there is none."""
+    gravity_m_s2: float
+    """Gravity (m/s2)."""
+    phi_deg: list[float]
+    """Friction angles of the soils (deg); with a law of stress those at the stresses that were tried."""
+    pressure_pa: float
+    """Mean pressure under the wheel on level ground (Pa)."""
+    seconds: float
+    """Time spent (s)."""
+    slip_stress_pa: list[float] | None
+    """Normal stresses (Pa) at which the soil slips under the wheel when it gives way; null if that was not found.
+    """
+    steepest_deg: float
+    """Steepest slope (deg) that is looked at: the weakest soil falls by itself beyond, or 60 deg."""
+    trials: list[ClimbTrial]
+    """The slopes that were tried, growing."""
+    tried_stress_pa: list[float] | None
+    """Normal stresses (Pa) at which the soil was tried by strokes and tests; null if they were not published."""
     verdict: str
     """The answer in words."""
     warnings: list[str]
@@ -4059,6 +4221,279 @@ class SurfaceAnswer(Answer):
     """The result in words."""
     warnings: list[str]
     """What to keep in mind."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsBreak(Record):
+    """Where the ground broke.
+
+    Attributes:
+        again_m: Where the ground rises once more farther ahead (m); null if it does not.
+        distance_m: Distance along the surface from the plate's face (m).
+        parts_m: The distance by each fifth of the plate's middle half, from right to left (m); null where it does
+            not show.
+        resolution_m: Half of the distance between neighbouring heights (m), within which the edge may be anywhere.
+        sd_m: Its standard deviation (m): noise, raggedness over the plate's width, and the plate's place.
+        table_sd_m: What stands in a stroke table as ``break_distance_sd_m`` (m): standard deviation and resolution
+            together, so that a band of any number of deviations holds both.
+        within_m: Two standard deviations and the resolution to either side (m).
+    """
+
+    again_m: float | None
+    """Where the ground rises once more farther ahead (m); null if it does not."""
+    distance_m: float
+    """Distance along the surface from the plate's face (m)."""
+    parts_m: list[float | None]
+    """The distance by each fifth of the plate's middle half, from right to left (m); null where it does not show.
+    """
+    resolution_m: float
+    """Half of the distance between neighbouring heights (m), within which the edge may be anywhere."""
+    sd_m: float
+    """Its standard deviation (m): noise, raggedness over the plate's width, and the plate's place."""
+    table_sd_m: float
+    """What stands in a stroke table as ``break_distance_sd_m`` (m): standard deviation and resolution together, so
+    that a band of any number of deviations holds both.
+    """
+    within_m: list[float]
+    """Two standard deviations and the resolution to either side (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsMap(Record):
+    """A map.
+
+    Attributes:
+        cell_m: Side of a square as large as a cell (m).
+        file: Its file.
+        format: What it was read from.
+        frame: The frame that a cloud names; empty if there is none.
+        missing_points: Points without finite coordinates, left out.
+        points: Points that were put into cells; null if heights came in cells.
+        points_per_cell: Median of how many points are in a cell that has some; null likewise.
+        seen: Cells that were seen.
+        size: Cells in a row, and rows, of what is within reach.
+        time_s: When a cloud was taken (s since 1970 by its stamp, or whatever its clock counts from); null for
+            others.
+    """
+
+    cell_m: float
+    """Side of a square as large as a cell (m)."""
+    file: str
+    """Its file."""
+    format: Literal["geotiff", "ascii-grid", "table", "scattered-table", "cloud"]
+    """What it was read from."""
+    frame: str
+    """The frame that a cloud names; empty if there is none."""
+    missing_points: int
+    """Points without finite coordinates, left out."""
+    points: int | None
+    """Points that were put into cells; null if heights came in cells."""
+    points_per_cell: int | None
+    """Median of how many points are in a cell that has some; null likewise."""
+    seen: int
+    """Cells that were seen."""
+    size: list[int]
+    """Cells in a row, and rows, of what is within reach."""
+    time_s: float | None
+    """When a cloud was taken (s since 1970 by its stamp, or whatever its clock counts from); null for others."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsPicture(Record):
+    """Change of height around the plate, in the plate's directions and in cells that are coarser than those of the
+    maps if these are many.
+
+    Attributes:
+        ahead_m: Centres ahead of the plate's face (m).
+        cell_m: Side of the cells (m).
+        change_m: Mean change (m), a list for each place to the left; null where it was not seen.
+        left_m: Centres to the left of its middle (m).
+    """
+
+    ahead_m: list[float]
+    """Centres ahead of the plate's face (m)."""
+    cell_m: float
+    """Side of the cells (m)."""
+    change_m: list[list[float | None]]
+    """Mean change (m), a list for each place to the left; null where it was not seen."""
+    left_m: list[float]
+    """Centres to the left of its middle (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsPlate(Record):
+    """The plate as its stroke ended.
+
+    Attributes:
+        depth_m: Its depth (m); null if it is not known.
+        heading_deg: Where it pushed to (deg), counter-clockwise from the x axis.
+        sd_m: Standard deviation of that along the heading (m).
+        width_m: Its width (m).
+        x_m: Middle of its face at the surface (m), in the frame of the maps: as given, or that of the arm's root.
+        y_m: The same along y (m).
+    """
+
+    depth_m: float | None
+    """Its depth (m); null if it is not known."""
+    heading_deg: float
+    """Where it pushed to (deg), counter-clockwise from the x axis."""
+    sd_m: float
+    """Standard deviation of that along the heading (m)."""
+    width_m: float
+    """Its width (m)."""
+    x_m: float
+    """Middle of its face at the surface (m), in the frame of the maps: as given, or that of the arm's root."""
+    y_m: float
+    """The same along y (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsProfile(Record):
+    """Change of height ahead of the plate's middle half.
+
+    Attributes:
+        ahead_m: Distance ahead of the plate's face on the map (m).
+        lines: Lines over the plate's width.
+        noise_m: Standard deviation of such a mean where nothing happened (m).
+        rise_m: Mean change of height (m); null where it was not seen.
+    """
+
+    ahead_m: list[float]
+    """Distance ahead of the plate's face on the map (m)."""
+    lines: int
+    """Lines over the plate's width."""
+    noise_m: float
+    """Standard deviation of such a mean where nothing happened (m)."""
+    rise_m: list[float | None]
+    """Mean change of height (m); null where it was not seen."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsShift(Record):
+    """How the second map was moved to lie on unchanged ground of the first.
+
+    Attributes:
+        sideways_m: Sideways along x and y (m); 0 where no slopes of the ground show it.
+        tilt_deg: Tilt along x and y (deg).
+        up_m: Upwards at the plate (m).
+        up_sd_m: Its standard deviation (m).
+    """
+
+    sideways_m: list[float]
+    """Sideways along x and y (m); 0 where no slopes of the ground show it."""
+    tilt_deg: list[float]
+    """Tilt along x and y (deg)."""
+    up_m: float
+    """Upwards at the plate (m)."""
+    up_sd_m: float
+    """Its standard deviation (m)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsVolume(Record):
+    """Soil that rose or sank.
+
+    Attributes:
+        cells: Cells.
+        hidden_cells: Cells in or beside it that were not seen.
+        most_m: The largest change of height (m).
+        off_map: Whether it reaches the edge of the map, so that there may be more.
+        sd_m3: Its standard deviation (m3).
+        volume_m3: Volume (m3).
+    """
+
+    cells: int
+    """Cells."""
+    hidden_cells: int
+    """Cells in or beside it that were not seen."""
+    most_m: float
+    """The largest change of height (m)."""
+    off_map: bool
+    """Whether it reaches the edge of the map, so that there may be more."""
+    sd_m3: float
+    """Its standard deviation (m3)."""
+    volume_m3: float
+    """Volume (m3)."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class HeightsAnswer(Answer):
+    """The answer of ``heights``.
+
+    Attributes:
+        schema: Id of this schema.
+        version: Version of the program.
+        break_: Where the ground broke; null if that cannot be said.
+        clumping: Variance of sums over many cells of noise, over that of as many independent cells.
+        deviations: Standard deviations of the noise that a change must have to count.
+        elsewhere_cells: Cells that changed elsewhere, and are not counted.
+        furrow: What sank.
+        heap: What rose.
+        maps: The maps before and after.
+        no_break_because: Why it cannot be said; null if it can.
+        noise_m: Standard deviation of the change of a cell where nothing happened (m).
+        picture: Change of height around the plate.
+        plate: The plate as its stroke ended.
+        profile: Change of height ahead of the plate.
+        pushed_m: Length of a furrow of the plate's width and depth with as much volume (m); null if the depth is
+            not given.
+        shift: How the second map was moved.
+        slope_deg: Slope of the ground ahead of the plate before the stroke (deg), positive where it rises.
+        swelling: Heap over furrow: how much soil swells as it is moved; null without a furrow that stands out of
+            the noise.
+        swelling_sd: Its standard deviation.
+        unchanged_cells: Cells of unchanged ground.
+        verdict: The result in words.
+        warnings: What to keep in mind.
+        written: The stroke table that was written; null if none was asked for.
+    """
+
+    schema: Literal["soilctl.heights/1"]
+    """Id of this schema."""
+    version: str
+    """Version of the program."""
+    break_: HeightsBreak | None = field(metadata={"key": "break"})
+    """Where the ground broke; null if that cannot be said."""
+    clumping: float
+    """Variance of sums over many cells of noise, over that of as many independent cells."""
+    deviations: float
+    """Standard deviations of the noise that a change must have to count."""
+    elsewhere_cells: int
+    """Cells that changed elsewhere, and are not counted."""
+    furrow: HeightsVolume
+    """What sank."""
+    heap: HeightsVolume
+    """What rose."""
+    maps: list[HeightsMap]
+    """The maps before and after."""
+    no_break_because: str | None
+    """Why it cannot be said; null if it can."""
+    noise_m: float
+    """Standard deviation of the change of a cell where nothing happened (m)."""
+    picture: HeightsPicture
+    """Change of height around the plate."""
+    plate: HeightsPlate
+    """The plate as its stroke ended."""
+    profile: HeightsProfile
+    """Change of height ahead of the plate."""
+    pushed_m: float | None
+    """Length of a furrow of the plate's width and depth with as much volume (m); null if the depth is not given."""
+    shift: HeightsShift
+    """How the second map was moved."""
+    slope_deg: float
+    """Slope of the ground ahead of the plate before the stroke (deg), positive where it rises."""
+    swelling: float | None
+    """Heap over furrow: how much soil swells as it is moved; null without a furrow that stands out of the noise."""
+    swelling_sd: float | None
+    """Its standard deviation."""
+    unchanged_cells: int
+    """Cells of unchanged ground."""
+    verdict: str
+    """The result in words."""
+    warnings: list[str]
+    """What to keep in mind."""
+    written: str | None
+    """The stroke table that was written; null if none was asked for."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -6394,8 +6829,8 @@ class LogTopic(Record):
         type: Type of its messages.
         end_s: Latest time in s.
         gaps: Times between two messages that are longer than five medians.
-        kind: What they tell: ``joints``, ``wrench`` or ``text``, if one of these. This and what follows is there
-            only of recordings of other programs.
+        kind: What they tell: ``joints``, ``wrench``, ``text`` or ``points``, if one of these. This and what follows
+            is there only of recordings of other programs.
         longest_gaps: The longest of them, ten at most, in order of time.
         problem: Why the messages cannot be read, if they cannot.
         rate_hz: Messages a second, by the median of the times between two; missing for fewer than three of these.
@@ -6413,8 +6848,8 @@ class LogTopic(Record):
     gaps: int | None = None
     """Times between two messages that are longer than five medians."""
     kind: str | None = None
-    """What they tell: ``joints``, ``wrench`` or ``text``, if one of these. This and what follows is there only of
-    recordings of other programs.
+    """What they tell: ``joints``, ``wrench``, ``text`` or ``points``, if one of these. This and what follows is
+    there only of recordings of other programs.
     """
     longest_gaps: list[LogGap] | None = None
     """The longest of them, ten at most, in order of time."""
@@ -6664,6 +7099,8 @@ def predict(
     alpha_deg: float | None = None,
     model_file: PathLike | None = None,
     phi_deg: float | None = None,
+    friction_law: Sequence[Any] | None = None,
+    reference_stress_pa: float | None = None,
     delta_deg: Literal["column"] | float | None = None,
     density_kg_m3: Literal["column"] | float | None = None,
     depth_m: float | None = None,
@@ -6686,6 +7123,10 @@ def predict(
         model_file: A model file, such as the patch of ``diagnose``: force model, soil and effects; ``phi_deg``,
             ``delta_deg`` and ``density_kg_m3`` replace its values.
         phi_deg: Internal friction angle of the soil (deg).
+        friction_law: Friction falls with stress: by so many degrees a decade of normal stress, between LOW and
+            HIGH. ``phi_deg`` is then the friction angle at ``reference_stress_pa``.
+        reference_stress_pa: Normal stress (Pa) at which ``phi_deg`` is the friction angle, with ``friction_law``.
+            Above 0.
         delta_deg: Friction angle between soil and plate (deg), or ``column`` for delta_set_deg of ``strokes``.
         density_kg_m3: Bulk density (kg/m3), or ``column`` for density_kg_m3 of ``strokes``.
         depth_m: Vertical depth of the plate's lower edge below the surface (m).
@@ -7191,6 +7632,69 @@ def stability(
     return run("stability", stability, locals(), StabilityAnswer)
 
 
+def climb(
+    region: str,
+    wheel_load_n: float,
+    contact_length_m: float,
+    wheel_width_m: float,
+    *,
+    slope_deg: float | None = None,
+    bond_factor: float = 1.0,
+    within_deg: float = 0.5,
+    gravity_m_s2: float | None = None,
+    constant_friction: bool = False,
+    max_gap: float = 0.01,
+    max_elements: int = 20000,
+    max_work: int = 3000000,
+    max_seconds: float | None = None,
+    max_memory_mb: int | None = None,
+    threads: int = 1,
+    factorisation: Literal["auto", "qdldl", "faer"] = "auto",
+    segments: int | None = None,
+    dump: PathLike | None = None,
+    progress: Progress = None,
+) -> ClimbAnswer:
+    """Up to which slope a wheel or a track climbs on every soil that explains the strokes, or that was published.
+
+    Args:
+        region: The soils: the JSON answer of ``soilctl estimate``, or of ``soilctl soils NAME``.
+        wheel_load_n: Weight (N) that one wheel bears on level ground there. Above 0.
+        contact_length_m: Length (m) over which it touches the ground, along its way. At least 0.001 and at most
+            100.
+        wheel_width_m: Width (m) of the wheel. At least 0.001 and at most 100.
+        slope_deg: Asks about this slope (deg) alone. At least 0 and at most 60.
+        bond_factor: Part of the soil's strength that the wheel's face has, 1 with grousers. Above 0 and at most 1.
+        within_deg: Slopes are told to this (deg). At least 0.05 and at most 20.
+        gravity_m_s2: Gravity (m/s2), which makes the weight of the soil: 3.71 on Mars, 1.62 on the Moon; by default
+            that of the Earth, or of where the published soil is. Above 0 and at most 1000.
+        constant_friction: Take the friction angle, and the cohesion if it is published, at any stress. Without a
+            law of stress a wheel under which stresses are others is refused otherwise, since friction falls with
+            stress.
+        max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
+        max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
+        max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every
+            machine. At least 1.
+        max_seconds: Time that may be spent (s); where the run ends then depends on the machine, and the answer says
+            so. Above 0.
+        max_memory_mb: Memory that may be used (MB): a mesh whose programs may need more is not made. At least 100.
+        threads: Threads; the bounds are the same for any number. At least 1 and at most 1024.
+        factorisation: What factorises the systems of the solver's steps: bounds differ in their last digits;
+            ``auto`` goes by the size of the programs.
+        segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
+            slower and wider. At least 3 and at most 1000.
+        dump: Existing folder for programs on which the solver failed, to reproduce that from.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("climb", climb, locals(), ClimbAnswer)
+
+
 def soils(
     *,
     name: str | None = None,
@@ -7634,6 +8138,81 @@ def surface(
         FileError: If a file cannot be read or written.
     """
     return run("surface", surface, locals(), SurfaceAnswer, tables=("file",))
+
+
+def heights(
+    before: PathLike,
+    after: PathLike,
+    *,
+    plate_x_m: float | None = None,
+    plate_y_m: float | None = None,
+    heading_deg: float | None = None,
+    plate_sd_m: float | None = None,
+    width_m: float | None = None,
+    depth_m: float | None = None,
+    height_sd_m: float | None = None,
+    deviations: float = 3.0,
+    reach_m: float | None = None,
+    cell_m: float | None = None,
+    topic: str | None = None,
+    before_at_s: float | None = None,
+    after_at_s: float | None = None,
+    plate_frame: str | None = None,
+    urdf: PathLike | None = None,
+    joint_topic: str | None = None,
+    strokes: PathLike | None = None,
+    stroke: str | None = None,
+    out: PathLike | None = None,
+    replace: bool = False,
+    progress: Progress = None,
+) -> HeightsAnswer:
+    """What height maps before and after a stroke say: where the ground broke ahead of the plate, heap and furrow.
+
+    Args:
+        before: The ground before the stroke: a GeoTIFF, an ESRI ASCII grid, a CSV table with x_m, y_m, z_m, or a
+            recording with clouds of points (sensor_msgs/PointCloud2), in m, with z upwards.
+        after: The ground after the stroke, in the same frame; a recording may be the same one.
+        plate_x_m: Middle of the plate's face at the surface where the stroke ended (m), in the frame of the maps;
+            without it, what the arm in the recording tells. At least -1e+08 and at most 1e+08.
+        plate_y_m: The same along y (m). At least -1e+08 and at most 1e+08.
+        heading_deg: Where the plate pushed to (deg), counter-clockwise from the x axis; without it, where the arm
+            moved the plate between the clouds. At least -360 and at most 360.
+        plate_sd_m: Standard deviation of the plate's place along its heading (m); without it half a cell is taken.
+            At least 0 and at most 10.
+        width_m: Width of the plate (m); of the stroke in ``strokes``, if it is not given. At least 0.0001 and at
+            most 100.
+        depth_m: Depth of the plate (m), which tells how far the furrow says that it pushed; of the stroke in
+            ``strokes`` or of the arm, if it is not given. Above 0 and at most 100.
+        height_sd_m: Standard deviation of heights (m), if it is known; noise is taken to be no less. At least 0 and
+            at most 10.
+        deviations: Standard deviations of the noise that a change must have to count. At least 1 and at most 10.
+        reach_m: Ground farther than this from the plate is left out (m); without it ten widths of the plate. Above
+            0 and at most 10000.
+        cell_m: Side of the cells (m) that clouds of points and scattered tables are put into; without it, of cells
+            that have some five points. At least 1e-06 and at most 1000.
+        topic: Topic of the clouds in recordings; without it the only one there is.
+        before_at_s: Of a recording before the stroke, the last cloud up to this time (s) after the first; without
+            it the first. At least 0.
+        after_at_s: Of a recording after the stroke, the last cloud up to this time (s) after the first; without it
+            the last. At least 0.
+        plate_frame: Link at the plate's lower edge, its z axis down along the plate, of the arm in the recording.
+        urdf: URDF of that arm.
+        joint_topic: Topic of its joint states.
+        strokes: Stroke table (CSV) that the stroke is in.
+        stroke: Its ``stroke_id`` there.
+        out: Writes the stroke table with ``break_distance_m`` and ``break_distance_sd_m`` of the stroke, for
+            ``surface``.
+        replace: Writes over a file that is there.
+        progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
+
+    Returns:
+        The answer, with ``exit_code``: 0 done, 1 done and the answer is negative, 3 done in part.
+
+    Raises:
+        InputError: If a value makes no sense, is missing or outside its range; the message names it.
+        FileError: If a file cannot be read or written.
+    """
+    return run("heights", heights, locals(), HeightsAnswer)
 
 
 def shear(

@@ -209,7 +209,7 @@ fn sentence(answer: &Answer, request: &Request, origin: Origin) -> String {
         (Some(Verdict::Depends), ..) => {
             format!("{wheel} may climb this slope: it depends on the soil, or the bounds are too far apart.")
         }
-        (None, None, Some(from)) if from == 0.0 => format!("{wheel} sinks on level ground, with {every}."),
+        (None, None, Some(0.0)) => format!("{wheel} sinks on level ground, with {every}."),
         (None, climbs, gives_way) => {
             let climbs = climbs.map_or_else(
                 || "is not proven to be borne on level ground".to_owned(),
