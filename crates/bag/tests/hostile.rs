@@ -69,8 +69,8 @@ const FILES: [&str; 16] = [
     "none.bag",
     "bz2.bag",
     "lz4.bag",
-    "clouds.mcap",
-    "clouds.bag",
+    "../clouds/clouds.mcap",
+    "../clouds/clouds.bag",
 ];
 
 #[test]

@@ -9,7 +9,7 @@ use soilctl_bag::{Channel, Kind, Reader, Reading};
 /// In floats and doubles, of either byte order, in rows with padding and without rows.
 #[test]
 fn clouds_of_others() {
-    for file in ["clouds.mcap", "clouds.bag"] {
+    for file in ["../clouds/clouds.mcap", "../clouds/clouds.bag"] {
         let (found, ending) = readings(&data(file));
         assert!(ending.is_whole() && found.len() == 3, "{file}");
         for (seconds, (topic, _, reading)) in (0_i32..).zip(found) {

@@ -108,7 +108,7 @@ fn tables_of_points() {
 #[test]
 fn clouds_of_recordings() {
     for file in ["clouds.mcap", "clouds.bag"] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../bag/tests/data").join(file);
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../bag/tests/clouds").join(file);
         for (moment, second) in [
             (Moment::First, 0),
             (Moment::Last, 2),

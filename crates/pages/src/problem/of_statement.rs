@@ -159,6 +159,10 @@ pub(super) fn loads(statement: &Statement, units: &Units, place: impl Fn(Point) 
             | Condition::Far
             | Condition::Face { .. } => continue,
         };
+        // Free ground that a beam lines bears no load.
+        if (pressure, shear) == ([0.0; 2], [0.0; 2]) {
+            continue;
+        }
         let ends = statement.lines[b.line].walked(b.forward).map(|p| place(statement.points[p]));
         // Both are given from the start of the line on, whichever way the side is walked.
         let walked =
