@@ -70,7 +70,7 @@ def test_edge_and_volumes_hold_the_truth(soilctl, tmp_path, validate):
     for _ in range(8):
         edge = random.uniform(0.05, 0.1)
         answer = ask(soilctl, *grids(tmp_path, random, edge), *place(), "--width", WIDTH)
-        low, high = answer["break"]["within_m"]
+        low, high = answer["ground_break"]["within_m"]
         held += low <= edge <= high
         assert high - low < 0.03
         heap, furrow = edge * WIDTH * (TOP / 2 + 0.001), FURROW * WIDTH * DEEP
@@ -132,14 +132,14 @@ def test_clouds_of_a_recording(soilctl, tmp_path, validate):
     path = record(tmp_path / "scan", [scan(random), scan(random, edge), scan(random, 0.12)], frames=("bin",) * 3)
     answer = ask(soilctl, path, path, *place(), "--width", WIDTH, "--cell", 0.004, "--after-at", 1)
     validate(answer)
-    low, high = answer["break"]["within_m"]
+    low, high = answer["ground_break"]["within_m"]
     assert low <= edge <= high
     for second, found in enumerate(answer["maps"]):
         assert (found["format"], found["frame"], found["time_s"]) == ("cloud", "bin", 1000 + second)
         assert found["missing_points"] == 1200 and found["points"] == 58_800
         # 16 mm2 of 0.36 m by 0.36 m.
         assert found["points_per_cell"] == pytest.approx(58_800 * 0.004**2 / 0.36**2, abs=1)
-    low, high = ask(soilctl, path, path, *place(), "--width", WIDTH, "--cell", 0.004)["break"]["within_m"]
+    low, high = ask(soilctl, path, path, *place(), "--width", WIDTH, "--cell", 0.004)["ground_break"]["within_m"]
     assert low <= 0.12 <= high
     # By itself some five points a cell, on the same cells in both.
     answer = ask(soilctl, path, path, *place(), "--width", WIDTH, "--topic", "/camera/points")
@@ -200,7 +200,7 @@ def test_the_arm_of_the_recording_tells_where_the_plate_was(soilctl, tmp_path, v
     validate(answer)
     assert answer["plate"]["x_m"] == pytest.approx(PLATE[0], abs=1e-3) and answer["plate"]["y_m"] == pytest.approx(PLATE[1], abs=1e-3)
     assert answer["plate"]["heading_deg"] == pytest.approx(HEADING, abs=0.5)
-    low, high = answer["break"]["within_m"]
+    low, high = answer["ground_break"]["within_m"]
     assert low <= edge <= high
     # The depth is known from the arm and the first scan.
     assert answer["pushed_m"] == pytest.approx(FURROW * DEEP / depth, rel=0.08)
@@ -247,8 +247,8 @@ def test_a_scan_goes_into_the_stroke_table_and_narrows_or_contradicts(soilctl, t
         written = list(csv.DictReader(file))
     assert [row["remark"] for row in written] == ["dry"] * 4
     assert [row["break_distance_m"] != "" for row in written] == [False, True, False, False]
-    assert float(written[1]["break_distance_m"]) == answer["break"]["distance_m"]
-    assert float(written[1]["break_distance_sd_m"]) == answer["break"]["sd_m"] + answer["break"]["resolution_m"]
+    assert float(written[1]["break_distance_m"]) == answer["ground_break"]["distance_m"]
+    assert float(written[1]["break_distance_sd_m"]) == answer["ground_break"]["sd_m"] + answer["ground_break"]["resolution_m"]
     said = strict_json(soilctl("surface", out, "--delta", 20, "--format", "json").stdout)
     chen = next(model for model in said["models"] if model["surface"] == "chen")
     force = said["force"]["phi_deg"]
@@ -268,13 +268,13 @@ def test_what_cannot_be_said_is_not(soilctl, tmp_path):
     random = np.random.default_rng(4)
     scans = grids(tmp_path, random, 0.08)
     answer = ask(soilctl, scans[0], scans[0], *place(), "--width", WIDTH, code=1)
-    assert answer["break"] is None and "nothing near the plate rises" in answer["no_break_because"]
+    assert answer["ground_break"] is None and "nothing near the plate rises" in answer["no_break_because"]
     assert any("the same in both maps" in warning for warning in answer["warnings"])
     long = grids(tmp_path, random, 0.5)
     answer = ask(soilctl, *long, *place(), "--width", WIDTH, code=1)
     assert "where the map ends" in answer["no_break_because"] and answer["heap"]["off_map"]
     # The plate looked at from behind, or beside where it was: nothing rises there.
-    assert ask(soilctl, *scans, *place(heading=HEADING + 180), "--width", WIDTH, code=1)["break"] is None
+    assert ask(soilctl, *scans, *place(heading=HEADING + 180), "--width", WIDTH, code=1)["ground_break"] is None
     for options, words in [
         ((*place((5.0, 0.0)), "--width", WIDTH), "no ground within"),
         (place(), "give --width"),

@@ -20,7 +20,7 @@ pub fn page(answer: &Answer) -> Result<HtmlReport, PageError> {
         number(1e3 * answer.plate.width_m),
         number(round(1e3 * answer.maps.first().map_or(0.0, |map| map.cell_m)))
     ));
-    let (kind, title) = if answer.broke.is_some() {
+    let (kind, title) = if answer.ground_break.is_some() {
         (CalloutKind::Good, "Where the ground broke")
     } else {
         (CalloutKind::Warning, "Where the ground broke cannot be said")
@@ -75,7 +75,7 @@ fn profile(answer: &Answer) -> Result<Figure, PageError> {
     }
     // Beyond twice the distance there is noise only.
     let end = points.last().map_or(1.0, |last| last.0);
-    let end = answer.broke.as_ref().map_or(end, |broke| end.min(2.5e3 * broke.within_m[1]));
+    let end = answer.ground_break.as_ref().map_or(end, |broke| end.min(2.5e3 * broke.within_m[1]));
     let points: Vec<(f64, f64)> = points.into_iter().filter(|point| point.0 <= end).collect();
     let mut figure = Figure::new(
         "Change of height ahead of the plate",
@@ -88,7 +88,7 @@ fn profile(answer: &Answer) -> Result<Figure, PageError> {
         Span::horizontal(format!("noise, {} standard deviations", number(answer.deviations)), -noise, noise)
             .color(7),
     )?;
-    if let Some(broke) = &answer.broke {
+    if let Some(broke) = &answer.ground_break {
         // Distances are along the surface, the profile on the map.
         let level = on_map(answer.slope_deg);
         let [low, high] = broke.within_m.map(|m| 1e3 * m * level);
@@ -143,14 +143,14 @@ fn above(answer: &Answer, title: &str, name: &str, sign: f64) -> Result<Figure, 
     figure.push(Shades::new(name, parts, 0.0, top))?;
     let wide = 500.0 * answer.plate.width_m;
     figure.push(Line::new("plate", vec![(0.0, -wide), (0.0, wide)]).width(4.0).dash(Dash::Solid).color(6))?;
-    if let Some(broke) = &answer.broke {
+    if let Some(broke) = &answer.ground_break {
         let at = 1e3 * broke.distance_m * on_map(answer.slope_deg);
         let line = vec![(at, -wide), (at, wide)];
         figure.push(Line::new("where the ground broke", line).width(2.0).dash(Dash::Dash).color(1))?;
     }
     // The part of the width that the profile is the mean of.
     let ends = [-0.5 * wide, 0.5 * wide];
-    let far = 1e3 * answer.broke.as_ref().map_or(answer.plate.width_m, |broke| broke.within_m[1]);
+    let far = 1e3 * answer.ground_break.as_ref().map_or(answer.plate.width_m, |broke| broke.within_m[1]);
     let lines: Vec<Vec<(f64, f64)>> = ends.iter().map(|y| vec![(0.0, *y), (far, *y)]).collect();
     figure.push(Paths::new("lines of the profile", lines).width(1.0).color(2))?;
     Ok(figure)

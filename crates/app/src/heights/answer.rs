@@ -159,8 +159,7 @@ pub struct Answer {
     /// Slope of the ground ahead of the plate before the stroke (deg), positive where it rises.
     pub slope_deg: f64,
     /// Where the ground broke; null if that cannot be said.
-    #[serde(rename = "break")]
-    pub broke: Option<BreakAnswer>,
+    pub ground_break: Option<BreakAnswer>,
     /// Why it cannot be said; null if it can.
     pub no_break_because: Option<String>,
     /// What rose.
@@ -192,6 +191,6 @@ impl crate::Answer for Answer {
 
     /// Negative if it cannot be said where the ground broke.
     fn outcome(&self) -> Outcome {
-        if self.broke.is_some() { Outcome::Done } else { Outcome::Negative }
+        if self.ground_break.is_some() { Outcome::Done } else { Outcome::Negative }
     }
 }

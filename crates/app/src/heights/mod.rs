@@ -78,7 +78,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     answer.verdict = words::verdict(&answer);
     answer.warnings = words::warnings(&answer, request, depth_m, notes);
     answer.warnings.extend(found.notes);
-    if let (Some(out), Some(table), Some(broke)) = (&request.out, table, &answer.broke) {
+    if let (Some(out), Some(table), Some(broke)) = (&request.out, table, &answer.ground_break) {
         if table.stroke.break_distance_m.is_some() {
             let name = table.stroke.stroke_id.unwrap_or_default();
             answer.warnings.push(format!("stroke {name} had a break distance, which is replaced"));
@@ -242,7 +242,7 @@ fn answer(request: &Request, change: &Change, said: Stroke) -> Answer {
             sideways_m: shift.sideways_m,
         },
         slope_deg: said.slope_deg,
-        broke,
+        ground_break: broke,
         no_break_because,
         heap: volume(&said.heap),
         furrow: volume(&said.furrow),

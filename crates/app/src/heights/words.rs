@@ -30,7 +30,7 @@ pub(super) fn no_break(why: NoBreak) -> String {
 
 /// The result in sentences.
 pub(super) fn verdict(answer: &Answer) -> String {
-    let mut text = match (&answer.broke, &answer.no_break_because) {
+    let mut text = match (&answer.ground_break, &answer.no_break_because) {
         (Some(broke), _) => {
             let [low, high] = broke.within_m.map(mm);
             format!(
@@ -65,7 +65,7 @@ pub(super) fn warnings(
     depth_m: Option<f64>,
     mut warnings: Vec<String>,
 ) -> Vec<String> {
-    if let Some(broke) = &answer.broke {
+    if let Some(broke) = &answer.ground_break {
         if let (Some(pushed), Some(depth)) = (answer.pushed_m, depth_m)
             && pushed > depth
         {
@@ -138,7 +138,7 @@ pub(super) fn warnings(
             answer.elsewhere_cells
         ));
     }
-    if request.out.is_some() && answer.broke.is_none() {
+    if request.out.is_some() && answer.ground_break.is_none() {
         warnings.push("no stroke table is written, since there is no break distance".to_owned());
     }
     warnings

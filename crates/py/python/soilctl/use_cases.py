@@ -4423,11 +4423,11 @@ class HeightsAnswer(Answer):
     Attributes:
         schema: Id of this schema.
         version: Version of the program.
-        break_: Where the ground broke; null if that cannot be said.
         clumping: Variance of sums over many cells of noise, over that of as many independent cells.
         deviations: Standard deviations of the noise that a change must have to count.
         elsewhere_cells: Cells that changed elsewhere, and are not counted.
         furrow: What sank.
+        ground_break: Where the ground broke; null if that cannot be said.
         heap: What rose.
         maps: The maps before and after.
         no_break_because: Why it cannot be said; null if it can.
@@ -4452,8 +4452,6 @@ class HeightsAnswer(Answer):
     """Id of this schema."""
     version: str
     """Version of the program."""
-    break_: HeightsBreak | None = field(metadata={"key": "break"})
-    """Where the ground broke; null if that cannot be said."""
     clumping: float
     """Variance of sums over many cells of noise, over that of as many independent cells."""
     deviations: float
@@ -4462,6 +4460,8 @@ class HeightsAnswer(Answer):
     """Cells that changed elsewhere, and are not counted."""
     furrow: HeightsVolume
     """What sank."""
+    ground_break: HeightsBreak | None
+    """Where the ground broke; null if that cannot be said."""
     heap: HeightsVolume
     """What rose."""
     maps: list[HeightsMap]
