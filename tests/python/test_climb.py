@@ -83,3 +83,6 @@ def test_a_slope_that_falls_by_itself_and_friction_at_other_stresses_are_refused
     assert "--constant-friction" in found.stderr
     found = soilctl("climb", soils, "--wheel-load", 0, *wheel[2:], code=2)
     assert "--wheel-load is 0 N" in found.stderr
+    region_of_law = soilctl.json("estimate", "data/places/one_place.csv", "--delta", 20, "--friction-law", "--ends", "none", code=None)
+    soils.write_text(json.dumps(region_of_law))
+    assert "law of stress" in soilctl("climb", soils, *wheel, code=2).stderr

@@ -519,6 +519,14 @@ def test_curved_strength_has_fields(serve, soilctl, tmp_path):
     assert settled(page)["soil"][0]["strength"] == {"kind": "hoek-brown", "ucs_mpa": 10, "gsi": 40, "mi": 10}
     save(page)
     soilctl("solve", file, "--check", code=0)
+    page.locator("[id='soil.0.strength.kind']").select_option("friction-law")
+    page.locator("[id='soil.0.strength.slope_deg_per_decade']").fill("6")
+    law = settled(page)["soil"][0]["strength"]
+    assert (law["kind"], law["slope_deg_per_decade"]) == ("friction-law", 6) and "greatest_phi_deg" not in law
+    page.locator("[id='soil.0.strength.greatest_phi_deg']").fill("10")
+    settled(page)
+    assert "strength.greatest_phi_deg" in page.locator("#messages").text_content()
+    page.locator("[id='soil.0.strength.greatest_phi_deg']").fill("50")
     # Clay by the direction of the stress is no curve: it keeps a cohesion, without friction.
     page.locator("[id='soil.0.strength.kind']").select_option("anisotropic")
     page.locator("[id='soil.0.anisotropy.passive']").fill("0.5")

@@ -9,7 +9,7 @@ use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "REGION is what `soilctl estimate STROKES --friction-law --format json` or `soilctl soils NAME --format json` prints. The wheel is a rigid strip on \
+    after_help = "REGION is what `soilctl estimate STROKES --format json` or `soilctl soils NAME --format json` prints. The wheel is a rigid strip on \
     the slope, as wide as the wheel is long in contact, whose load leans by the slope; what the ground bears is proven. Exit codes: 0 it climbs, 1 the ground gives way, \
     3 it depends, or the bounds are too far apart. Docs: docs/how/rover.md."
 )]

@@ -2463,11 +2463,11 @@ class ClimbAnswer(Answer):
         friction_basis: Where these come from.
         gives_way_from_deg: Least of them (deg) on which every one is proven to give way; null if there is none.
         gravity_m_s2: Gravity (m/s2).
-        phi_deg: Friction angles of the soils (deg); with a law of stress those at the stresses that were tried.
+        phi_deg: Friction angles of the soils (deg).
         pressure_pa: Mean pressure under the wheel on level ground (Pa).
         seconds: Time spent (s).
-        slip_stress_pa: Normal stresses (Pa) at which the soil slips under the wheel when it gives way; null if that
-            was not found.
+        slip_stress_pa: Normal stresses (Pa) at which the soil slips under the wheel on the first slope that was
+            tried, when it gives way; null if that was not found.
         steepest_deg: Steepest slope (deg) that is looked at: the weakest soil falls by itself beyond, or 60 deg.
         trials: The slopes that were tried, growing.
         tried_stress_pa: Normal stresses (Pa) at which the soil was tried by strokes and tests; null if they were
@@ -2497,13 +2497,14 @@ class ClimbAnswer(Answer):
     gravity_m_s2: float
     """Gravity (m/s2)."""
     phi_deg: list[float]
-    """Friction angles of the soils (deg); with a law of stress those at the stresses that were tried."""
+    """Friction angles of the soils (deg)."""
     pressure_pa: float
     """Mean pressure under the wheel on level ground (Pa)."""
     seconds: float
     """Time spent (s)."""
     slip_stress_pa: list[float] | None
-    """Normal stresses (Pa) at which the soil slips under the wheel when it gives way; null if that was not found.
+    """Normal stresses (Pa) at which the soil slips under the wheel on the first slope that was tried, when it gives
+    way; null if that was not found.
     """
     steepest_deg: float
     """Steepest slope (deg) that is looked at: the weakest soil falls by itself beyond, or 60 deg."""
@@ -7667,9 +7668,8 @@ def climb(
         within_deg: Slopes are told to this (deg). At least 0.05 and at most 20.
         gravity_m_s2: Gravity (m/s2), which makes the weight of the soil: 3.71 on Mars, 1.62 on the Moon; by default
             that of the Earth, or of where the published soil is. Above 0 and at most 1000.
-        constant_friction: Take the friction angle, and the cohesion if it is published, at any stress. Without a
-            law of stress a wheel under which stresses are others is refused otherwise, since friction falls with
-            stress.
+        constant_friction: Take the friction angle, and the cohesion if it is published, at any stress. A wheel
+            under which stresses are others is refused otherwise, since friction falls with stress.
         max_gap: Gap (U - L) / ((U + L) / 2) at which to stop. Above 0.
         max_elements: Most elements of a mesh. At least 1000 and at most 1e+06.
         max_work: Work that may be spent: elements of each mesh times steps of the solver on it, the same on every

@@ -40,7 +40,7 @@ pub struct Answer {
     pub steepest_deg: f64,
     /// The slopes that were tried, growing.
     pub trials: Vec<Trial>,
-    /// Friction angles of the soils (deg); with a law of stress those at the stresses that were tried.
+    /// Friction angles of the soils (deg).
     pub phi_deg: [f64; 2],
     /// Where these come from.
     pub friction_basis: FrictionBasis,
@@ -52,7 +52,7 @@ pub struct Answer {
     pub gravity_m_s2: f64,
     /// Mean pressure under the wheel on level ground (Pa).
     pub pressure_pa: f64,
-    /// Normal stresses (Pa) at which the soil slips under the wheel when it gives way; null if that was not found.
+    /// Normal stresses (Pa) at which the soil slips under the wheel on the first slope that was tried, when it gives way; null if that was not found.
     pub slip_stress_pa: Option<[f64; 2]>,
     /// Normal stresses (Pa) at which the soil was tried by strokes and tests; null if they were not published.
     pub tried_stress_pa: Option<[f64; 2]>,

@@ -13,7 +13,7 @@ use soilctl_limit_analysis::Reach;
 
 use super::FrictionBasis;
 use super::region::{Origin, Soils};
-use super::search::{Outcome, Search};
+use super::search::Search;
 use super::site::{Site, Soil};
 use super::{Verdict, words};
 use crate::text::number;
@@ -32,6 +32,13 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     crate::request::check(request)?;
     let begun = Instant::now();
     let soils = Soils::read(&request.region)?;
+    if soils.has_law() {
+        return Err(AppError::Request(format!(
+            "{}: a law of stress is not covered under a wheel, where nothing holds the soil beside it; estimate without --friction-law, from strokes or tests at \
+             the stresses under the wheel",
+            request.region.display()
+        )));
+    }
     let steepest_deg = steepest_deg(&soils);
     if let Some(slope) = request.slope_deg.filter(|slope| *slope > steepest_deg) {
         return Err(AppError::Request(format!(
@@ -107,28 +114,14 @@ impl Climb<'_> {
             Site::new(section(self.request, slope_deg), "the section under the wheel", &request, self.soils)?
                 .under_gravity(gravity * slope_deg.to_radians().cos());
         let search = Search::new(&request, &site, self.soils, self.watch)?;
-        let [lower, upper] = if self.soils.has_law() {
-            let Outcome { lower, upper, basis, stress_pa, .. } = search.run()?;
-            self.seen(basis, stress_pa);
-            [lower, upper]
-        } else {
-            if self.basis.is_none() {
-                let (basis, stress_pa) = search.basis()?;
-                self.seen(basis, stress_pa);
-            }
-            [self.weakest(&search)?, self.strongest(&search)?]
-        };
+        if self.basis.is_none() {
+            let (basis, stress_pa) = search.basis()?;
+            (self.basis, self.stress_pa) = (Some(basis), stress_pa);
+        }
+        let (lower, upper) = (self.weakest(&search)?, self.strongest(&search)?);
         let trial = Trial { slope_deg, lower, upper };
         self.trials.push(trial);
         Ok(trial)
-    }
-
-    fn seen(&mut self, basis: FrictionBasis, stress_pa: Option<[f64; 2]>) {
-        self.basis.get_or_insert(basis);
-        if let Some([low, high]) = stress_pa {
-            let [least, most] = self.stress_pa.unwrap_or([low, high]);
-            self.stress_pa = Some([least.min(low), most.max(high)]);
-        }
     }
 
     /// A lower bound with the weakest soil, for all densities.

@@ -53,7 +53,7 @@ pub struct Request {
     #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1000.0))]
     pub gravity_m_s2: Option<f64>,
 
-    /// Take the friction angle, and the cohesion if it is published, at any stress. Without a law of stress a wheel under which stresses are others is
+    /// Take the friction angle, and the cohesion if it is published, at any stress. A wheel under which stresses are others is
     /// refused otherwise, since friction falls with stress
     #[arg(long)]
     pub constant_friction: bool,
