@@ -35,14 +35,16 @@ const BATCHES: [[(f64, f64, f64); 4]; 2] = [
     [(0.0, 70.0, 0.0), (-25.0, 80.0, 1.0), (0.0, 100.0, 2.0), (25.0, 90.0, 1.0)],
 ];
 
-fn plan(soil: &str, delta_deg: f64, end_factor: f64, batches: usize) -> String {
-    let mut text =
-        format!("version = 1\nsoil = \"{soil}\"\nmodel = \"table\"\nend_factor = {end_factor:?}\n");
-    for batch in BATCHES.into_iter().take(batches) {
+/// A stroke of a plan: base angle (deg), tool angle (deg), how far below the friction the set-point is (deg), and slant length (m).
+type Planned = (f64, f64, f64, f64);
+
+/// Batches of a plan; the first stroke of each is near the base.
+fn batches<const N: usize>(batches: impl IntoIterator<Item = [Planned; N]>, delta_deg: f64) -> String {
+    let mut text = String::new();
+    for batch in batches {
         text += "\n[[batches]]\nstrokes = [\n";
-        for (place, (base_deg, alpha_deg, below_deg)) in batch.into_iter().enumerate() {
+        for (place, (base_deg, alpha_deg, below_deg, slant_m)) in batch.into_iter().enumerate() {
             let radius_m = if place == 0 { 0.3048 } else { 0.4318 };
-            let slant_m = if alpha_deg > 95.0 { 0.0219 } else { 0.0254 };
             let depth_m = slant_m * f64::to_radians(alpha_deg).sin();
             let set_deg = delta_deg - below_deg;
             writeln!(
@@ -55,6 +57,13 @@ fn plan(soil: &str, delta_deg: f64, end_factor: f64, batches: usize) -> String {
         text += "]\n";
     }
     text
+}
+
+fn plan(soil: &str, delta_deg: f64, end_factor: f64, count: usize) -> String {
+    let slant_m = |alpha_deg: f64| if alpha_deg > 95.0 { 0.0219 } else { 0.0254 };
+    let strokes = BATCHES.map(|batch| batch.map(|(base, alpha, below)| (base, alpha, below, slant_m(alpha))));
+    format!("version = 1\nsoil = \"{soil}\"\nmodel = \"table\"\nend_factor = {end_factor:?}\n")
+        + &batches(strokes.into_iter().take(count), delta_deg)
 }
 
 /// What an estimate found of a soil.
@@ -127,11 +136,10 @@ fn one_a_core<W: Sync, F: Send>(wanted: &[W], run: impl Fn(&W) -> F + Sync) -> V
     done.into_inner().unwrap()
 }
 
-/// Two preparations of four strokes at several depths: base angle (deg), tool angle (deg), how far below the friction the set-point is (deg), and
-/// slant length (mm).
-const LADDER: [[(f64, f64, f64, f64); 4]; 2] = [
-    [(0.0, 70.0, 1.0, 15.0), (-25.0, 90.0, 0.0, 25.4), (0.0, 80.0, 1.0, 40.0), (25.0, 80.0, 2.0, 18.0)],
-    [(0.0, 70.0, 0.0, 40.0), (-25.0, 80.0, 1.0, 25.4), (0.0, 90.0, 2.0, 15.0), (25.0, 90.0, 1.0, 30.0)],
+/// Two preparations of four strokes at several depths.
+const LADDER: [[Planned; 4]; 2] = [
+    [(0.0, 70.0, 1.0, 0.015), (-25.0, 90.0, 0.0, 0.0254), (0.0, 80.0, 1.0, 0.04), (25.0, 80.0, 2.0, 0.018)],
+    [(0.0, 70.0, 0.0, 0.04), (-25.0, 80.0, 1.0, 0.0254), (0.0, 90.0, 2.0, 0.015), (25.0, 90.0, 1.0, 0.03)],
 ];
 /// A stress in the middle of theirs, in Pa, at which friction angles are told.
 const REFERENCE_PA: f64 = 500.0;
@@ -160,28 +168,12 @@ impl LawSoil {
 
     fn plan(&self) -> String {
         let Self { phi_deg, slope_deg, density, delta_deg } = self;
-        let mut text = format!(
+        format!(
             "version = 1\nmodel = \"table\"\n[soil]\nphi_deg = {phi_deg:?}\ndelta_deg = {delta_deg:?}\ndensity_kg_m3 = {density:?}\n\
              loosest_kg_m3 = 1430\ndensest_kg_m3 = 1690\n\
              friction_law = {{ slope_deg_per_decade = {slope_deg:?}, reference_stress_pa = {REFERENCE_PA:?} }}\n\
              [preparation]\ndensity_sd_rel = 0.005\n"
-        );
-        for batch in LADDER {
-            text += "\n[[batches]]\nstrokes = [\n";
-            for (place, (base_deg, alpha_deg, below_deg, slant_mm)) in batch.into_iter().enumerate() {
-                let radius_m = if place == 0 { 0.3048 } else { 0.4318 };
-                let depth_m = 1e-3 * slant_mm * f64::to_radians(alpha_deg).sin();
-                let set_deg = delta_deg - below_deg;
-                writeln!(
-                    text,
-                    "    {{ radius_m = {radius_m}, base_deg = {base_deg:.1}, alpha_deg = {alpha_deg:.1}, depth_m = {depth_m:.5}, \
-                     delta_set_deg = {set_deg:.1} }},"
-                )
-                .unwrap();
-            }
-            text += "]\n";
-        }
-        text
+        ) + &batches(LADDER, *delta_deg)
     }
 }
 

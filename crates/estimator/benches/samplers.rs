@@ -7,8 +7,11 @@
 #![allow(clippy::print_stdout, reason = "a benchmark's answer")]
 #![allow(clippy::unwrap_used, reason = "a benchmark may stop")]
 
+#[path = "../../limit_analysis/benches/peers/environment.rs"]
+mod environment;
+
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -68,19 +71,6 @@ fn strokes(coulomb: &dyn ForceModel) -> Vec<(Plate, f64)> {
     found
 }
 
-/// An environment with the pinned packages.
-fn python(folder: &Path) -> PathBuf {
-    let environment = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("samplers");
-    let python = environment.join("bin/python");
-    let run = |command: &mut Command| assert!(command.status().unwrap().success(), "{command:?}");
-    if !python.exists() {
-        run(Command::new("python3").args(["-m", "venv"]).arg(&environment));
-    }
-    let requirements = folder.join("requirements.txt");
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "-r"]).arg(requirements));
-    python
-}
-
 fn samplers(python: &Path, folder: &Path, problem: &Value) {
     let mut child = Command::new(python)
         .arg(folder.join("samplers.py"))
@@ -117,7 +107,7 @@ fn samplers(python: &Path, folder: &Path, problem: &Value) {
 
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/peers");
-    let python = python(&folder);
+    let python = environment::python(&folder);
     let coulomb = model("coulomb").unwrap();
     let strokes = strokes(&*coulomb);
     let observed = |(plate, force): &(Plate, f64)| {

@@ -8,7 +8,10 @@
 #![allow(clippy::print_stdout, reason = "a benchmark's answer")]
 #![allow(clippy::unwrap_used, reason = "a benchmark may stop")]
 
-use std::path::{Path, PathBuf};
+#[path = "peers/environment.rs"]
+mod environment;
+
+use std::path::Path;
 use std::process::Command;
 
 use soilctl_earth_pressure::{Case, ChenLiu, ForceModel};
@@ -46,19 +49,6 @@ fn ours(name: &str, options: &Options) {
     }
 }
 
-/// An environment with the pinned packages.
-fn python(folder: &Path) -> PathBuf {
-    let environment = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("peers");
-    let python = environment.join("bin/python");
-    let run = |command: &mut Command| assert!(command.status().unwrap().success(), "{command:?}");
-    if !python.exists() {
-        run(Command::new("python3").args(["-m", "venv"]).arg(&environment));
-    }
-    let requirements = folder.join("requirements.txt");
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "-r"]).arg(requirements));
-    python
-}
-
 fn uniform(python: &Path, folder: &Path, name: &str, arguments: &[&str]) {
     let output = Command::new(python).arg(folder.join("uniform_plate.py")).args(arguments).output().unwrap();
     for line in String::from_utf8_lossy(&output.stdout).lines() {
@@ -73,7 +63,7 @@ fn uniform(python: &Path, folder: &Path, name: &str, arguments: &[&str]) {
 
 fn main() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/peers");
-    let python = python(&folder);
+    let python = environment::python(&folder);
     println!("{:<34} {:<6} {:>6} {:>9} {:>10}", "what", "bound", "elem.", "K", "time");
     let chen = ChenLiu.predict(&Case::level_deg(90.0, 40.0, 25.0)).unwrap().k_net().0;
     println!("{:<34} {:<6} {:>6} {chen:>9.3}", "Chen and Liu", "upper", "");

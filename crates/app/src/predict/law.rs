@@ -56,7 +56,8 @@ pub(super) fn predict(request: &Request, alpha_deg: f64, slopes: (f64, f64)) -> 
     let ends = [stroke.end(0)?, stroke.end(1)?];
     let [low, high] = [&ends[0], &ends[1]];
     let phi_deg = [low.phi_deg, high.phi_deg];
-    let mut answer = stroke.at(f64::midpoint(phi_deg[0], phi_deg[1]))?;
+    let middle = stroke.with_friction(f64::midpoint(phi_deg[0], phi_deg[1]));
+    let mut answer = single::predict(&middle, alpha_deg, true)?;
     let slip_stress_pa = [high.stress_pa, low.stress_pa];
     answer.inputs.phi_deg = request.phi()?;
     answer.notes.push(format!(
@@ -92,15 +93,14 @@ struct End {
 }
 
 impl Stroke<'_> {
-    /// The plate in a soil with one friction angle.
-    fn at(&self, phi_deg: f64) -> Result<Answer, AppError> {
-        let request = Request {
+    /// The same question about a soil with one friction angle.
+    fn with_friction(&self, phi_deg: f64) -> Request {
+        Request {
             phi_deg: Some(phi_deg),
             friction_law: None,
             reference_stress_pa: None,
             ..self.request.clone()
-        };
-        single::predict(&request, self.alpha_deg)
+        }
     }
 
     /// The least friction (0) is that at the greatest stress, the greatest (1) that at the least.
@@ -122,7 +122,7 @@ impl Stroke<'_> {
 
     /// The normal stress where a soil with this friction slips, and the force: both ends of it.
     fn stress(&self, phi_deg: f64, end: usize) -> Result<(f64, [f64; 2]), AppError> {
-        let answer = self.at(phi_deg)?;
+        let answer = single::predict(&self.with_friction(phi_deg), self.alpha_deg, false)?;
         let force = answer.force_n.unwrap_or(f64::NAN);
         let part = |bound: Option<f64>| bound.zip(answer.k_net).map_or(1.0, |(bound, net)| bound / net);
         let forces = [force * part(answer.k_net_lower), force * part(answer.k_net_upper)];

@@ -28,7 +28,7 @@ pub fn run(request: &Request, _watch: &dyn Watch) -> Result<Answer, AppError> {
         (Some(table), _) => strokes::predict(request, table),
         (None, Some(alpha)) => match request.friction_law {
             Some(slopes) => law::predict(request, alpha, slopes),
-            None => single::predict(request, alpha),
+            None => single::predict(request, alpha, true),
         },
         (None, None) => Err(AppError::Request("give --alpha DEG or --strokes FILE".into())),
     }

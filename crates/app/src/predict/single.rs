@@ -18,7 +18,8 @@ pub(super) fn case(request: &Request, alpha_deg: f64) -> Result<Case, AppError> 
     Ok(Case::from_deg(alpha_deg, request.loads.beta_deg, request.phi()?, delta(request)?))
 }
 
-pub(super) fn predict(request: &Request, alpha_deg: f64) -> Result<Answer, AppError> {
+/// The prediction. What one degree more makes of it takes as long as eight predictions, and may be left out.
+pub(super) fn predict(request: &Request, alpha_deg: f64, with_sensitivity: bool) -> Result<Answer, AppError> {
     let (delta_deg, density) = (delta(request)?, density(request)?);
     let plate = Plate::new(
         Angle::from_degrees(alpha_deg),
@@ -58,7 +59,7 @@ pub(super) fn predict(request: &Request, alpha_deg: f64) -> Result<Answer, AppEr
         width_ratio: width_ratio.finite(),
         force_n: complete.then(|| found.force_n(&plate, &soil, &loads)),
         friction_law: None,
-        sensitivity_percent_per_deg: Some(sensitivity(model, &case)),
+        sensitivity_percent_per_deg: with_sensitivity.then(|| sensitivity(model, &case)),
         inputs: Inputs {
             alpha_deg: Some(alpha_deg),
             delta_deg: Some(delta_deg),

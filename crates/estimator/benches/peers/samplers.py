@@ -125,7 +125,6 @@ def ensemble(problem, start, limit, moves, method):
     sampler = emcee.EnsembleSampler(
         count, len(width), problem.log_probability, moves=moves, vectorize=True
     )
-    np.random.seed(1)
     state = emcee.State(walkers[:count])
     while reached.goes_on(limit):
         state = sampler.run_mcmc(state, 200, store=True, skip_initial_state_check=True)

@@ -1,7 +1,7 @@
 //! Limit forces in soil whose friction falls with the logarithm of stress.
 
 use serde::{Deserialize, Serialize};
-use soilctl_earth_pressure::{EarthPressureError, ForceModel, LoadFactors};
+use soilctl_earth_pressure::{Case, ChenLiu, EarthPressureError, ForceModel, LoadFactors};
 use soilctl_soil::{Angle, Interface, Soil};
 
 use super::limit::{ANGLES, LimitCoefficients, SHARES, angle_deg, between, round, share, surrounding};
@@ -193,16 +193,9 @@ fn frictions_deg(
     let range = model.valid_range().phi_deg;
     let least = range.0.max(interface.friction().degrees()).max(1.0);
     // Stresses by the coefficients of the reference.
-    let upright = soilctl_earth_pressure::ChenLiu
-        .predict(&soilctl_earth_pressure::Case {
-            tool_angle: Angle::from_degrees(angle_deg(ANGLES / 2)),
-            surface_slope: Angle::ZERO,
-            width_ratio: soilctl_soil::WidthRatio::PLANE_STRAIN,
-            friction: soil.friction(),
-            interface: interface.friction(),
-        })?
-        .net
-        .weight;
+    let upright_deg = angle_deg(ANGLES / 2);
+    let case = Case::level_deg(upright_deg, soil.friction().degrees(), interface.friction().degrees());
+    let upright = ChenLiu.predict(&case)?.net.weight;
     let pressure_per_m = soil.unit_weight_n_m3() * upright * libm::cos(interface.friction().radians());
     let stress_per_m = pressure_per_m * (1.0 - libm::sin(soil.friction().radians()));
     let at = |depth_m: f64| law.friction_deg(soil, stress_per_m * depth_m);

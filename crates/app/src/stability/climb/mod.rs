@@ -47,7 +47,15 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
             number(steepest_deg)
         )));
     }
-    let mut climb = Climb { request, soils: &soils, watch, trials: Vec::new(), basis: None, stress_pa: None };
+    let mut climb = Climb {
+        request,
+        soils: &soils,
+        watch,
+        trials: Vec::new(),
+        basis: None,
+        stress_pa: None,
+        is_stopped: false,
+    };
     watch.begin(0, "slopes");
     let searched = climb.search(steepest_deg);
     watch.end();
@@ -70,6 +78,8 @@ struct Climb<'a> {
     trials: Vec<Trial>,
     basis: Option<FrictionBasis>,
     stress_pa: Option<[f64; 2]>,
+    /// Whether the user broke it off; what was found until then is told.
+    is_stopped: bool,
 }
 
 impl Climb<'_> {
@@ -98,7 +108,7 @@ impl Climb<'_> {
 
     /// Halves slopes between one of which something does not hold, and a steeper one of which it does.
     fn halve(&mut self, mut from: f64, mut to: f64, holds: impl Fn(&Trial) -> bool) -> Result<(), AppError> {
-        while to - from > self.request.within_deg {
+        while to - from > self.request.within_deg && !self.is_stopped {
             let middle = f64::midpoint(from, to);
             if holds(&self.trial(middle)?) { to = middle } else { from = middle }
         }
@@ -119,21 +129,20 @@ impl Climb<'_> {
             (self.basis, self.stress_pa) = (Some(basis), stress_pa);
         }
         let (lower, upper) = (self.weakest(&search)?, self.strongest(&search)?);
+        self.is_stopped |= search.is_stopped();
         let trial = Trial { slope_deg, lower, upper };
         self.trials.push(trial);
         Ok(trial)
     }
 
-    /// A lower bound with the weakest soil, for all densities.
+    /// A lower bound with the weakest soil, for all densities: the least of theirs.
     fn weakest(&self, search: &Search<'_>) -> Result<Option<f64>, AppError> {
         let ([phi_deg, _], [cohesion_kpa, _]) = (self.soils.phi_deg(), self.soils.more_cohesion_kpa());
         let mut least = f64::INFINITY;
         for density_kg_m3 in search.densities() {
-            let found = search.decide(Soil { phi_deg, density_kg_m3, cohesion_kpa })?;
-            match (found.reach, found.lower) {
-                (Reach::Reached, Some(lower)) => least = least.min(lower),
-                // The other densities cannot help.
-                (Reach::Reached | Reach::Missed | Reach::Open, lower) => return Ok(lower),
+            match search.decide(Soil { phi_deg, density_kg_m3, cohesion_kpa })?.lower {
+                Some(lower) => least = least.min(lower),
+                None => return Ok(None),
             }
         }
         Ok(search.cut(Some(least), None)[0])
