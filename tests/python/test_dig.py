@@ -98,7 +98,9 @@ def test_keys_limits_and_a_second_hand(dig, pages):
     until(other, "document.getElementById('held').textContent.includes('Another hand')")
     other.locator("#hold").click()
     until(other, "/another hand/.test(document.getElementById('told').textContent)")
+    # The button has the focus; Escape lets go all the same, and this hand does not come back when the other is gone.
     other.keyboard.press("Escape")
+    assert other.evaluate("dig.hand.held") is False
     # The box's floor, or the soil before it, is as far as it goes.
     until(page, "['force', 'torque', 'reach'].includes(dig.state.led?.limit)")
     assert page.locator("#held").inner_text() != ""

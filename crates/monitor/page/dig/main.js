@@ -220,7 +220,7 @@ function start() {
   dragIn(get('section'), section, hand, stage, plate);
   dragIn(get('map'), above, hand, stage, plate);
   const acts = {
-    h: () => { hand.hold(!hand.held); showGrip(); }, Escape: () => { hand.letGo(); showGrip(); }, m: () => toggle('sound', on => sense.sound(on)),
+    h: () => { hand.hold(!hand.held); showGrip(); }, m: () => toggle('sound', on => sense.sound(on)),
     v: () => toggle('shake', on => { sense.shakes = on; }), t: () => theme(true), '?': () => get('help').showModal(),
   };
   keysOn(stage, hand, key => { acts[key]?.(); return Boolean(acts[key]); });
@@ -233,6 +233,7 @@ function start() {
   get('shake').hidden = !navigator.vibrate && !navigator.getGamepads;
   // Also while something else has the focus.
   addEventListener('keydown', event => {
+    if (event.key === 'Escape') { hand.letGo(); showGrip(); }
     if (event.key !== '.' || !(event.ctrlKey || event.metaKey) || get('stop').hidden) return;
     if (!event.repeat) get('stop').click();
     event.preventDefault();
