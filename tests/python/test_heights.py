@@ -11,6 +11,7 @@ import math
 import numpy as np
 import pytest
 from conftest import strict_json
+from foreign import bags, score
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 from scipy.spatial.transform import Rotation
@@ -308,3 +309,52 @@ def test_the_page_opens(soilctl, tmp_path, open_page):
     opened = open_page(page)
     assert opened.locator("h1").inner_text() == "What does a scan of the ground say?"
     assert opened.locator("figure").count() == 3
+
+
+def test_process_reads_the_scans_around_each_stroke(soilctl, tmp_path, validate):
+    """An arm and forces made by `foreign`, and clouds between its strokes: also one while the plate is in the ground, which must not count."""
+    random, edges = np.random.default_rng(3), (0.09, 0.07)
+    case = bags.Case(arm="gantry", seed=5, strokes=2, noise=0.05, kinds=("drastic",), alpha=(70.0, 70.0), width=WIDTH, container="mcap-none", plan=(("drastic", 8.0, 70.0),) * 2)
+    bag = bags.make(case)
+    surface = bag.arm.surface_z
+    tips = bag.arm.plate_pose(bag.joints)[1]
+    at = lambda t: tips[np.searchsorted(bag.joints_t, t)]
+    middle = np.mean([at(stroke.end_s) for stroke in bag.truth], 0)
+
+    def scene(t, moves):
+        x, y = (axis + random.uniform(-0.3, 0.3, 150_000) for axis in middle[:2])
+        z = surface + rough(x, y) + random.normal(0.0, 0.0005, len(x)) + sum(moved(x, y, *move) for move in moves)
+        message = cloud(case.wall_s + t, np.column_stack([x, y, z]), "")
+        return "/points", round((case.wall_s + t) * 1e9), bytes(STORE.serialize_cdr(message, message.__msgtype__))
+
+    clouds, moves = [], []
+    for (down, up), stroke, edge in zip(bag.contacts, bag.truth, edges, strict=True):
+        begin, end = at(stroke.start_s), at(stroke.end_s)
+        ahead = (end - begin)[:2] / np.linalg.norm((end - begin)[:2])
+        face = end[:2] - stroke.depth_m / math.tan(math.radians(stroke.alpha_deg)) * ahead
+        heading = math.degrees(math.atan2(ahead[1], ahead[0]))
+        clouds.append(scene(down - 0.4, moves))
+        clouds.append(scene((stroke.start_s + stroke.end_s) / 2, [*moves, (0.03, heading, face)]))
+        moves.append((edge, heading, face))
+        clouds.append(scene(up + 0.2, moves))
+    messages = sorted([*bags.stream(bag), *clouds], key=lambda message: message[1])
+    types = {"/arm/joint_states": bags.JOINTS, "/ft/wrench_raw": bags.WRENCH, "/points": "sensor_msgs/msg/PointCloud2"}
+    path = tmp_path / "arm.mcap"
+    bags.write_mcap(path, types, messages, "none")
+    path.with_suffix(".urdf").write_text(bag.arm.urdf())
+    options = score.options(bag, path)
+    answer = soilctl.json("process", path, *options, "--out", tmp_path / "strokes.csv")
+    validate(answer)
+    scans = answer["logs"][0]["scans"]
+    assert [scan["reason"] for scan in scans] == [None, None]
+    with open(tmp_path / "strokes.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    for row, scan, edge in zip(rows, scans, edges, strict=True):
+        assert row["stroke_id"] == scan["stroke_id"] and float(row["break_distance_m"]) == scan["break_distance_m"]
+        assert abs(scan["break_distance_m"] - edge) < 2 * scan["break_distance_sd_m"] < 0.03
+    # Forces are what they are without clouds; a topic that is asked for and not there is missed.
+    done = soilctl("process", path, *options, "--scan-topic", "/depth", "--format", "json", code=3)
+    without = strict_json(done.stdout)
+    assert "no topic /depth" in without["logs"][0]["unusable"][-1]
+    assert [row["force_n"] for row in without["strokes"]] == [row["force_n"] for row in answer["strokes"]]
+    assert "broke the ground" in soilctl("process", path, *options).stdout

@@ -97,12 +97,10 @@ columns! {
         #[schemars(skip)]
         place_y_m: Option<f64>, "m", Range::Signed,
             "The same across it, counter-clockwise from the first, or to the north", [places], Hand;
-        #[schemars(skip)]
         break_distance_m: Option<f64>, "m", Range::Positive,
-            "From the plate's face at the surface, along the surface ahead, to where the ground broke at failure", [surface], Hand;
-        #[schemars(skip)]
+            "From the plate's face at the surface, along the surface ahead, to where the ground broke at failure", [surface], Logs;
         break_distance_sd_m: Option<f64>, "m", Range::Deviation,
-            "Standard deviation of `break_distance_m`", [surface], Hand;
+            "Standard deviation of `break_distance_m`", [surface], Logs;
     }
 }
 

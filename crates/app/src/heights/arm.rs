@@ -15,15 +15,9 @@ const LEAST_DEPTH_M: f64 = 1e-3;
 /// The least way that says where the plate went, in m.
 const LEAST_WAY_M: f64 = 1e-3;
 
-/// Maps of the clouds before and after, in the root frame of the arm, and the plate where its stroke ended between them.
-pub(super) fn scans(
-    request: &Request,
-    width_m: f64,
-    depth_m: Option<f64>,
-    stop: &AtomicBool,
-) -> Result<Scans, AppError> {
-    let (before, after) = (&request.before, &request.after);
-    if !is_recording(before) || before != after {
+/// The arm in the recording that both maps come from.
+pub(super) fn arm(request: &Request, stop: &AtomicBool) -> Result<Motion, AppError> {
+    if !is_recording(&request.before) || request.before != request.after {
         return Err(AppError::Request(
             "the plate's place is not known: give --plate-x, --plate-y and --heading, or one recording of arm and scans as both maps".into(),
         ));
@@ -34,7 +28,17 @@ pub(super) fn scans(
         end_link: request.plate_frame.clone(),
         ..Settings::default()
     };
-    let arm = motion(before, &settings, stop)?;
+    Ok(motion(&request.before, &settings, stop)?)
+}
+
+/// Maps of the clouds before and after, in the root frame of the arm, and the plate where its stroke ended between them.
+pub(super) fn scans(
+    request: &Request,
+    arm: &Motion,
+    width_m: f64,
+    depth_m: Option<f64>,
+) -> Result<Scans, AppError> {
+    let (before, after) = (&request.before, &request.after);
     // Around the plate is not known yet.
     let [first, second] = readings(request, [0.0; 2], width_m);
     let topic = request.topic.as_deref();
@@ -42,7 +46,7 @@ pub(super) fn scans(
     in_order(request, clouds[0].time_ns, clouds[1].time_ns)?;
     let [from_s, to_s] = [0, 1].map(|i| arm.columns.clock.seconds(clouds[i].time_ns));
     for cloud in &mut clouds {
-        into_root(&arm, cloud)?;
+        into_root(arm, cloud)?;
     }
     let between: Vec<f64> =
         arm.times_s(0.0).into_iter().filter(|t_s| (from_s..=to_s).contains(t_s)).collect();
@@ -59,7 +63,7 @@ pub(super) fn scans(
     let [one, two] = clouds;
     let (before, of_before) = of_cloud(&name, one, &first, None)?;
     let (after, of_after) = of_cloud(&name, two, &second, Some(before.grid()))?;
-    let (plate, deep_m) = plate(request, &arm, &states, &before, width_m)?;
+    let (plate, deep_m) = plate(request, arm, &states, &before, width_m)?;
     let notes = vec![format!(
         "by the arm, the plate's face was at x = {:.4} m, y = {:.4} m in the frame of its root as the stroke ended, {:.1} mm deep, and went to {:.1} deg",
         plate.at_m[0],

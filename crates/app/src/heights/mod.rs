@@ -12,6 +12,7 @@ use soilctl_heights::{
     Change, Format as Kind, HeightMap, Moment, Plate, Reading, Source, Stroke, Volume, change, read,
     read_after, stroke,
 };
+use soilctl_motion::Motion;
 use soilctl_strokes::{ReadOptions, StrokeRow, StrokeTable};
 
 pub use answer::{
@@ -47,15 +48,42 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     })?;
     let depth_m = request.depth_m.or(row.map(|row| row.depth_m));
     let stop = watch.stop(Interrupted::LeavesNothing);
-    let Scans { before, after, sources: [of_before, of_after], mut plate, depth_m, mut notes } =
-        match (request.plate_x_m, request.plate_y_m, request.heading_deg) {
-            (Some(x), Some(y), Some(heading_deg)) => {
-                let plate = Plate { at_m: [x, y], sd_m: 0.0, heading_deg, width_m };
-                plate.check()?;
-                by_place(request, plate, depth_m)?
-            }
-            _ => arm::scans(request, width_m, depth_m, &stop)?,
-        };
+    let scans = match (request.plate_x_m, request.plate_y_m, request.heading_deg) {
+        (Some(x), Some(y), Some(heading_deg)) => {
+            let plate = Plate { at_m: [x, y], sd_m: 0.0, heading_deg, width_m };
+            plate.check()?;
+            by_place(request, plate, depth_m)?
+        }
+        _ => arm::scans(request, &arm::arm(request, &stop)?, width_m, depth_m)?,
+    };
+    let mut answer = told(request, scans)?;
+    if let (Some(out), Some(table), Some(broke)) = (&request.out, table, &answer.ground_break) {
+        if table.stroke.break_distance_m.is_some() {
+            let name = table.stroke.stroke_id.unwrap_or_default();
+            answer.warnings.push(format!("stroke {name} had a break distance, which is replaced"));
+        }
+        let numbers = [("break_distance_m", broke.distance_m), ("break_distance_sd_m", broke.table_sd_m)];
+        table.all.with_numbers(table.row, &numbers)?.write(out)?;
+        answer.written = Some(out.display().to_string());
+    }
+    Ok(answer)
+}
+
+/// What scans of a recording say of one of its strokes, where its arm is known already.
+///
+/// # Errors
+/// [`AppError`] as of [`run`].
+pub(crate) fn of_stroke(
+    request: &Request,
+    arm: &Motion,
+    width_m: f64,
+    depth_m: f64,
+) -> Result<Answer, AppError> {
+    told(request, arm::scans(request, arm, width_m, Some(depth_m))?)
+}
+
+fn told(request: &Request, scans: Scans) -> Result<Answer, AppError> {
+    let Scans { before, after, sources: [of_before, of_after], mut plate, depth_m, mut notes } = scans;
     notes.extend(compare(request, &of_before, &of_after)?);
     plate.sd_m = request.plate_sd_m.unwrap_or(0.5 * before.grid().cell_m());
     let found = change(&before, &after, &plate, request.deviations, request.height_sd_m)?;
@@ -68,25 +96,16 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
             y_m: plate.at_m[1],
             sd_m: plate.sd_m,
             heading_deg: plate.heading_deg,
-            width_m,
+            width_m: plate.width_m,
             depth_m,
         },
-        pushed_m: depth_m.map(|depth| said.furrow.m3.max(0.0) / (width_m * depth)),
+        pushed_m: depth_m.map(|depth| said.furrow.m3.max(0.0) / (plate.width_m * depth)),
         picture: picture::picture(&found, &plate, &said),
         ..answer(request, &found, said)
     };
     answer.verdict = words::verdict(&answer);
     answer.warnings = words::warnings(&answer, request, depth_m, notes);
     answer.warnings.extend(found.notes);
-    if let (Some(out), Some(table), Some(broke)) = (&request.out, table, &answer.ground_break) {
-        if table.stroke.break_distance_m.is_some() {
-            let name = table.stroke.stroke_id.unwrap_or_default();
-            answer.warnings.push(format!("stroke {name} had a break distance, which is replaced"));
-        }
-        let numbers = [("break_distance_m", broke.distance_m), ("break_distance_sd_m", broke.table_sd_m)];
-        table.all.with_numbers(table.row, &numbers)?.write(out)?;
-        answer.written = Some(out.display().to_string());
-    }
     Ok(answer)
 }
 

@@ -6,6 +6,7 @@ use soilctl_process::table::StrokeRecord;
 
 use super::findings::Analysis;
 use super::manifest::{Entry, Found, Skipped, bad_log};
+use super::scans::Scan;
 use super::work::Done;
 use crate::{AppError, Outcome};
 
@@ -53,7 +54,10 @@ pub struct LogOutcome {
     pub unusable: Vec<String>,
     /// What else was found in a log of another program; null for a log of soilctl.
     pub found: Option<Found>,
-    /// Whether data that matter are missing: a stroke could not be weighed, or has a gap where the force rises.
+    /// What clouds of points before and after each stroke say of where the ground broke; empty if there are none.
+    pub scans: Vec<Scan>,
+    /// Whether data that matter are missing: a stroke could not be weighed, or has a gap where the force rises, or clouds that were asked for
+    /// cannot be used.
     pub is_partial: bool,
 }
 
@@ -70,6 +74,7 @@ impl LogOutcome {
             damage: entry.damage,
             unusable: entry.unusable,
             found: entry.found,
+            scans: entry.scans,
             is_partial: entry.is_partial,
         }
     }

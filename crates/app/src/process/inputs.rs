@@ -27,6 +27,8 @@ pub(crate) struct Log {
 pub(crate) struct Inputs {
     pub(crate) logs: Vec<Log>,
     pub(crate) settings: LogSettings,
+    /// Topic of clouds of points, if it was named.
+    pub(crate) scan_topic: Option<String>,
     pub(crate) trace_rate_hz: f64,
     pub(crate) threads: usize,
     pub(crate) out: Option<(PathBuf, Form)>,
@@ -58,6 +60,7 @@ impl Inputs {
         Ok(Self {
             logs: named(paths),
             settings: settings(&request.bag)?,
+            scan_topic: request.bag.scan_topic.clone(),
             trace_rate_hz: request.trace_rate_hz,
             threads: request.threads.map_or_else(cores, |threads| threads as usize),
             shard: request.shard,

@@ -13,6 +13,7 @@ use soilctl_process::foreign::{Contact, FreeAir};
 use soilctl_process::table::StrokeRecord;
 
 use super::inputs::{Inputs, Log};
+use super::scans::Scan;
 use crate::AppError;
 use crate::files::failed;
 
@@ -32,7 +33,10 @@ impl Header {
         Self {
             schema: SCHEMA.into(),
             program_version: env!("CARGO_PKG_VERSION").into(),
-            settings: format!("{:?}, traces at {} Hz", inputs.settings, inputs.trace_rate_hz),
+            settings: format!(
+                "{:?}, clouds on {:?}, traces at {} Hz",
+                inputs.settings, inputs.scan_topic, inputs.trace_rate_hz
+            ),
         }
     }
 }
@@ -89,6 +93,9 @@ pub(super) struct Entry {
     /// What else was found in a log of another program.
     #[serde(default)]
     pub(super) found: Option<Found>,
+    /// What scans before and after its strokes say; none without clouds.
+    #[serde(default)]
+    pub(super) scans: Vec<Scan>,
     /// Whether strokes could not be weighed, or have gaps where the force rises.
     #[serde(default)]
     pub(super) is_partial: bool,

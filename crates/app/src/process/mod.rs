@@ -8,6 +8,7 @@ mod manifest;
 mod one_log;
 mod outputs;
 mod request;
+mod scans;
 mod windows;
 mod work;
 
@@ -16,6 +17,7 @@ pub use findings::{Analysis, Comparison, Effect, Friction, Group, Law, Lift, Rub
 pub(crate) use inputs::{Inputs, Log};
 pub use manifest::{Found, Skipped};
 pub use request::{AnalysisRequest, Bag, Request, WrenchSense};
+pub use scans::Scan;
 pub use soilctl_process::foreign::{Contact, ContactKind, FreeAir};
 
 use crate::{AppError, Watch};

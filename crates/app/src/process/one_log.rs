@@ -11,6 +11,7 @@ use soilctl_process::table::{StrokeRecord, write_trace};
 
 use super::inputs::{Inputs, Log};
 use super::manifest::{Entry, Found, Skipped};
+use super::scans::{self, Pushed};
 use crate::AppError;
 use crate::files::failed;
 
@@ -27,14 +28,17 @@ pub(super) fn process(
         None => None,
     };
     let mut broken = Ok(());
-    let mut number = 0;
+    let (mut number, mut windows_s) = (0, Vec::new());
     let summary = read_log(&log.path, &inputs.settings, stop, &mut |found| match found {
         Candidate::Rejected(nothing) => entry.skipped.push(skipped(nothing)),
         Candidate::Stroke(stroke) => {
             number += 1;
             let stroke_id = format!("{}-{number}", log.name);
             match StrokeRecord::new(&stroke, stroke_id.clone(), log.path.display().to_string()) {
-                Ok(record) => entry.strokes.push(record),
+                Ok(record) => {
+                    entry.strokes.push(record);
+                    windows_s.push([stroke.start_s, stroke.end_s]);
+                }
                 Err(reason) => entry.skipped.push(Skipped {
                     stroke_id: Some(stroke_id.clone()),
                     from_s: stroke.start_s,
@@ -70,6 +74,7 @@ pub(super) fn process(
                     free_air: foreign.air,
                     contacts: foreign.contacts,
                 });
+                look_at_scans(&mut entry, &windows_s, log, inputs, stop);
             }
         }
         Err(ProcessError::Stopped) => return Ok(None),
@@ -80,6 +85,22 @@ pub(super) fn process(
         }
     }
     Ok(Some(entry))
+}
+
+/// Clouds in the recording of another program; what cannot be used of them takes nothing from the forces.
+fn look_at_scans(entry: &mut Entry, windows_s: &[[f64; 2]], log: &Log, inputs: &Inputs, stop: &AtomicBool) {
+    let strokes = entry.strokes.iter_mut().zip(windows_s);
+    let mut strokes: Vec<Pushed<'_>> =
+        strokes.map(|(record, &window_s)| Pushed { record, window_s }).collect();
+    let contacts = entry.found.as_ref().map_or(&[][..], |found| &found.contacts);
+    match scans::read(&mut strokes, contacts, log, inputs, stop) {
+        Ok(scans) => entry.scans = scans,
+        Err(problem) => {
+            // Whoever names a topic misses it; clouds that nobody asked for are a word.
+            entry.is_partial |= inputs.scan_topic.is_some();
+            entry.unusable.push(problem);
+        }
+    }
 }
 
 fn skipped(nothing: NoStroke) -> Skipped {

@@ -109,6 +109,11 @@ pub struct Bag {
     #[arg(long = "tool-weight", value_name = "N", value_parser = finite)]
     pub tool_weight_n: Option<f64>,
 
+    /// Topic of clouds of points (sensor_msgs/PointCloud2): those before and after each stroke tell where the ground broke, in the columns
+    /// `break_distance_m` and `break_distance_sd_m` [default: /points, or the only one]
+    #[arg(long, value_name = "TOPIC")]
+    pub scan_topic: Option<String>,
+
     /// What the wrenches are, if not the force of the soil on the plate: then all readings, `--tare` too, change their sign
     #[arg(long, value_enum, value_name = "SENSE", default_value_t)]
     pub wrench_sense: WrenchSense,

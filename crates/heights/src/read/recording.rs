@@ -35,6 +35,56 @@ pub struct Cloud {
     pub notes: Vec<String>,
 }
 
+/// When the clouds of a topic were taken.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clouds {
+    /// The topic.
+    pub topic: String,
+    /// Those with points, by the time at which they were logged.
+    pub taken: Vec<Taken>,
+}
+
+/// When a cloud was taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taken {
+    /// When it was logged, in s since the first message of its topic, as in [`Moment::At`].
+    pub at_s: f64,
+    /// When it was taken: its stamp, or else its log time, in ns.
+    pub time_ns: i64,
+}
+
+/// When the clouds of a recording were taken, on a topic or on the only one that has clouds; `None` if no topic was asked for and none has any.
+///
+/// # Errors
+/// [`HeightsError::Bag`] if it cannot be read, or has not the topic, or several of which none was asked for.
+pub fn clouds(path: &Path, topic: Option<&str>) -> Result<Option<Clouds>, HeightsError> {
+    let found = contents(path)?;
+    if topic.is_none() && !found.topics.values().any(|topic| topic.kind == Some(Kind::Points)) {
+        return Ok(None);
+    }
+    let topic = found.choose(topic, USUAL, Kind::Points)?;
+    let first_ns = found.topics.get(&topic).map_or(0, |topic| topic.first_ns);
+    let (mut readers, mut taken) = (Readers::new(), Vec::new());
+    let done = scan::<Early>(path, &mut |item| {
+        if let Item::Message(message) = item
+            && message.channel.topic == topic
+            && let Some(Ok(Reading::Points { stamp_ns, points, .. })) = readers.read(&message)
+            && !points.is_empty()
+        {
+            let logged = message.log_time_ns;
+            let time_ns = stamp_ns.unwrap_or_else(|| i64::try_from(logged).unwrap_or(i64::MAX));
+            taken.push(Taken { at_s: logged.saturating_sub(first_ns) as f64 / 1e9, time_ns });
+        }
+        Ok(())
+    });
+    match done {
+        Ok(_) | Err(Early::Enough) => {}
+        Err(Early::Failed(error)) => return Err(error.into()),
+    }
+    taken.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    Ok(Some(Clouds { topic, taken }))
+}
+
 /// Whether a file or folder is a recording.
 #[must_use]
 pub fn is_recording(path: &Path) -> bool {
@@ -51,7 +101,7 @@ pub fn cloud(path: &Path, topic: Option<&str>, moment: Moment) -> Result<Cloud, 
     let first_ns = found.topics.get(&topic).map_or(0, |topic| topic.first_ns);
     let last_ns = match moment {
         Moment::First | Moment::Last => u64::MAX,
-        Moment::At(seconds) => first_ns.saturating_add((seconds.max(0.0) * 1e9) as u64),
+        Moment::At(seconds) => first_ns.saturating_add((seconds.max(0.0) * 1e9).round() as u64),
     };
     let (mut readers, mut cloud, mut unreadable) = (Readers::new(), None::<(u64, Cloud)>, Vec::new());
     let done = scan::<Early>(path, &mut |item| {

@@ -17,6 +17,7 @@ pub fn page(answer: &Answer) -> Result<HtmlReport, PageError> {
     page.kind("Failure forces");
     let skipped = verdict(&mut page, answer);
     sections(&mut page, &answer.analysis, &answer.strokes)?;
+    scans(&mut page, answer)?;
     if skipped > 0 || answer.is_partial() {
         left_out(&mut page, answer)?;
     }
@@ -165,6 +166,33 @@ fn groups(page: &mut HtmlReport, analysis: &Analysis) -> Result<(), PageError> {
             c.phi_deg.map_or(String::new(), |phi| format!(", φ = {}°", number(phi)))
         ));
     }
+    Ok(())
+}
+
+/// Where the ground broke, by clouds of points around the strokes.
+fn scans(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {
+    if answer.logs.iter().all(|log| log.scans.is_empty()) {
+        return Ok(());
+    }
+    page.heading("Where the ground broke");
+    let columns = [
+        ("stroke", Align::Left),
+        ("scans at (s)", Align::Left),
+        ("ahead (mm)", Align::Right),
+        ("what to know", Align::Left),
+    ];
+    let mut table = Table::new("By scans before and after each stroke", columns);
+    for scan in answer.logs.iter().flat_map(|log| &log.scans) {
+        let at = [scan.before_s, scan.after_s].map(|t_s| t_s.map_or("–".to_owned(), |t_s| format!("{t_s:.2}")));
+        let distance = scan.break_distance_m.zip(scan.break_distance_sd_m);
+        table.row([
+            scan.stroke_id.clone(),
+            at.join(", "),
+            distance.map_or("–".to_owned(), |(m, sd_m)| format!("{:.1} ± {:.1}", 1e3 * m, 1e3 * sd_m)),
+            scan.reason.iter().chain(&scan.warnings).cloned().collect::<Vec<_>>().join("; "),
+        ])?;
+    }
+    page.table(table);
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! The answer for people.
 
-use soilctl_app::process::{Answer, ContactKind, Found, FreeAir};
+use soilctl_app::process::{Answer, ContactKind, Found, FreeAir, Scan};
 use soilctl_app::text::{columns, number};
 
 use crate::output::Words;
@@ -36,6 +36,9 @@ fn text(answer: &Answer) -> String {
     for log in &answer.logs {
         if let Some(found) = &log.found {
             text += &foreign(&log.log, found);
+        }
+        for scan in &log.scans {
+            text += &scanned(scan);
         }
         if let Some(error) = &log.error {
             text += &format!("left out: {}: {error}\n", log.log);
@@ -81,6 +84,25 @@ fn foreign(log: &str, found: &Found) -> String {
         text += &format!("contact: {:.2} to {:.2} s{force}\n", contact.from_s, contact.to_s);
     }
     text
+}
+
+/// What the scans around a stroke say.
+fn scanned(scan: &Scan) -> String {
+    let name = &scan.stroke_id;
+    match (scan.break_distance_m.zip(scan.break_distance_sd_m), &scan.reason) {
+        (Some((distance_m, sd_m)), _) => {
+            let [before, after] =
+                [scan.before_s, scan.after_s].map(|t_s| t_s.map_or("-".into(), |t_s| format!("{t_s:.2}")));
+            format!(
+                "scans: {name} broke the ground {:.1} ± {:.1} mm ahead (clouds at {before} and {after} s)\n",
+                1e3 * distance_m,
+                1e3 * sd_m
+            )
+        }
+        (None, reason) => {
+            format!("scans: {name}: not told where the ground broke: {}\n", reason.as_deref().unwrap_or("-"))
+        }
+    }
 }
 
 fn free_air(air: &FreeAir) -> String {

@@ -1,0 +1,163 @@
+//! Clouds of points in a recording of arm and scans: where the ground broke ahead of its strokes, as [`heights`](crate::heights) reads it.
+
+use std::sync::atomic::AtomicBool;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use soilctl_heights::{HeightsError, Taken, clouds};
+use soilctl_motion::{Motion, Settings, motion};
+use soilctl_process::foreign::Contact;
+use soilctl_process::log::LogSettings;
+use soilctl_process::table::StrokeRecord;
+
+use super::inputs::{Inputs, Log};
+use crate::{AppError, heights};
+
+/// What the scans before and after a stroke say.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Scan {
+    /// Name of the stroke.
+    pub stroke_id: String,
+    /// When the cloud before it was taken (s on the log's clock); null if there is none in which the plate is out of the ground.
+    pub before_s: Option<f64>,
+    /// When the one after it was taken; null likewise.
+    pub after_s: Option<f64>,
+    /// Distance along the surface from the plate's face to where the ground broke (m); null if that cannot be said.
+    pub break_distance_m: Option<f64>,
+    /// Its standard deviation and resolution together (m).
+    pub break_distance_sd_m: Option<f64>,
+    /// Why there is no distance; null if there is one.
+    pub reason: Option<String>,
+    /// What to keep in mind about the maps.
+    pub warnings: Vec<String>,
+}
+
+/// A stroke, and when it began and ended on the log's clock.
+pub(super) struct Pushed<'a> {
+    pub(super) record: &'a mut StrokeRecord,
+    pub(super) window_s: [f64; 2],
+}
+
+/// Looks for scans around the strokes of a log, writes distances into their rows, and says what was found; nothing if the recording has no clouds.
+///
+/// # Errors
+/// Why there are clouds that cannot be used, in words.
+pub(super) fn read(
+    strokes: &mut [Pushed<'_>],
+    contacts: &[Contact],
+    log: &Log,
+    inputs: &Inputs,
+    stop: &AtomicBool,
+) -> Result<Vec<Scan>, String> {
+    let topic = inputs.scan_topic.as_deref();
+    let found = match clouds(&log.path, topic) {
+        Ok(Some(found)) => found,
+        Ok(None) => return Ok(Vec::new()),
+        Err(HeightsError::Bag(problem)) if topic.is_none() => {
+            return Err(format!("clouds of points are not used: {problem}; name one by --scan-topic"));
+        }
+        Err(problem) => return Err(format!("clouds of points are not used: {problem}")),
+    };
+    let arm = motion(&log.path, &of_arm(&inputs.settings), stop)
+        .map_err(|problem| format!("clouds on {} are not used: {problem}", found.topic))?;
+    let scans = strokes.iter_mut().map(|stroke| {
+        let [from_s, to_s] = stroke.window_s;
+        let ended = contacts.iter().map(|contact| contact.to_s).filter(|t_s| *t_s <= from_s);
+        let begun = contacts.iter().map(|contact| contact.from_s).filter(|t_s| *t_s >= to_s);
+        let seen = Seen {
+            arm: &arm,
+            taken: &found.taken,
+            since_s: ended.fold(f64::NEG_INFINITY, f64::max),
+            until_s: begun.fold(f64::INFINITY, f64::min),
+        };
+        let request = heights::Request {
+            before: log.path.clone(),
+            after: log.path.clone(),
+            topic: Some(found.topic.clone()),
+            ..heights::Request::default()
+        };
+        one(stroke, &seen, request)
+    });
+    Ok(scans.collect())
+}
+
+/// The arm as `process` reads it.
+fn of_arm(settings: &LogSettings) -> Settings {
+    Settings {
+        urdf: settings.urdf.clone(),
+        joint_topic: settings.joint_topic.clone(),
+        end_link: settings.plate_frame.clone(),
+        ..Settings::default()
+    }
+}
+
+/// What may be looked at for a stroke: clouds after the contact before it, and before the one after it.
+struct Seen<'a> {
+    arm: &'a Motion,
+    taken: &'a [Taken],
+    since_s: f64,
+    until_s: f64,
+}
+
+impl Seen<'_> {
+    /// Height of the plate's lower edge at times.
+    fn edges_m(&self, times_s: impl IntoIterator<Item = f64>) -> Vec<Option<f64>> {
+        let mut heights = Vec::new();
+        self.arm.states(times_s, &mut |state| heights.push(state.tip_m.map(|tip| tip[2])));
+        heights
+    }
+
+    /// The last cloud before a stroke and the first after it in which the plate's edge is at the surface or above.
+    fn around(&self, [from_s, to_s]: [f64; 2], depth_m: f64) -> [Option<(f64, Taken)>; 2] {
+        let during = self.arm.times_s(0.0).into_iter().filter(|t_s| (from_s..=to_s).contains(t_s));
+        let lowest = self.edges_m(during).into_iter().flatten().fold(f64::INFINITY, f64::min);
+        let times: Vec<f64> =
+            self.taken.iter().map(|taken| self.arm.columns.clock.seconds(taken.time_ns)).collect();
+        let edges = self.edges_m(times.iter().copied());
+        let is_out = |(_, edge): &(f64, Option<f64>)| edge.is_some_and(|edge| edge >= lowest + depth_m);
+        let seen = || times.iter().copied().zip(edges.iter().copied()).zip(self.taken);
+        let before = seen().rfind(|(at, _)| (self.since_s..from_s).contains(&at.0) && is_out(at));
+        let mut later = seen().filter(|(at, _)| at.0 > to_s && at.0 < self.until_s && is_out(at));
+        [before, later.next()].map(|found| found.map(|((t_s, _), taken)| (t_s, *taken)))
+    }
+}
+
+fn one(stroke: &mut Pushed<'_>, seen: &Seen<'_>, request: heights::Request) -> Scan {
+    let row = &mut stroke.record.row;
+    let [before, after] = seen.around(stroke.window_s, row.depth_m);
+    let mut scan = Scan {
+        stroke_id: row.stroke_id.clone().unwrap_or_default(),
+        before_s: before.map(|(t_s, _)| t_s),
+        after_s: after.map(|(t_s, _)| t_s),
+        break_distance_m: None,
+        break_distance_sd_m: None,
+        reason: None,
+        warnings: Vec::new(),
+    };
+    let said = match (before, after) {
+        (Some((_, before)), Some((_, after))) => {
+            let request =
+                heights::Request { before_at_s: Some(before.at_s), after_at_s: Some(after.at_s), ..request };
+            heights::of_stroke(&request, seen.arm, row.width_m, row.depth_m)
+        }
+        (None, _) => Err(AppError::Request(
+            "no cloud since the contact before it has the plate out of the ground".into(),
+        )),
+        (_, None) => {
+            Err(AppError::Request("no cloud until the next contact has the plate out of the ground".into()))
+        }
+    };
+    match said {
+        Ok(answer) => {
+            let broke = answer.ground_break.as_ref();
+            row.break_distance_m = broke.map(|broke| broke.distance_m);
+            row.break_distance_sd_m = broke.map(|broke| broke.table_sd_m);
+            (scan.break_distance_m, scan.break_distance_sd_m) =
+                (row.break_distance_m, row.break_distance_sd_m);
+            scan.reason = answer.no_break_because;
+            scan.warnings = answer.warnings;
+        }
+        Err(problem) => scan.reason = Some(problem.to_string()),
+    }
+    scan
+}
