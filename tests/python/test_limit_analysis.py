@@ -11,6 +11,7 @@ from pathlib import Path
 import meshio
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 PLATE = ["--alpha", 90, "--phi", 30, "--delta", 15]
 BUDGET = ["--max-elements", 1500, "--max-gap", 0.03]
@@ -254,3 +255,26 @@ name = "strong"
     weak, strong = answer["cases"]
     assert weak["lower"] is None and "fails under its own weight" in weak["problem"]
     assert strong["problem"] is None and 0 < strong["lower"] <= strong["upper"]
+
+
+def test_friction_that_falls_with_stress_is_that_of_rankine_at_each_depth(soilctl, validate, tmp_path):
+    """Smooth and upright: each depth has the pressures whose circle touches the curve of strength, passive ahead and active behind."""
+    unit_weight, depth = 1600 * 9.80665, 0.0254
+    angles = np.linspace(0.0, math.pi, 300)[1:-1]
+
+    def spare(least, greatest):
+        middle, radius = (least + greatest) / 2, (greatest - least) / 2
+        normal = middle + radius * np.cos(angles)
+        return np.min(normal * np.tan(np.radians(np.minimum(55.0, 38.0 - 4.0 * np.log10(normal / 1000)))) - radius * np.sin(angles))
+
+    depths = (np.arange(60) + 0.5) / 60 * depth
+    passive = [brentq(lambda most, v=unit_weight * z: spare(v, most), 1.01 * unit_weight * z, 12 * unit_weight * z) for z in depths]
+    active = [brentq(lambda least, v=unit_weight * z: spare(least, v), unit_weight * z / 12, 0.99 * unit_weight * z) for z in depths]
+    exact = 2 * (np.mean(passive) - np.mean(active)) * depth / (unit_weight * depth**2)
+    words = ["bound", "--alpha", 90, "--phi", 38, "--delta", 0, "--density", 1600, "--depth", depth, "--friction-law", 4, "--reference-stress", 1000]
+    answer = soilctl.json(*words, "--max-gap", 0.08, "--save", tmp_path / "law.json")
+    validate(answer)
+    assert answer["lower"] <= exact <= answer["upper"] <= 1.09 * answer["lower"]
+    assert "and no more than these lines of friction and cohesion bear" in soilctl("certify", tmp_path / "law.json", code=0).stdout
+    for more, said in [(["--width", 0.1], "is for plane strain"), (["--cohesion", 10], "cohesion in soil whose friction falls"), (["--phi", 80], "phi")]:
+        assert said in soilctl(*words, *more, code=2).stderr

@@ -128,7 +128,7 @@ pub use bound::{
 pub use decide::{Decision, Reach, decide};
 pub use describe::{Described, Description, DescriptionError};
 pub use error::{LimitError, OneSide};
-pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG};
+pub use plate::{EmbeddedPlate, MAX_ANGLE_SUM_DEG, StressLaw};
 pub use problem::Problem;
 pub use soilctl_conic::{Factorisation, Status};
 pub use space::{EndLevel, EndLower, EndOptions, end_lower};

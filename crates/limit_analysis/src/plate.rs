@@ -4,11 +4,25 @@ use soilctl_certificate::{
     Boundary, Condition, Line, LineUse, Linear, Material, Objective, Region, Statement,
 };
 
+use crate::describe::{StrengthLaw, greatest_phi_deg};
 use crate::error::{LimitError, in_range};
 use crate::problem::Problem;
 
 /// Greatest sum of tool angle and interface friction in degrees: beyond it a plate has no finite force.
 pub const MAX_ANGLE_SUM_DEG: f64 = 175.0;
+
+/// Stresses about a plate are seldom greater, in units of unit weight times slant length. A law of stress is followed up to there.
+const GREATEST: f64 = 100.0;
+
+/// Friction that falls with the logarithm of the normal stress: `phi_deg` of the plate is that at the reference, it is less by the slope at ten times as much, and at most
+/// 55 degrees or `phi_deg`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StressLaw {
+    /// Fall of the friction angle in degrees a decade of stress, 0.1 to 8.
+    pub slope_deg_per_decade: f64,
+    /// Normal stress at which the friction angle is `phi_deg`, over unit weight times slant length; above zero.
+    pub reference: f64,
+}
 
 /// An embedded plate, in units of its slant length and of unit weight times slant length.
 ///
@@ -59,6 +73,46 @@ impl EmbeddedPlate {
         // Against the surface, which is level in these axes, the plate stands at alpha + beta.
         let (sin, cos) = (self.alpha_deg.to_radians() + self.beta_deg.to_radians()).sin_cos();
         self.with_tip([cos, -sin])
+    }
+
+    /// The problem in soil whose friction falls with stress, of which nothing is known but its chords (for the lower bound) and tangents
+    /// (for the upper).
+    ///
+    /// # Errors
+    ///
+    /// As [`problem`](Self::problem); [`LimitError::Range`] for a law out of its ranges and for a friction angle below 15 degrees, and
+    /// [`LimitError::NotCovered`] with cohesion.
+    pub fn problem_under(&self, law: StressLaw) -> Result<Problem, LimitError> {
+        in_range("the friction angle phi at the reference", self.phi_deg, 15.0, 69.9, "deg")?;
+        in_range("the slope of the law of stress", law.slope_deg_per_decade, 0.1, 8.0, "deg a decade")?;
+        let over = "(over unit weight times length)";
+        in_range("the reference stress", law.reference, f64::MIN_POSITIVE, f64::MAX, over)?;
+        if self.cohesion > 0.0 {
+            return Err(LimitError::NotCovered {
+                what: "cohesion in soil whose friction falls with stress",
+                advice: "leave one of them out, or state the curve of its strength in a problem file",
+            });
+        }
+        let greatest_phi_deg = self.phi_deg.max(greatest_phi_deg());
+        let lines = StrengthLaw::FrictionLaw {
+            phi_deg: self.phi_deg,
+            slope_deg_per_decade: law.slope_deg_per_decade,
+            // Lines are in the unit of the stresses that they are asked for.
+            reference_kpa: law.reference,
+            greatest_phi_deg,
+            up_to_kpa: None,
+        }
+        .lines(GREATEST);
+        let first = lines.inside.first().map_or(self.phi_deg, |line| line.phi_deg);
+        // About the friction where most of the soil slips; it says how far the mesh reaches, and what the plate may be.
+        let about = self.phi_deg - law.slope_deg_per_decade * (1.0 / law.reference).log10();
+        let plate = Self { phi_deg: about.clamp(1.0, greatest_phi_deg), ..*self };
+        let mut statement = plate.problem()?.statement().clone();
+        for region in &mut statement.regions {
+            region.material.phi_deg = first;
+            region.material.envelope = lines.envelope(|stress| stress);
+        }
+        Problem::new(statement)
     }
 
     /// The same for a plate of a width in slant lengths that has ends, per unit of its width. An upright plate on level ground

@@ -82,6 +82,10 @@ pub struct Inputs {
     pub beta_deg: f64,
     /// Friction angle of the soil.
     pub phi_deg: f64,
+    /// How much it falls a decade of normal stress (deg); null if it is the same at all stresses.
+    pub friction_law: Option<f64>,
+    /// Normal stress at which it is `phi_deg` (Pa); null likewise.
+    pub reference_stress_pa: Option<f64>,
     /// Interface friction angle.
     pub delta_deg: f64,
     /// Cohesion.
@@ -144,6 +148,8 @@ impl Answer {
                 alpha_deg: request.alpha_deg,
                 beta_deg: request.loads.beta_deg,
                 phi_deg: request.phi_deg,
+                friction_law: request.friction_law,
+                reference_stress_pa: request.reference_stress_pa,
                 delta_deg: request.delta_deg,
                 cohesion_pa: request.loads.cohesion_pa,
                 adhesion_pa: request.loads.adhesion_pa,

@@ -53,6 +53,11 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
     plausible::of_plate(request).iter().for_each(|note| watch.note(note));
     let Request { ends, width_ratio, width_m, depth_m, .. } = *request;
     let width_ratio = ratio_of_ends(ends, width_ratio, width_m, depth_m)?;
+    if request.friction_law.is_some() && width_ratio.is_some() {
+        return Err(AppError::Request(
+            "--friction-law is for plane strain: bounds of plates with ends are for one friction angle; leave the width out, or give --ends none".into(),
+        ));
+    }
     let problem = match width_ratio {
         Some(ratio) => scaled.problem_with_ends(ratio)?,
         None => scaled.problem()?,

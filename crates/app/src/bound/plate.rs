@@ -3,12 +3,13 @@
 use soilctl_certificate::{SCHEMA, Scale, Solution};
 use soilctl_earth_pressure::{Case, LoadFactors};
 use soilctl_limit_analysis::results::Units;
-use soilctl_limit_analysis::{Bounds, EmbeddedPlate, EndLevel, LimitError, Problem};
+use soilctl_limit_analysis::{Bounds, EmbeddedPlate, EndLevel, LimitError, Problem, StressLaw};
 use soilctl_soil::{Angle, Interface, Plate, Soil};
 
 use super::Request;
 use super::end::{EndBudget, EndField, find_end};
 use crate::AppError;
+use crate::text::number;
 
 /// Stands in for a quantity that was not given, so that the others are checked all the same.
 const ANY: f64 = 1.0;
@@ -23,13 +24,15 @@ pub(crate) struct ScaledPlate {
     width_m: Option<f64>,
     /// What makes a coefficient of a force along the surface.
     coefficient: f64,
+    /// How its friction falls with stress, if it does.
+    law: Option<StressLaw>,
 }
 
 impl ScaledPlate {
     /// A plate of which only the coefficients are asked for.
     pub(crate) fn unit(plate: EmbeddedPlate) -> Self {
         let coefficient = 2.0 / (plate.alpha_deg + plate.delta_deg).to_radians().sin();
-        Self { plate, units: None, width_m: None, coefficient }
+        Self { plate, units: None, width_m: None, coefficient, law: None }
     }
 
     pub(super) fn new(request: &Request) -> Result<Self, AppError> {
@@ -66,12 +69,23 @@ impl ScaledPlate {
             adhesion: in_units("adhesion", loads.adhesion_pa)?,
             surcharge: in_units("surcharge", loads.surcharge_pa)?,
         };
-        Ok(Self { units, width_m: request.width_m, ..Self::unit(plate) })
+        let law = match (request.friction_law, request.reference_stress_pa) {
+            (None, None) => None,
+            (Some(slope_deg_per_decade), Some(stress_pa)) => {
+                Some(StressLaw { slope_deg_per_decade, reference: in_units("reference-stress", stress_pa)? })
+            }
+            _ => {
+                return Err(AppError::Request(
+                    "--friction-law and --reference-stress go together: how much friction falls a decade of stress, and at which stress it is --phi".into(),
+                ));
+            }
+        };
+        Ok(Self { units, width_m: request.width_m, law, ..Self::unit(plate) })
     }
 
     /// The plate as a problem for the solver.
     pub(crate) fn problem(&self) -> Result<Problem, LimitError> {
-        self.plate.problem()
+        self.law.map_or_else(|| self.plate.problem(), |law| self.plate.problem_under(law))
     }
 
     /// The same with ends, for a width over vertical depth.
@@ -138,7 +152,14 @@ impl ScaledPlate {
     pub(super) fn title(&self) -> String {
         let p = &self.plate;
         let slope = if p.beta_deg == 0.0 { String::new() } else { format!("β {}°, ", p.beta_deg) };
-        format!("α {}°, {slope}φ {}°, δ {}°", p.alpha_deg, p.phi_deg, p.delta_deg)
+        let law = self.law.map_or(String::new(), |law| {
+            format!(
+                " at {} γL, less by {}° a decade of stress",
+                number(law.reference),
+                law.slope_deg_per_decade
+            )
+        });
+        format!("α {}°, {slope}φ {}°{law}, δ {}°", p.alpha_deg, p.phi_deg, p.delta_deg)
     }
 
     /// The solution in plane strain, for a file.
@@ -152,9 +173,17 @@ impl ScaledPlate {
                 length_m: self.units.map(|u| u.0),
                 unit_weight_n_per_m3: self.units.map(|u| u.1),
                 description: Some(format!(
-                    "embedded plate: alpha {} deg, beta {} deg, phi {} deg, delta {} deg; the coefficient per slant \
+                    "embedded plate: alpha {} deg, beta {} deg, phi {} deg{}, delta {} deg; the coefficient per slant \
                      length is the bound times 2 / sin(alpha + delta)",
-                    p.alpha_deg, p.beta_deg, p.phi_deg, p.delta_deg
+                    p.alpha_deg,
+                    p.beta_deg,
+                    p.phi_deg,
+                    self.law.map_or(String::new(), |law| format!(
+                        " at a normal stress of {}, less by {} deg a decade",
+                        number(law.reference),
+                        law.slope_deg_per_decade
+                    )),
+                    p.delta_deg
                 )),
             },
             lower: Some(bounds.lower.claim()),

@@ -20,6 +20,16 @@ pub struct Request {
     #[arg(long = "phi", value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
     pub phi_deg: f64,
 
+    /// Friction falls with stress: by so many degrees a decade of normal stress, 0.1 to 8. --phi is then the friction angle at --reference-stress
+    #[arg(long = "friction-law", value_name = "DEG", value_parser = finite, allow_negative_numbers = true, requires = "reference_stress_pa")]
+    #[schemars(range(min = 0.1, max = 8.0))]
+    pub friction_law: Option<f64>,
+
+    /// Normal stress (Pa) at which --phi is the friction angle, with --friction-law
+    #[arg(long = "reference-stress", value_name = "PA", value_parser = finite, allow_negative_numbers = true, requires = "friction_law")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub reference_stress_pa: Option<f64>,
+
     /// Friction angle between soil and plate (deg), at most phi
     #[arg(long = "delta", value_name = "DEG", value_parser = finite, allow_negative_numbers = true)]
     pub delta_deg: f64,
@@ -71,6 +81,8 @@ impl Default for Request {
         Self {
             alpha_deg: 0.0,
             phi_deg: 0.0,
+            friction_law: None,
+            reference_stress_pa: None,
             delta_deg: 0.0,
             density_kg_m3: None,
             depth_m: None,

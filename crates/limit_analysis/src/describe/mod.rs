@@ -55,3 +55,4 @@ pub use parts::{
 pub(crate) use seepage::PoreField;
 pub use seepage::{FlowUnit, Flowed, HeadFlow};
 pub use strength::StrengthLaw;
+pub(crate) use strength::greatest_phi_deg;

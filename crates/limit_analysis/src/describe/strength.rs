@@ -85,7 +85,7 @@ pub enum StrengthLaw {
 const LEFT: f64 = 1.0 / 3.0;
 
 /// Few sands have more, at any stress.
-const fn greatest_phi_deg() -> f64 {
+pub(crate) const fn greatest_phi_deg() -> f64 {
     55.0
 }
 
@@ -117,10 +117,10 @@ impl fmt::Display for StrengthLaw {
 
 /// A strength as lines: friction angle in degrees and cohesion in kPa, steepest first.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Lines {
-    pub(super) inside: Vec<StrengthLine>,
+pub(crate) struct Lines {
+    pub(crate) inside: Vec<StrengthLine>,
     /// None if it is the inner one.
-    pub(super) outside: Vec<StrengthLine>,
+    pub(crate) outside: Vec<StrengthLine>,
 }
 
 impl Lines {
@@ -141,7 +141,7 @@ impl Lines {
     }
 
     /// The lines beside the first, in another unit of stress.
-    pub(super) fn envelope(&self, stress: impl Fn(f64) -> f64) -> Option<Envelope> {
+    pub(crate) fn envelope(&self, stress: impl Fn(f64) -> f64) -> Option<Envelope> {
         let scaled = |lines: &[StrengthLine]| {
             lines.iter().map(|l| StrengthLine { cohesion: stress(l.cohesion), ..*l }).collect::<Vec<_>>()
         };
@@ -288,7 +288,7 @@ impl StrengthLaw {
     }
 
     /// Its lines, where stresses are about so great.
-    fn lines(&self, about_kpa: f64) -> Lines {
+    pub(crate) fn lines(&self, about_kpa: f64) -> Lines {
         match *self {
             Self::Points { points_kpa: ref points } => {
                 let lines =

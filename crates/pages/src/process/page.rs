@@ -183,7 +183,8 @@ fn scans(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {
     ];
     let mut table = Table::new("By scans before and after each stroke", columns);
     for scan in answer.logs.iter().flat_map(|log| &log.scans) {
-        let at = [scan.before_s, scan.after_s].map(|t_s| t_s.map_or("–".to_owned(), |t_s| format!("{t_s:.2}")));
+        let at =
+            [scan.before_s, scan.after_s].map(|t_s| t_s.map_or("–".to_owned(), |t_s| format!("{t_s:.2}")));
         let distance = scan.break_distance_m.zip(scan.break_distance_sd_m);
         table.row([
             scan.stroke_id.clone(),
