@@ -122,8 +122,8 @@ mod upper;
 mod vector;
 
 pub use bound::{
-    Bound, Bounds, Ended, IDENTITY, Level, Options, Solve, StoppedBy, WORK_TO_FALL, bound, bound_section,
-    falls, seems_to_fall,
+    Bound, Bounds, Ended, IDENTITY, Level, Options, SHARES, Solve, StoppedBy, WORK_TO_FALL, bound,
+    bound_section, falls, seems_to_fall,
 };
 pub use decide::{Decision, Reach, decide};
 pub use describe::{Described, Description, DescriptionError};

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_limit_analysis::{IDENTITY, Level, Solve, Status};
+use soilctl_limit_analysis::{Level, SHARES, Solve, Status};
 
 use crate::Watch;
 use crate::text::number;
@@ -57,12 +57,13 @@ impl LevelAnswer {
 
 /// Tells where the parts of a gap do not add up to it.
 pub(super) fn note_doubts(levels: &[Level], watch: &dyn Watch) {
-    for (index, level) in levels.iter().enumerate().filter(|(_, level)| !level.identity_holds()) {
+    for (index, level) in levels.iter().enumerate().filter(|(_, level)| !level.shares_tell()) {
         watch.note(&format!(
-            "level {}: the gap's parts differ from the gap by {} of the upper bound, allowed is {IDENTITY}; the mesh was \
+            "level {}: the gap's parts differ from the gap by {} of the upper bound, more than {} % of the gap; the mesh was \
              not refined by them. The bounds are proven all the same",
             index + 1,
             number(level.identity_residual()),
+            number(100.0 * SHARES),
         ));
     }
 }

@@ -261,7 +261,7 @@ impl<'a> Run<'a> {
             let by_triangle = shares(self.problem, mesh, topology, &velocity, stress);
             level.identity = Some([proven - lower_objective, by_triangle.iter().sum()]);
             // Shares that do not add up to the gap say nothing about where it is.
-            if level.identity_holds() {
+            if level.shares_tell() {
                 self.shares = Some(match uncut {
                     Some((uncut, part_of)) => {
                         let mut shares = vec![0.0; uncut.triangles.len()];
