@@ -106,6 +106,8 @@ impl CheckedCase {
 /// A region after cutting.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct CheckedRegion {
+    /// Name of the soil.
+    pub soil: String,
     /// Area in m2.
     pub area_m2: f64,
     /// Friction angle.
@@ -174,7 +176,7 @@ impl Answer {
     fn new(description: &Description, described: &Described, notes: Vec<String>) -> Self {
         let s = &described.statement;
         let (long, stress) = (described.length_m, described.stress_kpa);
-        let regions = s.regions.iter().map(|r| {
+        let regions = s.regions.iter().zip(&described.soils).map(|(r, soil)| {
             let (mut area, mut cohesion, mut pore) = (0.0, Span::default(), Span::default());
             for used in r.loops.iter().flatten() {
                 let line = s.lines[used.line];
@@ -188,6 +190,7 @@ impl Answer {
                 pore.add(if water.abs() > 1e-9 * stress { water } else { 0.0 });
             }
             CheckedRegion {
+                soil: soil.clone(),
                 area_m2: area,
                 phi_deg: r.material.phi_deg,
                 cohesion_kpa: cohesion.ends(),
@@ -224,7 +227,7 @@ fn merged(regions: impl Iterator<Item = CheckedRegion>) -> Vec<CheckedRegion> {
     let mut all: Vec<CheckedRegion> = Vec::new();
     for region in regions {
         let is_like = |other: &CheckedRegion| {
-            other.phi_deg == region.phi_deg && other.unit_weight_kn_m3 == region.unit_weight_kn_m3
+            other.soil == region.soil && other.unit_weight_kn_m3 == region.unit_weight_kn_m3
         };
         let Some(one) = all.iter_mut().find(|other| is_like(other)) else {
             all.push(region);

@@ -9,6 +9,8 @@ use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
+    // Another one than that of single bounds; it is the one of requests, as a test says.
+    mut_arg("max_gap", |gap| gap.default_value("0.1")),
     after_help = "REGION is what `soilctl estimate STROKES --format json` or `soilctl soils NAME --format json` prints. The wheel is a rigid strip on \
     the slope, as wide as the wheel is long in contact, whose load leans by the slope; what the ground bears is proven. Exit codes: 0 it climbs, 1 the ground gives way, \
     3 it depends, or the bounds are too far apart. Docs: docs/how/rover.md."
@@ -44,5 +46,23 @@ impl Words for Answer {
             text += &format!("\nnote: {warning}\n");
         }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use clap::{Args as _, Command, FromArgMatches as _};
+
+    use super::*;
+
+    #[test]
+    fn the_gap_is_that_of_requests() {
+        let command = Args::augment_args(Command::new("climb"));
+        let words =
+            ["climb", "region.json", "--wheel-load", "1", "--contact-length", "1", "--wheel-width", "1"];
+        let args = Args::from_arg_matches(&command.get_matches_from(words)).unwrap();
+        assert_eq!(args.request.budget.max_gap, Request::default().budget.max_gap);
     }
 }

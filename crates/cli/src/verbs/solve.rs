@@ -156,14 +156,15 @@ impl Words for check::Answer {
         let mut text = self.title.as_ref().map_or_else(String::new, |t| format!("{t}\n"));
         let [long, stress] = [number(self.length_m), number(self.stress_kpa)];
         text += &format!("asked for: {}\nunits: {long} m, {stress} kPa\n\n", self.quantity.words());
-        let header = ["area m2", "phi deg", "cohesion kPa", "weight kN/m3", "pore pressure kPa"];
+        let header = ["soil", "area m2", "phi deg", "cohesion kPa", "weight kN/m3", "pore pressure kPa"];
         let mut rows = vec![header.map(str::to_owned).to_vec()];
         let span = |[low, high]: [f64; 2]| {
             if low == high { number(low) } else { format!("{} to {}", number(low), number(high)) }
         };
         for r in &self.regions {
             let [c, u] = [r.cohesion_kpa, r.pore_pressure_kpa].map(span);
-            rows.push(vec![number(r.area_m2), number(r.phi_deg), c, number(r.unit_weight_kn_m3), u]);
+            let soil = r.soil.clone();
+            rows.push(vec![soil, number(r.area_m2), number(r.phi_deg), c, number(r.unit_weight_kn_m3), u]);
         }
         text += &columns(&rows);
         if !self.members.is_empty() {

@@ -9,6 +9,8 @@ use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
+    // Another one than that of single bounds; it is the one of requests, as a test says.
+    mut_arg("max_gap", |gap| gap.default_value("0.03")),
     after_help = "REGION is what `soilctl estimate STROKES --friction-law --format json` or `soilctl soils NAME --format json` prints, PROBLEM a problem \
     file (docs/problem-file.md) that asks for strength-reduction, load, unit-weight or structure. The friction of the chosen soil is that of the strokes at the stresses \
     of the problem, its weight that of the strokes under --gravity; of a published soil cohesion too. Exit codes: 0 it stands for every such soil, 1 it fails for each, 3 it depends. Docs: docs/stability.md."
@@ -48,5 +50,22 @@ impl Words for Answer {
             text += &format!("\nnote: {warning}\n");
         }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use clap::{Args as _, Command, FromArgMatches as _};
+
+    use super::*;
+
+    #[test]
+    fn the_gap_is_that_of_requests() {
+        let command = Args::augment_args(Command::new("stability"));
+        let words = ["stability", "region.json", "problem.toml"];
+        let args = Args::from_arg_matches(&command.get_matches_from(words)).unwrap();
+        assert_eq!(args.request.budget.max_gap, Request::default().budget.max_gap);
     }
 }

@@ -69,7 +69,17 @@ impl Description {
         };
         let Units { length_m, stress_kpa, .. } = units;
         let flowed = pores.map(|pores| pores.flowed.clone());
-        Ok(Described { statement, length_m, stress_kpa, quantity, title: self.title.clone(), flowed })
+        let soils =
+            plan.faces.iter().filter_map(|face| self.regions.get(face.region)).map(|r| r.soil.clone());
+        Ok(Described {
+            statement,
+            soils: soils.collect(),
+            length_m,
+            stress_kpa,
+            quantity,
+            title: self.title.clone(),
+            flowed,
+        })
     }
 
     /// The lines that are named, before any cuts that proofs need.

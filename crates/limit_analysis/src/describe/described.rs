@@ -25,6 +25,8 @@ pub struct Described {
     /// The statement: lengths in units of [`length_m`](Self::length_m) from an origin of its own, stresses in units of
     /// [`stress_kpa`](Self::stress_kpa).
     pub statement: Statement,
+    /// Names of the soils of the statement's regions.
+    pub soils: Vec<String>,
     /// Unit of length in m: the size of what moves or carries the load.
     pub length_m: f64,
     /// Unit of stress in kPa.
