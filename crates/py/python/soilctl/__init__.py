@@ -28,6 +28,7 @@ from ._native import (
     solve,
     valid_range,
 )
+from ._cases import solve_cases
 from ._store import Store
 from ._strokes import diagnose, estimate, predict
 from ._sweep import Failure, SweepResult, sweep
@@ -92,6 +93,7 @@ __all__ = [
     "shear",
     "simulate",
     "solve",
+    "solve_cases",
     "sweep",
     "use_cases",
     "valid_range",
