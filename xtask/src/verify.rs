@@ -17,8 +17,8 @@ const CASES: &str = "20000";
 /// The same where a case is a mesh or a problem.
 const MESH_CASES: &str = "2000";
 
-/// Random slopes with a bar in them, and as many random walls.
-const STRUCTURES: &str = "300";
+/// Random problems with structures of which a comparison counts.
+const STRUCTURES: &str = "1000";
 
 /// Damaged copies of each recording.
 const MUTANTS: &str = "2500";
@@ -56,7 +56,7 @@ pub(crate) const PARTS: [(Part, &str, &str); 15] = [
     (
         Part::Structures,
         "structures",
-        "300 random slopes with bars and 300 random walls: the order of their bounds",
+        "1000 random problems with structures of every kind and soils of every law: the order of their bounds",
     ),
     (Part::Ends, "ends", "a thousand plates with ends: the order of their bounds, and proofs"),
     (Part::Arm, "arm", "millions of steps, and many killed processes"),
