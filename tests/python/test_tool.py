@@ -117,8 +117,8 @@ def test_a_buried_blade_needs_no_more_than_one_that_reaches_the_surface(soilctl)
 
 
 def test_what_is_refused(soilctl, tmp_path):
-    plates = written(tmp_path, "points_m = [[0, 0], [0, 1]]\nside_plates = true")
-    soilctl.refuses("tool", plates, *SOIL, "--delta", 20, mentions=["side plates are not covered"])
+    plates = written(tmp_path, "points_m = [[0, 0], [0, 1]]\nside_plates_m = [[0, 0], [1, 0]]")
+    soilctl.refuses("tool", plates, *SOIL, "--delta", 20, mentions=["it has 2 side_plates_m"])
     plate = DATA / "tools/plate.toml"
     soilctl.refuses("tool", plate, *SOIL, mentions=["--delta"])
     soilctl.refuses("tool", plate, *SOIL, "--delta", 40, mentions=["more than that of the soil"])

@@ -291,12 +291,13 @@
 //!
 //! # Structures with ends
 //!
-//! With [`Statement::width`] the statement is the section of a thin plate that hangs from the level surface of one soil
-//! without water, and has that width across the plane, `|y| < w/2`; the soil goes on beyond. Bounds are per unit width.
+//! With [`Statement::width`] the statement is the section of thin sheets that move together in one soil without water, level above, and
+//! has that width across the plane, `|y| < w/2`; the soil goes on beyond. Bounds are per unit width. All but lower bounds in the plane are of a
+//! single straight plate that hangs from the surface.
 //!
 //! *Lower.* The field is one in plane strain as above, and is spliced with the ground at rest: between the ends it has any
 //! normal pressure `f(x, z)` across, beyond them the stress is the reference's base with the same `f` across. As `f` does not
-//! vary with y, both parts balance and their tractions agree. Such an `f` exists if and only if at each point, with `p1 >=
+//! vary with y, both parts balance and their tractions agree; thin side plates in the planes of the ends would carry nothing. Such an `f` exists if and only if at each point, with `p1 >=
 //! p3` the principal pressures in the plane and `o1 >= o3` those of the ground at rest,
 //!
 //! ```text

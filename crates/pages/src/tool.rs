@@ -36,6 +36,19 @@ fn content(answer: &Answer) -> Result<PageContent, PageError> {
             number(upper),
         ])?;
     }
+    if let Some(ends) = &answer.ends {
+        let sides = if ends.side_plates { "side plates" } else { "open ends" };
+        bounds.row([
+            format!("Force of the whole tool, {} m wide, with {sides} (N)", number(ends.width_m)),
+            number(ends.lower_n),
+            number(ends.upper_n),
+        ])?;
+        bounds.row([
+            "In plane strain, without ends (N/m); its upper bound is none with ends".into(),
+            number(ends.plane_lower_n_per_m),
+            number(ends.plane_upper_n_per_m),
+        ])?;
+    }
     let (kind, text) = proven(answer.gap, answer.max_gap, answer.ended);
     let title = format!(
         "The force lies between {} and {} N per metre of width",

@@ -121,7 +121,7 @@ fn distances(request: &Request, placed: &Placed) -> Result<Vec<f64>, AppError> {
 
 /// What hardly anybody means, and what the solver does not find.
 fn all_notes(request: &Request, placed: &Placed) -> Vec<String> {
-    let mut notes = notes(&request.setting, placed);
+    let mut notes = notes(&request.setting, placed, false);
     if request.body == BodyKind::Fixed && placed.has_smooth_face() {
         notes.push(
             "beside a tool with a perfectly smooth face no stresses around a body at rest are found, so lower bounds are those without the body; a \

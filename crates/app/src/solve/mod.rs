@@ -17,6 +17,7 @@ pub use asked::Asked;
 pub use boundary::BoundaryKind;
 pub use cases::CaseAnswer;
 pub use save::Kept;
+pub(crate) use save::write;
 use schemars::JsonSchema;
 pub use seepage::{HeadAnswer, SeepageAnswer};
 use serde::{Deserialize, Serialize};
@@ -138,6 +139,19 @@ pub(crate) fn one_or_side(
     })
 }
 
+/// Bounds the section of a structure with ends: the lower bound holds per metre for every width, and is the only one that is kept; the upper
+/// one is that of plane strain.
+pub(crate) fn with_ends(
+    budget: &Budget,
+    description: Description,
+    width_m: f64,
+    watch: &dyn Watch,
+) -> Result<Solved, AppError> {
+    let mut described = description.described()?;
+    described.statement = described.statement.with_width(width_m / described.length_m);
+    found(budget, None, description, described, watch)
+}
+
 /// Bounds a described problem other than a factor of safety.
 fn found(
     budget: &Budget,
@@ -152,7 +166,7 @@ fn found(
     };
     let bounds = limits::bounds(&described.problem()?, &budget.options(watch)?, unit, watch)?;
     let kept = save::both(&described, &bounds);
-    let unsaved = save.and_then(|path| save::write(&kept, path).err());
+    let unsaved = save.and_then(|path| write(&kept, path).err());
     let statement = &described.statement;
     let fields = Fields::new(
         Some((statement, &bounds.upper.field)),

@@ -24,9 +24,10 @@ impl Kept {
     }
 }
 
-/// Both bounds in one.
+/// Both bounds in one; with ends the lower one only, since a flow in the plane proves nothing then.
 pub(super) fn both(described: &Described, bounds: &Bounds) -> Vec<Kept> {
-    vec![kept(None, described, Some(&bounds.lower), Some(&bounds.upper))]
+    let upper = described.statement.width.is_none().then_some(&bounds.upper);
+    vec![kept(None, described, Some(&bounds.lower), upper)]
 }
 
 /// Bounds on a factor of safety are of problems of different strength: each has a solution of its own.
@@ -38,7 +39,7 @@ pub(super) fn safety(safety: &SafetyBounds) -> Vec<Kept> {
 }
 
 /// Writes all of them; the first that could not be written does not keep the others from it, since each is a proof of its own.
-pub(super) fn write(kept: &[Kept], path: &Path) -> Result<Vec<PathBuf>, AppError> {
+pub(crate) fn write(kept: &[Kept], path: &Path) -> Result<Vec<PathBuf>, AppError> {
     let written: Vec<_> = kept
         .iter()
         .map(|kept| {

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use soilctl_limit_analysis::{Ended, Factorisation, StoppedBy};
 
+use super::ends::{Above, EndsAnswer};
 use super::ground::Placed;
 use super::request::Setting;
 use super::shape::Piece;
@@ -46,10 +47,10 @@ pub struct ToolAnswer {
     pub off_arc_m: f64,
 }
 
-/// Proven bounds on the net force of a tool in plane strain.
+/// Proven bounds on the net force of a tool, in plane strain or, with a width, with ends.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Answer {
-    /// Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m).
+    /// Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m): of a tool without ends, or of one with the width of `ends`.
     pub lower_n_per_m: f64,
     /// Upper bound on it (N/m).
     pub upper_n_per_m: f64,
@@ -64,6 +65,8 @@ pub struct Answer {
     pub slant_lower: Option<f64>,
     /// Upper bound on it; null likewise.
     pub slant_upper: Option<f64>,
+    /// What is proven of the whole tool with its ends; null without --width.
+    pub ends: Option<EndsAnswer>,
     /// Direction of the motion, from the horizontal.
     pub direction_deg: f64,
     /// The tool.
@@ -109,11 +112,16 @@ impl Answer {
         setting: &Setting,
         placed: &Placed,
         solved: &Solved,
+        ends: Option<(Above, f64)>,
         notes: Vec<String>,
     ) -> Result<Self, AppError> {
         let answer = &solved.answer;
         let tool = ToolAnswer::new(placed, setting);
-        let [lower, upper] = times([answer.lower, answer.upper], 1e3);
+        let plane = times([answer.lower, answer.upper], 1e3);
+        let ends = ends.map(|(above, width_m)| {
+            EndsAnswer::new(&above, width_m, placed.file.has_side_plates(), plane, answer.gap)
+        });
+        let [lower, upper] = ends.map_or(plane, |ends| ends.per_metre());
         let unit = 0.5 * 1e3 * placed.unit_weight_kn_m3 * tool.chord_m.powi(2);
         let coefficient = times([lower, upper], 1.0 / unit);
         let shape = &placed.shape;
@@ -125,11 +133,12 @@ impl Answer {
         Ok(Self {
             lower_n_per_m: lower,
             upper_n_per_m: upper,
-            gap: answer.gap,
+            gap: ends.map_or(answer.gap, |ends| ends.gap()),
             coefficient_lower: coefficient[0],
             coefficient_upper: coefficient[1],
             slant_lower: slant.map(|s| s[0]),
             slant_upper: slant.map(|s| s[1]),
+            ends,
             direction_deg: setting.direction_deg,
             tool,
             certified: answer.certified,
@@ -153,7 +162,9 @@ impl crate::Answer for Answer {
     const SCHEMA: &'static str = "soilctl.tool/1";
 
     fn outcome(&self) -> Outcome {
-        if self.gap.is_some_and(|gap| gap <= self.max_gap) { Outcome::Done } else { Outcome::Partial }
+        // No budget makes ends tighter.
+        let gap = self.ends.map_or(self.gap, |ends| ends.plane_gap);
+        if gap.is_some_and(|gap| gap <= self.max_gap) { Outcome::Done } else { Outcome::Partial }
     }
 }
 
@@ -184,8 +195,13 @@ impl ToolAnswer {
 }
 
 /// What hardly anybody means, and what bounds are not about.
-pub(crate) fn notes(setting: &Setting, placed: &Placed) -> Vec<String> {
+pub(crate) fn notes(setting: &Setting, placed: &Placed, has_ends: bool) -> Vec<String> {
     let mut notes = plausible::of_tool(setting);
+    if placed.file.has_side_plates() && !has_ends {
+        notes.push(
+            "side plates are left out: bounds are per metre of a tool so wide that its ends do not count; `soilctl tool` with --width has them".into(),
+        );
+    }
     let off = placed.shape.off_arc_m;
     if off > 1e-3 * placed.shape.chord_m() {
         notes.push(format!(

@@ -33,8 +33,11 @@ pub struct ToolFile {
     pub adhesion_pa: Option<f64>,
     /// Pieces with an interface of their own.
     pub piece: Vec<PieceEntry>,
-    /// Whether the tool has side plates. With `true` it is refused, since what they hold is three-dimensional.
+    /// Whether flat thin side plates close both ends of the tool: the hull of its points, which is what lies between it and straight lines over its
+    /// hollows. They count where the tool has a width; in plane strain there are no ends.
     pub side_plates: bool,
+    /// Corners of side plates of another outline, as seen from the side, in place of `side_plates = true`; 3 to 100, and their hull counts.
+    pub side_plates_m: Vec<[f64; 2]>,
 }
 
 /// A circular arc from the tip to the top. Where the angle grows upwards the tool is hollow ahead, as the blade of a bulldozer is.
@@ -128,11 +131,7 @@ impl ToolFile {
         if let Some(other) = self.schema.as_ref().filter(|s| *s != TOOL_SCHEMA) {
             return Err(format!("schema is \"{other}\", this version reads \"{TOOL_SCHEMA}\""));
         }
-        if self.side_plates {
-            return Err("side_plates is true, and side plates are not covered: they hold the soil beside the tool, which is \
-                 three-dimensional. Bounds here are those of a tool without ends, per metre of its width; leave side_plates out for them"
-                .into());
-        }
+        self.check_side_plates()?;
         if let Some(arc) = &self.arc {
             return arc.check(self.points_m.is_empty());
         }
@@ -143,6 +142,32 @@ impl ToolFile {
             ));
         }
         Ok(())
+    }
+
+    fn check_side_plates(&self) -> Result<(), String> {
+        let count = self.side_plates_m.len();
+        if count == 0 {
+            return Ok(());
+        }
+        if self.side_plates {
+            return Err(
+                "it has both side_plates and side_plates_m; keep side_plates_m if they have an outline of their own".into()
+            );
+        }
+        if !(3..=MAX_POINTS).contains(&count) {
+            return Err(format!(
+                "it has {count} side_plates_m; side plates have 3 to {MAX_POINTS} corners, as seen from the side"
+            ));
+        }
+        match self.side_plates_m.iter().flatten().find(|x| !(x.abs() <= 1e6)) {
+            Some(x) => Err(format!("a corner of side_plates_m is at {x} m; give it within 1e6 m")),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether it has side plates of any outline.
+    pub(super) fn has_side_plates(&self) -> bool {
+        self.side_plates || !self.side_plates_m.is_empty()
     }
 
     /// The tool as it is drawn, with what the request says of interfaces that the file leaves out.
@@ -179,7 +204,8 @@ impl ToolFile {
         };
         let pieces = points.windows(2).enumerate().map(piece).collect::<Result<Vec<_>, _>>()?;
         let off_arc_m = self.arc.as_ref().map_or(0.0, ArcEntry::sagitta_m);
-        Shape::new(pieces, off_arc_m)
+        let sides = if self.side_plates { &points } else { &self.side_plates_m };
+        Ok(Shape::new(pieces, off_arc_m)?.with_side_plates(sides))
     }
 }
 
@@ -252,7 +278,13 @@ mod tests {
             ("a.txt", "", "ends in .toml, .json or .csv"),
             ("a.toml", "points_m = [[0, 0]]", "it has 1 points_m"),
             ("a.toml", "points = [[0, 0]]", "unknown field"),
-            ("a.toml", "points_m = [[0, 0], [0, 1]]\nside_plates = true", "side plates are not covered"),
+            ("a.toml", "points_m = [[0, 0], [0, 1]]\nside_plates_m = [[0, 0], [1, 0]]", "it has 2 side_plates_m"),
+            ("a.toml", "points_m = [[0, 0], [0, 1]]\nside_plates_m = [[0, 0], [1, 0], [0, nan]]", "is at NaN m"),
+            (
+                "a.toml",
+                "points_m = [[0, 0], [0, 1]]\nside_plates = true\nside_plates_m = [[0, 0], [1, 0], [0, 1]]",
+                "both side_plates and",
+            ),
             ("a.toml", "schema = \"x\"", "schema is \"x\""),
             ("a.toml", "[arc]\nradius_m = 0\ntip_alpha_deg = 30\ntop_alpha_deg = 90", "above 0 m"),
             ("a.toml", "[arc]\nradius_m = 1\ntip_alpha_deg = 30\ntop_alpha_deg = 30", "it must turn"),

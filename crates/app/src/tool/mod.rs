@@ -1,6 +1,7 @@
 //! Proven bounds on the force of a tool that need not be flat.
 
 mod answer;
+mod ends;
 mod file;
 mod ground;
 mod request;
@@ -10,11 +11,13 @@ use std::path::Path;
 
 pub(crate) use answer::notes;
 pub use answer::{Answer, PieceAnswer, ToolAnswer};
+pub use ends::{EndsAnswer, FrontAnswer};
 pub use file::{ArcEntry, PieceEntry, TOOL_SCHEMA, ToolFile};
 pub(crate) use ground::{Placed, SOIL};
 pub use request::{Request, Setting};
 pub use shape::AlphaOf;
 pub(crate) use shape::meet;
+use ends::Above;
 use soilctl_limit_analysis::{Description, LimitError};
 
 use crate::files::{can_be_written, save};
@@ -50,14 +53,26 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Bounded, AppError> {
         can_be_written(path)?;
     }
     let placed = Placed::new(&request.setting)?;
-    let notes = notes(&request.setting, &placed);
+    let notes = notes(&request.setting, &placed, request.width_m.is_some());
+    if request.width_m.is_some() {
+        ends::check(&request.setting, &placed)?;
+    }
     notes.iter().for_each(|note| watch.note(note));
     let description = placed.alone(&request.setting);
     if let Some(path) = &request.problem {
         write_problem(&description, path)?;
     }
-    let solved = solve::one(&request.budget, request.save.as_deref(), description, watch)?;
-    let answer = Answer::new(&request.setting, &placed, &solved, notes)?;
+    let save = request.save.as_deref();
+    let Some(width_m) = request.width_m else {
+        let solved = solve::one(&request.budget, save, description, watch)?;
+        let answer = Answer::new(&request.setting, &placed, &solved, None, notes)?;
+        return Ok(Bounded { answer, solved });
+    };
+    let above = Above::new(&request.setting, &placed, width_m, watch)?;
+    let mut solved = solve::with_ends(&request.budget, description, width_m, watch)?;
+    solved.kept.push(above.kept());
+    solved.unsaved = save.and_then(|path| solve::write(&solved.kept, path).err());
+    let answer = Answer::new(&request.setting, &placed, &solved, Some((above, width_m)), notes)?;
     Ok(Bounded { answer, solved })
 }
 

@@ -72,7 +72,12 @@ pub struct Request {
     #[allow(missing_docs)]
     pub budget: Budget,
 
-    /// Saves the fields that prove the bounds, for `soilctl certify`
+    /// Width of the tool (m): bounds are of a tool with ends, and with the side plates of its file; a tool without ends, per metre, if not given
+    #[arg(long = "width", value_name = "M", value_parser = finite, allow_negative_numbers = true, conflicts_with = "problem")]
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
+    pub width_m: Option<f64>,
+
+    /// Saves the fields that prove the bounds, for `soilctl certify`; with --width the upper one in a file beside, NAME.front.json or NAME.blocks.json
     #[arg(long, value_name = "FILE")]
     pub save: Option<PathBuf>,
 

@@ -50,6 +50,8 @@ pub(super) struct Shape {
     pieces: Vec<Piece>,
     /// How far the arc that they stand for is away at most.
     pub(super) off_arc_m: f64,
+    /// Corners of the hull of the side plates, as seen from the side; none without them.
+    pub(super) side_plates: Vec<Point>,
 }
 
 impl Shape {
@@ -82,7 +84,7 @@ impl Shape {
                 }
             }
         }
-        Ok(Self { pieces, off_arc_m })
+        Ok(Self { pieces, off_arc_m, side_plates: Vec::new() })
     }
 
     pub(super) fn pieces(&self) -> &[Piece] {
@@ -140,7 +142,16 @@ impl Shape {
 
     fn map(&self, place: impl Fn(Point) -> Point) -> Self {
         let piece = |piece: &Piece| Piece { ends: piece.ends.map(&place), ..*piece };
-        Self { pieces: self.pieces.iter().map(piece).collect(), off_arc_m: self.off_arc_m }
+        Self {
+            pieces: self.pieces.iter().map(piece).collect(),
+            off_arc_m: self.off_arc_m,
+            side_plates: self.side_plates.iter().map(|p| place(*p)).collect(),
+        }
+    }
+
+    /// The same with side plates of these corners.
+    pub(super) fn with_side_plates(self, corners: &[Point]) -> Self {
+        Self { side_plates: corners.to_vec(), ..self }
     }
 
     /// Turned so that its chord or its tip has a tool angle.
@@ -196,8 +207,22 @@ impl Shape {
                 "the tool goes through the surface in the middle, so that it is in the ground in several parts; put it deeper, or turn it".into(),
             ));
         }
-        Ok(Self { pieces, off_arc_m: self.off_arc_m })
+        Ok(Self { pieces, off_arc_m: self.off_arc_m, side_plates: below_surface(&placed.side_plates) })
     }
+}
+
+/// Corners of the part below y = 0 of the hull of some points, and perhaps points inside it.
+fn below_surface(corners: &[Point]) -> Vec<Point> {
+    let [above, mut below]: [Vec<Point>; 2] =
+        [true, false].map(|is_above| corners.iter().copied().filter(|p| (p[1] > 0.0) == is_above).collect());
+    let sunk = below.len();
+    for [xa, ya] in above {
+        for index in 0..sunk {
+            let [xb, yb] = below[index];
+            below.push([xb + (xa - xb) * yb / (yb - ya), 0.0]);
+        }
+    }
+    below
 }
 
 /// The part of a piece that is in the ground below y = 0.
@@ -279,6 +304,16 @@ mod tests {
         let buried = plate.placed(Some(1.0), 0.0).unwrap();
         close(buried.top(), [0.0, -0.6]);
         close(buried.tip(), [0.3, -1.0]);
+    }
+
+    #[test]
+    fn side_plates_go_along_and_are_cut_off_too() {
+        let plate = shape(&[[0.0, 0.0], [0.0, 0.4]]).unwrap().with_side_plates(&[[0.0, 0.0], [0.2, 0.0], [0.0, 0.4]]);
+        let placed = plate.placed(Some(0.2), 0.0).unwrap();
+        assert_eq!(placed.side_plates.len(), 4);
+        for (found, wanted) in placed.side_plates.iter().zip([[0.0, -0.2], [0.2, -0.2], [0.0, 0.0], [0.1, 0.0]]) {
+            close(*found, wanted);
+        }
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! The only structure with ends that is covered: a thin plate from the surface of a half-space downwards.
+//! What has ends: thin sheets in a half-space of one soil, of which lower bounds may be of any shape; and, for mechanisms and fields in space, the one
+//! straight plate from the surface downwards.
 
 use crate::CertificateError;
 use crate::interval::{Angle, Interval, Vector, angle};
@@ -10,6 +11,18 @@ use crate::statement::{Condition, Line, LineUse, Linear, Material, Objective};
 pub(super) struct Face {
     pub(super) friction: Angle,
     pub(super) adhesion: Interval,
+}
+
+/// Thin sheets that move together in a half-space of one soil: a tool of finite width, in section. Coordinates are those of [`EndedPlate`].
+#[derive(Debug)]
+pub(super) struct EndedTool<'a> {
+    pub(super) soil: &'a Strength,
+    pub(super) cohesion: Interval,
+    pub(super) material: &'a Material,
+    velocity: [f64; 2],
+    width: f64,
+    /// At least one, each with the faces on the left and on the right of the line.
+    sheets: Vec<(usize, Line, [Face; 2])>,
 }
 
 /// A plate of finite width in a half-space of one soil.
@@ -54,8 +67,8 @@ fn only_soil<'a>(problem: &'a Problem) -> Result<(&'a Strength, &'a Material, In
     Err(not_covered("region 0", what))
 }
 
-impl<'a> EndedPlate<'a> {
-    /// Reads the plate from a statement.
+impl<'a> EndedTool<'a> {
+    /// Reads the tool from a statement.
     ///
     /// # Errors
     ///
@@ -75,36 +88,57 @@ impl<'a> EndedPlate<'a> {
         if !(problem.far.left && problem.far.right && problem.far.below) {
             return Err(not_covered("the far lines", "with a width the soil goes on left, right and below"));
         }
-        let mut plate: Option<(Line, [Face; 2])> = None;
+        let mut sheets = Vec::new();
         for (i, line) in statement.lines.iter().enumerate() {
             let sides = [true, false].map(|forward| LineUse { line: i, forward });
             let at_datum = [line.from, line.to].map(|p| statement.points[p][1] == statement.datum);
-            let what = match sides.map(|side| problem.condition(side)) {
+            match sides.map(|side| problem.condition(side)) {
                 // Far lines frame the soil, and what lies along its top is at the datum.
-                [Some(Condition::Far), None] | [None, Some(Condition::Far)] => continue,
-                [Some(Condition::Free), None] | [None, Some(Condition::Free)] if at_datum == [true; 2] => {
-                    continue;
-                }
+                [Some(Condition::Far), None] | [None, Some(Condition::Far)] => {}
+                [Some(Condition::Free), None] | [None, Some(Condition::Free)] if at_datum == [true; 2] => {}
                 [
                     Some(Condition::Face { delta_deg: left, adhesion: holds_left }),
                     Some(Condition::Face { delta_deg: right, adhesion: holds_right }),
-                ] if plate.is_none() && at_datum[0] != at_datum[1] => {
-                    let (line, [left, right]) = (*line, [face(left, holds_left)?, face(right, holds_right)?]);
-                    plate = Some(if at_datum[0] {
-                        (line, [left, right])
-                    } else {
-                        (Line { from: line.to, to: line.from }, [right, left])
-                    });
-                    continue;
-                }
+                ] => sheets.push((i, *line, [face(left, holds_left)?, face(right, holds_right)?])),
                 _ => {
-                    "with a width, lines are far, free along the datum, or one thin plate that hangs from the datum"
+                    let what =
+                        "with a width, lines are far, free along the datum, or thin sheets of one tool";
+                    return Err(not_covered(format!("line {i}"), what));
                 }
-            };
-            return Err(not_covered(format!("line {i}"), what));
+            }
         }
-        let Some((line, faces)) = plate else {
-            return Err(not_covered("the lines", "with a width one of them is a plate"));
+        if sheets.is_empty() {
+            return Err(not_covered("the lines", "with a width one of them is a sheet of a tool"));
+        }
+        Ok(Self { soil, cohesion, material, velocity, width, sheets })
+    }
+}
+
+impl<'a> EndedPlate<'a> {
+    /// Reads the plate from a statement.
+    ///
+    /// # Errors
+    ///
+    /// [`CertificateError::NotCovered`] if that is not what it states.
+    pub(super) fn new(problem: &'a Problem) -> Result<Self, CertificateError> {
+        let statement = problem.statement;
+        let EndedTool { soil, cohesion, material, velocity, width, sheets } = EndedTool::new(problem)?;
+        let (line, faces) = match sheets.as_slice() {
+            [] => return Err(not_covered("the lines", "with a width one of them is a plate")),
+            [(i, line, [left, right])] => {
+                match [line.from, line.to].map(|p| statement.points[p][1] == statement.datum) {
+                    [true, false] => (*line, [*left, *right]),
+                    [false, true] => (Line { from: line.to, to: line.from }, [*right, *left]),
+                    [true, true] | [false, false] => {
+                        let what = "a mechanism in space is of one thin plate that hangs from the datum";
+                        return Err(not_covered(format!("line {i}"), what));
+                    }
+                }
+            }
+            [_, (i, _, _), ..] => {
+                let what = "a mechanism in space is of one thin plate that hangs from the datum";
+                return Err(not_covered(format!("line {i}"), what));
+            }
         };
         let [top, tip] = [line.from, line.to].map(|p| Vector::point(statement.points[p]));
         Ok(Self {

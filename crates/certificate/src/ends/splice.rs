@@ -16,11 +16,15 @@
 //! p1 + H <= K^2 (o3 + H)     and     o1 + H <= K^2 (p3 + H)
 //! ```
 //!
+//! Of the tool nothing is needed but that it is thin and of the same section between its ends: it may be bent, in several pieces, or buried. On
+//! the planes of its ends the soil presses with `f` on either side and does not shear. So thin side plates there, of any outline, smooth or rough,
+//! carry nothing on balance, and the bound holds for tools with them too.
+//!
 //! Both pressures of the ground at rest are the surcharge and a part that grows with the depth. So the mean pressure and
 //! the place, of which all is linear, limit the radius of Mohr's circle: states that obey are a convex set of stress and
 //! place together, and the nodes decide.
 
-use super::plate::EndedPlate;
+use super::plate::EndedTool;
 use crate::CertificateError;
 use crate::interval::{Interval, Vector};
 use crate::problem::{Problem, ReferenceStress};
@@ -50,13 +54,13 @@ impl Splice {
     ///
     /// # Errors
     ///
-    /// [`CertificateError`] if the statement has a width and is not a plate in a half-space, or the ground at rest does
+    /// [`CertificateError`] if the statement has a width and is not of thin sheets in a half-space, or the ground at rest does
     /// not bear its own weight.
     pub(crate) fn new(problem: &Problem) -> Result<Option<Self>, CertificateError> {
         if problem.statement.width.is_none() {
             return Ok(None);
         }
-        let EndedPlate { soil: strength, material, cohesion, .. } = EndedPlate::new(problem)?;
+        let EndedTool { soil: strength, material, cohesion, .. } = EndedTool::new(problem)?;
         let base = ReferenceStress::new(problem.statement, material.unit_weight);
         let (sin, one) = (strength.friction.sin, Interval::ONE);
         let mean = -(base.gradient.yy - base.difference.half());

@@ -1,7 +1,7 @@
 //! `soilctl tool TOOL`: proven bounds on the force of a tool that need not be flat.
 
 use soilctl_app::text::{columns, number};
-use soilctl_app::tool::{self, Answer, Request, ToolAnswer};
+use soilctl_app::tool::{self, Answer, EndsAnswer, Request, ToolAnswer};
 use soilctl_app::{Answer as _, Outcome};
 
 use super::limits::{Show, level_table, results_text};
@@ -10,7 +10,8 @@ use crate::output::{Output, Words};
 
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Forces are along the motion, per metre of width, of a tool without ends: nothing is said of side plates. Coefficients are 2 F / (gamma L^2) with \
+    after_help = "Forces are along the motion, per metre of width, of a tool without ends. With --width they are of the whole tool with its ends, and with side plates if its file has \
+    them (side_plates = true, or side_plates_m with the corners of their outline). Coefficients are 2 F / (gamma L^2) with \
     the straight line from the tip to the surface as L. Both bounds are proven with interval arithmetic; the true force of the rigid-plastic \
     soil with associated flow lies between them. Tool files are in docs/files.md, examples in data/tools. Exit code 3: the budget ended before \
     the gap was reached. Ctrl-C or SIGTERM ends the run with the best bounds so far."
@@ -67,6 +68,32 @@ fn pieces(tool: &ToolAnswer) -> String {
     columns(&rows)
 }
 
+/// What is proven of the whole tool.
+fn ends_text(ends: &EndsAnswer) -> String {
+    let mut text = format!(
+        "force of the tool, {} m wide, with {}:\nlower  {} N  ({})\nupper  {} N  ({})\n",
+        number(ends.width_m),
+        if ends.side_plates { "side plates" } else { "open ends" },
+        number(ends.lower_n),
+        ends.lower_proof.words(),
+        number(ends.upper_n),
+        ends.upper_proof.words(),
+    );
+    if let Some(front) = &ends.front {
+        text += &format!(
+            "the upper bound is that of a front at {} deg, {} m deep and {} m wide, that tool and side plates lie behind, with the soil between moving along\n",
+            number(rounded(front.alpha_deg)),
+            number(rounded(front.depth_m)),
+            number(rounded(front.width_m)),
+        );
+    }
+    text + &format!(
+        "without ends: {} to {} N/m\n",
+        number(ends.plane_lower_n_per_m),
+        number(ends.plane_upper_n_per_m)
+    )
+}
+
 /// Four digits: lengths and angles for people.
 fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
@@ -76,10 +103,14 @@ impl Words for Answer {
     fn text(&self) -> String {
         let mut text = tool_text(&self.tool);
         text += &format!(
-            "force along the motion, per metre of width:\nlower  {} N/m\nupper  {} N/m\n",
+            "force along the motion, per metre of width{}:\nlower  {} N/m\nupper  {} N/m\n",
+            if self.ends.is_some() { ", with ends" } else { "" },
             number(self.lower_n_per_m),
             number(self.upper_n_per_m)
         );
+        if let Some(ends) = &self.ends {
+            text += &ends_text(ends);
+        }
         if let Some(gap) = self.gap {
             text += &format!("gap    {} %\n", number(100.0 * gap));
         }

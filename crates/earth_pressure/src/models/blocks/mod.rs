@@ -13,6 +13,7 @@
 //! of slip, so all of them together dissipate `c cot(phi)` times what the heaved surface rises by less what the plate
 //! sweeps. Adhesion holds back what moves up along the plate. A plate without ends has the plane mechanism.
 
+mod ahead;
 mod behind;
 mod ends;
 mod fan;
