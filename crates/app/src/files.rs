@@ -1,7 +1,7 @@
 //! Files in and out.
 
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use soilctl_columns::{Cell, ColumnsError, Form, Kind, TableWriter};
 
@@ -69,4 +69,10 @@ pub(crate) fn save_table<'c, const N: usize>(
         table.row(row).map_err(failed)?;
     }
     save(path, &table.finish().map_err(failed)?)
+}
+
+/// A word before the ending of a file's name.
+pub(crate) fn numbered(path: &Path, word: &str) -> PathBuf {
+    let ending = path.extension().map_or_else(String::new, |ending| format!(".{}", ending.to_string_lossy()));
+    path.with_extension(format!("{word}{ending}"))
 }

@@ -1,12 +1,17 @@
 //! The page of bounds on a tool's force.
 
+use std::path::Path;
+
 use soilctl_app::text::{number, rounded_down, rounded_up};
-use soilctl_app::tool::{Answer, Bounded};
-use soilctl_figure::{Align, HtmlReport, Table};
+use soilctl_app::tool::{Answer, Bounded, ForcesAnswer};
+use soilctl_figure::{
+    Align, Axis, Figure, HtmlReport, Legend, Line, Points, Polygon, Polygons, Size, Table,
+};
 
 use crate::PageError;
 use crate::limits::{self, PageContent, bounds_table, level_table, proven, round};
 use crate::problem::Scene;
+use crate::write::save_figure;
 
 /// The page of bounds on a tool's force.
 ///
@@ -14,7 +19,55 @@ use crate::problem::Scene;
 /// [`PageError`] if a figure cannot be drawn.
 pub fn page(found: &Bounded) -> Result<HtmlReport, PageError> {
     let scene = Scene::of_file(&found.solved.description, &found.solved.described);
-    limits::page(&found.solved.fields, &scene, content(&found.answer)?, &found.answer.results)
+    let mut page =
+        limits::page(&found.solved.fields, &scene, content(&found.answer)?, &found.answer.results)?;
+    if let Some(forces) = &found.answer.forces {
+        page.heading("Forces in all directions").figure(
+            &forces_figure(forces)?,
+            Size::new(640, 640)?,
+            "Forces of the tool on the soil if it does not turn. All in the filled polygon are borne, all beyond the line fail; both are proven.",
+        )?;
+    }
+    Ok(page)
+}
+
+/// Forces that are borne, and the polygon beyond which none is.
+///
+/// # Errors
+/// [`PageError`] if there is nothing to draw.
+pub fn forces_figure(forces: &ForcesAnswer) -> Result<Figure, PageError> {
+    let borne: Vec<(f64, f64)> =
+        forces.directions.iter().filter_map(|one| one.force_n_per_m).map(|[x, y]| (x, y)).collect();
+    if borne.is_empty() {
+        return Err(PageError::Nothing("there is nothing to draw: no force is proven to be borne".into()));
+    }
+    let ring = |corners: &[[f64; 2]]| -> Vec<(f64, f64)> {
+        corners.iter().chain(corners.first()).map(|[x, y]| (*x, *y)).collect()
+    };
+    let mut figure = Figure::new(
+        "Forces of the tool on the soil, per metre of width",
+        Axis::linear("ahead (N/m)"),
+        Axis::linear("upwards (N/m)"),
+    )
+    .with_legend(Legend::Below)
+    .with_equal_aspect()?;
+    if forces.safe_n_per_m.len() > 2 {
+        let polygon = Polygon::new(ring(&forces.safe_n_per_m));
+        figure.push(Polygons::new("borne", vec![polygon]).color(0))?;
+    }
+    if let Some(limit) = &forces.limit_n_per_m {
+        figure.push(Line::new("fails beyond", ring(limit)).color(1))?;
+    }
+    figure.push(Points::new("of stresses that are proven", borne).color(0))?;
+    Ok(figure)
+}
+
+/// Writes that figure.
+///
+/// # Errors
+/// [`PageError`] if it cannot be drawn or written.
+pub fn save_forces(forces: &ForcesAnswer, path: &Path) -> Result<(), PageError> {
+    save_figure(&forces_figure(forces)?, path, Size::new(640, 640)?)
 }
 
 fn content(answer: &Answer) -> Result<PageContent, PageError> {

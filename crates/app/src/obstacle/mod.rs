@@ -5,8 +5,6 @@ mod body;
 mod one;
 mod request;
 
-use std::path::{Path, PathBuf};
-
 pub use answer::{Answer, DistanceAnswer, Verdict};
 use body::Body;
 use one::Series;
@@ -14,7 +12,7 @@ pub use request::{BodyKind, Request};
 use soilctl_limit_analysis::Description;
 use web_time::Instant;
 
-use crate::files::{can_be_written, table_form};
+use crate::files::{can_be_written, numbered, table_form};
 use crate::tool::{Placed, ToolAnswer, notes, write_problem};
 use crate::{AppError, Watch};
 
@@ -140,10 +138,4 @@ fn write_problems(request: &Request, alone: &Description, with: &[Description]) 
         write_problem(description, &numbered(path, &(index + 1).to_string()))?;
     }
     Ok(())
-}
-
-/// A word before the ending of a file's name.
-fn numbered(path: &Path, word: &str) -> PathBuf {
-    let ending = path.extension().map_or_else(String::new, |ending| format!(".{}", ending.to_string_lossy()));
-    path.with_extension(format!("{word}{ending}"))
 }

@@ -5,7 +5,8 @@ use std::sync::atomic::Ordering;
 use soilctl_limit_analysis::{Description, OneSide};
 use web_time::Instant;
 
-use super::{DistanceAnswer, Request, numbered};
+use super::{DistanceAnswer, Request};
+use crate::files::numbered;
 use crate::limits::Budget;
 use crate::solve::{self, Solved};
 use crate::watch::OneOfMany;

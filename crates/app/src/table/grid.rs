@@ -41,7 +41,7 @@ pub struct Nodes {
 }
 
 impl Nodes {
-    pub(super) fn values(&self) -> Vec<f64> {
+    pub(crate) fn values(&self) -> Vec<f64> {
         let Self { from, to, step } = self;
         let count = ((to - from) / step).round() as usize;
         // From both ends, so that the last node is exactly TO.

@@ -5,9 +5,11 @@ use serde::Serialize;
 use soilctl_limit_analysis::{Ended, Factorisation, StoppedBy};
 
 use super::ends::{Above, EndsAnswer};
+use super::forces::{DirectionAnswer, ForcesAnswer};
 use super::ground::Placed;
 use super::request::Setting;
 use super::shape::Piece;
+use super::table::TableAnswer;
 use crate::limits::{LevelAnswer, ResultsAnswer};
 use crate::solve::Solved;
 use crate::text::number;
@@ -67,6 +69,10 @@ pub struct Answer {
     pub slant_upper: Option<f64>,
     /// What is proven of the whole tool with its ends; null without --width.
     pub ends: Option<EndsAnswer>,
+    /// Forces that the soil bears, in all directions; null without --forces.
+    pub forces: Option<ForcesAnswer>,
+    /// Bounds over friction angles; null without --table.
+    pub table: Option<TableAnswer>,
     /// Direction of the motion, from the horizontal.
     pub direction_deg: f64,
     /// The tool.
@@ -101,7 +107,7 @@ pub struct Answer {
 }
 
 /// Outwards by a few roundings.
-fn times([lower, upper]: [f64; 2], factor: f64) -> [f64; 2] {
+pub(super) fn times([lower, upper]: [f64; 2], factor: f64) -> [f64; 2] {
     let slack = 8.0 * f64::EPSILON;
     let [l, u] = [lower * factor, upper * factor];
     [l - slack * l.abs(), u + slack * u.abs()]
@@ -139,6 +145,8 @@ impl Answer {
             slant_lower: slant.map(|s| s[0]),
             slant_upper: slant.map(|s| s[1]),
             ends,
+            forces: None,
+            table: None,
             direction_deg: setting.direction_deg,
             tool,
             certified: answer.certified,
@@ -164,6 +172,13 @@ impl crate::Answer for Answer {
     fn outcome(&self) -> Outcome {
         // No budget makes ends tighter.
         let gap = self.ends.map_or(self.gap, |ends| ends.plane_gap);
+        let misses = |one: &DirectionAnswer| one.force_n_per_m.is_none() || one.upper_n_per_m.is_none();
+        if self.forces.as_ref().is_some_and(|forces| forces.directions.iter().any(misses)) {
+            return Outcome::Partial;
+        }
+        if self.table.as_ref().is_some_and(|table| table.rows.iter().any(|row| row.problem.is_some())) {
+            return Outcome::Partial;
+        }
         if gap.is_some_and(|gap| gap <= self.max_gap) { Outcome::Done } else { Outcome::Partial }
     }
 }

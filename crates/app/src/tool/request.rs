@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::AlphaOf;
 use crate::limits::Budget;
 use crate::request::{Loads, finite};
+use crate::table::Nodes;
 
 /// A tool in the ground, the soil around it, and how it moves.
 #[derive(Debug, Clone, Default, Serialize, Deserialize, JsonSchema, clap::Args)]
@@ -77,7 +78,27 @@ pub struct Request {
     #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub width_m: Option<f64>,
 
-    /// Saves the fields that prove the bounds, for `soilctl certify`; with --width the upper one in a file beside, NAME.front.json or NAME.blocks.json
+    /// Also bounds the forces that the soil bears on the tool held against turning, with motions in so many directions; 12 take twelve times as long
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(3..=72), conflicts_with = "width_m")]
+    #[schemars(range(min = 3, max = 72))]
+    pub forces: Option<u32>,
+
+    /// Friction angles of the soil for --table (deg); --phi alone if not given
+    #[arg(long = "phis", value_name = "FROM:TO:STEP", requires = "table")]
+    #[schemars(with = "Option<String>")]
+    pub phis_deg: Option<Nodes>,
+
+    /// Friction angles of interfaces that the tool file leaves out, for --table (deg); --delta alone if not given
+    #[arg(long = "deltas", value_name = "FROM:TO:STEP", requires = "table")]
+    #[schemars(with = "Option<String>")]
+    pub deltas_deg: Option<Nodes>,
+
+    /// Also writes the bounds over friction angles as a table (.csv or .parquet); what it was made from goes beside it, with .json added, and a table that
+    /// was broken off is gone on with
+    #[arg(long, value_name = "FILE")]
+    pub table: Option<PathBuf>,
+
+    /// Saves the fields that prove the bounds, for `soilctl certify`; with --width the upper one in a file beside, NAME.front.json or NAME.blocks.json; with --forces NAME.1.json and so on for the other directions
     #[arg(long, value_name = "FILE")]
     pub save: Option<PathBuf>,
 

@@ -1,7 +1,10 @@
 //! `soilctl tool TOOL`: proven bounds on the force of a tool that need not be flat.
 
-use soilctl_app::text::{columns, number};
-use soilctl_app::tool::{self, Answer, EndsAnswer, Request, ToolAnswer};
+use std::path::PathBuf;
+
+use soilctl_app::files::can_be_written;
+use soilctl_app::text::{columns, number, number_or_dash};
+use soilctl_app::tool::{self, Answer, EndsAnswer, ForcesAnswer, Request, TableAnswer, ToolAnswer};
 use soilctl_app::{Answer as _, Outcome};
 
 use super::limits::{Show, level_table, results_text};
@@ -22,14 +25,22 @@ pub(crate) struct Args {
 
     #[command(flatten)]
     show: Show,
+
+    /// Draws the forces of --forces (.svg, .png, .html) or writes their data (.csv)
+    #[arg(long, value_name = "FILE", requires = "forces", help_heading = "Figures and files")]
+    forces_plot: Option<PathBuf>,
 }
 
 pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError> {
     args.show.check()?;
+    args.forces_plot.as_deref().map_or(Ok(()), can_be_written)?;
     let mut found = tool::run(&args.request, output)?;
     let mut written = args.show.write(&found.solved.fields, || soilctl_pages::tool::page(&found), output);
     found.answer.results.files = std::mem::take(&mut written.files);
     output.answer(&found.answer)?;
+    if let (Some(path), Some(forces)) = (&args.forces_plot, &found.answer.forces) {
+        soilctl_pages::tool::save_forces(forces, path)?;
+    }
     written.with_solution(found.solved.unsaved).end(found.answer.outcome(), output)
 }
 
@@ -94,6 +105,48 @@ fn ends_text(ends: &EndsAnswer) -> String {
     )
 }
 
+/// Each direction, and what all of them say.
+fn forces_text(forces: &ForcesAnswer) -> String {
+    let header = ["direction, deg", "lower, N/m", "upper, N/m", "borne: ahead, N/m", "and upwards, N/m"];
+    let mut rows = vec![header.map(str::to_owned).to_vec()];
+    for one in &forces.directions {
+        let [ahead, upwards] = [0, 1].map(|axis| one.force_n_per_m.map(|force| rounded(force[axis])));
+        rows.push(vec![
+            number(rounded(one.direction_deg)),
+            number_or_dash(one.lower_n_per_m),
+            number_or_dash(one.upper_n_per_m),
+            number_or_dash(ahead),
+            number_or_dash(upwards),
+        ]);
+    }
+    let mut text = format!(
+        "\nforces on the soil of a tool that does not turn (its own weight is one of them), by the direction in which it would move\n{}",
+        columns(&rows)
+    );
+    text += "every force between those that are borne is borne; none is whose part along a direction is above its upper bound\n";
+    if forces.limit_n_per_m.is_none() {
+        text += "the upper bounds do not close a polygon: in some directions nothing that is proven limits the force\n";
+    }
+    text
+}
+
+/// The rows of the table.
+fn table_text(table: &TableAnswer) -> String {
+    let header = ["phi, deg", "delta, deg", "lower, N/m", "upper, N/m", "coefficient", "to"];
+    let mut rows = vec![header.map(str::to_owned).to_vec()];
+    for row in &table.rows {
+        rows.push(vec![
+            number(row.phi_deg),
+            number_or_dash(row.delta_deg),
+            number_or_dash(row.lower_n_per_m),
+            number_or_dash(row.upper_n_per_m),
+            number_or_dash(row.coefficient_lower),
+            number_or_dash(row.coefficient_upper),
+        ]);
+    }
+    format!("\n{}, {} of {} rows from before\n{}", table.file, table.kept_rows, table.rows.len(), columns(&rows))
+}
+
 /// Four digits: lengths and angles for people.
 fn rounded(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
@@ -128,6 +181,12 @@ impl Words for Answer {
         }
         text += &format!("both bounds are proven; {:.1} s, {}\n\n", self.seconds, self.ended);
         text += &pieces(&self.tool);
+        if let Some(forces) = &self.forces {
+            text += &forces_text(forces);
+        }
+        if let Some(table) = &self.table {
+            text += &table_text(table);
+        }
         text += "\nlevels, in kN/m\n";
         text += &level_table(&self.levels);
         text += "\n";
