@@ -11,7 +11,7 @@ DENSITY = 1600.0
 PLATE = DATA / "tools/plate.toml"
 HALF_WEIGHT = 0.5 * DENSITY * GRAVITY_M_S2 * 0.1**2
 SOIL = ["--phi", 35, "--density", DENSITY]
-QUICK = ["--max-gap", 0.05, "--max-elements", 1000]
+QUICK = ["--max-gap", 0.3, "--max-elements", 1000]
 RANKINE = math.tan(math.radians(62.5)) ** 2
 
 

@@ -4,9 +4,7 @@ use std::path::Path;
 
 use soilctl_app::text::{number, rounded_down, rounded_up};
 use soilctl_app::tool::{Answer, Bounded, ForcesAnswer};
-use soilctl_figure::{
-    Align, Axis, Figure, HtmlReport, Legend, Line, Points, Polygon, Polygons, Size, Table,
-};
+use soilctl_figure::{Align, Axis, Figure, HtmlReport, Legend, Line, Points, Polygon, Polygons, Size, Table};
 
 use crate::PageError;
 use crate::limits::{self, PageContent, bounds_table, level_table, proven, round};

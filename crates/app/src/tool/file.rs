@@ -278,8 +278,16 @@ mod tests {
             ("a.txt", "", "ends in .toml, .json or .csv"),
             ("a.toml", "points_m = [[0, 0]]", "it has 1 points_m"),
             ("a.toml", "points = [[0, 0]]", "unknown field"),
-            ("a.toml", "points_m = [[0, 0], [0, 1]]\nside_plates_m = [[0, 0], [1, 0]]", "it has 2 side_plates_m"),
-            ("a.toml", "points_m = [[0, 0], [0, 1]]\nside_plates_m = [[0, 0], [1, 0], [0, nan]]", "is at NaN m"),
+            (
+                "a.toml",
+                "points_m = [[0, 0], [0, 1]]\nside_plates_m = [[0, 0], [1, 0]]",
+                "it has 2 side_plates_m",
+            ),
+            (
+                "a.toml",
+                "points_m = [[0, 0], [0, 1]]\nside_plates_m = [[0, 0], [1, 0], [0, nan]]",
+                "is at NaN m",
+            ),
             (
                 "a.toml",
                 "points_m = [[0, 0], [0, 1]]\nside_plates = true\nside_plates_m = [[0, 0], [1, 0], [0, 1]]",

@@ -13,16 +13,16 @@ use std::path::Path;
 
 pub(crate) use answer::notes;
 pub use answer::{Answer, PieceAnswer, ToolAnswer};
+use ends::Above;
 pub use ends::{EndsAnswer, FrontAnswer};
 pub use file::{ArcEntry, PieceEntry, TOOL_SCHEMA, ToolFile};
+pub use forces::{DirectionAnswer, ForcesAnswer};
 pub(crate) use ground::{Placed, SOIL};
 pub use request::{Request, Setting};
 pub use shape::AlphaOf;
 pub(crate) use shape::meet;
-use ends::Above;
-pub use forces::{DirectionAnswer, ForcesAnswer};
-pub use table::{RowAnswer, TableAnswer};
 use soilctl_limit_analysis::{Description, LimitError};
+pub use table::{RowAnswer, TableAnswer};
 
 use crate::files::{can_be_written, save};
 use crate::limits::Budget;

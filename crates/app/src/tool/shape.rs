@@ -308,10 +308,13 @@ mod tests {
 
     #[test]
     fn side_plates_go_along_and_are_cut_off_too() {
-        let plate = shape(&[[0.0, 0.0], [0.0, 0.4]]).unwrap().with_side_plates(&[[0.0, 0.0], [0.2, 0.0], [0.0, 0.4]]);
+        let plate =
+            shape(&[[0.0, 0.0], [0.0, 0.4]]).unwrap().with_side_plates(&[[0.0, 0.0], [0.2, 0.0], [0.0, 0.4]]);
         let placed = plate.placed(Some(0.2), 0.0).unwrap();
         assert_eq!(placed.side_plates.len(), 4);
-        for (found, wanted) in placed.side_plates.iter().zip([[0.0, -0.2], [0.2, -0.2], [0.0, 0.0], [0.1, 0.0]]) {
+        for (found, wanted) in
+            placed.side_plates.iter().zip([[0.0, -0.2], [0.2, -0.2], [0.0, 0.0], [0.1, 0.0]])
+        {
             close(*found, wanted);
         }
     }

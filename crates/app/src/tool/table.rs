@@ -135,7 +135,8 @@ fn pairs(request: &Request, tool: &ToolFile) -> Result<Vec<(f64, Option<f64>)>, 
             "--deltas is of interfaces that the tool file leaves out, and it has a delta_deg for all pieces; remove that, or leave --deltas out".into(),
         ));
     }
-    let phis = request.phis_deg.as_ref().map_or_else(|| vec![request.setting.phi_deg], |nodes| nodes.values());
+    let phis =
+        request.phis_deg.as_ref().map_or_else(|| vec![request.setting.phi_deg], |nodes| nodes.values());
     let deltas: Vec<Option<f64>> = request.deltas_deg.as_ref().map_or_else(
         || vec![request.setting.delta_deg],
         |nodes| nodes.values().into_iter().map(Some).collect(),
@@ -183,9 +184,8 @@ pub(super) fn run(
     let mut kept_rows = 0;
     watch.begin(pairs.len() as u64, "rows");
     for (phi_deg, delta_deg) in pairs {
-        let is_this = |row: &&RowAnswer| {
-            row.phi_deg == phi_deg && row.delta_deg == delta_deg && row.problem.is_none()
-        };
+        let is_this =
+            |row: &&RowAnswer| row.phi_deg == phi_deg && row.delta_deg == delta_deg && row.problem.is_none();
         let row = if let Some(row) = earlier.iter().find(is_this) {
             kept_rows += 1;
             row.clone()

@@ -144,7 +144,13 @@ fn table_text(table: &TableAnswer) -> String {
             number_or_dash(row.coefficient_upper),
         ]);
     }
-    format!("\n{}, {} of {} rows from before\n{}", table.file, table.kept_rows, table.rows.len(), columns(&rows))
+    format!(
+        "\n{}, {} of {} rows from before\n{}",
+        table.file,
+        table.kept_rows,
+        table.rows.len(),
+        columns(&rows)
+    )
 }
 
 /// Four digits: lengths and angles for people.

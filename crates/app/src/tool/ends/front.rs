@@ -73,7 +73,8 @@ mod tests {
 
     #[test]
     fn a_flat_tool_is_its_own_front() {
-        let front = Front::new(&[[0.3, -0.4], [0.0, 0.0]], 35.0, 0.4f64.atan2(0.3).to_degrees(), 2.0).unwrap();
+        let front =
+            Front::new(&[[0.3, -0.4], [0.0, 0.0]], 35.0, 0.4f64.atan2(0.3).to_degrees(), 2.0).unwrap();
         assert!((front.depth_m - 0.4).abs() < 1e-8 && (front.width_m - 2.0).abs() < 1e-8);
         assert!((front.length_m() - 0.5).abs() < 1e-8);
     }

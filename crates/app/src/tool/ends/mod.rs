@@ -103,8 +103,7 @@ impl Above {
         };
         let [low, high] = [ALPHAS[0].max(phi_deg + ABOVE_PHI), ALPHAS[1].min(GREATEST_SUM - phi_deg)];
         let step = (high - low) / f64::from(FRONTS - 1);
-        let tried: Vec<(f64, Front)> =
-            (0..FRONTS).filter_map(|k| force(low + step * f64::from(k))).collect();
+        let tried: Vec<(f64, Front)> = (0..FRONTS).filter_map(|k| force(low + step * f64::from(k))).collect();
         let Some(mut best) = tried.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)) else {
             return Err(AppError::Request(format!(
                 "no mechanism of blocks in space is found for the tool at --phi {} deg; with --width friction angles are 5 to 50 deg",

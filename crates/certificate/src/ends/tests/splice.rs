@@ -6,7 +6,10 @@ use super::super::Splice;
 use crate::examples::{Plate, fill};
 use crate::interval::Vector;
 use crate::problem::Problem;
-use crate::{CertificateError, Linear, Statement, prove_lower};
+use crate::{
+    Boundary, CertificateError, Condition, Line, LineUse, Linear, Mechanism, Statement, prove_lower,
+    prove_mechanism,
+};
 
 fn plate(cohesion: f64, surcharge: f64, gravity: [f64; 2]) -> Statement {
     let mut statement = Plate { lean: 0.3, delta_deg: 20.0, surcharge, gravity }.statement().with_width(3.0);
@@ -85,4 +88,42 @@ fn what_is_no_plate_in_one_soil_is_refused() {
     let steep = plate(0.0, 0.0, [-0.6, -0.8]);
     let problem = Problem::new(&steep).unwrap();
     assert!(matches!(Splice::new(&problem).unwrap_err(), CertificateError::NotProven { .. }));
+}
+
+/// The plate bent in its middle, in two sheets.
+fn bent() -> Statement {
+    let mut statement = plate(0.0, 0.0, [0.0, -1.0]);
+    let is_face = |b: &&Boundary| matches!(b.condition, Condition::Face { .. });
+    let line = statement.boundaries.iter().find(is_face).unwrap().line;
+    let Line { from, to } = statement.lines[line];
+    let [a, b] = [from, to].map(|p| statement.points[p]);
+    let (middle, lower) = (statement.points.len(), statement.lines.len());
+    statement.points.push([0.5 * (a[0] + b[0]) + 0.2, 0.5 * (a[1] + b[1])]);
+    statement.lines[line] = Line { from, to: middle };
+    statement.lines.push(Line { from: middle, to });
+    let split = |side: &LineUse| match (side.line == line, side.forward) {
+        (false, _) => vec![*side],
+        (true, true) => vec![*side, LineUse { line: lower, ..*side }],
+        (true, false) => vec![LineUse { line: lower, ..*side }, *side],
+    };
+    for one in statement.regions.iter_mut().flat_map(|region| &mut region.loops) {
+        *one = one.iter().flat_map(split).collect();
+    }
+    let faces: Vec<Boundary> = statement.boundaries.iter().filter(is_face).copied().collect();
+    statement.boundaries.extend(faces.into_iter().map(|face| Boundary { line: lower, ..face }));
+    statement
+}
+
+#[test]
+fn a_bent_tool_has_the_limits_of_the_plate_but_no_proof_in_space() {
+    let (bent, straight) = (bent(), plate(0.0, 0.0, [0.0, -1.0]));
+    let limits = |statement: &Statement| {
+        let problem = Problem::new(statement).unwrap();
+        let splice = Splice::new(&problem).unwrap().unwrap();
+        splice.at(Vector::point([0.3, -1.7])).radii((-2.0).into()).map(crate::interval::Interval::middle)
+    };
+    assert_eq!(limits(&bent), limits(&straight));
+    let none = Mechanism { vertices: Vec::new(), velocities: Vec::new(), facets: Vec::new() };
+    let refused = prove_mechanism(&bent, &none).unwrap_err().to_string();
+    assert!(refused.contains("one thin plate that hangs from the datum"), "{refused}");
 }
