@@ -159,7 +159,7 @@ impl ToolFile {
                 "it has {count} side_plates_m; side plates have 3 to {MAX_POINTS} corners, as seen from the side"
             ));
         }
-        match self.side_plates_m.iter().flatten().find(|x| !(x.abs() <= 1e6)) {
+        match self.side_plates_m.iter().flatten().find(|x| x.is_nan() || x.abs() > 1e6) {
             Some(x) => Err(format!("a corner of side_plates_m is at {x} m; give it within 1e6 m")),
             None => Ok(()),
         }
