@@ -147,6 +147,7 @@ __all__ = [
     "ProcessLogOutcome",
     "ProcessNoise",
     "ProcessRubbing",
+    "ProcessScan",
     "ProcessSkipped",
     "ProcessStrokeRecord",
     "ProfileAlias",
@@ -219,12 +220,18 @@ __all__ = [
     "ToolAnswer",
     "ToolBending",
     "ToolContact",
+    "ToolDirection",
+    "ToolEnds",
+    "ToolForces",
+    "ToolFront",
     "ToolLevel",
     "ToolMember",
     "ToolPiece",
     "ToolResults",
+    "ToolRow",
     "ToolSolve",
     "ToolStretch",
+    "ToolTable",
     "ahead",
     "arm_skewing",
     "arm_urdf",
@@ -609,8 +616,10 @@ class BoundInputs(Record):
         delta_deg: Interface friction angle.
         density_kg_m3: Bulk density; null if not given.
         depth_m: Vertical depth of the lower edge; null if not given.
+        friction_law: How much it falls a decade of normal stress (deg); null if it is the same at all stresses.
         gravity_m_s2: Gravity.
         phi_deg: Friction angle of the soil.
+        reference_stress_pa: Normal stress at which it is ``phi_deg`` (Pa); null likewise.
         surcharge_pa: Surcharge.
         width_m: Width of the plate; null if not given.
     """
@@ -629,10 +638,14 @@ class BoundInputs(Record):
     """Bulk density; null if not given."""
     depth_m: float | None
     """Vertical depth of the lower edge; null if not given."""
+    friction_law: float | None
+    """How much it falls a decade of normal stress (deg); null if it is the same at all stresses."""
     gravity_m_s2: float
     """Gravity."""
     phi_deg: float
     """Friction angle of the soil."""
+    reference_stress_pa: float | None
+    """Normal stress at which it is ``phi_deg`` (Pa); null likewise."""
     surcharge_pa: float
     """Surcharge."""
     width_m: float | None
@@ -1000,6 +1013,115 @@ class ToolContact(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ToolDirection(Record):
+    """What the motion in one direction says of the forces of the tool on the soil.
+
+    Attributes:
+        direction_deg: Direction, from the level ahead, above 0 upwards (deg).
+        force_n_per_m: A force that is borne, level ahead and upwards (N/m): that of the stresses behind the lower
+            bound; null without them.
+        lower_n_per_m: Lower bound on the greatest part along it of a force that is borne (N/m); null if none is
+            proven.
+        problem: Why a bound is missing; null if none is.
+        upper_n_per_m: Upper bound on it: all forces with more fail (N/m); null if none is proven.
+    """
+
+    direction_deg: float
+    """Direction, from the level ahead, above 0 upwards (deg)."""
+    force_n_per_m: list[float] | None
+    """A force that is borne, level ahead and upwards (N/m): that of the stresses behind the lower bound; null
+    without them.
+    """
+    lower_n_per_m: float | None
+    """Lower bound on the greatest part along it of a force that is borne (N/m); null if none is proven."""
+    problem: str | None
+    """Why a bound is missing; null if none is."""
+    upper_n_per_m: float | None
+    """Upper bound on it: all forces with more fail (N/m); null if none is proven."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolEnds(Record):
+    """The bracket of a tool with ends.
+
+    Attributes:
+        front: The plate that the blocks of the upper bound are of; null where that is the tool itself.
+        lower_n: Lower bound on the force of the whole tool (N).
+        lower_proof: How the lower bound is proven.
+        plane_gap: The gap in plane strain, which --max-gap is about; null if the bounds are on both sides of zero.
+        plane_lower_n_per_m: Lower bound in plane strain, as without --width (N/m).
+        plane_upper_n_per_m: Upper bound in plane strain (N/m), which is none with ends.
+        side_plates: Whether it has side plates.
+        upper_n: Upper bound on it (N).
+        upper_proof: How the upper bound is proven.
+        width_m: Width of the tool.
+    """
+
+    front: ToolFront | None
+    """The plate that the blocks of the upper bound are of; null where that is the tool itself."""
+    lower_n: float
+    """Lower bound on the force of the whole tool (N)."""
+    lower_proof: Literal["plane", "splice", "space", "mechanism"]
+    """How the lower bound is proven."""
+    plane_gap: float | None
+    """The gap in plane strain, which --max-gap is about; null if the bounds are on both sides of zero."""
+    plane_lower_n_per_m: float
+    """Lower bound in plane strain, as without --width (N/m)."""
+    plane_upper_n_per_m: float
+    """Upper bound in plane strain (N/m), which is none with ends."""
+    side_plates: bool
+    """Whether it has side plates."""
+    upper_n: float
+    """Upper bound on it (N)."""
+    upper_proof: Literal["plane", "splice", "space", "mechanism"]
+    """How the upper bound is proven."""
+    width_m: float
+    """Width of the tool."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolForces(Record):
+    """Forces that the soil bears on a tool that does not turn, per metre of width.
+
+    Attributes:
+        directions: Each direction, from the level ahead upwards and round.
+        limit_n_per_m: Corners of a polygon beyond which all forces fail, likewise; null where the bounds do not
+            close it.
+        safe_n_per_m: Corners of forces that are all borne, level ahead and upwards (N/m), against the clock: the
+            hull of those of the directions.
+    """
+
+    directions: list[ToolDirection]
+    """Each direction, from the level ahead upwards and round."""
+    limit_n_per_m: list[list[float]] | None
+    """Corners of a polygon beyond which all forces fail, likewise; null where the bounds do not close it."""
+    safe_n_per_m: list[list[float]]
+    """Corners of forces that are all borne, level ahead and upwards (N/m), against the clock: the hull of those of
+    the directions.
+    """
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolFront(Record):
+    """A plate that stands for the tool in the upper bound: all of tool and side plates lie behind it, with soil
+    that moves along, and it is as rough as the soil.
+
+    Attributes:
+        alpha_deg: Its tool angle.
+        depth_m: Its vertical depth; more than the tool's where the tool's underside is flatter than the friction
+            angle.
+        width_m: Its width: that of the tool, and what soil beside it is dragged along.
+    """
+
+    alpha_deg: float
+    """Its tool angle."""
+    depth_m: float
+    """Its vertical depth; more than the tool's where the tool's underside is flatter than the friction angle."""
+    width_m: float
+    """Its width: that of the tool, and what soil beside it is dragged along."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class ToolLevel(Record):
     """One level of meshes.
 
@@ -1142,6 +1264,42 @@ class ToolResults(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ToolRow(Record):
+    """Bounds at one pair of friction angles.
+
+    Attributes:
+        coefficient_lower: Lower bound on the coefficient of that force, as in the answer.
+        coefficient_upper: Upper bound on it.
+        delta_deg: Friction angle between soil and tool, where the tool file says none; null if it says all.
+        gap: Their gap; null as in the answer.
+        lower_n_per_m: Lower bound on the force along the motion, per metre of width, with ends if a width is given;
+            null if none is proven.
+        phi_deg: Internal friction angle of the soil.
+        problem: Why there are no bounds; null if there are.
+        upper_n_per_m: Upper bound likewise.
+    """
+
+    coefficient_lower: float | None
+    """Lower bound on the coefficient of that force, as in the answer."""
+    coefficient_upper: float | None
+    """Upper bound on it."""
+    delta_deg: float | None
+    """Friction angle between soil and tool, where the tool file says none; null if it says all."""
+    gap: float | None
+    """Their gap; null as in the answer."""
+    lower_n_per_m: float | None
+    """Lower bound on the force along the motion, per metre of width, with ends if a width is given; null if none is
+    proven.
+    """
+    phi_deg: float
+    """Internal friction angle of the soil."""
+    problem: str | None
+    """Why there are no bounds; null if there are."""
+    upper_n_per_m: float | None
+    """Upper bound likewise."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class ToolSolve(Record):
     """One solve.
 
@@ -1181,6 +1339,24 @@ class ToolStretch(Record):
     """First end, x and y."""
     to: list[float]
     """Last end, x and y."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ToolTable(Record):
+    """The table that was written.
+
+    Attributes:
+        file: Its file.
+        kept_rows: Rows that an earlier run had made.
+        rows: All rows, by friction angle of the soil and then of the interface.
+    """
+
+    file: str
+    """Its file."""
+    kept_rows: int
+    """Rows that an earlier run had made."""
+    rows: list[ToolRow]
+    """All rows, by friction angle of the soil and then of the interface."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -1229,12 +1405,15 @@ class ToolAnswer(Answer):
         coefficient_upper: Upper bound on it.
         direction_deg: Direction of the motion, from the horizontal.
         ended: Why the run ended.
+        ends: What is proven of the whole tool with its ends; null without --width.
+        forces: Forces that the soil bears, in all directions; null without --forces.
         gap: ``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero.
         levels: All levels, coarse to fine, in kN/m.
         lower_elements: Triangles of the mesh of the lower bound; each has three parts.
         lower_factorisation: What factorised the solver's systems behind the lower bound; its digits may depend on
             that, its proof does not.
-        lower_n_per_m: Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m).
+        lower_n_per_m: Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m):
+            of a tool without ends, or of one with the width of ``ends``.
         notes: Values that are possible but unusual, and what else is to be kept in mind.
         results: What the fields behind the bounds show, along and across the surface.
         seconds: Time spent in s.
@@ -1244,6 +1423,7 @@ class ToolAnswer(Answer):
         slant_upper: Upper bound on it; null likewise.
         stopped_by: What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end
             elsewhere another time.
+        table: Bounds over friction angles; null without --table.
         tool: The tool.
         upper_elements: Triangles of the mesh of the upper bound.
         upper_factorisation: The same of the upper bound.
@@ -1265,6 +1445,10 @@ class ToolAnswer(Answer):
     """Direction of the motion, from the horizontal."""
     ended: Literal["gap", "time", "elements", "work", "memory", "stopped"]
     """Why the run ended."""
+    ends: ToolEnds | None
+    """What is proven of the whole tool with its ends; null without --width."""
+    forces: ToolForces | None
+    """Forces that the soil bears, in all directions; null without --forces."""
     gap: float | None
     """``|(U - L) / ((U + L) / 2)|``; null if the bounds are on both sides of zero."""
     levels: list[ToolLevel]
@@ -1276,7 +1460,9 @@ class ToolAnswer(Answer):
     not.
     """
     lower_n_per_m: float
-    """Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m)."""
+    """Lower bound on the force of the tool on the soil along its motion, per metre of width (N/m): of a tool
+    without ends, or of one with the width of ``ends``.
+    """
     notes: list[str]
     """Values that are possible but unusual, and what else is to be kept in mind."""
     results: ToolResults
@@ -1294,6 +1480,8 @@ class ToolAnswer(Answer):
     """What kind of limit that is. Only after ``seconds`` and ``user`` the same command may end elsewhere another
     time.
     """
+    table: ToolTable | None
+    """Bounds over friction angles; null without --table."""
     tool: Tool
     """The tool."""
     upper_elements: int
@@ -2003,6 +2191,7 @@ class SolveCheckCheckedRegion(Record):
         cohesion_kpa: Least and greatest cohesion at its corners.
         phi_deg: Friction angle.
         pore_pressure_kpa: Least and greatest pore pressure at its corners.
+        soil: Name of the soil.
         unit_weight_kn_m3: Unit weight.
     """
 
@@ -2014,6 +2203,8 @@ class SolveCheckCheckedRegion(Record):
     """Friction angle."""
     pore_pressure_kpa: list[float]
     """Least and greatest pore pressure at its corners."""
+    soil: str
+    """Name of the soil."""
     unit_weight_kn_m3: float
     """Unit weight."""
 
@@ -5521,9 +5712,11 @@ class ProcessLogOutcome(Record):
         error: Why nothing could be made of it; null if something could.
         found: What else was found in a log of another program; null for a log of soilctl.
         is_partial: Whether data that matter are missing: a stroke could not be weighed, or has a gap where the
-            force rises.
+            force rises, or clouds that were asked for cannot be used.
         log: The file.
         own: Whether soilctl wrote it.
+        scans: What clouds of points before and after each stroke say of where the ground broke; empty if there are
+            none.
         skipped: What gave none, and why.
         status: ``done`` or ``failed``.
         strokes: Strokes with a failure force.
@@ -5537,11 +5730,15 @@ class ProcessLogOutcome(Record):
     found: ProcessFound | None
     """What else was found in a log of another program; null for a log of soilctl."""
     is_partial: bool
-    """Whether data that matter are missing: a stroke could not be weighed, or has a gap where the force rises."""
+    """Whether data that matter are missing: a stroke could not be weighed, or has a gap where the force rises, or
+    clouds that were asked for cannot be used.
+    """
     log: str
     """The file."""
     own: bool
     """Whether soilctl wrote it."""
+    scans: list[ProcessScan]
+    """What clouds of points before and after each stroke say of where the ground broke; empty if there are none."""
     skipped: list[ProcessSkipped]
     """What gave none, and why."""
     status: str
@@ -5589,6 +5786,41 @@ class ProcessRubbing(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class ProcessScan(Record):
+    """What the scans before and after a stroke say.
+
+    Attributes:
+        after_s: When the one after it was taken; null likewise.
+        before_s: When the cloud before it was taken (s on the log's clock); null if there is none in which the
+            plate is out of the ground.
+        break_distance_m: Distance along the surface from the plate's face to where the ground broke (m); null if
+            that cannot be said.
+        break_distance_sd_m: Its standard deviation and resolution together (m).
+        reason: Why there is no distance; null if there is one.
+        stroke_id: Name of the stroke.
+        warnings: What to keep in mind about the maps.
+    """
+
+    after_s: float | None
+    """When the one after it was taken; null likewise."""
+    before_s: float | None
+    """When the cloud before it was taken (s on the log's clock); null if there is none in which the plate is out of
+    the ground.
+    """
+    break_distance_m: float | None
+    """Distance along the surface from the plate's face to where the ground broke (m); null if that cannot be said.
+    """
+    break_distance_sd_m: float | None
+    """Its standard deviation and resolution together (m)."""
+    reason: str | None
+    """Why there is no distance; null if there is one."""
+    stroke_id: str
+    """Name of the stroke."""
+    warnings: list[str]
+    """What to keep in mind about the maps."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class ProcessSkipped(Record):
     """A part of a log that gave no failure force.
 
@@ -5625,6 +5857,9 @@ class ProcessStrokeRecord(Record):
         alpha_deg: Tool angle, from the ground ahead to the plate (deg).
         base_deg: Base angle at which the stroke was made (deg).
         batch: Name of the preparation the stroke was made in (text).
+        break_distance_m: From the plate's face at the surface, along the surface ahead, to where the ground broke
+            at failure (m).
+        break_distance_sd_m: Standard deviation of ``break_distance_m`` (m).
         cmd_minus_force_n: Force from the motor torques minus that of the sensor, before failure (N).
         delta_set_deg: Interface friction angle that the controller was set to (deg).
         density_kg_m3: Bulk density weighed for the batch (kg/m3).
@@ -5680,6 +5915,10 @@ class ProcessStrokeRecord(Record):
     """Base angle at which the stroke was made (deg)."""
     batch: str | None
     """Name of the preparation the stroke was made in (text)."""
+    break_distance_m: float | None
+    """From the plate's face at the surface, along the surface ahead, to where the ground broke at failure (m)."""
+    break_distance_sd_m: float | None
+    """Standard deviation of ``break_distance_m`` (m)."""
     cmd_minus_force_n: float | None
     """Force from the motor torques minus that of the sensor, before failure (N)."""
     delta_set_deg: float | None
@@ -7158,6 +7397,8 @@ def bound(
     phi_deg: float,
     delta_deg: float,
     *,
+    friction_law: float | None = None,
+    reference_stress_pa: float | None = None,
     density_kg_m3: float | None = None,
     depth_m: float | None = None,
     width_m: float | None = None,
@@ -7187,6 +7428,10 @@ def bound(
         alpha_deg: Tool angle from the horizontal (deg), 10 to 170.
         phi_deg: Internal friction angle of the soil (deg), above 0 and below 70.
         delta_deg: Friction angle between soil and plate (deg), at most phi.
+        friction_law: Friction falls with stress: by so many degrees a decade of normal stress, 0.1 to 8.
+            ``phi_deg`` is then the friction angle at ``reference_stress_pa``. At least 0.1 and at most 8.
+        reference_stress_pa: Normal stress (Pa) at which ``phi_deg`` is the friction angle, with ``friction_law``.
+            Above 0.
         density_kg_m3: Bulk density (kg/m3); needed for forces, and with cohesion, adhesion or surcharge.
         depth_m: Vertical depth of the plate's lower edge below the surface (m); likewise.
         width_m: Width of the plate (m); needed for forces, and with it the plate has ends.
@@ -7250,6 +7495,11 @@ def tool(
     factorisation: Literal["auto", "qdldl", "faer"] = "auto",
     segments: int | None = None,
     dump: PathLike | None = None,
+    width_m: float | None = None,
+    forces: int | None = None,
+    phis_deg: str | None = None,
+    deltas_deg: str | None = None,
+    table: PathLike | None = None,
     save: PathLike | None = None,
     problem: PathLike | None = None,
     progress: Progress = None,
@@ -7288,7 +7538,18 @@ def tool(
         segments: Solves with strength linearised to so many sides, from inside, instead of cones: for comparison,
             slower and wider. At least 3 and at most 1000.
         dump: Existing folder for programs on which the solver failed, to reproduce that from.
-        save: Saves the fields that prove the bounds, for ``soilctl certify``.
+        width_m: Width of the tool (m): bounds are of a tool with ends, and with the side plates of its file; a tool
+            without ends, per metre, if not given. Above 0.
+        forces: Also bounds the forces that the soil bears on the tool held against turning, with motions in so many
+            directions; 12 take twelve times as long. At least 3 and at most 72.
+        phis_deg: Friction angles of the soil for ``table`` (deg); ``phi_deg`` alone if not given.
+        deltas_deg: Friction angles of interfaces that the tool file leaves out, for ``table`` (deg); ``delta_deg``
+            alone if not given.
+        table: Also writes the bounds over friction angles as a table (.csv or .parquet); what it was made from goes
+            beside it, with .json added, and a table that was broken off is gone on with.
+        save: Saves the fields that prove the bounds, for ``soilctl certify``; with ``width_m`` the upper one in a
+            file beside, NAME.front.json or NAME.blocks.json; with ``forces`` NAME.1.json and so on for the other
+            directions.
         problem: Writes the problem as a problem file (.toml), to be changed and solved by ``soilctl solve``.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
@@ -8388,6 +8649,7 @@ def process(
     delta_set_deg: float | None = None,
     tare: Sequence[float] | None = None,
     tool_weight_n: float | None = None,
+    scan_topic: str | None = None,
     wrench_sense: Literal["soil-on-plate", "plate-on-soil"] = "soil-on-plate",
     strokes: Table | None = None,
     slant_m: float = 0.0254,
@@ -8419,6 +8681,8 @@ def process(
         delta_set_deg: Interface friction that the controller was set to (deg).
         tare: Readings in free air: FX,FY,FZ or FX,FY,FZ,MX,MY,MZ (N, N m).
         tool_weight_n: Weight of what the sensor carries (N); it turns with the sensor.
+        scan_topic: Topic of clouds of points (sensor_msgs/PointCloud2): those before and after each stroke tell
+            where the ground broke, in the columns ``break_distance_m`` and ``break_distance_sd_m``.
         wrench_sense: What the wrenches are, if not the force of the soil on the plate: then all readings,
             ````tare```` too, change their sign.
         strokes: CSV with the columns start and end of each push (s, on the clock of the stamps).
@@ -8455,6 +8719,7 @@ class ProcessArguments(TypedDict, total=False):
     phi_deg: float | None
     plate_frame: str | None
     rubbing: Sequence[PathLike] | None
+    scan_topic: str | None
     sensor_frame: str | None
     slant_m: float | None
     strokes: Table | None
@@ -8489,6 +8754,7 @@ def ahead(
     delta_set_deg: float | None = None,
     tare: Sequence[float] | None = None,
     tool_weight_n: float | None = None,
+    scan_topic: str | None = None,
     wrench_sense: Literal["soil-on-plate", "plate-on-soil"] = "soil-on-plate",
     strokes: Table | None = None,
     progress: Progress = None,
@@ -8518,6 +8784,8 @@ def ahead(
         delta_set_deg: Interface friction that the controller was set to (deg).
         tare: Readings in free air: FX,FY,FZ or FX,FY,FZ,MX,MY,MZ (N, N m).
         tool_weight_n: Weight of what the sensor carries (N); it turns with the sensor.
+        scan_topic: Topic of clouds of points (sensor_msgs/PointCloud2): those before and after each stroke tell
+            where the ground broke, in the columns ``break_distance_m`` and ``break_distance_sd_m``.
         wrench_sense: What the wrenches are, if not the force of the soil on the plate: then all readings,
             ````tare```` too, change their sign.
         strokes: CSV with the columns start and end of each push (s, on the clock of the stamps).
