@@ -6,7 +6,7 @@ use crate::supply::tool;
 use crate::tasks::cargo;
 use crate::workspace::Workspace;
 
-const TARGETS: [&str; 3] = ["recording", "urdf", "mesh"];
+const TARGETS: [&str; 4] = ["recording", "urdf", "mesh", "heights"];
 
 /// How long each target runs.
 ///
