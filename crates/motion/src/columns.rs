@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use soilctl_bag::{BagError, Item, Readers, Reading, scan};
+use soilctl_bag::{BagError, Item, Kind, Readers, Reading, scan};
 
 use crate::MotionError;
 use crate::clock::{Clock, Repaired, Times, repair};
@@ -46,6 +46,8 @@ pub struct Columns {
     pub bytes: u64,
     /// How regularly each topic came on this clock, joint states first.
     pub topics: Vec<TopicClock>,
+    /// Whether there are clouds of points on some topic.
+    pub has_clouds: bool,
 }
 
 /// What is to be read.
@@ -116,6 +118,9 @@ pub fn columns(path: &Path, wanted: &Wanted<'_>, stop: &AtomicBool) -> Result<Co
                 }
                 _ => state.malformed.push(logged_ns),
             }
+        } else if !columns.has_clouds {
+            let kind = readers.reader(&message).ok().and_then(soilctl_bag::Reader::kind);
+            columns.has_clouds = kind == Some(Kind::Points);
         }
         Ok(())
     })?;

@@ -74,7 +74,10 @@ pub(super) fn process(
                     free_air: foreign.air,
                     contacts: foreign.contacts,
                 });
-                look_at_scans(&mut entry, &windows_s, log, inputs, stop);
+                // Without them nothing is read once more, unless a topic is asked for.
+                if foreign.has_clouds || inputs.scan_topic.is_some() {
+                    look_at_scans(&mut entry, &windows_s, log, inputs, stop);
+                }
             }
         }
         Err(ProcessError::Stopped) => return Ok(None),

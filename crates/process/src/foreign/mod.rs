@@ -94,6 +94,8 @@ pub struct ForeignLog {
     pub damage: Vec<String>,
     /// Bytes of the file.
     pub bytes: u64,
+    /// Whether it has clouds of points.
+    pub has_clouds: bool,
 }
 
 /// Reads a log of another program and hands over its strokes, and what is none.
@@ -158,6 +160,7 @@ pub(crate) fn read(
         origin_s: columns.clock.origin_s,
         damage: std::mem::take(&mut columns.damage),
         bytes: columns.bytes,
+        has_clouds: columns.has_clouds,
         ..ForeignLog::default()
     };
     let clock_set = columns.troubles.iter().filter(|trouble| matches!(trouble.what, Oddity::ClockSet { .. }));
