@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use soilctl_bag::BagError;
 use soilctl_heights::{HeightsError, Taken, clouds};
 use soilctl_motion::{Motion, Settings, motion};
 use soilctl_process::foreign::Contact;
@@ -53,20 +54,24 @@ pub(super) fn read(
     let found = match clouds(&log.path, topic) {
         Ok(Some(found)) => found,
         Ok(None) => return Ok(Vec::new()),
-        Err(HeightsError::Bag(problem)) if topic.is_none() => {
+        Err(HeightsError::Bag(problem @ BagError::Topic { .. })) if topic.is_none() => {
             return Err(format!("clouds of points are not used: {problem}; name one by --scan-topic"));
         }
         Err(problem) => return Err(format!("clouds of points are not used: {problem}")),
     };
     let arm = motion(&log.path, &of_arm(&inputs.settings), stop)
         .map_err(|problem| format!("clouds on {} are not used: {problem}", found.topic))?;
+    let times: Vec<f64> = found.taken.iter().map(|taken| arm.columns.clock.seconds(taken.time_ns)).collect();
+    let edges = edges_m(&arm, times.iter().copied());
+    let taken = times.into_iter().zip(edges).zip(found.taken);
+    let taken: Vec<Shot> = taken.map(|((t_s, edge_m), taken)| Shot { t_s, edge_m, taken }).collect();
     let scans = strokes.iter_mut().map(|stroke| {
         let [from_s, to_s] = stroke.window_s;
         let ended = contacts.iter().map(|contact| contact.to_s).filter(|t_s| *t_s <= from_s);
         let begun = contacts.iter().map(|contact| contact.from_s).filter(|t_s| *t_s >= to_s);
         let seen = Seen {
             arm: &arm,
-            taken: &found.taken,
+            taken: &taken,
             since_s: ended.fold(f64::NEG_INFINITY, f64::max),
             until_s: begun.fold(f64::INFINITY, f64::min),
         };
@@ -91,34 +96,39 @@ fn of_arm(settings: &LogSettings) -> Settings {
     }
 }
 
+/// A cloud, when it was taken on the log's clock, and the height of the plate's lower edge then.
+#[derive(Clone, Copy)]
+struct Shot {
+    t_s: f64,
+    edge_m: Option<f64>,
+    taken: Taken,
+}
+
+/// Height of the plate's lower edge at times.
+fn edges_m(arm: &Motion, times_s: impl IntoIterator<Item = f64>) -> Vec<Option<f64>> {
+    let mut heights = Vec::new();
+    arm.states(times_s, &mut |state| heights.push(state.tip_m.map(|tip| tip[2])));
+    heights
+}
+
 /// What may be looked at for a stroke: clouds after the contact before it, and before the one after it.
 struct Seen<'a> {
     arm: &'a Motion,
-    taken: &'a [Taken],
+    taken: &'a [Shot],
     since_s: f64,
     until_s: f64,
 }
 
 impl Seen<'_> {
-    /// Height of the plate's lower edge at times.
-    fn edges_m(&self, times_s: impl IntoIterator<Item = f64>) -> Vec<Option<f64>> {
-        let mut heights = Vec::new();
-        self.arm.states(times_s, &mut |state| heights.push(state.tip_m.map(|tip| tip[2])));
-        heights
-    }
-
     /// The last cloud before a stroke and the first after it in which the plate's edge is at the surface or above.
-    fn around(&self, [from_s, to_s]: [f64; 2], depth_m: f64) -> [Option<(f64, Taken)>; 2] {
+    fn around(&self, [from_s, to_s]: [f64; 2], depth_m: f64) -> [Option<Shot>; 2] {
         let during = self.arm.times_s(0.0).into_iter().filter(|t_s| (from_s..=to_s).contains(t_s));
-        let lowest = self.edges_m(during).into_iter().flatten().fold(f64::INFINITY, f64::min);
-        let times: Vec<f64> =
-            self.taken.iter().map(|taken| self.arm.columns.clock.seconds(taken.time_ns)).collect();
-        let edges = self.edges_m(times.iter().copied());
-        let is_out = |(_, edge): &(f64, Option<f64>)| edge.is_some_and(|edge| edge >= lowest + depth_m);
-        let seen = || times.iter().copied().zip(edges.iter().copied()).zip(self.taken);
-        let before = seen().rfind(|(at, _)| (self.since_s..from_s).contains(&at.0) && is_out(at));
-        let mut later = seen().filter(|(at, _)| at.0 > to_s && at.0 < self.until_s && is_out(at));
-        [before, later.next()].map(|found| found.map(|((t_s, _), taken)| (t_s, *taken)))
+        let lowest = edges_m(self.arm, during).into_iter().flatten().fold(f64::INFINITY, f64::min);
+        let is_out = |shot: &&Shot| shot.edge_m.is_some_and(|edge| edge >= lowest + depth_m);
+        let mut out = self.taken.iter().filter(is_out);
+        let before = out.clone().rfind(|shot| (self.since_s..from_s).contains(&shot.t_s));
+        let after = out.find(|shot| shot.t_s > to_s && shot.t_s < self.until_s);
+        [before.copied(), after.copied()]
     }
 }
 
@@ -127,17 +137,20 @@ fn one(stroke: &mut Pushed<'_>, seen: &Seen<'_>, request: heights::Request) -> S
     let [before, after] = seen.around(stroke.window_s, row.depth_m);
     let mut scan = Scan {
         stroke_id: row.stroke_id.clone().unwrap_or_default(),
-        before_s: before.map(|(t_s, _)| t_s),
-        after_s: after.map(|(t_s, _)| t_s),
+        before_s: before.map(|shot| shot.t_s),
+        after_s: after.map(|shot| shot.t_s),
         break_distance_m: None,
         break_distance_sd_m: None,
         reason: None,
         warnings: Vec::new(),
     };
     let said = match (before, after) {
-        (Some((_, before)), Some((_, after))) => {
-            let request =
-                heights::Request { before_at_s: Some(before.at_s), after_at_s: Some(after.at_s), ..request };
+        (Some(before), Some(after)) => {
+            let request = heights::Request {
+                before_at_s: Some(before.taken.at_s),
+                after_at_s: Some(after.taken.at_s),
+                ..request
+            };
             heights::of_stroke(&request, seen.arm, row.width_m, row.depth_m)
         }
         (None, _) => Err(AppError::Request(

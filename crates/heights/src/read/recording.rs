@@ -64,22 +64,30 @@ pub fn clouds(path: &Path, topic: Option<&str>) -> Result<Option<Clouds>, Height
     }
     let topic = found.choose(topic, USUAL, Kind::Points)?;
     let first_ns = found.topics.get(&topic).map_or(0, |topic| topic.first_ns);
-    let (mut readers, mut taken) = (Readers::new(), Vec::new());
+    let (mut readers, mut taken, mut unreadable) = (Readers::new(), Vec::new(), None);
     let done = scan::<Early>(path, &mut |item| {
-        if let Item::Message(message) = item
-            && message.channel.topic == topic
-            && let Some(Ok(Reading::Points { stamp_ns, points, .. })) = readers.read(&message)
-            && !points.is_empty()
-        {
-            let logged = message.log_time_ns;
-            let time_ns = stamp_ns.unwrap_or_else(|| i64::try_from(logged).unwrap_or(i64::MAX));
-            taken.push(Taken { at_s: logged.saturating_sub(first_ns) as f64 / 1e9, time_ns });
+        let Item::Message(message) = item else { return Ok(()) };
+        if message.channel.topic != topic {
+            return Ok(());
+        }
+        match readers.read(&message) {
+            Some(Ok(Reading::Points { stamp_ns, points, .. })) if !points.is_empty() => {
+                let logged = message.log_time_ns;
+                let time_ns = stamp_ns.unwrap_or_else(|| i64::try_from(logged).unwrap_or(i64::MAX));
+                taken.push(Taken { at_s: logged.saturating_sub(first_ns) as f64 / 1e9, time_ns });
+            }
+            Some(Err(problem)) => unreadable = Some(problem),
+            _ => {}
         }
         Ok(())
     });
     match done {
         Ok(_) | Err(Early::Enough) => {}
         Err(Early::Failed(error)) => return Err(error.into()),
+    }
+    if let (true, Some(problem)) = (taken.is_empty(), unreadable) {
+        let reason = format!("none of its clouds can be read: {problem}");
+        return Err(BagError::Unreadable { topic, reason }.into());
     }
     taken.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
     Ok(Some(Clouds { topic, taken }))
