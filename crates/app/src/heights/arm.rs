@@ -42,12 +42,21 @@ pub(super) fn scans(
     // Around the plate is not known yet.
     let [first, second] = readings(request, [0.0; 2], width_m);
     let topic = request.topic.as_deref();
-    let mut clouds = [cloud(before, topic, first.moment)?, cloud(after, topic, second.moment)?];
+    let clouds = [cloud(before, topic, first.moment)?, cloud(after, topic, second.moment)?];
     in_order(request, clouds[0].time_ns, clouds[1].time_ns)?;
+    let [one, two] = clouds;
+    of_clouds(request, arm, [into_root(arm, one)?, into_root(arm, two)?], width_m, depth_m)
+}
+
+/// The same of clouds that were read, and are in the root frame of the arm.
+pub(super) fn of_clouds(
+    request: &Request,
+    arm: &Motion,
+    clouds: [Cloud; 2],
+    width_m: f64,
+    depth_m: Option<f64>,
+) -> Result<Scans, AppError> {
     let [from_s, to_s] = [0, 1].map(|i| arm.columns.clock.seconds(clouds[i].time_ns));
-    for cloud in &mut clouds {
-        into_root(arm, cloud)?;
-    }
     let between: Vec<f64> =
         arm.times_s(0.0).into_iter().filter(|t_s| (from_s..=to_s).contains(t_s)).collect();
     let mut states = Vec::new();
@@ -59,7 +68,7 @@ pub(super) fn scans(
         ))
     })?;
     let [first, second] = readings(request, [lowest[0], lowest[1]], width_m);
-    let name = before.display().to_string();
+    let name = request.before.display().to_string();
     let [one, two] = clouds;
     let (before, of_before) = of_cloud(&name, one, &first, None)?;
     let (after, of_after) = of_cloud(&name, two, &second, Some(before.grid()))?;
@@ -75,10 +84,13 @@ pub(super) fn scans(
     Ok(Scans { before, after, sources: [of_before, of_after], plate, depth_m, notes })
 }
 
-/// Turns a cloud of a link's frame into that of the root, as the arm stood when it was taken.
-fn into_root(arm: &Motion, cloud: &mut Cloud) -> Result<(), AppError> {
+/// A cloud of a link's frame in that of the root, as the arm stood when it was taken.
+///
+/// # Errors
+/// [`AppError::Request`] if its frame is no link, or its joints were not heard.
+pub(crate) fn into_root(arm: &Motion, mut cloud: Cloud) -> Result<Cloud, AppError> {
     if cloud.frame.is_empty() {
-        return Ok(());
+        return Ok(cloud);
     }
     let t_s = arm.columns.clock.seconds(cloud.time_ns);
     let mut pose = None;
@@ -105,7 +117,7 @@ fn into_root(arm: &Motion, cloud: &mut Cloud) -> Result<(), AppError> {
     }
     // The root of the arm is the frame from here on.
     cloud.frame.clear();
-    Ok(())
+    Ok(cloud)
 }
 
 /// The plate as it left its depth for the last time, and that depth.

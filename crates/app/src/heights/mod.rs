@@ -9,7 +9,7 @@ mod words;
 use std::path::Path;
 
 use soilctl_heights::{
-    Change, Format as Kind, HeightMap, Moment, Plate, Reading, Source, Stroke, Volume, change, read,
+    Change, Cloud, Format as Kind, HeightMap, Moment, Plate, Reading, Source, Stroke, Volume, change, read,
     read_after, stroke,
 };
 use soilctl_motion::Motion;
@@ -19,6 +19,7 @@ pub use answer::{
     Answer, BreakAnswer, Format, MapAnswer, PictureAnswer, PlateAnswer, ProfileAnswer, ShiftAnswer,
     VolumeAnswer,
 };
+pub(crate) use arm::into_root;
 pub use request::Request;
 
 use crate::{AppError, Interrupted, Watch, files, request as requests};
@@ -69,17 +70,18 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     Ok(answer)
 }
 
-/// What scans of a recording say of one of its strokes, where its arm is known already.
+/// What clouds before and after a stroke say of it, where the arm is known already and they are in its root frame.
 ///
 /// # Errors
 /// [`AppError`] as of [`run`].
 pub(crate) fn of_stroke(
     request: &Request,
     arm: &Motion,
+    clouds: [Cloud; 2],
     width_m: f64,
     depth_m: f64,
 ) -> Result<Answer, AppError> {
-    told(request, arm::scans(request, arm, width_m, Some(depth_m))?)
+    told(request, arm::of_clouds(request, arm, clouds, width_m, Some(depth_m))?)
 }
 
 fn told(request: &Request, scans: Scans) -> Result<Answer, AppError> {

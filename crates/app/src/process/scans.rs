@@ -1,18 +1,20 @@
 //! Clouds of points in a recording of arm and scans: where the ground broke ahead of its strokes, as [`heights`](crate::heights) reads it.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::ControlFlow;
 use std::sync::atomic::AtomicBool;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use soilctl_bag::BagError;
-use soilctl_heights::{HeightsError, Taken, clouds};
+use soilctl_heights::{Cloud, Clouds, HeightsError, clouds, read_clouds};
 use soilctl_motion::{Motion, Settings, motion};
 use soilctl_process::foreign::Contact;
 use soilctl_process::log::LogSettings;
 use soilctl_process::table::StrokeRecord;
 
 use super::inputs::{Inputs, Log};
-use crate::{AppError, heights};
+use crate::heights;
 
 /// What the scans before and after a stroke say.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -63,27 +65,59 @@ pub(super) fn read(
         .map_err(|problem| format!("clouds on {} are not used: {problem}", found.topic))?;
     let times: Vec<f64> = found.taken.iter().map(|taken| arm.columns.clock.seconds(taken.time_ns)).collect();
     let edges = edges_m(&arm, times.iter().copied());
-    let taken = times.into_iter().zip(edges).zip(found.taken);
-    let taken: Vec<Shot> = taken.map(|((t_s, edge_m), taken)| Shot { t_s, edge_m, taken }).collect();
-    let scans = strokes.iter_mut().map(|stroke| {
-        let [from_s, to_s] = stroke.window_s;
-        let ended = contacts.iter().map(|contact| contact.to_s).filter(|t_s| *t_s <= from_s);
-        let begun = contacts.iter().map(|contact| contact.from_s).filter(|t_s| *t_s >= to_s);
-        let seen = Seen {
-            arm: &arm,
-            taken: &taken,
-            since_s: ended.fold(f64::NEG_INFINITY, f64::max),
-            until_s: begun.fold(f64::INFINITY, f64::min),
-        };
-        let request = heights::Request {
-            before: log.path.clone(),
-            after: log.path.clone(),
-            topic: Some(found.topic.clone()),
-            ..heights::Request::default()
-        };
-        one(stroke, &seen, request)
-    });
-    Ok(scans.collect())
+    let taken = times.into_iter().zip(edges).zip(&found.taken);
+    let taken: Vec<Shot> =
+        taken.map(|((t_s, edge_m), taken)| Shot { t_s, edge_m, logged_ns: taken.logged_ns }).collect();
+    let mut asked: Vec<Asked<'_>> = strokes
+        .iter_mut()
+        .map(|stroke| {
+            let [from_s, to_s] = stroke.window_s;
+            let ended = contacts.iter().map(|contact| contact.to_s).filter(|t_s| *t_s <= from_s);
+            let begun = contacts.iter().map(|contact| contact.from_s).filter(|t_s| *t_s >= to_s);
+            let seen = Seen {
+                arm: &arm,
+                taken: &taken,
+                since_s: ended.fold(f64::NEG_INFINITY, f64::max),
+                until_s: begun.fold(f64::INFINITY, f64::min),
+            };
+            let around = seen.around(stroke.window_s, stroke.record.row.depth_m);
+            Asked::new(&mut *stroke.record, around)
+        })
+        .collect();
+    let request = heights::Request {
+        before: log.path.clone(),
+        after: log.path.clone(),
+        topic: Some(found.topic.clone()),
+        ..heights::Request::default()
+    };
+    answer(&mut asked, &request, &arm, &found)
+        .map_err(|problem| format!("clouds of points are not used: {problem}"))?;
+    Ok(asked.into_iter().map(|asked| asked.scan).collect())
+}
+
+/// Reads the clouds that strokes ask for, once, and answers each stroke when both of its clouds are there; none is kept longer than strokes need it.
+fn answer(
+    asked: &mut [Asked<'_>],
+    request: &heights::Request,
+    arm: &Motion,
+    found: &Clouds,
+) -> Result<(), HeightsError> {
+    let wanted: BTreeSet<u64> = asked.iter().filter_map(|asked| asked.clouds_ns).flatten().collect();
+    let mut kept: BTreeMap<u64, Result<Cloud, String>> = BTreeMap::new();
+    read_clouds(&request.before, &found.topic, &wanted, &mut |logged_ns, cloud| {
+        let cloud = heights::into_root(arm, cloud).map_err(|problem| problem.to_string());
+        kept.insert(logged_ns, cloud);
+        for asked in &mut *asked {
+            if let Some([before, after]) = asked.clouds_ns
+                && let (Some(before), Some(after)) = (kept.get(&before), kept.get(&after))
+            {
+                asked.answer([before, after], request, arm, &found.notes);
+            }
+        }
+        kept.retain(|kept, _| asked.iter().any(|asked| asked.clouds_ns.is_some_and(|ns| ns.contains(kept))));
+        let is_done = asked.iter().all(|asked| asked.clouds_ns.is_none());
+        if is_done { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })
 }
 
 /// The arm as `process` reads it.
@@ -96,12 +130,12 @@ fn of_arm(settings: &LogSettings) -> Settings {
     }
 }
 
-/// A cloud, when it was taken on the log's clock, and the height of the plate's lower edge then.
+/// A cloud: when it was taken on the log's clock and logged, and the height of the plate's lower edge then.
 #[derive(Clone, Copy)]
 struct Shot {
     t_s: f64,
     edge_m: Option<f64>,
-    taken: Taken,
+    logged_ns: u64,
 }
 
 /// Height of the plate's lower edge at times.
@@ -132,45 +166,61 @@ impl Seen<'_> {
     }
 }
 
-fn one(stroke: &mut Pushed<'_>, seen: &Seen<'_>, request: heights::Request) -> Scan {
-    let row = &mut stroke.record.row;
-    let [before, after] = seen.around(stroke.window_s, row.depth_m);
-    let mut scan = Scan {
-        stroke_id: row.stroke_id.clone().unwrap_or_default(),
-        before_s: before.map(|shot| shot.t_s),
-        after_s: after.map(|shot| shot.t_s),
-        break_distance_m: None,
-        break_distance_sd_m: None,
-        reason: None,
-        warnings: Vec::new(),
-    };
-    let said = match (before, after) {
-        (Some(before), Some(after)) => {
-            let request = heights::Request {
-                before_at_s: Some(before.taken.at_s),
-                after_at_s: Some(after.taken.at_s),
-                ..request
-            };
-            heights::of_stroke(&request, seen.arm, row.width_m, row.depth_m)
-        }
-        (None, _) => Err(AppError::Request(
-            "no cloud since the contact before it has the plate out of the ground".into(),
-        )),
-        (_, None) => {
-            Err(AppError::Request("no cloud until the next contact has the plate out of the ground".into()))
-        }
-    };
-    match said {
-        Ok(answer) => {
-            let broke = answer.ground_break.as_ref();
-            row.break_distance_m = broke.map(|broke| broke.distance_m);
-            row.break_distance_sd_m = broke.map(|broke| broke.table_sd_m);
-            (scan.break_distance_m, scan.break_distance_sd_m) =
-                (row.break_distance_m, row.break_distance_sd_m);
-            scan.reason = answer.no_break_because;
-            scan.warnings = answer.warnings;
-        }
-        Err(problem) => scan.reason = Some(problem.to_string()),
+/// A stroke, and what is found out about it.
+struct Asked<'a> {
+    record: &'a mut StrokeRecord,
+    scan: Scan,
+    /// When the clouds before and after it were logged, until they are read; `None` if there are not two.
+    clouds_ns: Option<[u64; 2]>,
+}
+
+impl<'a> Asked<'a> {
+    fn new(record: &'a mut StrokeRecord, [before, after]: [Option<Shot>; 2]) -> Self {
+        let reason = match (before, after) {
+            (None, _) => Some("no cloud since the contact before it has the plate out of the ground"),
+            (_, None) => Some("no cloud until the next contact has the plate out of the ground"),
+            (Some(_), Some(_)) => None,
+        };
+        let scan = Scan {
+            stroke_id: record.row.stroke_id.clone().unwrap_or_default(),
+            before_s: before.map(|shot| shot.t_s),
+            after_s: after.map(|shot| shot.t_s),
+            break_distance_m: None,
+            break_distance_sd_m: None,
+            reason: reason.map(str::to_owned),
+            warnings: Vec::new(),
+        };
+        let clouds_ns = before.zip(after).map(|(before, after)| [before.logged_ns, after.logged_ns]);
+        Self { record, scan, clouds_ns }
     }
-    scan
+
+    fn answer(
+        &mut self,
+        clouds: [&Result<Cloud, String>; 2],
+        request: &heights::Request,
+        arm: &Motion,
+        notes: &[String],
+    ) {
+        self.clouds_ns = None;
+        let clouds = match clouds {
+            [Ok(before), Ok(after)] => [before.clone(), after.clone()],
+            [Err(problem), _] | [_, Err(problem)] => {
+                self.scan.reason = Some(problem.clone());
+                return;
+            }
+        };
+        let (row, scan) = (&mut self.record.row, &mut self.scan);
+        match heights::of_stroke(request, arm, clouds, row.width_m, row.depth_m) {
+            Ok(answer) => {
+                let broke = answer.ground_break.as_ref();
+                row.break_distance_m = broke.map(|broke| broke.distance_m);
+                row.break_distance_sd_m = broke.map(|broke| broke.table_sd_m);
+                (scan.break_distance_m, scan.break_distance_sd_m) =
+                    (row.break_distance_m, row.break_distance_sd_m);
+                scan.reason = answer.no_break_because;
+                scan.warnings = notes.iter().cloned().chain(answer.warnings).collect();
+            }
+            Err(problem) => scan.reason = Some(problem.to_string()),
+        }
+    }
 }

@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-pub use recording::{Cloud, Clouds, Moment, Taken, cloud, clouds, is_recording};
+pub use recording::{Cloud, Clouds, Moment, Taken, cloud, clouds, is_recording, read_clouds};
 
 use crate::points::{grid_over, medians, on_nodes};
 use crate::{Grid, HeightMap, HeightsError};
