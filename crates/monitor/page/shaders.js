@@ -46,12 +46,14 @@ void main() {
     if (colour.a < 0.0 && length(gl_PointCoord - 0.5) > 0.5) discard;
     result = vec4(colour.rgb, abs(colour.a)); return;
   }
-  if (kind == 4) { result = vec4(colour.rgb * (0.80 + 0.20 * dot(normalize(n), sun)), 1.0); return; }
+  if (kind == 4) { result = vec4(colour.rgb * (0.80 + 0.20 * dot(normalize(n), sun)), colour.a); return; }
   vec3 base = linear(colour.rgb), normal = normalize(n), to_eye = normalize(eye - at);
   float alpha = colour.a, shine = gloss;
   if (kind == 3) {
-    vec2 cell = abs(fract(at.xy / 0.1 - 0.5) - 0.5) / (fwidth(at.xy / 0.1) + 1e-4);
-    base *= 1.0 - 0.10 * (1.0 - min(min(cell.x, cell.y), 1.0));
+    // Its lower side would shine through where it fades.
+    if (normal.z < 0.5) discard;
+    vec2 fine = fwidth(at.xy / 0.1) + 1e-4, cell = abs(fract(at.xy / 0.1 - 0.5) - 0.5) / fine;
+    base *= 1.0 - 0.10 * (1.0 - min(min(cell.x, cell.y), 1.0)) * (1.0 - smoothstep(0.1, 0.5, max(fine.x, fine.y)));
     alpha = 1.0 - smoothstep(0.9, 1.9, length(at.xy - space.xy) / space.z);
   }
   if (kind == 1) {

@@ -12,15 +12,21 @@ const SCALE_MARKS: [(&str, f64); 2] = [("/*FORCE_M_PER_N*/", FORCE_M_PER_N), ("/
 
 const DOCUMENT: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
-/// In the order in which they build on each other.
-const SCRIPTS: [&str; 12] = [
+/// What paints an arm, a box and soil, in the order in which they build on each other; the page for digging has it too.
+const PAINTER: [&str; 7] = [
     include_str!("../page/matrix.js"),
     include_str!("../page/fit.js"),
     include_str!("../page/shapes.js"),
     include_str!("../page/arm.js"),
     include_str!("../page/soil.js"),
-    include_str!("../page/pace.js"),
     include_str!("../page/shaders.js"),
+    include_str!("../page/painter.js"),
+];
+/// What other modules take from it.
+const PAINTER_EXPORTS: &str = "export {Matrix, Vector, Shapes, Painter, KIND, LOOKS, across};\n";
+/// What the page has beside it, in the order in which they build on each other.
+const SCRIPTS: [&str; 6] = [
+    include_str!("../page/pace.js"),
     include_str!("../page/scene.js"),
     include_str!("../page/charts.js"),
     include_str!("../page/player.js"),
@@ -31,10 +37,20 @@ const SCRIPTS: [&str; 12] = [
 /// The page with a number used once.
 pub(crate) fn page(nonce: &str) -> String {
     // First the number, which must not get into what stands in scripts.
-    let script = SCALE_MARKS
-        .iter()
-        .fold(SCRIPTS.concat(), |script, (mark, scale)| script.replace(mark, &scale.to_string()));
+    let script = painter() + &SCRIPTS.concat();
     DOCUMENT.replace(NONCE_MARK, nonce).replace(STYLE_MARK, STYLE).replace(SCRIPT_MARK, &script)
+}
+
+/// What paints, with the scales of arrows.
+fn painter() -> String {
+    SCALE_MARKS
+        .iter()
+        .fold(PAINTER.concat(), |script, (mark, scale)| script.replace(mark, &scale.to_string()))
+}
+
+/// What paints, as a module.
+pub(crate) fn painter_module() -> String {
+    painter() + PAINTER_EXPORTS
 }
 
 /// The policy that allows the page its own style and script, its own server, and nothing else.
