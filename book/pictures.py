@@ -1,5 +1,5 @@
 """Makes the pictures of docs/images that show pages: the monitor during a stroke, the same log in Rerun's viewer, the page of a plate, the
-workbench with a solved footing, the plate's bench, and a plate that is dragged through sand.
+workbench with a solved footing, the plate's bench, a plate that is dragged through sand, and the same in a headset.
 
     cargo xtask pictures
 """
@@ -21,6 +21,7 @@ from playwright.sync_api import sync_playwright  # noqa: E402
 from rerun_page import Viewer  # noqa: E402
 from workbench_page import Workbench, begin, solve  # noqa: E402
 from workbench_page import open_page as open_workbench  # noqa: E402
+from xr_page import WithHeadset, dig_down, enter, grip, put, room, save, turn  # noqa: E402
 
 IMAGES = ROOT / "docs" / "images"
 # Where the monitor's picture is taken: share of the way through the last stroke.
@@ -119,6 +120,24 @@ def dig(binary, browser, folder, path):
     print(f"{path}: {Path(path).stat().st_size} bytes")
 
 
+def headset(binary, browser, folder, path):
+    """The same as both eyes see it, with a hand that pushes."""
+    running = Dig(binary, folder)
+    shown = open_workbench(WithHeadset(browser, "window.HEADSET_PX = 640;"), running.url, ready=DIG_READY, color_scheme="light")
+    take(shown)
+    enter(shown)
+    hand = shown.evaluate("headset.add('right')")
+    shown.evaluate("head => { headset.head = head; }", [[0.16, 1.55, -0.16], turn([1, -0.05, 0], -37)])
+    edge = shown.evaluate("[dig.state.plate.x_m, dig.state.plate.y_m, dig.state.plate.z_m]")
+    put(shown, hand, room(shown, edge) + [0.14, 0.14, 0.06], turn([1, 0, 0.5], 50))
+    grip(shown, hand)
+    dig_down(shown, hand)
+    save(shown, path)
+    shown.context.close()
+    running.end()
+    print(f"{path}: {Path(path).stat().st_size} bytes")
+
+
 def main():
     binary = Path(os.environ["SOILCTL"]).resolve()
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
@@ -129,6 +148,8 @@ def main():
         workbench(binary, browser, Path(folder), IMAGES / "workbench.png")
         bench(binary, browser, Path(folder), IMAGES / "bench.png")
         dig(binary, browser, Path(folder), IMAGES / "dig.png")
+        (Path(folder) / "headset").mkdir()
+        headset(binary, browser, Path(folder) / "headset", IMAGES / "dig_headset.png")
         browser.close()
 
 

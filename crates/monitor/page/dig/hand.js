@@ -77,6 +77,8 @@ export class Hand {
       target.z = plate.z + way[2] * share;
     }
   }
+  // Timers may rest while a headset shows the page; its pictures tick for them then.
+  beat() { if (performance.now() - this.last >= SEND_MS) this.tick(); }
   tick() {
     const now = performance.now(), dt = Math.min(.1, (now - this.last) / 1000);
     this.last = now;

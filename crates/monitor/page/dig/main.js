@@ -10,8 +10,9 @@ import {Section} from './section.js';
 import {Sense} from './sense.js';
 import {Soil} from './soil.js';
 import {Speaker, faultWords, forceWords, heldWords, number} from './words.js';
+import {Entrance} from './xr/enter.js';
 
-const SLOW_PACE = .9, PACE_MS = 3000, STALE_MS = 1500, AIR_M = .02;
+const SLOW_PACE = .9, PACE_MS = 3000, STALE_MS = 1500, AIR_M = .02, REFUSAL_MS = 6000;
 // Where the plate is brought from high up, and how long it takes to tare the force.
 const HIGH_M = .2, START = {radius: .43, base: 0, z: .05, tool: 90}, BIAS_MS = 400;
 const BODIES = [[9.80665, 'Earth'], [3.71, 'Mars'], [1.62, 'Moon']];
@@ -25,7 +26,7 @@ const link = page.link = new Link(message => hear[message.type]?.(message), reas
 });
 const hand = page.hand = new Hand(link, ready, take, answer => tell(answer.message, 'bad'));
 const pad = page.pad = new Pad(hand, name => { get('pad').textContent = name ? `Gamepad: ${name}` : ''; });
-const sense = page.sense = new Sense(pad), speaker = new Speaker(get('say'));
+const sense = page.sense = new Sense(pad, (strong, weak) => page.visit?.shake(strong, weak)), speaker = new Speaker(get('say'));
 const section = page.section = new Section(get('section')), above = page.above = new Above(get('map')), curve = page.curve = new Curve(get('curve'));
 
 function showLink(state, words) { get('link').dataset.state = state; get('link').textContent = words; }
@@ -33,7 +34,11 @@ function banner(words, tone = 'bad') {
   if (get('banner').textContent === (words ?? '') && get('banner').hidden === !words) return;
   Object.assign(get('banner'), {hidden: !words, textContent: words ?? ''}).dataset.tone = tone;
 }
-function tell(words, tone = '') { get('told').textContent = words; get('told').dataset.tone = tone; }
+function tell(words, tone = '') {
+  get('told').textContent = words;
+  get('told').dataset.tone = tone;
+  page.toldAt = performance.now();
+}
 
 // Whether the plate can be led now.
 function ready() { return page.authorized && page.hello?.simulated && page.hello.real_time && page.state?.mode === 'ready' && page.state.homed; }
@@ -83,7 +88,7 @@ const hear = {
     get('limits').textContent = `The edge follows with at most ${1000 * speed_m_s} mm/s and pushes with at most ${force_n} N. It stops ${lease_s} s after the last word of the hand, and 0.1 s to brake: also where the connection is lost. These are seconds of the session.`;
     redraw();
   },
-  soil(message) { page.soil?.patch(message); redraw(); },
+  soil(message) { page.soil?.patch(message); page.visit?.patch(message); redraw(); },
   dig(message) { showDig(message); },
   state(message) { page.state = message; seen(message); },
   authorized() { page.authorized = true; get('stop').hidden = false; showGrip(); },
@@ -101,13 +106,12 @@ const hear = {
 function seen(state) {
   hand.seen(state);
   const force = Math.hypot(...state.force_rtz_n), {plate} = state, surface = plate && page.soil?.at(plate.x_m, plate.y_m);
-  // The level that the plate went into is not that of its own furrow.
-  const depth = plate && page.scene ? page.scene.sandbox.surface_z_m - plate.z_m : 0;
+  const depth = depthOf(plate) ?? 0;
   const other = state.led && state.led.hand !== hand.number, limit = state.led && !other ? state.led.limit : 'none';
   curve.add(state.time_s, force);
   sense.feel(force, force / (page.scene?.hand.force_n ?? 1));
   get('force').firstElementChild.textContent = force.toFixed(1);
-  get('load').value = Math.min(1, state.led ? state.led.load : force / (page.scene?.hand.force_n ?? 1));
+  get('load').value = Math.min(1, loadOf(state));
   const held = other ? 'Another hand leads the plate' : heldWords(limit);
   if (get('held').textContent !== held) get('held').textContent = held;
   get('held').dataset.limit = other ? 'other' : limit;
@@ -120,6 +124,25 @@ function seen(state) {
   keepPace(state);
   showGrip();
   redraw();
+}
+
+// The level that the plate went into is not that of its own furrow.
+function depthOf(plate) { return plate && page.scene ? page.scene.sandbox.surface_z_m - plate.z_m : null; }
+function loadOf(state) { return state.led ? state.led.load : Math.hypot(...state.force_rtz_n) / (page.scene?.hand.force_n ?? 1); }
+
+// What a board in the headset says: the page's own words.
+function boardWords() {
+  const {state} = page, refusal = get('told').dataset.tone === 'bad' && performance.now() - page.toldAt < REFUSAL_MS ? get('told').textContent : '';
+  return {
+    force_n: state ? Math.hypot(...state.force_rtz_n) : null, load: state ? loadOf(state) : 0, depth_m: depthOf(state?.plate), tool_deg: state?.plate?.tool_angle_deg,
+    held: get('held').textContent, warning: get('banner').hidden ? refusal : get('banner').textContent, soil: page.scene?.soil ?? '',
+  };
+}
+
+// Where the hand of somebody else is.
+function othersTarget() {
+  const led = page.state?.led;
+  return led && led.hand !== hand.number ? {radius: Math.hypot(led.x_m, led.y_m), base: Math.atan2(led.y_m, led.x_m), z: led.z_m} : null;
 }
 
 function rows(list) {
@@ -191,9 +214,8 @@ function redraw() {
   page.waiting = true;
   requestAnimationFrame(() => {
     page.waiting = false;
-    const {scene, state, soil} = page, led = state?.led;
-    const others = led && led.hand !== hand.number ? {radius: Math.hypot(led.x_m, led.y_m), base: Math.atan2(led.y_m, led.x_m), z: led.z_m} : null;
-    const shown = {scene, state, soil, target: hand.target ?? others, grips: hand.grips(), dragged: hand.dragged, skeleton: scene && state?.plate ? skeleton(scene.arm, state.joints_deg, scene.tip_link, state.plate) : null};
+    const {scene, state, soil} = page;
+    const shown = {scene, state, soil, target: hand.target ?? othersTarget(), grips: hand.grips(), dragged: hand.dragged, skeleton: scene && state?.plate ? skeleton(scene.arm, state.joints_deg, scene.tip_link, state.plate) : null};
     section.draw(shown);
     above.draw(shown);
     curve.draw(scene?.hand.force_n ?? 20);
@@ -201,11 +223,15 @@ function redraw() {
   });
 }
 
+function isDark() {
+  const {theme: kind} = document.documentElement.dataset;
+  return kind ? kind === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+}
+
 function theme(turned) {
   const root = document.documentElement, kind = kept('local', 'theme');
   if (!turned) { if (['light', 'dark'].includes(kind)) root.dataset.theme = kind; return; }
-  const now = root.dataset.theme ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
-  keep('local', 'theme', root.dataset.theme = now === 'dark' ? 'light' : 'dark');
+  keep('local', 'theme', root.dataset.theme = isDark() ? 'light' : 'dark');
   redraw();
 }
 
@@ -241,6 +267,10 @@ function start() {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
   new ResizeObserver(redraw).observe(stage);
   setInterval(showGrip, 300);
+  page.entrance = new Entrance(page, get, {
+    tell, says: boardWords, others: othersTarget, dark: isDark,
+    refused: () => tell('The plate cannot be led from here.', 'bad'), stop: () => { if (!get('stop').hidden) get('stop').click(); },
+  });
   theme(false);
   stage.focus({preventScroll: true});
 }

@@ -2,7 +2,8 @@
 const STATES = 10, FULL_N = 1.5, MOST_GAIN = .3, SHAKE_MS = 150;
 
 export class Sense {
-  constructor(pad) { Object.assign(this, {pad, forces: [], shakes: false, last: 0}); }
+  // `felt` hears what is felt also while the vibration is off.
+  constructor(pad, felt) { Object.assign(this, {pad, felt, forces: [], shakes: false, last: 0}); }
   // A force in N, and it as a share of what is allowed.
   feel(force_n, share) {
     this.forces.push(force_n);
@@ -10,10 +11,12 @@ export class Sense {
     const level = this.level();
     if (this.gain) this.gain.gain.setTargetAtTime(MOST_GAIN * level, this.audio.currentTime, .04);
     const now = performance.now();
-    if (!this.shakes || now - this.last < SHAKE_MS) return;
+    if (now - this.last < SHAKE_MS) return;
     this.last = now;
     const strong = Math.min(1, share);
     if (strong < .05 && level < .05) return;
+    this.felt(strong, level);
+    if (!this.shakes) return;
     this.pad.shake(strong, level);
     navigator.vibrate?.(Math.round(SHAKE_MS * Math.max(level, strong > .9 ? .6 : 0)));
   }

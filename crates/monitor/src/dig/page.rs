@@ -4,6 +4,8 @@ use std::borrow::Cow;
 
 use soilctl_web::Content;
 
+use crate::page::painter_module;
+
 /// Where the page is.
 pub(crate) const DIG_PATH: &str = "/dig";
 
@@ -14,6 +16,9 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; c
 const DOCUMENT: &str = "text/html; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 const MODULE: &str = "text/javascript; charset=utf-8";
+
+/// Where the module is that paints as the 3-D view does.
+const PAINTER_PATH: &str = "/dig/xr/painter.js";
 
 /// All files by their paths.
 macro_rules! files {
@@ -38,10 +43,24 @@ files! {
     "/dig/sense.js" MODULE "sense.js"
     "/dig/soil.js" MODULE "soil.js"
     "/dig/words.js" MODULE "words.js"
+    "/dig/xr/board.js" MODULE "xr/board.js"
+    "/dig/xr/enter.js" MODULE "xr/enter.js"
+    "/dig/xr/grip.js" MODULE "xr/grip.js"
+    "/dig/xr/hands.js" MODULE "xr/hands.js"
+    "/dig/xr/place.js" MODULE "xr/place.js"
+    "/dig/xr/stereo.js" MODULE "xr/stereo.js"
+    "/dig/xr/visit.js" MODULE "xr/visit.js"
 }
 
 /// The file at a path.
 pub(crate) fn at(path: &str) -> Option<Content<'static>> {
+    if path == PAINTER_PATH {
+        return Some(Content {
+            kind: MODULE,
+            policy: None,
+            bytes: Cow::Owned(painter_module().into_bytes()),
+        });
+    }
     let (_, kind, text) = FILES.iter().find(|(known, ..)| *known == path)?;
     Some(Content {
         kind,
@@ -64,7 +83,8 @@ mod tests {
     #[test]
     fn everything_that_is_asked_for_is_served_and_nothing_is_asked_for_elsewhere() {
         let mut asked: Vec<String> = Vec::new();
-        for (_, kind, text) in FILES {
+        for (path, kind, text) in FILES {
+            let folder = path.rsplit_once('/').unwrap().0;
             match *kind {
                 DOCUMENT => asked.extend(
                     ["src=\"", "<link rel=\"stylesheet\" href=\""]
@@ -72,7 +92,12 @@ mod tests {
                         .flat_map(|before| quoted(text, before, '"'))
                         .map(str::to_owned),
                 ),
-                MODULE => asked.extend(quoted(text, " from './", '\'').map(|name| format!("/dig/{name}"))),
+                MODULE => {
+                    for before in [" from './", "import('./"] {
+                        asked.extend(quoted(text, before, '\'').map(|name| format!("{folder}/{name}")));
+                    }
+                    asked.extend(quoted(text, " from '../", '\'').map(|name| format!("/dig/{name}")));
+                }
                 _ => {}
             }
             for sign in ["http://", "https://", "@import", "url("] {
@@ -83,6 +108,9 @@ mod tests {
         for path in asked {
             assert!(at(&path).is_some(), "{path}");
         }
+        let painter = at(PAINTER_PATH).unwrap();
+        let painter = std::str::from_utf8(&painter.bytes).unwrap();
+        assert!(painter.contains("\nclass Painter {") && painter.contains("FORCE_SCALE = 0.005,"));
         assert!(at("/dig/page.html").is_none() && at("/dig/").is_none());
     }
 }
