@@ -1,7 +1,7 @@
 // A headset that is made up for tests: `navigator.xr` by the words of the WebXR Device API, with what throws there thrown here.
 // `headset` moves it: `head` and the hands are [position, quaternion] in the room, whose floor is at height 0.
 (() => {
-  const WIDTH = window.HEADSET_PX ?? 320, HEIGHT = WIDTH, EYES_M = .064, FLOOR_M = 1.6, ASKED = new Set(['viewer', 'local']);
+  const WIDTH = window.HEADSET_PX ?? 120, REST_MS = 40, HEIGHT = WIDTH, EYES_M = .064, FLOOR_M = 1.6, ASKED = new Set(['viewer', 'local']);
   const headset = window.headset = {modes: ['immersive-vr'], refuse: null, hasFloor: true, head: [[0, 1.6, 0], [0, 0, 0, 1]], tracked: true, sources: [], pulses: [], session: null, frames: 0, blend: 'opaque'};
   const fail = (name, words) => { throw new DOMException(words, name); };
   const transform = ([[x, y, z], [a, b, c, d]]) => new XRRigidTransform({x, y, z}, {x: a, y: b, z: c, w: d});
@@ -77,7 +77,8 @@
     cancelAnimationFrame(handle) { this.calls.delete(handle); }
     tick(time) {
       if (this.ended) return;
-      requestAnimationFrame(next => this.tick(next));
+      // Leaves the processor, which paints here, to the session of the arm.
+      setTimeout(() => requestAnimationFrame(next => this.tick(next)), REST_MS);
       const layer = this.renderState.baseLayer, calls = [...this.calls.values()];
       if (!layer || !calls.length || this.visibilityState === 'hidden') return;
       this.calls.clear();

@@ -44,7 +44,7 @@ def frames(page, count=2):
 def eyes(page):
     """What both eyes see: red, green, blue and opacity, rows from above."""
     both = np.frombuffer(base64.b64decode(page.evaluate("headset.picture()")), np.uint8)
-    size = page.evaluate("window.HEADSET_PX ?? 320")
+    size = page.evaluate("window.HEADSET_PX ?? 120")
     both = both.reshape(size, 2 * size, 4)[::-1].astype(int)
     return both[:, :size], both[:, size:]
 
@@ -87,7 +87,7 @@ def room(page, point):
 
 def project(page, point, eye):
     """Where a point of the room is in the picture of an eye (0 left, 1 right), in pixels from its upper left corner."""
-    (head, attitude), size = page.evaluate("headset.head"), page.evaluate("window.HEADSET_PX ?? 320")
+    (head, attitude), size = page.evaluate("headset.head"), page.evaluate("window.HEADSET_PX ?? 120")
     offset = turned(attitude, [(eye - 0.5) * EYES_M, 0, 0])
     x, y, z = turned([*(-np.array(attitude[:3])), attitude[3]], np.array(point) - head - offset)
     left, right, down, up = FIELDS[eye]
@@ -116,6 +116,13 @@ def grip(page, source):
     until(page, "Boolean(dig.visit.grip.from)")
 
 
+def rest(page):
+    """Waits until the plate has stopped."""
+    page.evaluate("() => { window.before = null; }")
+    until(page, "(() => { const {x_m, y_m, z_m} = dig.state.plate, [x, y, z, t] = window.before ?? [0, 0, 0, 0]; if (dig.state.time_s < t + .4) return false;"
+                " const still = Math.hypot(x_m - x, y_m - y, z_m - z) < 5e-4; window.before = [x_m, y_m, z_m, dig.state.time_s]; return still; })()")
+
+
 def lead(page, source, way, speed_m_s=0.05):
     """Moves a hand by a way in the base frame at a speed of the session, and waits until the plate has stopped."""
     from_place, seconds = place_of(page, source), np.linalg.norm(way) / speed_m_s
@@ -124,9 +131,7 @@ def lead(page, source, way, speed_m_s=0.05):
         share = min(1.0, (page.evaluate("dig.state.time_s") - begin) / seconds)
         put(page, source, from_place + share * page.evaluate("dig.visit.place.scale") * in_room(page, way))
         page.wait_for_timeout(30)
-    page.evaluate("() => { window.before = null; }")
-    until(page, "(() => { const {x_m, y_m, z_m} = dig.state.plate, [x, y, z, t] = window.before ?? [0, 0, 0, 0]; if (dig.state.time_s < t + .4) return false;"
-                " const still = Math.hypot(x_m - x, y_m - y, z_m - z) < 5e-4; window.before = [x_m, y_m, z_m, dig.state.time_s]; return still; })()")
+    rest(page)
 
 
 def dig_down(page, source):
