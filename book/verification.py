@@ -15,7 +15,7 @@ SOILS = {"ticino_rained": "Ticino, rained", "ticino_loose": "Ticino, loose", "ne
 
 def tables():
     """Markdown by name, as it stands in `<!-- table: name -->`."""
-    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "estimates": estimates(), "direct_shear": direct_shear(), "exact": exact(), "end_factor": end_factor(), "published": published()}
+    return {"appendix_c": appendix_c(), "table_4_3": table_4_3(), "estimates": estimates(), "direct_shear": direct_shear(), "exact": exact(), "end_factor": end_factor(), "published": published(), "problems": problems()}
 
 
 def _markdown(head, rows):
@@ -98,6 +98,12 @@ def published():
         told = f"{row['source']}; {row['note']}" if row["note"] else row["source"]
         rows.append([told, values, row["methods"], f"{float(ours['lower']):.4g} to {float(ours['upper']):.4g}", f"{100 * float(ours['gap']):.1f} %", ours["seconds"]])
     return _markdown(["problem", "published", "by", "proven bounds", "gap", "s"], rows)
+
+
+def problems():
+    """Proven bounds on the problems that come with the program."""
+    rows = [[f"`{row['problem']}`", f"{float(row['lower']):.4g} to {float(row['upper']):.4g}", f"{100 * float(row['gap']):.1f} %", row["seconds"]] for row in _read("problems.csv")]
+    return _markdown(["problem", "bounds", "gap", "s"], rows)
 
 
 def _known(ends):
