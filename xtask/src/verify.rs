@@ -20,6 +20,9 @@ const MESH_CASES: &str = "2000";
 /// Random problems with structures of which a comparison counts.
 const STRUCTURES: &str = "1000";
 
+/// Random problems whose answers are known.
+const KNOWN: &str = "10000";
+
 /// Damaged copies of each recording.
 const MUTANTS: &str = "2500";
 
@@ -52,7 +55,11 @@ pub(crate) enum Part {
 pub(crate) const PARTS: [(Part, &str, &str); 15] = [
     (Part::Properties, "properties", "property tests with 20000 cases each"),
     (Part::Meshes, "meshes", "the same for meshes and problem files, 2000 cases"),
-    (Part::Exact, "exact", "known collapse loads on fine meshes"),
+    (
+        Part::Exact,
+        "exact",
+        "known collapse loads on fine meshes, and 10000 random problems whose answers are known",
+    ),
     (
         Part::Structures,
         "structures",
@@ -81,7 +88,7 @@ pub(crate) const PARTS: [(Part, &str, &str); 15] = [
     (
         Part::Published,
         "published",
-        "published slopes, cuts and dams beside their values; ten of them drawn on the workbench",
+        "published slopes, cuts and dams beside their values; ten of them drawn on the workbench; all of data/problems",
     ),
     (
         Part::Browser,
@@ -163,8 +170,10 @@ fn tests(workspace: &Workspace, name: &str, programs: &[&str]) -> Step {
 /// The tests that are ignored elsewhere, those with `filter` in their name.
 fn ignored(workspace: &Workspace, name: &str, programs: &[&str], filter: &str) -> Result<(), XtaskError> {
     let left_out = LEFT_OUT.iter().flat_map(|name| ["--skip", name]);
-    let step =
-        tests(workspace, name, programs).args(["--lib", "--", "--ignored", "--nocapture"]).args(left_out);
+    let step = tests(workspace, name, programs)
+        .env("KNOWN", KNOWN)
+        .args(["--lib", "--", "--ignored", "--nocapture"])
+        .args(left_out);
     if filter.is_empty() { step.run() } else { step.args([filter]).run() }
 }
 
@@ -211,7 +220,7 @@ fn browser(workspace: &Workspace) -> Result<(), XtaskError> {
 fn published(workspace: &Workspace) -> Result<(), XtaskError> {
     setup(workspace)?;
     Step::new("published problems", workspace.venv_python())
-        .args(["-m", "pytest", "tests/python/test_published.py"])
+        .args(["-m", "pytest", "tests/python/test_published.py", "tests/python/test_problems.py"])
         .dir(workspace.root())
         .env("SOILCTL", find_soilctl(workspace)?)
         .env("SOILCTL_PUBLISHED", "all")

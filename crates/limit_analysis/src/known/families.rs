@@ -9,17 +9,26 @@ use super::prandtl::{nc, nq, size};
 use crate::EmbeddedPlate;
 
 /// A problem whose answer is known to lie between two numbers.
+#[derive(Clone)]
 pub(super) struct Known {
     pub(super) name: String,
     pub(super) statement: Statement,
     pub(super) value: [f64; 2],
 }
 
+impl Known {
+    /// Whether some of its soil has no cohesion.
+    pub(super) fn has_sand(&self) -> bool {
+        let is_sand = |material: &Material| material.cohesion == Linear::uniform(0.0);
+        self.statement.regions.iter().any(|region| is_sand(&region.material))
+    }
+}
+
 /// Pseudo-random numbers (xorshift, Marsaglia 2003).
-pub(super) struct Random(u64);
+struct Random(u64);
 
 impl Random {
-    pub(super) fn new(seed: u64) -> Self {
+    fn new(seed: u64) -> Self {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }
 
@@ -129,6 +138,31 @@ fn martin(r: &mut Random) -> Known {
     }
 }
 
+/// A strip load on weightless soil without cohesion, with a pressure beside it: Reissner.
+fn reissner(r: &mut Random) -> Known {
+    let (phi_deg, beside) = (r.between(5.0, 32.0), r.between(0.1, 1.0));
+    Known {
+        name: format!("strip on sand {phi_deg:.1} {beside:.2}"),
+        statement: strip(soil(phi_deg, 0.0), beside, size(phi_deg)),
+        value: [beside * nq(phi_deg); 2],
+    }
+}
+
+/// A slope of sand that is pushed out of the hill, as by an earthquake: it slides along itself. With gravity turned by the angle whose tangent is that part of the
+/// weight, it is a slope that is steeper by this angle, and stands as long as it is no steeper than its friction.
+fn shaken(r: &mut Random) -> Known {
+    let phi_deg = r.between(20.0, 42.0);
+    let beta_deg = phi_deg - r.between(4.0, 15.0);
+    let objective = Objective::Body { gravity: [1.0, 0.0] };
+    let it = slope(soil(phi_deg, 0.0), beta_deg);
+    let exact = (phi_deg - beta_deg).to_radians().tan();
+    Known {
+        name: format!("shaken sand {beta_deg:.1} {phi_deg:.1}"),
+        statement: Statement { gravity: [0.0, -1.0], objective, ..it },
+        value: [exact; 2],
+    }
+}
+
 /// A rigid slab that is pulled along clay: its adhesion is all that holds it.
 fn slab(r: &mut Random) -> Known {
     let [cohesion, grip] = [r.between(0.5, 1.0), r.between(0.2, 0.95)];
@@ -148,10 +182,10 @@ fn slab(r: &mut Random) -> Known {
     }
 }
 
-/// A random problem of one of the kinds, in turn.
-pub(super) fn random(number: usize, source: &mut Random) -> Known {
-    let kinds = [rankine, layered, endless, prandtl, height, martin, slab];
-    kinds[number % kinds.len()](source)
+/// A random problem of one of the kinds, in turn; the same for the same number and seed.
+pub(super) fn random(number: usize, seed: u64) -> Known {
+    let kinds = [rankine, layered, endless, prandtl, height, martin, slab, reissner, shaken];
+    kinds[number % kinds.len()](&mut Random::new(seed ^ (number as u64) << 8))
 }
 
 /// The plates of Hong (2001), Appendix C, between the bounds printed there. Those at 5 degrees of interface friction were
