@@ -90,21 +90,15 @@ pub(super) fn read(
         topic: Some(found.topic.clone()),
         ..heights::Request::default()
     };
-    answer(&mut asked, &request, &arm, &found)
-        .map_err(|problem| format!("clouds of points are not used: {problem}"))?;
+    answer(&mut asked, &request, &arm, &found);
     Ok(asked.into_iter().map(|asked| asked.scan).collect())
 }
 
 /// Reads the clouds that strokes ask for, once, and answers each stroke when both of its clouds are there; none is kept longer than strokes need it.
-fn answer(
-    asked: &mut [Asked<'_>],
-    request: &heights::Request,
-    arm: &Motion,
-    found: &Clouds,
-) -> Result<(), HeightsError> {
+fn answer(asked: &mut [Asked<'_>], request: &heights::Request, arm: &Motion, found: &Clouds) {
     let wanted: BTreeSet<u64> = asked.iter().filter_map(|asked| asked.clouds_ns).flatten().collect();
     let mut kept: BTreeMap<u64, Result<Cloud, String>> = BTreeMap::new();
-    read_clouds(&request.before, &found.topic, &wanted, &mut |logged_ns, cloud| {
+    let done = read_clouds(&request.before, &found.topic, &wanted, &mut |logged_ns, cloud| {
         let cloud = heights::into_root(arm, cloud).map_err(|problem| problem.to_string());
         kept.insert(logged_ns, cloud);
         for asked in &mut *asked {
@@ -117,7 +111,12 @@ fn answer(
         kept.retain(|kept, _| asked.iter().any(|asked| asked.clouds_ns.is_some_and(|ns| ns.contains(kept))));
         let is_done = asked.iter().all(|asked| asked.clouds_ns.is_none());
         if is_done { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    })
+    });
+    let why =
+        done.map_or_else(|problem| problem.to_string(), |()| "they are not in the recording any more".into());
+    for asked in asked.iter_mut().filter(|asked| asked.clouds_ns.is_some()) {
+        asked.scan.reason = Some(format!("its clouds were found and could not be read again: {why}"));
+    }
 }
 
 /// The arm as `process` reads it.
