@@ -73,6 +73,20 @@ pub struct DrivesConfig {
     pub load_friction: [f64; 5],
     /// Viscous friction on the rotor in N m s/rad; 0 to 100.
     pub viscous_nms_per_rad: [f64; 5],
+    /// Dry friction of a rotor at rest over that of one that turns (Stribeck); 1 to 3. Left out: 1, Coulomb's friction.
+    #[serde(default = "one")]
+    pub breakaway: f64,
+    /// Speed in rad/s at which what friction at rest is above sliding friction has fallen to 1/e; 1e-4 to 10. Left out: 0.01.
+    #[serde(default = "stribeck_rad_s")]
+    pub stribeck_rad_s: f64,
+}
+
+const fn one() -> f64 {
+    1.0
+}
+
+const fn stribeck_rad_s() -> f64 {
+    0.01
 }
 
 /// Encoders, in motor coordinates.
@@ -139,6 +153,39 @@ pub struct AmplifiersConfig {
     pub supply_noise_v: f64,
 }
 
+/// How what is mobilised of the strength across the plate grows with its way. Each begins with the same stiffness and fails after the same way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum MobilisationLaw {
+    /// Stiffness falls as 1 less a power of what is mobilised: it goes to nothing at failure.
+    #[default]
+    Power,
+    /// A hyperbola (Kondner 1963) that ends at failure while it still rises (the failure ratio of Duncan and Chang 1970).
+    Hyperbola,
+}
+
+/// How dense soil loses strength after its peak; each loses it over the same way in the mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LossLaw {
+    /// What is left to be lost falls exponentially.
+    #[default]
+    Exponential,
+    /// In proportion to the way, until all is lost.
+    Linear,
+}
+
+/// How friction along the plate is mobilised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TangentLaw {
+    /// A spring that slips.
+    #[default]
+    Spring,
+    /// A hyperbola of the same first stiffness (Clough and Duncan 1971).
+    Hyperbola,
+}
+
 /// How sand resists, beyond the limit force.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -175,4 +222,16 @@ pub struct GroundConfig {
     pub damping_ns_per_m: f64,
     /// Slant lengths ahead of the plate over which moved soil is heaped; 0.5 to 10.
     pub heap_length: f64,
+    /// Share of the moved soil that runs past the plate and is left in windrows beside it; 0 to 0.9. Left out: 0.
+    #[serde(default)]
+    pub heap_past: f64,
+    /// How strength is mobilised across the plate. Left out: `power`.
+    #[serde(default)]
+    pub mobilisation_law: MobilisationLaw,
+    /// How it is lost after the peak. Left out: `exponential`.
+    #[serde(default)]
+    pub loss_law: LossLaw,
+    /// How friction along the plate is mobilised. Left out: `spring`.
+    #[serde(default)]
+    pub tangent_law: TangentLaw,
 }

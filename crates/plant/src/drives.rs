@@ -113,13 +113,24 @@ impl Drives {
         }
     }
 
+    /// Dry friction at the rotor's speed over that at high speed.
+    fn stribeck(&self, i: usize) -> f64 {
+        let excess = self.config.breakaway - 1.0;
+        if excess == 0.0 {
+            return 1.0;
+        }
+        let speed = self.rate_rad_s[i] / self.config.stribeck_rad_s;
+        1.0 + excess * libm::exp(-speed * speed)
+    }
+
     /// Dry friction takes away what it can and no more, so that a rotor sticks.
     fn turn(&mut self, i: usize, torque_nm: f64, dt_s: f64) {
         let (config, load) = (&self.config, self.load_nm[i]);
         let per_torque = dt_s / config.rotor_inertia_kg_m2[i];
         let free = (self.rate_rad_s[i] + per_torque * (torque_nm - load))
             / (1.0 + per_torque * config.viscous_nms_per_rad[i]);
-        let most = per_torque * (config.friction_nm[i] + config.load_friction[i] * load.abs());
+        let dry = config.friction_nm[i] * self.stribeck(i);
+        let most = per_torque * (dry + config.load_friction[i] * load.abs());
         self.rate_rad_s[i] = if free > most {
             free - most
         } else if free < -most {

@@ -50,7 +50,9 @@ fn drives(rules: &Rules<'_>, drives: &DrivesConfig) -> Checked {
     rules.each("drives.damping_nms_per_rad", &drives.damping_nms_per_rad, "N m s/rad", 0.0, 1000.0)?;
     rules.each("drives.friction_nm", &drives.friction_nm, "N m", 0.0, 100.0)?;
     rules.each("drives.load_friction", &drives.load_friction, "", 0.0, 10.0)?;
-    rules.each("drives.viscous_nms_per_rad", &drives.viscous_nms_per_rad, "N m s/rad", 0.0, 100.0)
+    rules.each("drives.viscous_nms_per_rad", &drives.viscous_nms_per_rad, "N m s/rad", 0.0, 100.0)?;
+    rules.range("drives.breakaway", drives.breakaway, "", 1.0, 3.0)?;
+    rules.range("drives.stribeck_rad_s", drives.stribeck_rad_s, "rad/s", 1e-4, 10.0)
 }
 
 fn encoders(rules: &Rules<'_>, encoders: &EncodersConfig) -> Checked {
@@ -113,6 +115,7 @@ fn ground(rules: &Rules<'_>, ground: &GroundConfig) -> Checked {
         ("misalignment_drift", ground.misalignment_drift, "", -10.0, 10.0),
         ("damping_ns_per_m", ground.damping_ns_per_m, "N s/m", 0.0, 1000.0),
         ("heap_length", ground.heap_length, "", 0.5, 10.0),
+        ("heap_past", ground.heap_past, "", 0.0, 0.9),
     ] {
         rules.range(&format!("ground.{name}"), value, unit, least, most)?;
     }

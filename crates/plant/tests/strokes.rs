@@ -3,8 +3,10 @@
 
 mod rig;
 
-use rig::{Trace, spec, stroke};
+use rig::{Trace, spec, stroke, stroke_on};
 use soilctl_controller::{EventKind, StrokeLaw};
+use soilctl_plant::PlantParams;
+use soilctl_plant::config::{LossLaw, MobilisationLaw, TangentLaw};
 
 /// The first tick at which the soil fails, in a stroke.
 fn failure(trace: &Trace) -> rig::Row {
@@ -38,6 +40,41 @@ fn fails_at_the_limit(soil: &str, model: &str, alpha: f64) {
     assert!(error.abs() < 0.1 + 0.02 * row.soil.limit_force_now_n, "{error} N");
     let depth = trace.find(EventKind::Inserted).unwrap();
     println!("  inserted {:.2} of {:.2} mm", 1e3 * depth.value, 1e3 * depth.limit);
+}
+
+/// By whatever laws strength is mobilised and lost, drives rub and heaps lie, the soil fails at the force of the model; but the ways there differ.
+#[test]
+fn other_laws_fail_at_the_same_force() {
+    let mut config = PlantParams::thesis().config().clone();
+    let ground = &mut config.ground;
+    (ground.mobilisation_law, ground.loss_law) = (MobilisationLaw::Hyperbola, LossLaw::Linear);
+    (ground.tangent_law, ground.heap_past) = (TangentLaw::Hyperbola, 0.3);
+    config.drives.breakaway = 1.3;
+    let text = toml::to_string(&config).unwrap();
+    let plant = PlantParams::from_toml(PlantParams::thesis().arm().clone(), &text, "other laws").unwrap();
+    let wanted = spec(0.4318, 80.0, 0.0254, 23.0);
+    let (done, other) = stroke_on(plant, "ticino_rained", "table", wanted, StrokeLaw::Force);
+    let (_, plain) = stroke("ticino_rained", "table", wanted, StrokeLaw::Force);
+    assert!(done);
+    let row = failure(&other);
+    let error = row.force_n - row.soil.limit_force_now_n;
+    assert!(error.abs() < 0.1 + 0.02 * row.soil.limit_force_now_n, "{error} N");
+    let least = |trace: &Trace| {
+        let after = trace.rows.iter().filter(|row| row.stroking).skip_while(|row| !row.soil.failing);
+        after.map(|row| row.soil.limit_force_now_n).fold(f64::INFINITY, f64::min)
+    };
+    let way = |trace: &Trace| {
+        let begin = trace.rows.iter().find(|row| row.stroking).unwrap();
+        begin.radius_m - failure(trace).radius_m
+    };
+    println!(
+        "way to failure {:.2} and {:.2} mm, least force after it {:.2} and {:.2} N",
+        1e3 * way(&plain),
+        1e3 * way(&other),
+        least(&plain),
+        least(&other)
+    );
+    assert!((way(&plain) - way(&other)).abs() > 1e-5);
 }
 
 /// Errors of the force's inclination in degrees from 0.6 of the failure force until the soil fails.

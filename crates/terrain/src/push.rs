@@ -54,6 +54,16 @@ impl HeightField {
     /// # Errors
     /// [`TerrainError::OutOfRange`] of a number that is not finite or not above 0 where it must be.
     pub fn push(&mut self, sweep: &Sweep) -> Result<f64, TerrainError> {
+        self.push_past(sweep, 0.0)
+    }
+
+    /// The same, but a share of what is moved (0 to 1) runs past the plate and is left as a windrow on either side of the place where it is,
+    /// half as wide as the length ahead. What a side has outside the box stays ahead.
+    ///
+    /// # Errors
+    /// As of [`HeightField::push`], and [`TerrainError::OutOfRange`] of the share.
+    pub fn push_past(&mut self, sweep: &Sweep, share_past: f64) -> Result<f64, TerrainError> {
+        within("share that runs past the plate", share_past, "", [0.0, 1.0], "0 to 1")?;
         for place in [sweep.from_m, sweep.to_m] {
             for value in place {
                 within("place of the plate", value, "m", [-1e6, 1e6], "-1e6 to 1e6 m")?;
@@ -85,10 +95,32 @@ impl HeightField {
             self.heights_m[cell] -= cut;
             taken_m3 += cut * cell_area;
         }
-        for (cell, share) in to {
-            self.heights_m[cell] += taken_m3 / cell_area * (share / room);
+        let mut left_m3 = taken_m3;
+        if share_past > 0.0 {
+            let (strip_m, past_m3) = (0.5 * ahead_m, 0.5 * share_past * taken_m3);
+            for side in [-0.5, 0.5] {
+                let off = side * (width_m + strip_m);
+                let from_m = [sweep.to_m[0] - off * ahead[1], sweep.to_m[1] + off * ahead[0]];
+                let strip = Rectangle { from_m, ahead, length_m: strip_m, width_m: strip_m };
+                if self.lay(&self.covered(&strip), past_m3) {
+                    left_m3 -= past_m3;
+                }
+            }
         }
+        self.lay(&to, left_m3);
         Ok(taken_m3)
+    }
+
+    /// Lays a volume (m3) over cells in proportion to their shares; says whether there is room.
+    fn lay(&mut self, cells: &[(usize, f64)], volume_m3: f64) -> bool {
+        let room: f64 = cells.iter().map(|(_, share)| share).sum();
+        if room > 0.0 {
+            let height_m = volume_m3 / (self.cell_m() * self.cell_m());
+            for (cell, share) in cells {
+                self.heights_m[*cell] += height_m * (share / room);
+            }
+        }
+        room > 0.0
     }
 
     /// The plate has left the ground: what it sweeps next, it sweeps anew.

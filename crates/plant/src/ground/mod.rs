@@ -193,7 +193,8 @@ impl Ground {
         let inside = self.plate.truth.depth_m > 0.0;
         if inside && self.plate.moved_m >= PUSH_CELLS * self.config.cell_m {
             let heap_m = self.config.heap_length * self.plate.truth.depth_m;
-            self.surface.push(tip_m, ahead, self.plate.moved_m, self.width_m, heap_m);
+            let heap = [heap_m, self.config.heap_past];
+            self.surface.push(tip_m, ahead, self.plate.moved_m, self.width_m, heap);
             self.plate.moved_m = 0.0;
         }
         if !inside {

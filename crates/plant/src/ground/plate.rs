@@ -2,12 +2,14 @@ use soilctl_kinematics::Frame;
 
 use super::buried::Nearby;
 use super::strength::Strength;
-use crate::config::GroundConfig;
+use crate::config::{GroundConfig, LossLaw, MobilisationLaw, TangentLaw};
 use crate::effects::SoilChange;
 use crate::truth::SoilTruth;
 
 /// Share of the limit from which on the soil counts as failing.
 const FAILING: f64 = 0.995;
+/// Failure ratio of the hyperbola along the plate (Clough and Duncan 1971 found 0.7 to 0.95 for sand on concrete).
+const SLIP_RATIO: f64 = 0.8;
 /// Depth below which nothing is divided by it, in m.
 const LEAST_DEPTH_M: f64 = 0.001;
 /// Share of the edge's resistance that counts as load even if the plate hardly stands on it.
@@ -121,9 +123,11 @@ impl PlateContact {
         let spring = (most_normal * friction + at_rest + edge) / config.tangent_way_m;
         // The failing wedge rises along the plate.
         let rising = if failing { push.max(0.0) } else { 0.0 };
-        let tangent = slip(&mut self.stretch_m[0], (down + rising) * dt_s, spring, -grip, grip + bearing);
+        let law = config.tangent_law;
+        let tangent =
+            slip(law, &mut self.stretch_m[0], (down + rising) * dt_s, spring, -grip, grip + bearing);
         let most_side = grip + edge * thickness_m / width_m;
-        let lateral = slip(&mut self.stretch_m[1], side * dt_s, spring, -most_side, most_side);
+        let lateral = slip(law, &mut self.stretch_m[1], side * dt_s, spring, -most_side, most_side);
 
         let damping = config.damping_ns_per_m * depth_m / DAMPED_AT_M;
         let free = |force: f64, most: f64| if most > 0.0 { (1.0 - force.abs() / most).max(0.0) } else { 0.0 };
@@ -165,7 +169,17 @@ impl PlateContact {
         let failure_m = (change.mobilisation_way * ratio * depth_m.max(LEAST_DEPTH_M)).max(1e-6);
         let bend = bend(config, strength, alpha);
         let slope = (1.0 + 2.0 / bend) / failure_m;
-        let left = if way * self.mobilised > 0.0 { 1.0 - libm::pow(self.mobilised.abs(), bend) } else { 1.0 };
+        let left = if way * self.mobilised > 0.0 {
+            match config.mobilisation_law {
+                MobilisationLaw::Power => 1.0 - libm::pow(self.mobilised.abs(), bend),
+                MobilisationLaw::Hyperbola => {
+                    let left = 1.0 - 2.0 / (bend + 2.0) * self.mobilised.abs();
+                    left * left
+                }
+            }
+        } else {
+            1.0
+        };
         self.mobilised = (self.mobilised + slope * way * left).clamp(-1.0, 1.0);
         let failing = self.mobilised >= FAILING && way > 0.0;
         if failing {
@@ -180,7 +194,11 @@ impl PlateContact {
         if self.slip_m == 0.0 {
             return 1.0;
         }
-        let lost = 1.0 - libm::exp(-self.slip_m / config.residual_way_m);
+        let way = self.slip_m / config.residual_way_m;
+        let lost = match config.loss_law {
+            LossLaw::Exponential => 1.0 - libm::exp(-way),
+            LossLaw::Linear => (0.5 * way).min(1.0),
+        };
         1.0 - config.residual_drop * strength.relative_density * lost
     }
 
@@ -203,14 +221,70 @@ fn bend(config: &GroundConfig, strength: &Strength, alpha: f64) -> f64 {
     bend * (1.0 + strength.relative_density)
 }
 
-/// A spring that slips at its limits: its force in N after a further way in m.
-fn slip(stretch_m: &mut f64, way_m: f64, stiffness: f64, least: f64, most: f64) -> f64 {
+/// What slips at its limits, by a law of friction: its force in N after a further way in m.
+fn slip(law: TangentLaw, stretch_m: &mut f64, way_m: f64, stiffness: f64, least: f64, most: f64) -> f64 {
     let free = stiffness * (*stretch_m + way_m);
-    let force = free.max(least).min(most);
-    *stretch_m = if stiffness > 0.0 { force / stiffness } else { 0.0 };
+    // The force, and what the spring would bear at that stretch.
+    let (force, linear) = match law {
+        TangentLaw::Spring => {
+            let force = free.max(least).min(most);
+            (force, force)
+        }
+        TangentLaw::Hyperbola => {
+            let limit = if free < 0.0 { least } else { most };
+            let way = if limit == 0.0 { 0.0 } else { (free / limit).min(1.0 / (1.0 - SLIP_RATIO)) };
+            (limit * way / (1.0 + SLIP_RATIO * way), limit * way)
+        }
+    };
+    *stretch_m = if stiffness > 0.0 { linear / stiffness } else { 0.0 };
     force
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::{PlantParams, SoilPreset};
+
+    /// The hyperbola of Kondner, m = k x / (1 + R k x), with the first stiffness and the way to failure of the settings.
+    #[test]
+    fn a_hyperbola_ends_at_failure() {
+        let preset = SoilPreset::named("ticino_loose").unwrap();
+        let (soil, interface) = preset.soil().unwrap();
+        let model = soilctl_earth_pressure::model("chen").unwrap();
+        let mut config = PlantParams::thesis().config().ground;
+        config.mobilisation_law = MobilisationLaw::Hyperbola;
+        let strength = Strength::new(&config, &preset, model.as_ref(), &soil, &interface).unwrap();
+        let (alpha, depth_m, step_m) = (std::f64::consts::FRAC_PI_2, 0.025, 1e-7);
+        let dense = strength.relative_density;
+        let failure_m = depth_m
+            * (config.loose_mobilisation + dense * (config.dense_mobilisation - config.loose_mobilisation));
+        let bend = bend(&config, &strength, alpha);
+        let (stiffness, ratio) = ((1.0 + 2.0 / bend) / failure_m, 2.0 / (bend + 2.0));
+        let (mut plate, mut way_m) = (PlateContact::default(), 0.0);
+        while !plate.mobilise(&config, &strength, &SoilChange::default(), alpha, depth_m, step_m) {
+            way_m += step_m;
+            let exact = stiffness * way_m / (1.0 + ratio * stiffness * way_m);
+            assert!((plate.mobilised - exact).abs() < 1e-4, "{} for {exact}", plate.mobilised);
+        }
+        assert!(way_m < failure_m && way_m > 0.98 * failure_m, "{way_m} of {failure_m} m");
+    }
+
+    /// Both laws along the plate start with the same stiffness and end at the same limits, whichever way it goes.
+    #[test]
+    fn slip_ends_at_its_limits() {
+        for law in [TangentLaw::Spring, TangentLaw::Hyperbola] {
+            let mut stretch_m = 0.0;
+            let first = slip(law, &mut stretch_m, 1e-9, 1e3, -1.0, 2.0);
+            assert!((first / 1e-6 - 1.0).abs() < 1e-5, "{law:?}: {first}");
+            assert!((slip(law, &mut stretch_m, 1.0, 1e3, -1.0, 2.0) - 2.0).abs() < 1e-12, "{law:?}");
+            assert!((slip(law, &mut stretch_m, -1.0, 1e3, -1.0, 2.0) + 1.0).abs() < 1e-12, "{law:?}");
+            assert_eq!(slip(law, &mut stretch_m, -1.0, 0.0, 0.0, 0.0), 0.0);
+        }
+    }
 }

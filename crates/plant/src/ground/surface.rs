@@ -66,13 +66,20 @@ impl Surface {
         self.field.mean_height_m(from_m, ahead, length_m, width_m).unwrap_or(self.level_z_m)
     }
 
-    /// The plate has come by `way_m` to `tip_m` and has moved what was above its edge to within `heap_m` ahead.
-    pub(crate) fn push(&mut self, tip_m: [f64; 3], ahead: [f64; 2], way_m: f64, width_m: f64, heap_m: f64) {
+    /// The plate has come by `way_m` to `tip_m` and has moved what was above its edge to within `heap_m` ahead, but for a share that runs past.
+    pub(crate) fn push(
+        &mut self,
+        tip_m: [f64; 3],
+        ahead: [f64; 2],
+        way_m: f64,
+        width_m: f64,
+        [heap_m, share_past]: [f64; 2],
+    ) {
         let to_m = self.place(tip_m);
         let from_m = [to_m[0] - way_m * ahead[0], to_m[1] - way_m * ahead[1]];
         let sweep = Sweep { from_m, to_m, width_m, bottom_m: tip_m[2], ahead_m: heap_m };
         // A place that is no number is reported as a lost arm in the same tick.
-        self.restless |= self.field.push(&sweep).is_ok_and(|moved_m3| moved_m3 > 0.0);
+        self.restless |= self.field.push_past(&sweep, share_past).is_ok_and(|moved_m3| moved_m3 > 0.0);
     }
 
     /// Slopes run off, once after each stroke: while the plate is in it, it holds its heap back.
@@ -107,7 +114,7 @@ mod tests {
         let before = surface.volume_m3();
         for step in 1..=5 {
             let x = 0.4 - 0.005 * f64::from(step);
-            surface.push([x, 0.0, -0.355], [-1.0, 0.0], 0.005, 0.12, 0.05);
+            surface.push([x, 0.0, -0.355], [-1.0, 0.0], 0.005, 0.12, [0.05, 0.0]);
         }
         let heap = |surface: &Surface| surface.ahead_m([0.375, 0.0, -0.355], [-1.0, 0.0], 0.05, 0.12) + 0.33;
         let steep = surface.field.steepest_slope();

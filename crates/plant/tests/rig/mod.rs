@@ -90,7 +90,17 @@ impl Trace {
 
 /// One whole stroke in fresh soil, from above it.
 pub fn stroke(soil: &str, force_model: &str, spec: StrokeSpec, law: StrokeLaw) -> (bool, Trace) {
-    let plant = PlantParams::thesis();
+    stroke_on(PlantParams::thesis(), soil, force_model, spec, law)
+}
+
+/// The same on another plant.
+pub fn stroke_on(
+    plant: PlantParams,
+    soil: &str,
+    force_model: &str,
+    spec: StrokeSpec,
+    law: StrokeLaw,
+) -> (bool, Trace) {
     let ground = ground(&plant, soil, force_model);
     let start = above(spec.radius_m, 0.0, spec.tool_angle_rad.to_degrees(), SURFACE_Z_M + 0.02);
     let mut simulation = homed(Params::thesis(), plant, Some(ground), &start);
