@@ -1,7 +1,7 @@
 //! Plants for tests of a twin: the one that it has, and others that it does not know.
 
 use soilctl_plant::PlantParams;
-use soilctl_plant::config::PlantConfig;
+use soilctl_plant::config::{LossLaw, MobilisationLaw, PlantConfig, TangentLaw};
 
 use crate::CampaignError;
 
@@ -16,6 +16,9 @@ const KNOWN: f64 = 1.03;
 /// Ends of the part of a bracket where the true force lies, and greatest correlation of a sensor's readings 2 ms apart.
 const FORCE_LAW: (f64, f64) = (0.3, 0.7);
 const MOST_CORRELATED: f64 = 0.8;
+/// Friction of a rotor at rest over that of one that turns, and the share of the soil that runs past the plate, in plants that have them.
+const BREAKAWAY: f64 = 1.25;
+const HEAP_PAST: f64 = 0.3;
 
 /// The plant of the thesis's arm as the text of a plant file.
 ///
@@ -26,7 +29,9 @@ pub fn default_plant() -> Result<String, CampaignError> {
 }
 
 /// The same with settings that are off in ways that a twin with the default plant does not know: other mobilisation, contact stiffness, loss of
-/// strength, bearing, heaps, force law, friction of the drives, and noise with another size and spectrum. `draw` gives a number from 0 to 1.
+/// strength, bearing, heaps, force law, friction of the drives, and noise with another size and spectrum; and every second time each of its
+/// laws of mobilisation, of loss of strength, of friction along the plate, of heaps and of the drives' friction is of another form.
+/// `draw` gives a number from 0 to 1.
 ///
 /// # Errors
 /// [`CampaignError::Plan`] if it cannot be put into TOML.
@@ -66,7 +71,28 @@ pub fn unlike_plant(draw: &mut dyn FnMut() -> f64) -> Result<String, CampaignErr
     plant.force_sensor.noise_correlation = MOST_CORRELATED * draw();
     let (low, high) = FORCE_LAW;
     plant.ground.bracket_fraction = low + (high - low) * draw();
+    other_laws(&mut plant, draw);
     text(&plant)
+}
+
+/// Each of the plant's laws by another formula, or not, as it is drawn.
+fn other_laws(plant: &mut PlantConfig, draw: &mut dyn FnMut() -> f64) {
+    let mut other = || draw() > 0.5;
+    if other() {
+        plant.ground.mobilisation_law = MobilisationLaw::Hyperbola;
+    }
+    if other() {
+        plant.ground.loss_law = LossLaw::Linear;
+    }
+    if other() {
+        plant.ground.tangent_law = TangentLaw::Hyperbola;
+    }
+    if other() {
+        plant.ground.heap_past = HEAP_PAST;
+    }
+    if other() {
+        plant.drives.breakaway = BREAKAWAY;
+    }
 }
 
 fn text(plant: &PlantConfig) -> Result<String, CampaignError> {

@@ -1,16 +1,16 @@
 //! One hidden campaign: simulated on an arm that the twin does not know, processed, and diagnosed with the twin.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 use soilctl_campaign::{Content, Options, Plan};
 use soilctl_strokes::Campaign;
 
-use super::counts::Entry;
+use super::counts::{Entry, Said};
 use super::hidden::{Case, PHI_SD_DEG};
 use crate::diagnose::learn::remove_logs;
-use crate::diagnose::{Request, without_page};
-use crate::files::{failed, save};
+use crate::diagnose::{Diagnosed, Request, without_page};
+use crate::files::{failed, read_text, save};
 use crate::machine::cores;
 use crate::{AppError, Interrupted, Watch, process, simulate};
 
@@ -18,50 +18,96 @@ use crate::{AppError, Interrupted, Watch, process, simulate};
 const TWIN: &str = "twin";
 
 /// Makes and diagnoses a campaign in a folder of its own within `folder`, of which only tables are left; `None` if it was stopped, and
-/// then the next run goes on from there.
+/// then the next run goes on from there. Where the answer leaves several effects open and proposes a plan, that is run on the same arm and
+/// diagnosed, if `follows_up`.
 pub(super) fn run(
     folder: &Path,
     case: &Case,
-    model: &str,
+    (model, follows_up): (&str, bool),
     watch: &dyn Watch,
 ) -> Result<Option<Entry>, AppError> {
-    let stop = watch.stop(Interrupted::KeepsResults);
     let own = folder.join(format!("{:04}_{}", case.number, case.named()));
-    let logs = own.join("logs");
-    std::fs::create_dir_all(&logs).map_err(failed(&logs))?;
+    std::fs::create_dir_all(&own).map_err(failed(&own))?;
     save(&own.join("plant.toml"), case.plant.as_bytes())?;
-    // Whoever simulates the logs again finds the twin's plant beside them.
-    save(&logs.join("plant.toml"), soilctl_campaign::default_plant()?.as_bytes())?;
-    let strokes = logs.join("strokes.csv");
+    let hidden = Hidden { own: &own, twin: folder.join(TWIN), case, model, watch };
     let plan = Plan::from_toml(&case.plan, "the plan of a hidden campaign", &own)?;
-    let options = Options { out: &logs, seed: case.seed, threads: cores(), content: Content::Steps };
-    let made = simulate::campaign(&plan, Some((&case.truth, "what is hidden")), &options, watch)?;
-    if !made.complete {
-        return Ok(None);
-    }
-    let processed = process::run(&process::Request::of_folder(&logs, &strokes), watch)?;
-    if processed.stopped {
-        return Ok(None);
-    }
-    if processed.strokes.is_empty() {
+    let found = match hidden.diagnosed(&plan, "logs")? {
+        Made::Stopped => return Ok(None),
+        Made::WithoutFailures => return Ok(Some(Entry::new(case, Said::without_failures(), None))),
+        Made::Diagnosed(found) => found,
+    };
+    let proposed = found.answer.next_experiment.as_ref().and_then(|next| next.plan.as_ref());
+    let (true, true, Some(proposed)) = (follows_up, found.answer.equivalence_set.len() > 1, proposed) else {
+        return Ok(Some(Entry::new(case, Said::new(case, &found), None)));
+    };
+    // The proposal names the twin's plant; the arm is the one that made the campaign.
+    let plan = Plan::from_toml(&read_text(Path::new(proposed))?, proposed, &own)?;
+    let followed = match hidden.diagnosed(&plan, "follow_up")? {
+        Made::Stopped => return Ok(None),
+        Made::WithoutFailures => Said::without_failures(),
+        Made::Diagnosed(followed) => Said::new(case, &followed),
+    };
+    Ok(Some(Entry::new(case, Said::new(case, &found), Some(followed))))
+}
+
+/// What became of a campaign.
+enum Made {
+    Stopped,
+    WithoutFailures,
+    Diagnosed(Box<Diagnosed>),
+}
+
+struct Hidden<'a> {
+    own: &'a Path,
+    twin: PathBuf,
+    case: &'a Case,
+    model: &'a str,
+    watch: &'a dyn Watch,
+}
+
+impl Hidden<'_> {
+    /// Runs a plan on the hidden arm and diagnoses its logs with the twin.
+    fn diagnosed(&self, plan: &Plan, name: &str) -> Result<Made, AppError> {
+        let stop = self.watch.stop(Interrupted::KeepsResults);
+        let logs = self.own.join(name);
+        std::fs::create_dir_all(&logs).map_err(failed(&logs))?;
+        // Whoever simulates the logs again finds the twin's plant beside them.
+        save(&logs.join("plant.toml"), soilctl_campaign::default_plant()?.as_bytes())?;
+        let strokes = logs.join("strokes.csv");
+        let options = Options { out: &logs, seed: self.case.seed, threads: cores(), content: Content::Steps };
+        let made =
+            simulate::campaign(plan, Some((&self.case.truth, "what is hidden")), &options, self.watch)?;
+        if !made.complete {
+            return Ok(Made::Stopped);
+        }
+        let processed = process::run(&process::Request::of_folder(&logs, &strokes), self.watch)?;
+        if processed.stopped {
+            return Ok(Made::Stopped);
+        }
+        if processed.strokes.is_empty() {
+            remove_logs(&logs)?;
+            return Ok(Made::WithoutFailures);
+        }
+        // What a direct shear test tells.
+        let mut told = Campaign::read_beside(&strokes)?.unwrap_or_default();
+        (told.phi_independent_deg, told.phi_independent_sd) =
+            (Some(self.case.told_phi_deg), Some(PHI_SD_DEG));
+        told.write_beside(&strokes)?;
+        let request = Request {
+            dir: logs.clone(),
+            model: self.model.to_owned(),
+            out: Some(self.twin.clone()),
+            ..Request::default()
+        };
+        let found = without_page(&request, self.watch)?;
+        if stop.load(Ordering::Relaxed) {
+            return Ok(Made::Stopped);
+        }
         remove_logs(&logs)?;
-        return Ok(Some(Entry::without_failures(case)));
+        let again = self.twin.join("resimulated");
+        if again.is_dir() {
+            std::fs::remove_dir_all(&again).map_err(failed(&again))?;
+        }
+        Ok(Made::Diagnosed(Box::new(found)))
     }
-    // What a direct shear test tells.
-    let mut told = Campaign::read_beside(&strokes)?.unwrap_or_default();
-    (told.phi_independent_deg, told.phi_independent_sd) = (Some(case.told_phi_deg), Some(PHI_SD_DEG));
-    told.write_beside(&strokes)?;
-    let twin = folder.join(TWIN);
-    let request =
-        Request { dir: logs.clone(), model: model.to_owned(), out: Some(twin.clone()), ..Request::default() };
-    let found = without_page(&request, watch)?;
-    if stop.load(Ordering::Relaxed) {
-        return Ok(None);
-    }
-    remove_logs(&logs)?;
-    let again = twin.join("resimulated");
-    if again.is_dir() {
-        std::fs::remove_dir_all(&again).map_err(failed(&again))?;
-    }
-    Ok(Some(Entry::new(case, &found)))
 }

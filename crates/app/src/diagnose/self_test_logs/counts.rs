@@ -24,6 +24,16 @@ pub struct Entry {
     pub amplitude: Option<f64>,
     /// Preset of the soil.
     pub soil: String,
+    /// What the campaign gave.
+    #[serde(flatten)]
+    pub said: Said,
+    /// What it gave with the strokes that were proposed; null if none were, or they were not made.
+    pub follow_up: Option<Said>,
+}
+
+/// What a diagnosis said.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Said {
     /// Strokes that failed the soil.
     pub strokes: usize,
     /// Status of the diagnosis; `no_failures` if no stroke failed the soil.
@@ -36,7 +46,7 @@ pub struct Entry {
     pub found: Option<(f64, f64)>,
 }
 
-impl Entry {
+impl Said {
     pub(super) fn new(case: &Case, found: &Diagnosed) -> Self {
         let answer = &found.answer;
         let of_hidden = case.hidden.and_then(|(id, _)| found.diagnosis.effects.iter().find(|of| of.id == id));
@@ -46,16 +56,11 @@ impl Entry {
             given: answer.effects.iter().map(|effect| effect.id.to_string()).collect(),
             equivalence_set: answer.equivalence_set.clone(),
             found: of_hidden.map(|of| (of.amplitude, of.amplitude_sd)),
-            ..Self::without_failures(case)
         }
     }
 
-    pub(super) fn without_failures(case: &Case) -> Self {
+    pub(super) fn without_failures() -> Self {
         Self {
-            number: case.number,
-            hidden: case.hidden.map(|(id, _)| id.to_string()),
-            amplitude: case.hidden.map(|(_, size)| size),
-            soil: case.soil.to_owned(),
             strokes: 0,
             status: NO_FAILURES.to_owned(),
             given: Vec::new(),
@@ -66,7 +71,7 @@ impl Entry {
 
     /// Status, with the first effect where one was given.
     #[must_use]
-    pub fn said(&self) -> String {
+    pub fn in_words(&self) -> String {
         match self.given.first() {
             Some(first) => format!("{} {first}", self.status),
             None => self.status.clone(),
@@ -77,34 +82,62 @@ impl Entry {
         self.status == "named"
     }
 
-    /// Whether a firm answer has an effect that is not hidden.
-    fn is_firm_and_wrong(&self) -> bool {
-        self.is_firm() && self.given.iter().any(|id| Some(id) != self.hidden.as_ref())
+    fn is_only(&self, hidden: Option<&String>) -> bool {
+        self.given.iter().all(|id| Some(id) == hidden)
+    }
+}
+
+impl Entry {
+    pub(super) fn new(case: &Case, said: Said, follow_up: Option<Said>) -> Self {
+        Self {
+            number: case.number,
+            hidden: case.hidden.map(|(id, _)| id.to_string()),
+            amplitude: case.hidden.map(|(_, size)| size),
+            soil: case.soil.to_owned(),
+            said,
+            follow_up,
+        }
     }
 }
 
 /// Rates, and what was said of each hidden effect how often.
 pub(super) fn count(entries: &[Entry]) -> (Vec<Rate>, BTreeMap<String, BTreeMap<String, usize>>) {
-    let entries: Vec<&Entry> = entries.iter().filter(|entry| entry.status != NO_FAILURES).collect();
+    let entries: Vec<&Entry> = entries.iter().filter(|entry| entry.said.status != NO_FAILURES).collect();
     let (hidden, null): (Vec<&Entry>, Vec<&Entry>) = entries.iter().partition(|entry| entry.hidden.is_some());
     let rate = |name: &str, of: &[&Entry], is: &dyn Fn(&Entry) -> bool| {
         let right = of.iter().filter(|entry| is(entry)).count();
         let share = (!of.is_empty()).then(|| right as f64 / of.len() as f64);
         Rate { name: name.to_owned(), rate: share, of: of.len() }
     };
-    let is_first = |entry: &Entry| entry.given.first() == entry.hidden.as_ref();
-    let in_set = |entry: &Entry| entry.hidden.as_ref().is_some_and(|id| entry.equivalence_set.contains(id));
+    let is_first = |entry: &Entry| entry.said.given.first() == entry.hidden.as_ref();
+    let in_set =
+        |entry: &Entry| entry.hidden.as_ref().is_some_and(|id| entry.said.equivalence_set.contains(id));
+    // A firm answer with an effect that is not hidden.
+    let is_wrong = |said: &Said, entry: &Entry| said.is_firm() && !said.is_only(entry.hidden.as_ref());
+    let followed: Vec<&Entry> = entries.iter().copied().filter(|entry| entry.follow_up.is_some()).collect();
+    let after = |entry: &Entry, is: &dyn Fn(&Said) -> bool| entry.follow_up.as_ref().is_some_and(is);
     let found: Vec<((f64, f64), f64)> =
-        hidden.iter().filter(|e| is_first(e)).filter_map(|e| e.found.zip(e.amplitude)).collect();
+        hidden.iter().filter(|e| is_first(e)).filter_map(|e| e.said.found.zip(e.amplitude)).collect();
     let within = found.iter().filter(|((value, sd), truth)| (value - truth).abs() <= 2.0 * sd).count();
     let mut ratios: Vec<f64> = found.iter().map(|((value, _), truth)| value / truth).collect();
     let of_found =
         |name: &str, value: Option<f64>| Rate { name: name.to_owned(), rate: value, of: found.len() };
     let rates = vec![
-        rate("nothing hidden: firm name", &null, &Entry::is_firm),
+        rate("nothing hidden: firm name", &null, &|entry| entry.said.is_firm()),
         rate("one effect hidden: right name first", &hidden, &is_first),
         rate("one effect hidden: right name in the set", &hidden, &in_set),
-        rate("one effect hidden: firm wrong name", &hidden, &Entry::is_firm_and_wrong),
+        rate("one effect hidden: firm wrong name", &hidden, &|entry| is_wrong(&entry.said, entry)),
+        rate("several left open, follow-up run: right name, firm", &followed, &|entry| {
+            after(entry, &|said| {
+                said.is_firm() && !said.given.is_empty() && said.is_only(entry.hidden.as_ref())
+            })
+        }),
+        rate("several left open, follow-up run: right name first", &followed, &|entry| {
+            after(entry, &|said| said.given.first() == entry.hidden.as_ref())
+        }),
+        rate("several left open, follow-up run: firm wrong name", &followed, &|entry| {
+            after(entry, &|said| is_wrong(said, entry))
+        }),
         of_found(
             "right name first: parameter within 2 sd",
             (!found.is_empty()).then(|| within as f64 / found.len() as f64),
@@ -117,7 +150,7 @@ pub(super) fn count(entries: &[Entry]) -> (Vec<Rate>, BTreeMap<String, BTreeMap<
     let mut confusion: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
     for entry in entries {
         let of = entry.hidden.clone().unwrap_or_else(|| "none".to_owned());
-        *confusion.entry(of).or_default().entry(entry.said()).or_default() += 1;
+        *confusion.entry(of).or_default().entry(entry.said.in_words()).or_default() += 1;
     }
     (rates, confusion)
 }
@@ -133,11 +166,14 @@ mod tests {
             hidden: hidden.map(|(id, _)| id.to_owned()),
             amplitude: hidden.map(|(_, size)| size),
             soil: "ticino_loose".to_owned(),
-            strokes: 12,
-            status: status.to_owned(),
-            given: names(given),
-            equivalence_set: names(given),
-            found,
+            said: Said {
+                strokes: 12,
+                status: status.to_owned(),
+                given: names(given),
+                equivalence_set: names(given),
+                found,
+            },
+            follow_up: None,
         }
     }
 
@@ -155,9 +191,26 @@ mod tests {
         let all: Vec<(Option<f64>, usize)> = rates.iter().map(|rate| (rate.rate, rate.of)).collect();
         let half = (Some(0.5), 2);
         let ratio = (Some(0.3 / 0.2), 1);
-        assert_eq!(all, [half, half, half, half, (Some(1.0), 1), ratio]);
+        let none = (None, 0);
+        assert_eq!(all, [half, half, half, half, none, none, none, (Some(1.0), 1), ratio]);
         assert_eq!(confusion["none"]["named backlash"], 1);
         assert_eq!(confusion["force_drift"], BTreeMap::from([("named force_bias".to_owned(), 1)]));
+    }
+
+    /// Of two that were left open, one is told after its follow-up, and one is firmly taken for the other.
+    #[test]
+    fn follow_ups_by_hand() {
+        let open = |given: &[&str]| {
+            let mut of = entry(Some(("cohesion", 90.0)), "ambiguous", &["cohesion", "surcharge_heap"], None);
+            of.follow_up = Some(entry(None, "named", given, None).said);
+            of
+        };
+        let (rates, _) = count(&[open(&["cohesion"]), open(&["surcharge_heap"])]);
+        let of =
+            |name: &str| rates.iter().find(|rate| rate.name.ends_with(name)).map(|rate| (rate.rate, rate.of));
+        for name in ["run: right name, firm", "run: right name first", "run: firm wrong name"] {
+            assert_eq!(of(name), Some((Some(0.5), 2)), "{name}");
+        }
     }
 
     #[test]

@@ -11,8 +11,6 @@ use super::super::learn::with;
 /// Preparations of a campaign and strokes in each.
 pub(super) const BATCHES: usize = 4;
 pub(super) const STROKES: usize = 3;
-/// Campaigns in a soil before the next one, since what the twin learns of a soil serves all of them.
-const IN_A_SOIL: u64 = 16;
 /// Standard deviation of the friction angle that a direct shear test tells, deg, and of the densities of preparations, relative: small, so that
 /// what the twin learns of a soil, for densities in steps of 50 kg/m3, serves all campaigns in it.
 pub(super) const PHI_SD_DEG: f64 = 1.0;
@@ -80,7 +78,8 @@ impl Case {
         let mut random = Random::new(seed, number + 1);
         let turn = (number % HIDDEN.len() as u64) as usize;
         let id = only.unwrap_or_else(|| HIDDEN.get(turn).copied().flatten());
-        let place = (number / IN_A_SOIL) as usize % SANDS.len();
+        // The soils in turn, one further in each round of what is hidden, so that each effect meets each of them.
+        let place = (number + number / HIDDEN.len() as u64) as usize % SANDS.len();
         let sand = SANDS.get(place).unwrap_or(&SANDS[0]);
         let hidden = id.map(|id| (id, hidden_size(id, &mut random)));
         let phi_deg = sand.phi_deg + random.normal(PHI_SD_DEG);
@@ -180,7 +179,7 @@ mod tests {
     #[test]
     fn campaigns_can_be_made_and_made_again() {
         let folder = tempfile::tempdir().unwrap();
-        for number in [0, 16, 32, 48] {
+        for number in 0..4 {
             let case = Case::new(7, number, Some(Some(EffectId::ForceDrift)), "table").unwrap();
             std::fs::write(folder.path().join("plant.toml"), &case.plant).unwrap();
             let plan = Plan::from_toml(&case.plan, "plan", folder.path()).unwrap();
@@ -196,6 +195,14 @@ mod tests {
             assert_eq!((&again.plant, &again.truth), (&case.plant, &case.truth));
             assert_ne!(Case::new(7, number + 1, None, "table").unwrap().plant, case.plant);
         }
+        // In four rounds each effect meets each soil once, and nothing each of them four times.
+        let mut met: Vec<(&str, &str)> = (0..48)
+            .map(|number| Case::new(1, number, None, "table").unwrap())
+            .map(|case| (case.named(), case.soil))
+            .collect();
+        met.sort_unstable();
+        assert_eq!(met.chunk_by(|a, b| a == b).map(<[_]>::len).filter(|count| *count == 1).count(), 32);
+        assert_eq!(met.chunk_by(|a, b| a == b).map(<[_]>::len).filter(|count| *count == 4).count(), 4);
         // A third hides nothing, and that comes first.
         let turns: Vec<bool> =
             (0..12).map(|n| Case::new(1, n, None, "table").unwrap().hidden.is_none()).collect();

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_effects::EffectId;
 use soilctl_jobs::{Inputs, Journal};
 
-pub use counts::Entry;
+pub use counts::{Entry, Said};
 use hidden::{BATCHES, Case, STROKES};
 
 use super::self_test::Rate;
@@ -43,6 +43,10 @@ pub struct Request {
     #[arg(long, value_name = "EFFECT")]
     pub hidden: Option<String>,
 
+    /// Where an answer leaves several effects open, run the plan that it proposes on the same arm and diagnose that, too
+    #[arg(long)]
+    pub follow_up: bool,
+
     /// Seed
     #[arg(long, value_name = "N", default_value_t = Request::default().seed)]
     pub seed: u64,
@@ -50,7 +54,14 @@ pub struct Request {
 
 impl Default for Request {
     fn default() -> Self {
-        Self { folder: PathBuf::new(), model: "table".into(), campaigns: 3, hidden: None, seed: 1 }
+        Self {
+            folder: PathBuf::new(),
+            model: "table".into(),
+            campaigns: 3,
+            hidden: None,
+            follow_up: false,
+            seed: 1,
+        }
     }
 }
 
@@ -87,16 +98,18 @@ struct Header {
     program_version: String,
     model: String,
     hidden: Option<String>,
+    follow_up: bool,
     seed: u64,
 }
 
 impl Header {
     fn new(request: &Request) -> Self {
         Self {
-            schema: "soilctl.diagnose-self-test-logs-journal/1".to_owned(),
+            schema: "soilctl.diagnose-self-test-logs-journal/2".to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             model: request.model.clone(),
             hidden: request.hidden.clone(),
+            follow_up: request.follow_up,
             seed: request.seed,
         }
     }
@@ -109,6 +122,7 @@ impl Inputs for Header {
             ("version of soilctl", self.program_version.clone()),
             ("--model", self.model.clone()),
             ("--hidden", self.hidden.clone().unwrap_or_else(|| "left out".to_owned())),
+            ("--follow-up", self.follow_up.to_string()),
             ("--seed", self.seed.to_string()),
         ]
     }
@@ -135,8 +149,12 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
             break;
         }
         let case = Case::new(request.seed, number, only, &request.model)?;
-        let Some(entry) = campaign::run(folder, &case, &request.model, watch)? else { break };
-        clock.after(done + 1, &format!("campaign {number}, hidden {}: {}", case.named(), entry.said()));
+        let how = (request.model.as_str(), request.follow_up);
+        let Some(entry) = campaign::run(folder, &case, how, watch)? else { break };
+        let followed =
+            entry.follow_up.as_ref().map(|said| format!(", after its follow-up {}", said.in_words()));
+        let said = entry.said.in_words() + &followed.unwrap_or_default();
+        clock.after(done + 1, &format!("campaign {number}, hidden {}: {said}", case.named()));
         journal.add(&entry)?;
         entries.push(entry);
     }
@@ -201,4 +219,4 @@ impl Clock<'_> {
 
 /// Processor time of a simulated stroke in s, on a machine of 2026, and single strokes that show the effects in one soil: for predictions only.
 const STROKE_S: f64 = 3.0;
-const SINGLE_STROKES: usize = 120;
+const SINGLE_STROKES: usize = 216;

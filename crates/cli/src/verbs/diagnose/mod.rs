@@ -60,6 +60,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "EFFECT", requires = "self_test_logs")]
     hidden: Option<String>,
 
+    /// Where the answer of a campaign with logs leaves several effects open, run the plan that it proposes on the same arm, too
+    #[arg(long, requires = "self_test_logs")]
+    follow_up: bool,
+
     /// Seed of hidden campaigns
     #[arg(long, value_name = "N", default_value_t = diagnose::self_test::Request::default().seed,
           requires = "hidden_campaigns")]
@@ -73,6 +77,7 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
             model: args.request.model.clone(),
             campaigns: args.campaigns,
             hidden: args.hidden.clone(),
+            follow_up: args.follow_up,
             seed: args.seed,
         };
         let answer = diagnose::self_test_logs::run(&test, output)?;
