@@ -7,7 +7,7 @@ use soilctl_soil::STANDARD_GRAVITY_M_S2;
 use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
-use crate::learnt::Learnt;
+use crate::learnt::{Learnt, Unsteadiness};
 use crate::traces::{PhaseKey, traced};
 
 /// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation. Empirical: the four soils of
@@ -35,6 +35,19 @@ pub(crate) struct Known {
     pub(crate) linked: bool,
     /// Whether columns respond with a strength of their own.
     pub(crate) responds: bool,
+}
+
+/// A set of effects that was decided for, and effects that are as likely.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Decided {
+    pub(crate) best: Vec<EffectId>,
+    pub(crate) as_likely: Vec<EffectId>,
+}
+
+impl Decided {
+    fn has(&self, id: EffectId) -> bool {
+        self.best.contains(&id) || self.as_likely.contains(&id)
+    }
 }
 
 /// Radii that differ by less are one, in m: those of a plan are inches apart.
@@ -86,10 +99,14 @@ pub struct Data {
     pub(crate) learnt: BTreeMap<EffectId, Learnt>,
     /// How strokes respond to settings of that arm that nobody measures, for an amplitude of 1.
     pub(crate) twin: Vec<Learnt>,
+    /// By how much strokes of that arm go another way for reasons of their own.
+    pub(crate) unsteadiness: Unsteadiness,
     /// Whether the free-air readings of the table are taken off the forces.
     tare_is_off: bool,
     /// Effects that are not to be found, but known.
     pub(crate) known: Vec<Known>,
+    /// What a simulated arm that was tried with several sets of effects decided.
+    pub(crate) decided: Option<Decided>,
     /// Friction angle, deg.
     pub phi: Prior,
     /// Interface friction minus its set-point, deg.
@@ -162,8 +179,10 @@ impl Data {
             scene: None,
             learnt: BTreeMap::new(),
             twin: Vec::new(),
+            unsteadiness: Unsteadiness::default(),
             tare_is_off: false,
             known: Vec::new(),
+            decided: None,
             phi,
             delta,
             density,
@@ -224,6 +243,7 @@ impl Data {
     /// Takes how strokes respond to a setting of the simulated arm that may be off: forces and columns then share how far it is. To be called
     /// after [`Data::expect`].
     pub fn doubt(&mut self, setting: Learnt) {
+        self.unsteadiness.add(&setting);
         self.twin.push(setting);
     }
 
@@ -231,6 +251,11 @@ impl Data {
     pub fn compare_everything(&mut self) {
         self.channels =
             columns(&self.rows, true).into_iter().chain(std::mem::take(&mut self.channels)).collect();
+    }
+
+    /// Takes a set of effects as the best explanation, of which strokes tell the sizes only, with those that are as likely in the place of it.
+    pub fn decide(&mut self, best: &[EffectId], as_likely: &[EffectId]) {
+        self.decided = Some(Decided { best: best.to_vec(), as_likely: as_likely.to_vec() });
     }
 
     /// Whether a simulated arm said what to expect.
@@ -292,6 +317,8 @@ impl Data {
         self.known =
             file.effects().iter().map(|&active| Known { active, linked: true, responds: true }).collect();
         self.gravity_m_s2 = file.file().soil.gravity_m_s2;
+        // What is known is in what is expected, as a simulated arm reads it or by its formula.
+        self.learnt.retain(|id, _| self.known.iter().all(|known| known.active.effect.id != *id));
         if self.known.is_empty() {
             return;
         }
@@ -321,10 +348,17 @@ impl Data {
         self.known.iter().filter(|known| known.responds).map(|known| &known.active)
     }
 
-    /// Effects that may be missing: those of the catalogue that are not known.
-    pub(crate) fn candidates(&self) -> impl Iterator<Item = EffectId> {
+    /// Effects that may be missing: those of the catalogue that are not known. Where a simulated arm made the same strokes, their speeds are what
+    /// its controller made of them and no condition that somebody set, and none of its strokes tells what another speed does.
+    pub(crate) fn possible(&self) -> impl Iterator<Item = EffectId> {
         let known = |id: &EffectId| self.known.iter().any(|known| known.active.effect.id == *id);
-        EffectId::ALL.into_iter().filter(move |id| !known(id))
+        let told = |id: &EffectId| !self.is_compared() || id.effect().varies_with != Some(Covariate::Speed);
+        EffectId::ALL.into_iter().filter(move |id| !known(id) && told(id))
+    }
+
+    /// Those that are looked for: all, or those that were decided for.
+    pub(crate) fn candidates(&self) -> impl Iterator<Item = EffectId> {
+        self.possible().filter(|id| self.decided.as_ref().is_none_or(|decided| decided.has(*id)))
     }
 
     /// Sees the strokes from another reference.

@@ -64,7 +64,7 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);
     let search = Search::new(&setup)?;
-    let expected: Vec<Expected> = data.candidates().map(|of| expected(&setup, phi_deg, of)).collect();
+    let expected: Vec<Expected> = data.possible().map(|of| expected(&setup, phi_deg, of)).collect();
     // With a handful of strokes the largest amplitudes alone could be seen, which is no test of anything.
     let testable = expected.iter().filter(|of| of.lambda >= LEAST_LAMBDA).count() > 0 && !data.is_summary();
     let verdict = judge(&search);
@@ -134,6 +134,19 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
         next,
         scatter: search.baseline.scatter,
     })
+}
+
+/// ln of the probability of everything that was read, with what is known and nothing else: to be compared between what is expected of the same
+/// readings ([`Data::expect`]) under one set of known effects ([`Data::know`]) and another.
+///
+/// # Errors
+/// As [`diagnose`].
+pub fn log_evidence(data: &Data, surface: &Surface) -> Result<f64, DiagnosisError> {
+    let data = &settled(data, surface)?;
+    let first = FitSetup::new(data, surface, data.phi.mean);
+    let phi_deg = Search::new(&first)?.baseline.soil[0];
+    let setup = FitSetup::new(data, surface, phi_deg);
+    Ok(Search::new(&setup)?.log_evidence())
 }
 
 /// Relative error of an amplitude because nature's formula is not ours. Empirical: with it, 90 % of the amplitudes of hidden campaigns

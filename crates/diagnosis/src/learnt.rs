@@ -44,6 +44,51 @@ pub struct Learnt {
     local: Vec<f64>,
     /// Columns that show it.
     channels: Vec<Channel>,
+    /// Of a setting: what a higher and a lower one do alike, which is nothing that goes with the setting.
+    alike: Option<Node>,
+}
+
+/// By how much strokes of the simulated arm go another way for reasons of their own: one that is on the brink of sinking does so with one setting and
+/// not with the next. Sums of squares over settings, by stroke of the campaign.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Unsteadiness {
+    settings: usize,
+    ln_force: Vec<f64>,
+    channels: BTreeMap<Channel, Vec<f64>>,
+}
+
+impl Unsteadiness {
+    /// Part of the mean square of `(up + down) / 2 - plain` that is the variance of a difference of two strokes, if all three scatter by the same.
+    const OF_A_DIFFERENCE: f64 = 2.0 / 1.5;
+
+    /// Takes what a setting did alike, up and down.
+    pub(crate) fn add(&mut self, learnt: &Learnt) {
+        let Some(alike) = &learnt.alike else { return };
+        let add = |sums: &mut Vec<f64>, values: &[f64]| {
+            sums.resize(values.len(), 0.0);
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value * value);
+        };
+        self.settings += 1;
+        add(&mut self.ln_force, &alike.ln_force);
+        for (channel, values) in &alike.channels {
+            add(self.channels.entry(*channel).or_default(), values);
+        }
+    }
+
+    /// Variance of ln of a stroke's force over that of the same stroke, simulated.
+    pub(crate) fn of_force(&self, stroke: usize) -> f64 {
+        self.variance(Some(&self.ln_force), stroke)
+    }
+
+    /// The same of a column.
+    pub(crate) fn of_channel(&self, channel: Channel, stroke: usize) -> f64 {
+        self.variance(self.channels.get(&channel), stroke)
+    }
+
+    fn variance(&self, sums: Option<&Vec<f64>>, stroke: usize) -> f64 {
+        let sum = sums.and_then(|sums| sums.get(stroke)).copied().unwrap_or_default();
+        Self::OF_A_DIFFERENCE * sum / self.settings.max(1) as f64
+    }
 }
 
 impl Learnt {
@@ -57,7 +102,7 @@ impl Learnt {
         let local = data.strokes.iter().map(|stroke| share(effect, stroke)).collect();
         let mut nodes: Vec<Node> = shown.iter().map(|shown| node(data, plain, shown)).collect();
         nodes.sort_by(|a, b| a.amplitude.abs().total_cmp(&b.amplitude.abs()));
-        let mut learnt = Self { nodes, local, channels: Vec::new() };
+        let mut learnt = Self { nodes, local, channels: Vec::new(), alike: None };
         let seen = |channel: &Channel| {
             let scatter = crate::channels::spread(&data.beyond_expected(*channel)).max(f64::MIN_POSITIVE);
             data.channels.contains_key(channel)
@@ -75,7 +120,7 @@ impl Learnt {
         let nodes = [(1.0, up), (-1.0, down)]
             .map(|(amplitude, with)| node(data, plain, &Shown { amplitude, with }))
             .to_vec();
-        let mut learnt = Self { nodes, local: vec![1.0; data.rows.len()], channels: Vec::new() };
+        let mut learnt = Self { nodes, local: vec![1.0; data.rows.len()], channels: Vec::new(), alike: None };
         let seen = |channel: &Channel| {
             let scatter = crate::channels::spread(&data.beyond_expected(*channel)).max(f64::MIN_POSITIVE);
             data.channels.contains_key(channel)
@@ -84,7 +129,8 @@ impl Learnt {
         };
         let channels = Channel::ALL.into_iter().filter(seen).collect();
         learnt.channels = channels;
-        learnt.nodes = vec![half_difference(&learnt.nodes)];
+        learnt.alike = Some(combined(&learnt.nodes, |_| 0.5));
+        learnt.nodes = vec![combined(&learnt.nodes, |amplitude| 0.5 * amplitude)];
         learnt
     }
 
@@ -160,18 +206,18 @@ impl Learnt {
     }
 }
 
-/// What a setting does for an amplitude of 1, from one node with it higher and one with it lower.
-fn half_difference(nodes: &[Node]) -> Node {
-    let half = |of: &dyn Fn(&Node) -> Vec<f64>| -> Vec<f64> {
-        let mut signed = nodes.iter().map(|node| (0.5 * node.amplitude, of(node)));
-        let Some((share, first)) = signed.next() else { return Vec::new() };
+/// The sum of a setting's nodes, each times a share that goes by its amplitude (1 higher, -1 lower).
+fn combined(nodes: &[Node], share: impl Fn(f64) -> f64) -> Node {
+    let sum = |of: &dyn Fn(&Node) -> Vec<f64>| -> Vec<f64> {
+        let mut parts = nodes.iter().map(|node| (share(node.amplitude), of(node)));
+        let Some((share, first)) = parts.next() else { return Vec::new() };
         let first: Vec<f64> = first.iter().map(|value| share * value).collect();
-        signed.fold(first, |sum, (share, more)| sum.iter().zip(&more).map(|(a, b)| a + share * b).collect())
+        parts.fold(first, |sum, (share, more)| sum.iter().zip(&more).map(|(a, b)| a + share * b).collect())
     };
     let channels = nodes.first().into_iter().flat_map(|node| node.channels.keys());
     let channels = channels
-        .map(|channel| (*channel, half(&|node| node.channels.get(channel).cloned().unwrap_or_default())));
-    Node { amplitude: 1.0, channels: channels.collect(), ln_force: half(&|node| node.ln_force.clone()) }
+        .map(|channel| (*channel, sum(&|node| node.channels.get(channel).cloned().unwrap_or_default())));
+    Node { amplitude: 1.0, channels: channels.collect(), ln_force: sum(&|node| node.ln_force.clone()) }
 }
 
 /// Value at `x` of the response that is 0 at 0 and goes through `points`, of which the first two count, by rising x above 0.
@@ -240,6 +286,8 @@ fn distance(a: &StrokeRow, b: &StrokeRow) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
     use super::*;
 
     #[test]
@@ -252,6 +300,32 @@ mod tests {
         // Slope 3 + 2 at the end.
         assert!((curve(&points, 4.0) - (square(2.0) + 2.0 * 5.0)).abs() < 1e-12);
         assert_eq!((curve(&[(2.0, 6.0)], 3.0), curve(&[], 1.0)), (9.0, 0.0));
+    }
+
+    /// A column that follows a setting up and down says nothing of jumps; one stroke that leaves its way with both ends of one of two settings has
+    /// half the square of that as the mean, and 4/3 of it as the variance of a difference.
+    #[test]
+    fn strokes_that_go_their_own_way_are_unsteady() {
+        let row = |force_n: f64, z: f64| StrokeRow {
+            stroke_id: Some("s".to_owned()),
+            alpha_deg: 90.0,
+            depth_m: 0.025,
+            width_m: 0.1,
+            force_n,
+            z_drift_m: Some(z),
+            ..StrokeRow::default()
+        };
+        let data = |ln: f64, z: f64| {
+            Data::new("t", vec![row(5.0 * ln.exp(), z)], soilctl_strokes::Campaign::default()).unwrap()
+        };
+        let plain = data(0.0, 0.0);
+        let mut unsteady = Unsteadiness::default();
+        unsteady.add(&Learnt::of_setting(&plain, &plain, &data(0.1, 2e-3), &data(-0.1, -2e-3)));
+        assert!(unsteady.of_force(0) < 1e-18 && unsteady.of_channel(Channel::ZDrift, 0) < 1e-18);
+        unsteady.add(&Learnt::of_setting(&plain, &plain, &data(0.3, 3e-3), &data(0.3, 3e-3)));
+        assert!((unsteady.of_force(0) - 4.0 / 3.0 * 0.3 * 0.3 / 2.0).abs() < 1e-12);
+        assert!((unsteady.of_channel(Channel::ZDrift, 0) - 4.0 / 3.0 * 9e-6 / 2.0).abs() < 1e-15);
+        assert_eq!(unsteady.of_channel(Channel::PostSlope, 0), 0.0);
     }
 
     #[test]

@@ -27,7 +27,7 @@ mod traces;
 mod verdict;
 
 pub use data::{Data, Prior};
-pub use diagnosis::{Diagnosis, FoundEffect, diagnose};
+pub use diagnosis::{Diagnosis, FoundEffect, diagnose, log_evidence};
 pub use error::DiagnosisError;
 pub use explanation::{Dependence, Explanation};
 pub use gap::{Comparison, FittedSoil, Gap};

@@ -197,6 +197,11 @@ impl<'a> Search<'a> {
         variants
     }
 
+    /// A set of effects, put together one by one; `None` if one of them has no answer.
+    pub(crate) fn together(&self, ids: &[EffectId]) -> Option<Scored> {
+        ids.iter().try_fold(None, |seed: Option<Scored>, id| self.add(seed.as_ref(), *id).map(Some))?
+    }
+
     /// Every effect alone, best first.
     pub(crate) fn singles(&self) -> Vec<Scored> {
         let mut found: Vec<Scored> =

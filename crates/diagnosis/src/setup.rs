@@ -127,6 +127,15 @@ impl<'a> FitSetup<'a> {
         if self.compares_signals { &self.data.twin } else { &[] }
     }
 
+    /// Variance that a row has since strokes of the simulated arm go another way for reasons of their own: of ln force, or of a column.
+    pub(crate) fn unsteadiness(&self, channel: Option<Channel>, stroke: usize) -> f64 {
+        match channel {
+            _ if !self.compares_signals => 0.0,
+            None => self.data.unsteadiness.of_force(stroke),
+            Some(channel) => self.data.unsteadiness.of_channel(channel, stroke),
+        }
+    }
+
     /// Whether the forces take part in the fit of a set of effects.
     pub(crate) fn needs_forces(&self, spec: &Spec) -> bool {
         spec.on_force() || !self.twin().is_empty()

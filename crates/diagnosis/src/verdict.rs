@@ -81,6 +81,9 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
             best = Some(scored);
         }
     }
+    let decided = search.setup.data.decided.as_ref();
+    let set = decided.and_then(|decided| search.together(&decided.best));
+    let best = if decided.is_some() { set.as_ref() } else { best };
     let singles = sizes.first().cloned().unwrap_or_default();
     let shapes = search.shapes_on(None);
     // The odds against any one of them, and a margin, as an effect pays; the margin is empirical.
@@ -94,8 +97,14 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
         let shape = shape.map(|shape| (shape.over, shape.log_bayes));
         return Verdict { status, best: None, factors: Vec::new(), equivalents, shape, singles };
     };
-    let of_size = &sizes[best.spec.choices.len() - 1];
+    let of_size: &[Scored] = match decided {
+        None => &sizes[best.spec.choices.len() - 1],
+        Some(_) => &[],
+    };
     let mut equivalents: Vec<Explanation> = Vec::new();
+    for id in decided.iter().flat_map(|decided| decided.best.iter().chain(&decided.as_likely)) {
+        equivalents.push(Explanation::Effect(*id));
+    }
     let as_likely = |scored: &&Scored| {
         let form = if search.is_denied_by_a_reading(&scored.spec) { 0.0 } else { EQUIVALENT_SHARE };
         scored.log_bayes > (1.0 - form) * best.log_bayes - EQUIVALENT
@@ -154,7 +163,10 @@ const TURN_ALIKE: [EffectId; 2] = [EffectId::InterfaceFrictionOffset, EffectId::
 /// forces and columns goes with the soil, the posture and the zero of the sensor: however much likelier one of them is, or both, none is
 /// firm, for each has been seen to take the other's place, and both that of one.
 fn turns_the_slip(search: &Search<'_>, best: &Scored) -> bool {
-    search.setup.data.channels.contains_key(&Channel::SlipAngle)
+    let data = search.setup.data;
+    // A simulated arm that was tried with each may have told them apart.
+    data.decided.is_none()
+        && data.channels.contains_key(&Channel::SlipAngle)
         && best.spec.ids().iter().any(|id| TURN_ALIKE.contains(id))
 }
 
@@ -177,7 +189,7 @@ fn factors(best: &Scored, sizes: &[Vec<Scored>]) -> Vec<f64> {
     if ids.len() == 1 {
         return vec![best.log_bayes];
     }
-    let smaller = &sizes[ids.len() - 2];
+    let smaller = sizes.get(ids.len() - 2).map_or(&[][..], Vec::as_slice);
     ids.iter()
         .map(|out| {
             let without = smaller.iter().find(|set| {

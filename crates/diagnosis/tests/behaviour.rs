@@ -5,9 +5,9 @@
 use std::collections::BTreeSet;
 
 use soilctl_diagnosis::self_test::{Case, Cause, Design, HiddenCampaign, Kind, Outside, SelfTest};
-use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, Surface, Testable, diagnose};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, Surface, Testable, diagnose, log_evidence};
 use soilctl_earth_pressure::model;
-use soilctl_effects::{Channel, Covariate, EffectId};
+use soilctl_effects::{Channel, Covariate, EffectId, Loaded};
 use soilctl_strokes::StrokeRow;
 
 const SEED: u64 = 31;
@@ -35,6 +35,40 @@ fn a_strong_effect_is_named_and_closes_the_gap() {
     let gap = &found.comparison.gap;
     assert!(gap.after < gap.before && gap.delta_elpd.unwrap() > 4.0);
     assert_eq!(found.equivalence_set[0], Explanation::Effect(EffectId::ForceBias));
+}
+
+/// What a simulated arm decided is said, whatever the strokes alone would say: its set with the sizes that strokes tell, firmly or beside what is as
+/// likely; or nothing.
+#[test]
+fn what_was_decided_is_said() {
+    let hidden = campaign(&[EffectId::ForceBias], 3, Design::default());
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    let decided = |best: &[EffectId], as_likely: &[EffectId]| {
+        let mut data = Data::new("test", hidden.rows.clone(), hidden.campaign.clone()).unwrap();
+        data.decide(best, as_likely);
+        let found = diagnose(&data, &surface).unwrap();
+        let ids: Vec<EffectId> = found.effects.iter().map(|found| found.id).collect();
+        (found.status, ids, found.equivalence_set)
+    };
+    let names = |ids: &[EffectId]| ids.iter().map(|id| Explanation::Effect(*id)).collect::<Vec<_>>();
+    let (bias, scale) = (EffectId::ForceBias, EffectId::ForceScale);
+    assert_eq!(decided(&[bias], &[]), (Status::Named, vec![bias], names(&[bias])));
+    assert_eq!(decided(&[bias], &[scale]), (Status::Ambiguous, vec![bias], names(&[bias, scale])));
+    assert_eq!(decided(&[], &[]).0, Status::Unknown);
+}
+
+/// Readings are likelier beside what is expected of them with the effect that is there than without it.
+#[test]
+fn the_truth_has_more_evidence_than_nothing() {
+    let hidden = campaign(&[EffectId::ForceDrift], 3, Design::default());
+    let found = diagnosed(&hidden, hidden.rows.clone());
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    let plain = Data::new("test", hidden.rows.clone(), hidden.campaign.clone()).unwrap();
+    let mut known = plain.clone();
+    let file = found.model_file(&plain, "chen", &[], String::new());
+    known.know(&Loaded::new(file, "what was found").unwrap());
+    let gain = log_evidence(&known, &surface).unwrap() - log_evidence(&plain, &surface).unwrap();
+    assert!(gain > 5.0, "{gain}");
 }
 
 /// A drift of the sensor is read in free air, too; what it does not change stays as it was.

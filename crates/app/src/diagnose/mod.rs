@@ -2,6 +2,7 @@
 
 mod against;
 mod answer;
+mod contenders;
 mod disagreements;
 mod files;
 mod follow_up;
@@ -19,6 +20,7 @@ pub use answer::{
     Answer, ChannelGapAnswer, EffectAnswer, GapAnswer, NextAnswer, ParameterAnswer, SignalAnswer,
     TestabilityAnswer, WhereAnswer,
 };
+use contenders::Weights;
 use follow_up::FollowUp;
 use logs::Asked;
 pub use logs::Resimulation;
@@ -84,13 +86,15 @@ fn diagnosed(request: &Request, shows_found: bool, watch: &dyn Watch) -> Result<
         watch.end();
         Ok(found?)
     };
+    let log_evidence = |data: &Data| Ok(soilctl_diagnosis::log_evidence(data, &surface)?);
+    let weights = Weights { diagnosis: &weigh, log_evidence: &log_evidence };
     let mut diagnosis = weigh(&data)?;
     let mut follow_up = FollowUp::default();
     let (simulated, resimulated, why) = match logs::asked(request, &data)? {
         Asked::Not(how, why) => (Simulated::default(), how, why),
         Asked::Again(plan, seed) => {
             let again = Again { plan: *plan, seed, out: &out, shows_found, watch };
-            let (simulated, how) = again.compare(&against, &mut data, &mut diagnosis, &weigh)?;
+            let (simulated, how) = again.compare(&against, &mut data, &mut diagnosis, &weights)?;
             if let (Resimulation::Compared, Some(next)) = (how, &diagnosis.next) {
                 follow_up = follow_up::write(&again.plan, request.logs.as_ref().unwrap_or(dir), next, &out)?;
             }

@@ -10,6 +10,7 @@ use soilctl_jobs::fnv1a;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use super::Against;
+use super::contenders::Weights;
 use super::learn::{Learning, Progress};
 use super::logs::Resimulation;
 use crate::machine::cores;
@@ -62,7 +63,7 @@ impl Again<'_> {
         against: &Against,
         data: &mut Data,
         diagnosis: &mut Diagnosis,
-        weigh: &dyn Fn(&Data) -> Result<Diagnosis, AppError>,
+        weights: &Weights<'_>,
     ) -> Result<(Simulated, Resimulation), AppError> {
         let stop = self.watch.stop(Interrupted::KeepsResults);
         let stopped = || stop.load(Ordering::Relaxed);
@@ -77,7 +78,8 @@ impl Again<'_> {
             return ended(Simulated::default());
         }
         *data = with_signals;
-        *diagnosis = weigh(data)?;
+        *diagnosis = (weights.diagnosis)(data)?;
+        self.contest(against, data, diagnosis, weights)?;
         let after = self.after(against, data, diagnosis)?;
         let how = if stopped() { Resimulation::Stopped } else { Resimulation::Compared };
         Ok((Simulated { before: Some(before), after }, how))
@@ -158,7 +160,11 @@ impl Again<'_> {
 
     /// Runs the plan of the log with soil and effects of a model file, in a folder of its own: what is there of the same run is
     /// used. `None` if it was stopped, or no stroke has a failure force.
-    fn simulate(&self, file: &ModelFile, campaign: &Campaign) -> Result<Option<Resimulated>, AppError> {
+    pub(super) fn simulate(
+        &self,
+        file: &ModelFile,
+        campaign: &Campaign,
+    ) -> Result<Option<Resimulated>, AppError> {
         let text = serde_json::to_string(file)?;
         let folder = self.out.join("resimulated").join(fnv1a(text.as_bytes()));
         let options = Options {
@@ -186,6 +192,6 @@ impl Again<'_> {
 }
 
 /// The model file of a diagnosis before it is written: of no stroke table.
-fn model_file(against: &Against, data: &Data, diagnosis: &Diagnosis) -> ModelFile {
+pub(super) fn model_file(against: &Against, data: &Data, diagnosis: &Diagnosis) -> ModelFile {
     diagnosis.model_file(data, &against.model, against.known(), fnv1a(&[]))
 }
