@@ -258,6 +258,12 @@ impl Data {
         self.decided = Some(Decided { best: best.to_vec(), as_likely: as_likely.to_vec() });
     }
 
+    /// Columns of which a simulated arm said what to expect.
+    #[must_use]
+    pub fn expected_columns(&self) -> BTreeSet<Channel> {
+        self.expected.keys().filter(|channel| self.channels.contains_key(channel)).copied().collect()
+    }
+
     /// Whether a simulated arm said what to expect.
     pub(crate) fn is_compared(&self) -> bool {
         !self.expected.is_empty()

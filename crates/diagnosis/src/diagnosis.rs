@@ -1,6 +1,8 @@
 //! The whole diagnosis of a campaign.
 
-use soilctl_effects::{Active, EffectId};
+use std::collections::BTreeSet;
+
+use soilctl_effects::{Active, Channel, EffectId};
 
 use crate::DiagnosisError;
 use crate::data::Data;
@@ -136,13 +138,20 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     })
 }
 
-/// ln of the probability of everything that was read, with what is known and nothing else: to be compared between what is expected of the same
-/// readings ([`Data::expect`]) under one set of known effects ([`Data::know`]) and another.
+/// ln of the probability of all forces and of some columns, with what is known and nothing else: to be compared between what is expected of the same
+/// readings ([`Data::expect`]) under one set of known effects ([`Data::know`]) and another. `columns` are those that all of them expect
+/// ([`Data::expected_columns`]): each column adds to it.
 ///
 /// # Errors
 /// As [`diagnose`].
-pub fn log_evidence(data: &Data, surface: &Surface) -> Result<f64, DiagnosisError> {
-    let data = &settled(data, surface)?;
+pub fn log_evidence(
+    data: &Data,
+    surface: &Surface,
+    columns: &BTreeSet<Channel>,
+) -> Result<f64, DiagnosisError> {
+    let mut data = data.clone();
+    data.channels.retain(|channel, _| columns.contains(channel));
+    let data = &settled(&data, surface)?;
     let first = FitSetup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);

@@ -39,4 +39,4 @@ pub use signals::{SignalGap, signal_gaps};
 pub use surface::Surface;
 pub use testability::{Expected, LEAST_LAMBDA, Testable};
 pub use traces::{AddedTraces, Course, Phase, RecordedTraces, courses, typical_course};
-pub use verdict::Status;
+pub use verdict::{Status, TURN_ALIKE};

@@ -157,7 +157,7 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
 }
 
 /// What turns the force after failure alike: interface friction and cross-talk of the sensor.
-const TURN_ALIKE: [EffectId; 2] = [EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk];
+pub const TURN_ALIKE: [EffectId; 2] = [EffectId::InterfaceFrictionOffset, EffectId::FtCrosstalk];
 
 /// Whether a set has effects that turn the force after failure alike, and a trace shows the slip. What is left of their difference in
 /// forces and columns goes with the soil, the posture and the zero of the sensor: however much likelier one of them is, or both, none is

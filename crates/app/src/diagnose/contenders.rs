@@ -3,9 +3,11 @@
 //! Responses that are learnt from single strokes are those of an arm without effects. An effect that keeps a plate from sinking changes what all others
 //! do, and what responses leave over was taken for a second effect. So those that come into question are simulated in the whole campaign.
 
+use std::collections::BTreeSet;
+
 use soilctl_campaign::CampaignError;
-use soilctl_diagnosis::{Data, Diagnosis, Explanation};
-use soilctl_effects::{EffectId, Loaded};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, TURN_ALIKE};
+use soilctl_effects::{Channel, EffectId, Loaded};
 
 use super::Against;
 use super::resimulated::{Again, model_file};
@@ -20,16 +22,27 @@ const AS_LIKELY: (f64, f64) = (5.0, 0.1);
 const MOST: usize = 5;
 const LEAST_SHARE: f64 = 0.2;
 
-/// How data are weighed: the diagnosis, and ln of the probability of all readings with what is known and nothing else.
+/// ln evidence of data, of these columns of theirs.
+type LogEvidence<'a> = &'a dyn Fn(&Data, &BTreeSet<Channel>) -> Result<f64, AppError>;
+
+/// How data are weighed: the diagnosis, and ln of the probability of forces and columns with what is known and nothing else.
 pub(super) struct Weights<'a> {
     pub(super) diagnosis: &'a dyn Fn(&Data) -> Result<Diagnosis, AppError>,
-    pub(super) log_evidence: &'a dyn Fn(&Data) -> Result<f64, AppError>,
+    pub(super) log_evidence: LogEvidence<'a>,
 }
 
-/// A set of effects with what it explains.
+/// A set of effects, and the readings beside the simulated arm that has them.
 struct Contender {
     ids: Vec<EffectId>,
-    log_evidence: f64,
+    beside: Data,
+    /// ln evidence of what all contenders expect, over that of the arm without effects.
+    adds: f64,
+}
+
+impl Contender {
+    fn names(&self) -> String {
+        self.ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ")
+    }
 }
 
 impl Again<'_> {
@@ -46,47 +59,55 @@ impl Again<'_> {
         if found.is_empty() {
             return Ok(());
         }
-        let plain = (weights.log_evidence)(data)?;
-        let mut singles = Vec::new();
-        for id in in_question(diagnosis) {
+        let in_question = in_question(diagnosis);
+        self.watch.note(&format!(
+            "{} effects come into question: the {} strokes once more on the simulated arm with each of them, and with what was found beside the best",
+            in_question.len(),
+            self.plan.strokes().strokes().len()
+        ));
+        let mut contenders = Vec::new();
+        // What the simulated arm has no say about stays as likely as it was found to be.
+        let mut untried = Vec::new();
+        for id in in_question {
             match self.contender(against, data, &[id], weights)? {
-                Some(contender) => singles.push(contender),
-                None if found == [id] => return Ok(()),
-                None => {}
+                Some(contender) => contenders.push(contender),
+                None if found.contains(&id) => return Ok(()),
+                None => untried.push(id),
             }
         }
-        singles.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
-        let Some(first) = singles.first() else { return Ok(()) };
-        let mut best = Contender { ids: first.ids.clone(), log_evidence: first.log_evidence };
-        for id in found.iter().filter(|id| !first.ids.contains(id)) {
-            let pair = [first.ids.as_slice(), &[*id]].concat();
-            if let Some(more) = self.contender(against, data, &pair, weights)?
-                && more.log_evidence > best.log_evidence + ADDS
-            {
-                best = more;
-            }
+        untried.retain(|id| TURN_ALIKE.contains(id) || in_set(diagnosis).any(|of| of == *id));
+        rank(data, &mut contenders, weights)?;
+        let Some(first) = contenders.first().map(|first| first.ids.clone()) else { return Ok(()) };
+        let mut sets: Vec<Vec<EffectId>> = found
+            .iter()
+            .filter(|id| !first.contains(id))
+            .map(|id| [first.as_slice(), &[*id]].concat())
+            .collect();
+        if found.len() > 2 {
+            sets.push(found);
         }
-        if found.len() > 2
-            && let Some(all) = self.contender(against, data, &found, weights)?
-            && all.log_evidence > best.log_evidence + ADDS
-        {
-            best = all;
+        for ids in sets {
+            contenders.extend(self.contender(against, data, &ids, weights)?);
         }
-        let added = best.log_evidence - plain;
-        let behind = AS_LIKELY.0.max(AS_LIKELY.1 * added);
-        let close = |of: &&Contender| of.log_evidence > best.log_evidence - behind && of.ids != best.ids;
-        let as_likely: Vec<EffectId> = match best.ids.len() {
-            1 => singles.iter().filter(close).flat_map(|of| of.ids.clone()).collect(),
-            _ => Vec::new(),
-        };
-        let names = |ids: &[EffectId]| ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ");
-        for of in singles.iter().chain(Some(&best).filter(|best| best.ids.len() > 1)) {
+        rank(data, &mut contenders, weights)?;
+        for of in &contenders {
             self.watch.note(&format!(
                 "the simulated arm with {}: ln evidence of all readings {:+.1}",
-                names(&of.ids),
-                of.log_evidence - plain
+                of.names(),
+                of.adds
             ));
         }
+        // Each further effect has to earn its place.
+        let score = |of: &&Contender| of.adds - ADDS * of.ids.len() as f64;
+        let Some(best) = contenders.iter().max_by(|a, b| score(a).total_cmp(&score(b))) else {
+            return Ok(());
+        };
+        let behind = AS_LIKELY.0.max(AS_LIKELY.1 * best.adds);
+        let close = |of: &&Contender| of.ids.len() == 1 && of.ids != best.ids && of.adds > best.adds - behind;
+        let as_likely: Vec<EffectId> = match best.ids.len() {
+            1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
+            _ => untried,
+        };
         data.decide(&best.ids, &as_likely);
         *diagnosis = (weights.diagnosis)(data)?;
         Ok(())
@@ -122,26 +143,49 @@ impl Again<'_> {
         if let Ok(model_n) = model_n {
             beside.expect_scene(&simulated.data, &model_n);
         }
-        let log_evidence = (weights.log_evidence)(&beside)?;
-        Ok(Some(Contender { ids: ids.to_vec(), log_evidence }))
+        Ok(Some(Contender { ids: ids.to_vec(), beside, adds: 0.0 }))
     }
 }
 
-/// Effects that may be what is missing: what was found, what is not told apart from it, and the likeliest alone.
-fn in_question(diagnosis: &Diagnosis) -> Vec<EffectId> {
-    let found = diagnosis.effects.iter().map(|found| found.id);
-    let equivalent = diagnosis.equivalence_set.iter().filter_map(|of| match of {
+/// Weighs the readings of which all contenders, and the arm without effects, say what to expect; most evidence first.
+fn rank(plain: &Data, contenders: &mut [Contender], weights: &Weights<'_>) -> Result<(), AppError> {
+    let mut columns = plain.expected_columns();
+    for of in contenders.iter() {
+        let expected = of.beside.expected_columns();
+        columns.retain(|column| expected.contains(column));
+    }
+    let without = (weights.log_evidence)(plain, &columns)?;
+    for of in contenders.iter_mut() {
+        of.adds = (weights.log_evidence)(&of.beside, &columns)? - without;
+    }
+    contenders.sort_by(|a, b| b.adds.total_cmp(&a.adds));
+    Ok(())
+}
+
+/// Effects that are not told apart from what was found.
+fn in_set(diagnosis: &Diagnosis) -> impl Iterator<Item = EffectId> + '_ {
+    diagnosis.equivalence_set.iter().filter_map(|of| match of {
         Explanation::Effect(id) => Some(*id),
         Explanation::Unknown(_) => None,
-    });
+    })
+}
+
+/// Effects that may be what is missing: what was found, what is not told apart from it, and the likeliest alone. Of two that turn the slip alike, each
+/// brings the other.
+fn in_question(diagnosis: &Diagnosis) -> Vec<EffectId> {
+    let found = diagnosis.effects.iter().map(|found| found.id);
     let most = diagnosis.alone.first().map_or(0.0, |(_, log_bayes)| *log_bayes);
     let likely = |(_, log_bayes): &&(EffectId, f64)| *log_bayes > LEAST_SHARE * most.max(0.0);
     let alone = diagnosis.alone.iter().filter(likely).map(|(id, _)| *id);
     let mut ids = Vec::new();
-    for id in found.chain(equivalent).chain(alone) {
+    for id in found.chain(in_set(diagnosis)).chain(alone) {
         if !ids.contains(&id) && ids.len() < MOST {
             ids.push(id);
         }
+    }
+    if ids.iter().any(|id| TURN_ALIKE.contains(id)) {
+        let other = TURN_ALIKE.into_iter().filter(|id| !ids.contains(id)).collect::<Vec<_>>();
+        ids.extend(other);
     }
     ids
 }

@@ -165,7 +165,12 @@ impl Again<'_> {
         file: &ModelFile,
         campaign: &Campaign,
     ) -> Result<Option<Resimulated>, AppError> {
-        let text = serde_json::to_string(file)?;
+        // What was thought of the effects changes no stroke.
+        let mut file = file.clone();
+        "hand".clone_into(&mut file.status);
+        (file.equivalence_set, file.held_out) = (Vec::new(), None);
+        file.effects.iter_mut().for_each(|effect| effect.log_bayes_factor = 0.0);
+        let text = serde_json::to_string(&file)?;
         let folder = self.out.join("resimulated").join(fnv1a(text.as_bytes()));
         let options = Options {
             out: &folder,
@@ -174,7 +179,7 @@ impl Again<'_> {
             content: Content::Whole,
         };
         let name = folder.display().to_string();
-        let simulated = simulate::campaign(&self.plan, Some((file, name.as_str())), &options, self.watch)?;
+        let simulated = simulate::campaign(&self.plan, Some((&file, name.as_str())), &options, self.watch)?;
         if !simulated.complete {
             return Ok(None);
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use soilctl_effects::{Active, Channel, EffectId};
+use soilctl_effects::{Active, Channel};
 
 use crate::data::Prior;
 use crate::setup::{FitSetup, SETTING_SD};
@@ -15,8 +15,6 @@ const HUBER: f64 = 2.5;
 const LN_SCATTER: Prior = Prior { mean: -2.813, sd: 0.4 };
 /// Standard deviation of the coefficient of a shape without a name, as a change of ln force: that of a usual effect. Empirical.
 const GENERIC_SD: f64 = 0.08;
-/// Standard deviation of the soil's own interface friction about the set-point, deg, beside an effect that is just that. Empirical.
-const HELD_DELTA_SD_DEG: f64 = 0.2;
 /// Relative freedom of an amplitude that is kept as it is: none to speak of, but a prior that can be computed with.
 const FIXED_SD: f64 = 1e-5;
 
@@ -56,16 +54,7 @@ impl<'a> Problem<'a> {
         let channels: Vec<Channel> = channels.iter().copied().collect();
         let mut priors = Vec::new();
         if with_force {
-            // An effect that is how far the interface friction is off its set-point leaves the soil's share of that no room of its own, where the
-            // slip itself was compared.
-            let offset =
-                spec.choices.iter().any(|of| of.learnt && of.effect.id == EffectId::InterfaceFrictionOffset);
-            let delta = if offset {
-                Prior { mean: 0.0, sd: data.delta.sd.min(HELD_DELTA_SD_DEG) }
-            } else {
-                data.delta
-            };
-            priors.extend([data.phi, delta, Prior { mean: 0.0, sd: data.density.sd }]);
+            priors.extend([data.phi, data.delta, Prior { mean: 0.0, sd: data.density.sd }]);
         }
         let nuisance_at = priors.len();
         let nuisance: &[(Vec<f64>, f64)] = if with_force { &setup.nuisance } else { &[] };

@@ -66,6 +66,7 @@ __all__ = [
     "DiagnoseSelfTestLogsAnswer",
     "DiagnoseSelfTestLogsEntry",
     "DiagnoseSelfTestLogsRate",
+    "DiagnoseSelfTestLogsSaid",
     "DiagnoseSelfTestRate",
     "DiagnoseSignal",
     "DiagnoseTestability",
@@ -6559,6 +6560,7 @@ class DiagnoseSelfTestLogsEntry(Record):
     Attributes:
         amplitude: Its amplitude in the unit of its parameter; null for none.
         equivalence_set: What was not told apart.
+        follow_up: What it gave with the strokes that were proposed; null if none were, or they were not made.
         found: Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given.
         given: Effects that were given, best first.
         hidden: The effect that was hidden; null for none.
@@ -6572,6 +6574,8 @@ class DiagnoseSelfTestLogsEntry(Record):
     """Its amplitude in the unit of its parameter; null for none."""
     equivalence_set: list[str]
     """What was not told apart."""
+    follow_up: DiagnoseSelfTestLogsSaid | None
+    """What it gave with the strokes that were proposed; null if none were, or they were not made."""
     found: list[Any] | None
     """Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given."""
     given: list[str]
@@ -6604,6 +6608,30 @@ class DiagnoseSelfTestLogsRate(Record):
     """Campaigns behind it."""
     rate: float | None
     """The rate; null without campaigns."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSelfTestLogsSaid(Record):
+    """What a diagnosis said.
+
+    Attributes:
+        equivalence_set: What was not told apart.
+        found: Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given.
+        given: Effects that were given, best first.
+        status: Status of the diagnosis; ``no_failures`` if no stroke failed the soil.
+        strokes: Strokes that failed the soil.
+    """
+
+    equivalence_set: list[str]
+    """What was not told apart."""
+    found: list[Any] | None
+    """Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given."""
+    given: list[str]
+    """Effects that were given, best first."""
+    status: str
+    """Status of the diagnosis; ``no_failures`` if no stroke failed the soil."""
+    strokes: int
+    """Strokes that failed the soil."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -8867,6 +8895,7 @@ def diagnose_self_test_logs(
     model: str = "table",
     campaigns: int = 3,
     hidden: str | None = None,
+    follow_up: bool = False,
     seed: int = 1,
     progress: Progress = None,
 ) -> DiagnoseSelfTestLogsAnswer:
@@ -8879,6 +8908,8 @@ def diagnose_self_test_logs(
         campaigns: Hidden campaigns of 12 strokes; every third hides nothing, the others an effect in turn. At least
             1 and at most 10000.
         hidden: Hide this effect in all of them, or ``none``.
+        follow_up: Where an answer leaves several effects open, run the plan that it proposes on the same arm and
+            diagnose that, too.
         seed: Seed. At least 0.
         progress: Called with the steps done and of all steps, if the work has any; or True for a bar of tqdm.
 
