@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use soilctl_campaign::CampaignError;
-use soilctl_diagnosis::{Data, Diagnosis, Explanation, TURN_ALIKE};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, TURN_ALIKE};
 use soilctl_effects::{Channel, EffectId, Loaded};
 
 use super::Against;
@@ -108,8 +108,13 @@ impl Again<'_> {
             1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
             _ => untried,
         };
+        let is_borne_out = score(&best) > 0.0;
         data.decide(&best.ids, &as_likely);
         *diagnosis = (weights.diagnosis)(data)?;
+        if !is_borne_out && diagnosis.status == Status::Named {
+            diagnosis.status = Status::Provisional;
+            self.watch.note("the simulated arm without effects explains the readings as well: what responses ask for is provisional");
+        }
         Ok(())
     }
 
