@@ -35,6 +35,7 @@ pub use learnt::{Learnt, Shown, simulated_as};
 pub use localise::Where;
 pub use next::NextExperiment;
 pub use parts::Part;
+pub use search::THRESHOLD;
 pub use signals::{SignalGap, signal_gaps};
 pub use surface::Surface;
 pub use testability::{Expected, LEAST_LAMBDA, Testable};

@@ -24,7 +24,7 @@ const MOST_EFFECTS: usize = 3;
 const DENIED: f64 = 1.0;
 /// What an effect must earn in ln evidence to be believed: ln 28 = 3.3 are the odds against any one of the catalogue, the rest is a
 /// margin. Empirical.
-pub(crate) const THRESHOLD: f64 = 3.6;
+pub const THRESHOLD: f64 = 3.6;
 
 /// A set of effects with its fit.
 #[derive(Debug, Clone)]

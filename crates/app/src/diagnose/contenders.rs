@@ -6,15 +6,13 @@
 use std::collections::BTreeSet;
 
 use soilctl_campaign::CampaignError;
-use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, TURN_ALIKE};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, THRESHOLD, TURN_ALIKE};
 use soilctl_effects::{Channel, EffectId, Loaded};
 
 use super::Against;
-use super::resimulated::{Again, model_file};
+use super::resimulated::{Again, expect_scene, model_file};
 use crate::AppError;
 
-/// ln evidence that an effect must add to all readings of the simulated arm: as in the search.
-const ADDS: f64 = 3.6;
 /// An effect is as likely as the best if its ln evidence lies behind by less than this, or by less than this part of what the best adds: a twin
 /// is not the arm. Empirical.
 const AS_LIKELY: (f64, f64) = (5.0, 0.1);
@@ -98,7 +96,7 @@ impl Again<'_> {
             ));
         }
         // Each further effect has to earn its place.
-        let score = |of: &&Contender| of.adds - ADDS * of.ids.len() as f64;
+        let score = |of: &&Contender| of.adds - THRESHOLD * of.ids.len() as f64;
         let Some(best) = contenders.iter().max_by(|a, b| score(a).total_cmp(&score(b))) else {
             return Ok(());
         };
@@ -144,10 +142,7 @@ impl Again<'_> {
         let mut beside = data.clone();
         beside.know(&model);
         beside.expect(&simulated.data, true, offset_deg);
-        let model_n: Result<Vec<f64>, _> = simulated.data.rows.iter().map(|row| model.force_n(row)).collect();
-        if let Ok(model_n) = model_n {
-            beside.expect_scene(&simulated.data, &model_n);
-        }
+        expect_scene(&mut beside, &simulated.data, &model);
         Ok(Some(Contender { ids: ids.to_vec(), beside, adds: 0.0 }))
     }
 }

@@ -123,11 +123,7 @@ impl Again<'_> {
     fn expect(&self, before: &Resimulated, plain: &ModelFile, data: &mut Data) -> Result<Progress, AppError> {
         data.expect(&before.data, !plain.effects.is_empty(), plain.soil.delta_offset_deg.value);
         let model = Loaded::new(plain.clone(), "the simulated soil")?;
-        let model_n: Result<Vec<f64>, _> = before.data.rows.iter().map(|row| model.force_n(row)).collect();
-        // Where the force model has no answer there is nothing to compare with.
-        if let Ok(model_n) = model_n {
-            data.expect_scene(&before.data, &model_n);
-        }
+        expect_scene(data, &before.data, &model);
         let store = self.out.join("learnt");
         let candidates: Vec<EffectId> = EffectId::ALL
             .into_iter()
@@ -193,6 +189,15 @@ impl Again<'_> {
         data.tare_taken_off();
         let courses = RecordedTraces::read(&folder.join("traces.csv"), &table)?.add_to(&mut data).courses;
         Ok(Some(Resimulated { data, courses }))
+    }
+}
+
+/// Takes what the scene makes of the forces of the simulated arm whose soil and effects are those of `model`. Where the force model has no answer
+/// there is nothing to compare with.
+pub(super) fn expect_scene(data: &mut Data, simulated: &Data, model: &Loaded) {
+    let model_n: Result<Vec<f64>, _> = simulated.rows.iter().map(|row| model.force_n(row)).collect();
+    if let Ok(model_n) = model_n {
+        data.expect_scene(simulated, &model_n);
     }
 }
 

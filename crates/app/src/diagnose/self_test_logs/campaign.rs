@@ -16,22 +16,48 @@ use crate::{AppError, Interrupted, Watch, process, simulate};
 
 /// Folder of what the twin keeps between campaigns, beside theirs.
 const TWIN: &str = "twin";
+/// Folders of the logs of a campaign, and of its follow-up.
+const CAMPAIGN: &str = "logs";
+const FOLLOW_UP: &str = "follow_up";
 
 /// Makes and diagnoses a campaign in a folder of its own within `folder`, of which only tables are left; `None` if it was stopped, and
 /// then the next run goes on from there. Where the answer leaves several effects open and proposes a plan, that is run on the same arm and
-/// diagnosed, if `follows_up`.
+/// diagnosed, if `how` (the force model, and that) says so.
 pub(super) fn run(
+    folder: &Path,
+    case: &Case,
+    how: (&str, bool),
+    watch: &dyn Watch,
+) -> Result<Option<Entry>, AppError> {
+    let entry = made(folder, case, how, watch)?;
+    // Only now: who goes on after a follow-up that was stopped needs the logs of the campaign.
+    if entry.is_some() {
+        let own = own(folder, case);
+        for logs in [CAMPAIGN, FOLLOW_UP].map(|name| own.join(name)) {
+            if logs.is_dir() {
+                remove_logs(&logs)?;
+            }
+        }
+    }
+    Ok(entry)
+}
+
+fn own(folder: &Path, case: &Case) -> PathBuf {
+    folder.join(format!("{:04}_{}", case.number, case.named()))
+}
+
+fn made(
     folder: &Path,
     case: &Case,
     (model, follows_up): (&str, bool),
     watch: &dyn Watch,
 ) -> Result<Option<Entry>, AppError> {
-    let own = folder.join(format!("{:04}_{}", case.number, case.named()));
+    let own = own(folder, case);
     std::fs::create_dir_all(&own).map_err(failed(&own))?;
     save(&own.join("plant.toml"), case.plant.as_bytes())?;
     let hidden = Hidden { own: &own, twin: folder.join(TWIN), case, model, watch };
     let plan = Plan::from_toml(&case.plan, "the plan of a hidden campaign", &own)?;
-    let found = match hidden.diagnosed(&plan, "logs")? {
+    let found = match hidden.diagnosed(&plan, CAMPAIGN)? {
         Made::Stopped => return Ok(None),
         Made::WithoutFailures => return Ok(Some(Entry::new(case, Said::without_failures(), None))),
         Made::Diagnosed(found) => found,
@@ -42,7 +68,7 @@ pub(super) fn run(
     };
     // The proposal names the twin's plant; the arm is the one that made the campaign.
     let plan = Plan::from_toml(&read_text(Path::new(proposed))?, proposed, &own)?;
-    let followed = match hidden.diagnosed(&plan, "follow_up")? {
+    let followed = match hidden.diagnosed(&plan, FOLLOW_UP)? {
         Made::Stopped => return Ok(None),
         Made::WithoutFailures => Said::without_failures(),
         Made::Diagnosed(followed) => Said::new(case, &followed),
@@ -85,7 +111,6 @@ impl Hidden<'_> {
             return Ok(Made::Stopped);
         }
         if processed.strokes.is_empty() {
-            remove_logs(&logs)?;
             return Ok(Made::WithoutFailures);
         }
         // What a direct shear test tells.
@@ -103,7 +128,6 @@ impl Hidden<'_> {
         if stop.load(Ordering::Relaxed) {
             return Ok(Made::Stopped);
         }
-        remove_logs(&logs)?;
         let again = self.twin.join("resimulated");
         if again.is_dir() {
             std::fs::remove_dir_all(&again).map_err(failed(&again))?;
