@@ -50,6 +50,25 @@ impl Decided {
     }
 }
 
+/// Readings of a campaign that are weighed: columns, and which strokes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Readings {
+    /// Columns.
+    pub columns: BTreeSet<Channel>,
+    /// By stroke, whether it takes part.
+    pub strokes: Vec<bool>,
+}
+
+impl Readings {
+    /// Leaves those that `other` has, too.
+    pub fn keep(&mut self, other: &Self) {
+        self.columns.retain(|column| other.columns.contains(column));
+        for (takes_part, also) in self.strokes.iter_mut().zip(&other.strokes) {
+            *takes_part &= also;
+        }
+    }
+}
+
 /// Radii that differ by less are one, in m: those of a plan are inches apart.
 const SAME_RADIUS_M: f64 = 0.02;
 
@@ -89,6 +108,8 @@ pub struct Data {
     pub(crate) expected: BTreeMap<Channel, Vec<f64>>,
     /// The same phase by phase.
     pub(crate) expected_phases: BTreeMap<PhaseKey, Vec<f64>>,
+    /// Which strokes are of a kind (one tool angle and radius) that all failed the soil of that arm, too.
+    made: Vec<bool>,
     /// Whether that arm had the known effects.
     pub(crate) expected_shows_known: bool,
     /// Interface friction of that arm's soil minus the set-point, deg.
@@ -158,6 +179,7 @@ impl Data {
         } else {
             Prior { mean: 0.0, sd: USUAL_DELTA.1 }
         };
+        let made = vec![true; rows.len()];
         Ok(Self {
             name: name.into(),
             ln_force: rows.iter().map(|row| row.force_n.ln()).collect(),
@@ -174,6 +196,7 @@ impl Data {
             phases: BTreeMap::new(),
             expected: BTreeMap::new(),
             expected_phases: BTreeMap::new(),
+            made,
             expected_shows_known: false,
             expected_delta_offset_deg: 0.0,
             scene: None,
@@ -220,19 +243,16 @@ impl Data {
 
     /// Takes what the scene makes of the force of each stroke from a simulated arm in soil of a known force: ln of the force that was read
     /// over that which the force model gives (`model_n`, by stroke of `simulated`). A mean over strokes of one tool angle and radius, since
-    /// simulated strokes scatter, too. Nothing happens if a kind of stroke is missing there.
+    /// simulated strokes scatter, too. Strokes whose kind is missing there keep what an arm before it said; if there was none, nothing happens.
     pub fn expect_scene(&mut self, simulated: &Self, model_n: &[f64]) {
-        let alike = |a: &StrokeRow, b: &StrokeRow| {
-            let near = a.radius_m.zip(b.radius_m).is_none_or(|(a, b)| (a - b).abs() < SAME_RADIUS_M);
-            near && (a.alpha_deg - b.alpha_deg).abs() < 1.0
-        };
         let of = |row: &StrokeRow| -> Option<f64> {
-            let found = simulated.rows.iter().zip(model_n).filter(|(other, _)| alike(row, other));
+            let found = simulated.rows.iter().zip(model_n).filter(|(other, _)| is_of_a_kind(row, other));
             let ratios: Vec<f64> = found.map(|(other, model)| (other.force_n / model).ln()).collect();
             let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
             mean.is_finite().then_some(mean)
         };
-        self.scene = self.rows.iter().map(of).collect();
+        let before = |i: usize| self.scene.as_ref()?.get(i).copied();
+        self.scene = self.rows.iter().enumerate().map(|(i, row)| of(row).or_else(|| before(i))).collect();
     }
 
     /// Takes how strokes respond to an effect from a simulated arm, in place of the effect's formulas. To be called after [`Data::expect`].
@@ -258,10 +278,11 @@ impl Data {
         self.decided = Some(Decided { best: best.to_vec(), as_likely: as_likely.to_vec() });
     }
 
-    /// Columns of which a simulated arm said what to expect.
+    /// Columns and strokes of which a simulated arm said what to expect.
     #[must_use]
-    pub fn expected_columns(&self) -> BTreeSet<Channel> {
-        self.expected.keys().filter(|channel| self.channels.contains_key(channel)).copied().collect()
+    pub fn readings(&self) -> Readings {
+        let columns = self.expected.keys().filter(|channel| self.channels.contains_key(channel));
+        Readings { columns: columns.copied().collect(), strokes: self.made.clone() }
     }
 
     /// Whether a simulated arm said what to expect.
@@ -279,7 +300,7 @@ impl Data {
 
     /// Takes what a simulated arm read in the same strokes, found by their names, as what is to be expected: an arm without
     /// effects, or, if it `shows_known`, with those of [`Data::know`]. Where a stroke is missing there, the mean at its tool angle
-    /// stands for it. `delta_offset_deg` is the interface friction there minus the set-point, in deg.
+    /// and radius stands for it, or else at its tool angle. `delta_offset_deg` is the interface friction there minus the set-point, in deg.
     pub fn expect(&mut self, simulated: &Self, shows_known: bool, delta_offset_deg: f64) {
         self.expected_shows_known = shows_known;
         self.expected_delta_offset_deg = delta_offset_deg;
@@ -290,16 +311,23 @@ impl Data {
                 .position(|other| row.stroke_id.is_some() && other.stroke_id == row.stroke_id)
         };
         let places: Vec<Option<usize>> = self.rows.iter().map(place).collect();
+        // A kind of stroke of which one sinks is on the brink: the others of it go their own way, too.
+        let sinks = |row: &StrokeRow| {
+            self.rows.iter().zip(&places).any(|(other, place)| place.is_none() && is_of_a_kind(row, other))
+        };
+        self.made = self.rows.iter().map(|row| !sinks(row)).collect();
         let all = |cells: &[Option<f64>]| -> Option<Vec<f64>> {
-            let mean = |level: Option<f64>| {
-                let of = cells.iter().zip(&simulated.rows);
-                let of = of.filter(|(_, row)| level.is_none_or(|level| (row.alpha_deg - level).abs() < 1.0));
+            let mean = |is_like: &dyn Fn(&StrokeRow) -> bool| {
+                let of = cells.iter().zip(&simulated.rows).filter(|(_, row)| is_like(row));
                 let known: Vec<f64> = of.filter_map(|(cell, _)| *cell).collect();
                 (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
             };
             let of = |i: usize| {
+                let row = &self.rows[i];
                 let same = places[i].and_then(|place| cells[place]);
-                same.or_else(|| mean(Some(self.rows[i].alpha_deg))).or_else(|| mean(None))
+                same.or_else(|| mean(&|other| is_of_a_kind(row, other)))
+                    .or_else(|| mean(&|other| (row.alpha_deg - other.alpha_deg).abs() < 1.0))
+                    .or_else(|| mean(&|_| true))
             };
             (0..self.rows.len()).map(of).collect()
         };
@@ -402,6 +430,12 @@ impl Data {
             encoder_step_m: self.campaign.instrument.encoder_step_m,
         }
     }
+}
+
+/// Whether two strokes have one tool angle and radius.
+fn is_of_a_kind(a: &StrokeRow, b: &StrokeRow) -> bool {
+    let near = a.radius_m.zip(b.radius_m).is_none_or(|(a, b)| (a - b).abs() < SAME_RADIUS_M);
+    near && (a.alpha_deg - b.alpha_deg).abs() < 1.0
 }
 
 /// Trace-derived columns that have at least one cell; with those that are only ever compared, if wanted.

@@ -1,11 +1,9 @@
 //! The whole diagnosis of a campaign.
 
-use std::collections::BTreeSet;
-
-use soilctl_effects::{Active, Channel, EffectId};
+use soilctl_effects::{Active, EffectId};
 
 use crate::DiagnosisError;
-use crate::data::Data;
+use crate::data::{Data, Readings};
 use crate::explanation::Explanation;
 use crate::gap::{Comparison, compare};
 use crate::localise::{Where, localise};
@@ -138,24 +136,20 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     })
 }
 
-/// ln of the probability of all forces and of some columns, with what is known and nothing else: to be compared between what is expected of the same
-/// readings ([`Data::expect`]) under one set of known effects ([`Data::know`]) and another. `columns` are those that all of them expect
-/// ([`Data::expected_columns`]): each column adds to it.
+/// ln of the probability of forces and columns, with what is known and nothing else: to be compared between what is expected of the same
+/// readings ([`Data::expect`]) under one set of known effects ([`Data::know`]) and another. `of` are the columns and strokes of which all of them say
+/// what to expect ([`Data::readings`]): each adds to it.
 ///
 /// # Errors
 /// As [`diagnose`].
-pub fn log_evidence(
-    data: &Data,
-    surface: &Surface,
-    columns: &BTreeSet<Channel>,
-) -> Result<f64, DiagnosisError> {
+pub fn log_evidence(data: &Data, surface: &Surface, of: &Readings) -> Result<f64, DiagnosisError> {
     let mut data = data.clone();
-    data.channels.retain(|channel, _| columns.contains(channel));
+    data.channels.retain(|channel, _| of.columns.contains(channel));
     let data = &settled(&data, surface)?;
     let first = FitSetup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);
-    Ok(Search::new(&setup)?.log_evidence())
+    Ok(Search::of_strokes(&setup, of.strokes.clone())?.log_evidence())
 }
 
 /// Relative error of an amplitude because nature's formula is not ours. Empirical: with it, 90 % of the amplitudes of hidden campaigns

@@ -26,7 +26,7 @@ mod testability;
 mod traces;
 mod verdict;
 
-pub use data::{Data, Prior};
+pub use data::{Data, Prior, Readings};
 pub use diagnosis::{Diagnosis, FoundEffect, diagnose, log_evidence};
 pub use error::DiagnosisError;
 pub use explanation::{Dependence, Explanation};

@@ -68,7 +68,11 @@ pub(crate) struct Search<'a> {
 
 impl<'a> Search<'a> {
     pub(crate) fn new(setup: &'a FitSetup<'a>) -> Result<Self, DiagnosisError> {
-        let include = everything(setup);
+        Self::of_strokes(setup, everything(setup))
+    }
+
+    /// The same of the strokes that are included.
+    pub(crate) fn of_strokes(setup: &'a FitSetup<'a>, include: Vec<bool>) -> Result<Self, DiagnosisError> {
         let core = setup.core();
         let failed = || DiagnosisError::NoFit {
             file: setup.data.name.clone(),

@@ -5,7 +5,9 @@
 use std::collections::BTreeSet;
 
 use soilctl_diagnosis::self_test::{Case, Cause, Design, HiddenCampaign, Kind, Outside, SelfTest};
-use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, Surface, Testable, diagnose, log_evidence};
+use soilctl_diagnosis::{
+    Data, Diagnosis, Explanation, Readings, Status, Surface, Testable, diagnose, log_evidence,
+};
 use soilctl_earth_pressure::model;
 use soilctl_effects::{Channel, Covariate, EffectId, Loaded};
 use soilctl_strokes::StrokeRow;
@@ -68,9 +70,15 @@ fn the_truth_has_more_evidence_than_nothing() {
     let file = found.model_file(&plain, "chen", &[], String::new());
     known.know(&Loaded::new(file, "what was found").unwrap());
     let columns = BTreeSet::from([Channel::TareBefore, Channel::TareAfter]);
-    let of = |data: &Data| log_evidence(data, &surface, &columns).unwrap();
+    let readings = Readings { columns, strokes: vec![true; plain.len()] };
+    let of = |data: &Data| log_evidence(data, &surface, &readings).unwrap();
     let gain = of(&known) - of(&plain);
     assert!(gain > 5.0, "{gain}");
+    // The last half of the strokes has most of the drift.
+    let strokes = (0..plain.len()).map(|i| i < plain.len() / 2).collect();
+    let early = Readings { strokes, ..readings.clone() };
+    let of = |data: &Data| log_evidence(data, &surface, &early).unwrap();
+    assert!(of(&known) - of(&plain) < 0.5 * gain);
 }
 
 /// A drift of the sensor is read in free air, too; what it does not change stays as it was.

@@ -3,11 +3,9 @@
 //! Responses that are learnt from single strokes are those of an arm without effects. An effect that keeps a plate from sinking changes what all others
 //! do, and what responses leave over was taken for a second effect. So those that come into question are simulated in the whole campaign.
 
-use std::collections::BTreeSet;
-
 use soilctl_campaign::CampaignError;
-use soilctl_diagnosis::{Data, Diagnosis, Explanation, Status, THRESHOLD, TURN_ALIKE};
-use soilctl_effects::{Channel, EffectId, Loaded};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, Readings, Status, THRESHOLD, TURN_ALIKE};
+use soilctl_effects::{EffectId, Loaded};
 
 use super::Against;
 use super::resimulated::{Again, expect_scene, model_file};
@@ -20,8 +18,8 @@ const AS_LIKELY: (f64, f64) = (5.0, 0.1);
 const MOST: usize = 5;
 const LEAST_SHARE: f64 = 0.2;
 
-/// ln evidence of data, of these columns of theirs.
-type LogEvidence<'a> = &'a dyn Fn(&Data, &BTreeSet<Channel>) -> Result<f64, AppError>;
+/// ln evidence of data, of these readings of theirs.
+type LogEvidence<'a> = &'a dyn Fn(&Data, &Readings) -> Result<f64, AppError>;
 
 /// How data are weighed: the diagnosis, and ln of the probability of forces and columns with what is known and nothing else.
 pub(super) struct Weights<'a> {
@@ -37,10 +35,8 @@ struct Contender {
     adds: f64,
 }
 
-impl Contender {
-    fn names(&self) -> String {
-        self.ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ")
-    }
+fn names(ids: &[EffectId]) -> String {
+    ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ")
 }
 
 impl Again<'_> {
@@ -91,25 +87,14 @@ impl Again<'_> {
         for of in &contenders {
             self.watch.note(&format!(
                 "the simulated arm with {}: ln evidence of all readings {:+.1}",
-                of.names(),
+                names(&of.ids),
                 of.adds
             ));
         }
-        // Each further effect has to earn its place.
-        let score = |of: &&Contender| of.adds - THRESHOLD * of.ids.len() as f64;
-        let Some(best) = contenders.iter().max_by(|a, b| score(a).total_cmp(&score(b))) else {
-            return Ok(());
-        };
-        let behind = AS_LIKELY.0.max(AS_LIKELY.1 * best.adds);
-        let close = |of: &&Contender| of.ids.len() == 1 && of.ids != best.ids && of.adds > best.adds - behind;
-        let as_likely: Vec<EffectId> = match best.ids.len() {
-            1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
-            _ => untried,
-        };
-        let is_borne_out = score(&best) > 0.0;
-        data.decide(&best.ids, &as_likely);
+        let Some(outcome) = outcome(&contenders, untried) else { return Ok(()) };
+        data.decide(&outcome.best, &outcome.as_likely);
         *diagnosis = (weights.diagnosis)(data)?;
-        if !is_borne_out && diagnosis.status == Status::Named {
+        if !outcome.is_borne_out && diagnosis.status == Status::Named {
             diagnosis.status = Status::Provisional;
             self.watch.note("the simulated arm without effects explains the readings as well: what responses ask for is provisional");
         }
@@ -143,23 +128,56 @@ impl Again<'_> {
         beside.know(&model);
         beside.expect(&simulated.data, true, offset_deg);
         expect_scene(&mut beside, &simulated.data, &model);
+        let strokes = beside.readings().strokes;
+        let made = strokes.iter().filter(|made| **made).count();
+        if 2 * made < strokes.len() {
+            self.watch.note(&format!(
+                "of {} strokes, {made} are of a kind that always fails the soil of the simulated arm with {}: too few to be weighed",
+                strokes.len(),
+                names(ids)
+            ));
+            return Ok(None);
+        }
         Ok(Some(Contender { ids: ids.to_vec(), beside, adds: 0.0 }))
     }
 }
 
-/// Weighs the readings of which all contenders, and the arm without effects, say what to expect; most evidence first.
+/// Weighs the readings of which all contenders, and the arm without effects, say what to expect; most evidence first. Strokes on the brink may
+/// fail the soil on one arm and sink on the other: that says little of either.
 fn rank(plain: &Data, contenders: &mut [Contender], weights: &Weights<'_>) -> Result<(), AppError> {
-    let mut columns = plain.expected_columns();
+    let mut shared = plain.readings();
     for of in contenders.iter() {
-        let expected = of.beside.expected_columns();
-        columns.retain(|column| expected.contains(column));
+        shared.keep(&of.beside.readings());
     }
-    let without = (weights.log_evidence)(plain, &columns)?;
+    let without = (weights.log_evidence)(plain, &shared)?;
     for of in contenders.iter_mut() {
-        of.adds = (weights.log_evidence)(&of.beside, &columns)? - without;
+        of.adds = (weights.log_evidence)(&of.beside, &shared)? - without;
     }
     contenders.sort_by(|a, b| b.adds.total_cmp(&a.adds));
     Ok(())
+}
+
+/// What comes of a contest.
+struct Outcome {
+    /// The set of effects that explains the readings best.
+    best: Vec<EffectId>,
+    /// Effects that may stand in the place of the only one of `best`.
+    as_likely: Vec<EffectId>,
+    /// Whether `best` adds more than its number of effects costs, to the arm without effects.
+    is_borne_out: bool,
+}
+
+/// The outcome of contenders that were weighed; each further effect has to earn its place. `untried` are effects of which the simulated arm has no say.
+fn outcome(contenders: &[Contender], untried: Vec<EffectId>) -> Option<Outcome> {
+    let score = |of: &Contender| of.adds - THRESHOLD * of.ids.len() as f64;
+    let best = contenders.iter().max_by(|a, b| score(a).total_cmp(&score(b)))?;
+    let behind = AS_LIKELY.0.max(AS_LIKELY.1 * best.adds);
+    let close = |of: &&Contender| of.ids.len() == 1 && of.ids != best.ids && of.adds > best.adds - behind;
+    let as_likely = match best.ids.len() {
+        1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
+        _ => untried,
+    };
+    Some(Outcome { best: best.ids.clone(), as_likely, is_borne_out: score(best) > 0.0 })
 }
 
 /// Effects that are not told apart from what was found.
@@ -188,4 +206,88 @@ fn in_question(diagnosis: &Diagnosis) -> Vec<EffectId> {
         ids.extend(other);
     }
     ids
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use std::cell::RefCell;
+
+    use soilctl_effects::Channel;
+    use soilctl_strokes::{Campaign, StrokeRow};
+
+    use super::*;
+
+    /// A campaign of two strokes, beside an arm that read these columns of the first and may have failed the soil in the second.
+    fn beside(z_drift_m: Option<f64>, post_slope_norm: Option<f64>, both: bool) -> Data {
+        let row = |name: &str, z_drift_m, post_slope_norm| StrokeRow {
+            stroke_id: Some(name.to_owned()),
+            alpha_deg: if name == "a" { 90.0 } else { 80.0 },
+            depth_m: 0.025,
+            width_m: 0.1,
+            force_n: 5.0,
+            z_drift_m,
+            post_slope_norm,
+            ..StrokeRow::default()
+        };
+        let of = |rows| Data::new("t", rows, Campaign::default()).unwrap();
+        let mut data = of(["a", "b"].map(|name| row(name, Some(1e-3), Some(0.2))).to_vec());
+        let second = both.then(|| row("b", z_drift_m, post_slope_norm));
+        let simulated = std::iter::once(row("a", z_drift_m, post_slope_norm)).chain(second).collect();
+        data.expect(&of(simulated), false, 0.0);
+        data
+    }
+
+    fn contender(ids: &[EffectId], adds: f64, beside: Data) -> Contender {
+        Contender { ids: ids.to_vec(), beside, adds }
+    }
+
+    /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.
+    #[test]
+    fn contenders_are_weighed_by_the_readings_that_all_of_them_expect() {
+        let both = || beside(Some(1e-3), Some(0.2), true);
+        let mut contenders = vec![
+            contender(&[EffectId::Backlash], 0.0, both()),
+            contender(&[EffectId::CableFlex], 0.0, beside(Some(1e-3), None, true)),
+            contender(&[EffectId::ForceBias], 0.0, beside(Some(1e-3), Some(0.2), false)),
+        ];
+        let plain = both();
+        assert_eq!((plain.readings().columns.len(), plain.readings().strokes), (2, vec![true; 2]));
+        let asked = RefCell::new(Vec::new());
+        let log_evidence = |data: &Data, of: &Readings| {
+            asked.borrow_mut().push(of.clone());
+            Ok(data.readings().columns.intersection(&of.columns).count() as f64)
+        };
+        let diagnosis = |_: &Data| unreachable!("nothing is diagnosed by a ranking");
+        rank(&plain, &mut contenders, &Weights { diagnosis: &diagnosis, log_evidence: &log_evidence })
+            .unwrap();
+        let asked = asked.into_inner();
+        let shared = Readings { columns: [Channel::ZDrift].into(), strokes: vec![true, false] };
+        assert_eq!(asked, vec![shared; 4]);
+        assert!(contenders.iter().all(|of| of.adds.abs() < 1e-12));
+    }
+
+    #[test]
+    fn the_best_has_to_beat_the_arm_without_effects_and_a_second_effect_to_earn_its_place() {
+        let [a, b, c] = [EffectId::Backlash, EffectId::CableFlex, EffectId::FtCrosstalk];
+        let of = |ids: &[EffectId], adds| contender(ids, adds, beside(None, None, true));
+        let found = |all: &[Contender], untried: &[EffectId]| {
+            let outcome = outcome(all, untried.to_vec()).unwrap();
+            (outcome.best, outcome.as_likely, outcome.is_borne_out)
+        };
+        // Behind by less than a tenth of 60, or by less than 5.
+        let all = [of(&[a], 60.0), of(&[b], 54.5), of(&[c], 53.5)];
+        assert_eq!(found(&all, &[]), (vec![a], vec![b], true));
+        let all = [of(&[a], 20.0), of(&[b], 15.5), of(&[c], 14.5)];
+        assert_eq!(found(&all, &[]), (vec![a], vec![b], true));
+        // What cannot be simulated stays open.
+        assert_eq!(found(&all[..1], &[c]), (vec![a], vec![c], true));
+        // A pair that adds less than another effect costs is not the best, one that adds more is, and what it has is not as likely as it.
+        let pair = |beyond: f64| [of(&[a, b], 20.0 + beyond * THRESHOLD), of(&[a], 20.0), of(&[b], 19.0)];
+        assert_eq!(found(&pair(0.9), &[]), (vec![a], vec![b], true));
+        assert_eq!(found(&pair(1.1), &[]), (vec![a, b], vec![], true));
+        assert!(!found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2);
+        assert!(outcome(&[], vec![c]).is_none());
+    }
 }

@@ -13,7 +13,6 @@ mod resimulated;
 pub mod self_test;
 pub mod self_test_logs;
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
 pub use against::Against;
@@ -28,9 +27,8 @@ pub use logs::Resimulation;
 pub use request::Request;
 use resimulated::Again;
 pub use resimulated::{Resimulated, Simulated};
-use soilctl_diagnosis::{AddedTraces, Data, Diagnosis, RecordedTraces, Surface, diagnose};
+use soilctl_diagnosis::{AddedTraces, Data, Diagnosis, Readings, RecordedTraces, Surface, diagnose};
 use soilctl_earth_pressure::plane_model;
-use soilctl_effects::Channel;
 use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
 
 use crate::{AppError, Watch};
@@ -88,9 +86,7 @@ fn diagnosed(request: &Request, shows_found: bool, watch: &dyn Watch) -> Result<
         watch.end();
         Ok(found?)
     };
-    let log_evidence = |data: &Data, columns: &BTreeSet<Channel>| {
-        Ok(soilctl_diagnosis::log_evidence(data, &surface, columns)?)
-    };
+    let log_evidence = |data: &Data, of: &Readings| Ok(soilctl_diagnosis::log_evidence(data, &surface, of)?);
     let weights = Weights { diagnosis: &weigh, log_evidence: &log_evidence };
     let mut diagnosis = weigh(&data)?;
     let mut follow_up = FollowUp::default();
