@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import random
+import shutil
 
 import pytest
 from conftest import DATA
@@ -25,6 +26,13 @@ def diagnosed(soilctl, tmp_path_factory):
 def rows(path):
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
+
+
+def save(path, found):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, found[0].keys())
+        writer.writeheader()
+        writer.writerows(found)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -129,6 +137,43 @@ def test_estimate_takes_the_effects_out(diagnosed, soilctl, tmp_path):
     sides.write_text(json.dumps(patch), encoding="utf-8")
     assert soilctl.json("estimate", strokes, *options, "--model-file", sides)["ends"] == "none"
     soilctl.refuses("estimate", strokes, *options, "--model-file", sides, "--ends", "finite", mentions=["count it again"])
+
+
+def test_what_has_no_name_is_a_term_of_the_model_file(soilctl, tmp_path, validate):
+    """Every other stroke of a preparation meets stronger soil: nothing of the catalogue does that."""
+    folder = tmp_path / "alternating"
+    shutil.copytree(CAMPAIGNS / "campaign_c", folder)
+    strokes = folder / "strokes.csv"
+    found = rows(strokes)
+    for row in found:
+        row["force_n"] = float(row["force_n"]) * (1.3 if int(row["order"]) % 2 else 1)
+    save(strokes, found)
+    out = tmp_path / "out"
+    answer = soilctl.json("diagnose", folder, "--out", out)
+    validate(answer)
+    assert answer["status"] == "unknown" and answer["equivalence_set"][0] == "unknown:order"
+    (term,) = answer["empirical"]
+    assert term["over"] == ["order"] and term["at"] == [[1, 2, 3, 4, 5, 6]]
+    odd, even = term["ln_force"][::2], term["ln_force"][1::2]
+    # What was put in is within three standard deviations of what is found; the hidden effect of the campaign is a part of the rest.
+    assert abs(min(odd) - max(even) - math.log(1.3)) < 3 * math.hypot(max(term["sd"]), max(term["sd"]))
+    assert answer["effects"] == [] and answer["nearest"]
+    gap = answer["gap"]
+    assert gap["heldout_after"] < 0.6 * gap["heldout_before"]
+    patch = json.loads((out / "patch.json").read_text(encoding="utf-8"))
+    assert patch["empirical"][0]["ln_force"] == term["ln_force"]
+    assert "An empirical term" in (out / "report.html").read_text(encoding="utf-8")
+    # The model file says the same of these strokes, and that it knows nothing of others.
+    said = soilctl.json("predict", "--strokes", strokes, "--model-file", answer["patch"])
+    squares = [math.log(stroke["ratio"]) ** 2 for stroke in said["strokes"]]
+    assert math.isclose(math.sqrt(sum(squares) / len(squares)), gap["after"], rel_tol=0.02)
+    assert not any("lie beyond" in note for note in said["notes"])
+    alone = soilctl.json("predict", "--alpha", 80, "--depth", 0.02, "--width", 0.127, "--model-file", answer["patch"])
+    assert any("1 of 1 strokes lie beyond" in note for note in alone["notes"])
+    found[0]["order"] = 40
+    save(strokes, found)
+    region = soilctl.json("estimate", strokes, "--model-file", answer["patch"])
+    assert any("1 of 48 strokes lie beyond" in warning for warning in region["warnings"])
 
 
 def test_the_next_experiment_has_the_columns_of_a_stroke_table(diagnosed):

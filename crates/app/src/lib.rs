@@ -63,6 +63,7 @@ pub mod surface;
 pub mod table;
 pub mod table_file;
 mod table_source;
+mod terms;
 pub mod text;
 pub mod tool;
 #[cfg(not(target_family = "wasm"))]

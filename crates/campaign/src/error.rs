@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 
 use soilctl_controller::ControllerError;
 use soilctl_earth_pressure::EarthPressureError;
-use soilctl_effects::{EffectId, EffectsError};
+use soilctl_effects::{Covariate, EffectId, EffectsError};
 use soilctl_jobs::JobsError;
 use soilctl_kinematics::KinematicsError;
 use soilctl_plant::PlantError;
@@ -41,6 +41,17 @@ pub enum CampaignError {
         effect: EffectId,
         /// Why not.
         reason: &'static str,
+    },
+    /// An empirical term of a model file that the simulated plant cannot show.
+    #[error(
+        "{file}: an empirical term over {over} cannot be simulated: all simulated strokes move at the speed that the controller's settings give; take \
+         it out of the file, or use `predict`"
+    )]
+    Term {
+        /// The model file.
+        file: String,
+        /// The condition.
+        over: Covariate,
     },
     /// A folder that holds another campaign, or a thread that could not be started.
     #[error(transparent)]

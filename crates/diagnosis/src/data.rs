@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use soilctl_effects::{Active, Channel, Covariate, EffectId, Loaded, Reading, Reference, Stroke};
+use soilctl_effects::{
+    Active, Channel, Covariate, EffectId, EmpiricalTerm, Loaded, Reading, Reference, Stroke,
+};
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
@@ -126,6 +128,9 @@ pub struct Data {
     tare_is_off: bool,
     /// Effects that are not to be found, but known.
     pub(crate) known: Vec<Known>,
+    /// Empirical terms that are known, and what they change of each ln force.
+    pub(crate) known_terms: Vec<EmpiricalTerm>,
+    pub(crate) known_ln: Vec<f64>,
     /// What a simulated arm that was tried with several sets of effects decided.
     pub(crate) decided: Option<Decided>,
     /// Friction angle, deg.
@@ -179,7 +184,7 @@ impl Data {
         } else {
             Prior { mean: 0.0, sd: USUAL_DELTA.1 }
         };
-        let made = vec![true; rows.len()];
+        let count = rows.len();
         Ok(Self {
             name: name.into(),
             ln_force: rows.iter().map(|row| row.force_n.ln()).collect(),
@@ -196,7 +201,7 @@ impl Data {
             phases: BTreeMap::new(),
             expected: BTreeMap::new(),
             expected_phases: BTreeMap::new(),
-            made,
+            made: vec![true; count],
             expected_shows_known: false,
             expected_delta_offset_deg: 0.0,
             scene: None,
@@ -205,6 +210,8 @@ impl Data {
             unsteadiness: Unsteadiness::default(),
             tare_is_off: false,
             known: Vec::new(),
+            known_terms: Vec::new(),
+            known_ln: vec![0.0; count],
             decided: None,
             phi,
             delta,
@@ -278,6 +285,12 @@ impl Data {
         self.decided = Some(Decided { best: best.to_vec(), as_likely: as_likely.to_vec() });
     }
 
+    /// Empirical terms that are known ([`Data::know`]).
+    #[must_use]
+    pub fn known_terms(&self) -> &[EmpiricalTerm] {
+        &self.known_terms
+    }
+
     /// Columns and strokes of which a simulated arm said what to expect.
     #[must_use]
     pub fn readings(&self) -> Readings {
@@ -345,12 +358,18 @@ impl Data {
         self.expected_phases = phases.filter_map(|(key, cells)| Some((*key, all(cells)?))).collect();
     }
 
-    /// Takes the effects and the gravity of a model file as known. Amplitudes are held in every fit, and the effects are not
+    /// Takes the effects, the empirical terms and the gravity of a model file as known. Amplitudes are held in every fit, and the effects are not
     /// looked for again; the soil is fitted anew. Parameters, also those of what is found, refer to what the file's refer to.
     pub fn know(&mut self, file: &Loaded) {
         self.known =
             file.effects().iter().map(|&active| Known { active, linked: true, responds: true }).collect();
         self.gravity_m_s2 = file.file().soil.gravity_m_s2;
+        self.known_terms = file.file().empirical.clone();
+        let of_terms = |row: &StrokeRow| -> f64 {
+            let reference = &file.file().reference;
+            self.known_terms.iter().map(|term| term.ln_factor(row, reference)).sum()
+        };
+        self.known_ln = self.rows.iter().map(of_terms).collect();
         // What is known is in what is expected, as a simulated arm reads it or by its formula.
         self.learnt.retain(|id, _| self.known.iter().all(|known| known.active.effect.id != *id));
         if self.known.is_empty() {

@@ -1,6 +1,6 @@
 //! The whole diagnosis of a campaign.
 
-use soilctl_effects::{Active, EffectId};
+use soilctl_effects::{Active, EffectId, EmpiricalTerm};
 
 use crate::DiagnosisError;
 use crate::data::{Data, Readings};
@@ -13,6 +13,7 @@ use crate::settle::settled;
 use crate::setup::FitSetup;
 use crate::spec::Spec;
 use crate::surface::Surface;
+use crate::term::term;
 use crate::testability::{Expected, LEAST_LAMBDA, expected};
 use crate::verdict::{Status, judge};
 
@@ -38,6 +39,8 @@ pub struct Diagnosis {
     pub status: Status,
     /// Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
     pub effects: Vec<FoundEffect>,
+    /// What takes the place of effects where none of the catalogue explains the campaign: a term of the conditions of the strokes, if it is unknown.
+    pub terms: Vec<EmpiricalTerm>,
     /// What the data do not tell apart, best first.
     pub equivalence_set: Vec<Explanation>,
     /// What the design could show of each effect.
@@ -52,6 +55,14 @@ pub struct Diagnosis {
     pub next: Option<NextExperiment>,
     /// Scatter of ln force of one stroke about the baseline.
     pub scatter: f64,
+}
+
+impl Diagnosis {
+    /// Whether effects, or a term in their place, were found.
+    #[must_use]
+    pub fn has_found(&self) -> bool {
+        !self.effects.is_empty() || !self.terms.is_empty()
+    }
 }
 
 /// Diagnoses a campaign against a force model and the effects that are known ([`Data::know`]).
@@ -85,6 +96,8 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
             });
         }
     }
+    let shape = verdict.instead_of_effects.as_ref().filter(|_| status == Status::Unknown);
+    spec.generic = shape.map(|shape| shape.columns.clone()).unwrap_or_default();
     let amplitudes: Vec<f64> = effects.iter().map(|effect| effect.amplitude).collect();
     let failed = || DiagnosisError::NoFit {
         file: data.name.clone(),
@@ -92,6 +105,8 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
         problem: "a batch left out could not be predicted".into(),
     };
     let comparison = compare(&setup, &spec, &amplitudes).ok_or_else(failed)?;
+    let (coefficients, covariance) = &comparison.shape;
+    let terms = shape.and_then(|shape| term(data, shape, (coefficients, covariance))).into_iter().collect();
     effects.sort_by(|a, b| b.log_bayes_factor.total_cmp(&a.log_bayes_factor));
     let equivalence_set = if testable { verdict.equivalents } else { Vec::new() };
     // Effects as they were fitted together come before the same ones alone.
@@ -122,6 +137,7 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     Ok(Diagnosis {
         status,
         effects,
+        terms,
         equivalence_set,
         located: localise(&setup, &search.baseline),
         expected,

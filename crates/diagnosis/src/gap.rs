@@ -64,19 +64,22 @@ pub struct Comparison {
     pub heldout_before: Option<Vec<f64>>,
     /// ln force with effects, from the other batches.
     pub heldout_after: Option<Vec<f64>>,
+    /// Coefficients of a shape without a name and their covariances, if there is one.
+    pub(crate) shape: (Vec<f64>, Vec<Vec<f64>>),
     /// Standard deviation of ln force of each stroke about its prediction, batches included.
     pub stroke_sd: Vec<f64>,
     /// The held-out gap by column and condition; empty with fewer than two batches.
     pub parts: Vec<Part>,
 }
 
-/// Compares a set of effects (amplitudes fixed) with none. `None` if a fit fails.
+/// Compares a set of effects (amplitudes fixed) and a shape without a name with none. `None` if a fit fails.
 pub(crate) fn compare(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<Comparison> {
     let setup = full.without_model_error();
     let core = setup.core();
     let all = everything(&setup);
     let forces = Spec {
         choices: spec.choices.iter().filter(|choice| choice.effect.acts_on_force()).copied().collect(),
+        generic: spec.generic.clone(),
         ..Spec::default()
     };
     let fixed = spec.choices.iter().zip(amplitudes).filter(|(choice, _)| choice.effect.acts_on_force());
@@ -139,6 +142,7 @@ pub(crate) fn compare(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> O
         soil_after: soil(&setup, &after),
         before: before.ln_force,
         after: after.ln_force,
+        shape: (after.shape, after.shape_covariance),
         heldout_before,
         heldout_after,
         stroke_sd,

@@ -22,6 +22,7 @@ mod signals;
 mod spec;
 mod surface;
 mod tables;
+mod term;
 mod testability;
 mod traces;
 mod verdict;

@@ -41,7 +41,7 @@ impl FoundEffect {
 }
 
 impl Diagnosis {
-    /// The model file: force model and effects that were known, then the effects that were found. `data_hash` is that of the stroke
+    /// The model file: force model, effects and empirical terms that were known, then those that were found. `data_hash` is that of the stroke
     /// table.
     #[must_use]
     pub fn model_file(
@@ -66,6 +66,7 @@ impl Diagnosis {
                 gravity_m_s2: data.gravity_m_s2,
             },
             effects: known.iter().cloned().chain(self.effects.iter().map(FoundEffect::entry)).collect(),
+            empirical: data.known_terms.iter().chain(&self.terms).cloned().collect(),
             equivalence_set: self.equivalence_set.iter().map(ToString::to_string).collect(),
             reference: data.reference.clone(),
             data_hash,
@@ -88,12 +89,13 @@ impl Comparison {
         })
     }
 
-    /// A model file without the effects that were found (all but the first `known`), with the soil that fits best then.
+    /// A model file without the effects and terms that were found (all but the first `known` of each), with the soil that fits best then.
     #[must_use]
-    pub fn without_effects(&self, file: &ModelFile, known: usize) -> ModelFile {
+    pub fn without_effects(&self, file: &ModelFile, known: [usize; 2]) -> ModelFile {
         let (before, after) = (&self.soil_before, &self.soil_after);
         let mut plain = file.clone();
-        plain.effects.truncate(known);
+        plain.effects.truncate(known[0]);
+        plain.empirical.truncate(known[1]);
         plain.soil.phi_deg.value = before.phi_deg;
         plain.soil.delta_offset_deg.value = before.delta_offset_deg;
         plain.soil.density_kg_m3.value = before.density_kg_m3;

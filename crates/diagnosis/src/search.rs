@@ -53,6 +53,8 @@ impl Scored {
 #[derive(Debug, Clone)]
 pub(crate) struct ScoredShape {
     pub(crate) over: Dependence,
+    /// Its regressors of ln force.
+    pub(crate) columns: Vec<Vec<f64>>,
     pub(crate) log_bayes: f64,
 }
 
@@ -306,7 +308,11 @@ impl<'a> Search<'a> {
             .filter_map(|shape| {
                 let spec = Spec { generic: shape.columns.clone(), ..start.clone() };
                 let (_, gain) = self.evaluate(&spec)?;
-                Some(ScoredShape { over: shape.over, log_bayes: gain - before })
+                Some(ScoredShape {
+                    over: shape.over,
+                    columns: shape.columns.clone(),
+                    log_bayes: gain - before,
+                })
             })
             .collect();
         found.sort_by(|a, b| b.log_bayes.total_cmp(&a.log_bayes));

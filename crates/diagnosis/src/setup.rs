@@ -102,7 +102,7 @@ impl<'a> FitSetup<'a> {
             .sum::<f64>();
         let scene = data.scene.as_ref().filter(|_| self.compares_signals).map_or(0.0, |scene| scene[stroke]);
         let plain = force_n(self.surface, &data.strokes[stroke], &data.reference, &base, &by_formula).ok()?;
-        Some(plain.ln() + shown + scene)
+        Some(plain.ln() + data.known_ln[stroke] + shown + scene)
     }
 
     /// What is known and `more`.

@@ -68,6 +68,8 @@ pub(crate) struct Verdict {
     pub(crate) equivalents: Vec<Explanation>,
     /// What a shape without a name depends on and its ln Bayes factor, if the verdict speaks of one.
     pub(crate) shape: Option<(Dependence, f64)>,
+    /// That shape, if it is all that explains the campaign.
+    pub(crate) instead_of_effects: Option<ScoredShape>,
     /// All effects alone, best first.
     pub(crate) singles: Vec<Scored>,
 }
@@ -94,8 +96,15 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     let Some(best) = best else {
         let status = if shape.is_some() { Status::Unknown } else { Status::None };
         let equivalents = shape.iter().map(|shape| Explanation::Unknown(shape.over)).collect();
-        let shape = shape.map(|shape| (shape.over, shape.log_bayes));
-        return Verdict { status, best: None, factors: Vec::new(), equivalents, shape, singles };
+        return Verdict {
+            status,
+            best: None,
+            factors: Vec::new(),
+            equivalents,
+            shape: shape.as_ref().map(|shape| (shape.over, shape.log_bayes)),
+            instead_of_effects: shape,
+            singles,
+        };
     };
     let of_size: &[Scored] = match decided {
         None => &sizes[best.spec.choices.len() - 1],
@@ -142,6 +151,7 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
     } else {
         Status::Named
     };
+    let instead_of_effects = shape.clone().filter(|_| status == Status::Unknown);
     let shape = match status {
         Status::Unknown => shape,
         Status::Provisional => left_over.or(shape),
@@ -153,7 +163,7 @@ pub(crate) fn judge(search: &Search<'_>) -> Verdict {
         let at = if status == Status::Unknown { 0 } else { equivalents.len() };
         equivalents.insert(at, Explanation::Unknown(over));
     }
-    Verdict { status, best: Some(best.clone()), factors, equivalents, shape, singles }
+    Verdict { status, best: Some(best.clone()), factors, equivalents, shape, instead_of_effects, singles }
 }
 
 /// What turns the force after failure alike: interface friction and cross-talk of the sensor.

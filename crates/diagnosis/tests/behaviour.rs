@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use soilctl_diagnosis::self_test::{Case, Cause, Design, HiddenCampaign, Kind, Outside, SelfTest};
 use soilctl_diagnosis::{
-    Data, Diagnosis, Explanation, Readings, Status, Surface, Testable, diagnose, log_evidence,
+    Data, Dependence, Diagnosis, Explanation, Readings, Status, Surface, Testable, diagnose, log_evidence,
 };
 use soilctl_earth_pressure::model;
 use soilctl_effects::{Channel, Covariate, EffectId, Loaded};
@@ -249,6 +249,33 @@ fn forces_alone_without_an_effect_ask_for_what_forces_can_show() {
     }
 }
 
+/// What an unknown shape does to the forces is in the model file: it predicts them as they were fitted, and beside it the shape is not found again.
+fn a_term_takes_its_place(hidden: &HiddenCampaign, found: &Diagnosis, over: Dependence) {
+    let [term] = found.terms.as_slice() else { panic!("{:?}", found.terms) };
+    assert_eq!(term.over, std::iter::once(over.on).chain(over.times).collect::<Vec<_>>());
+    let plain = Data::new("test", hidden.rows.clone(), hidden.campaign.clone()).unwrap();
+    let file = Loaded::new(found.model_file(&plain, "chen", &[], String::new()), "patch").unwrap();
+    for (row, ln_force) in hidden.rows.iter().zip(&found.comparison.after) {
+        let ratio = file.force_n(row).unwrap().ln() - ln_force;
+        assert!(ratio.abs() < 5e-3 && file.terms_tell(row), "{over}: {ratio}");
+    }
+    let gap = &found.comparison.gap;
+    assert!(gap.after < 0.9 * gap.before, "{over}: {gap:?}");
+    let mut known = plain.clone();
+    known.know(&file);
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    let again = diagnose(&known, &surface).unwrap();
+    assert!(again.comparison.gap.before < 0.9 * gap.before, "{over}: {:?}", again.comparison.gap);
+    assert!(
+        !again.equivalence_set.contains(&Explanation::Unknown(over)),
+        "{over}: {:?}",
+        again.equivalence_set
+    );
+    let carried = again.model_file(&known, "chen", &[], String::new());
+    assert_eq!(carried.empirical[0], *term);
+    assert!(again.comparison.without_effects(&carried, [0, 1]).empirical.len() == 1);
+}
+
 #[test]
 fn what_is_outside_the_catalogue_is_unknown_and_followed_along_its_covariate() {
     let test = SelfTest::new("chen", SEED).unwrap();
@@ -263,8 +290,9 @@ fn what_is_outside_the_catalogue_is_unknown_and_followed_along_its_covariate() {
         if found.status == Status::Unknown {
             unknown += 1;
             let Explanation::Unknown(over) = found.equivalence_set[0] else { panic!("{:?}", found.effects) };
-            let next = found.next.unwrap();
+            let next = found.next.as_ref().unwrap();
             assert!(next.text.contains(&over.to_string()) && next.power > 0.2, "{}", next.text);
+            a_term_takes_its_place(&hidden, &found, over);
         }
     }
     assert!(unknown >= 3, "{unknown}");

@@ -44,6 +44,7 @@ fn file(effects: &[(EffectId, f64)], reference: &Reference) -> Loaded {
         status: "hand".into(),
         soil,
         effects: effects.iter().map(entry).collect(),
+        empirical: Vec::new(),
         equivalence_set: Vec::new(),
         reference: reference.clone(),
         data_hash: String::new(),

@@ -1,9 +1,13 @@
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
 use soilctl_strokes::StrokeRow;
 
 /// A condition of a stroke that is recorded: what an effect, a residual or a follow-up may vary with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+///
+/// In files it has the name of its column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(into = "&'static str", try_from = "String")]
 pub enum Covariate {
     /// Tool angle, deg.
     ToolAngle,
@@ -84,6 +88,24 @@ impl Covariate {
             Self::Time => row.time_s,
             Self::Batch => None,
         }
+    }
+}
+
+impl From<Covariate> for &'static str {
+    fn from(covariate: Covariate) -> Self {
+        covariate.column()
+    }
+}
+
+impl TryFrom<String> for Covariate {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, Self::Error> {
+        let columns = || Self::ALL.map(Self::column).join(", ");
+        Self::ALL
+            .into_iter()
+            .find(|covariate| covariate.column() == name)
+            .ok_or_else(|| format!("{name:?} is no condition of a stroke; they are {}", columns()))
     }
 }
 

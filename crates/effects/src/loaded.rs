@@ -43,20 +43,31 @@ impl Loaded {
         &self.effects
     }
 
-    /// Force in N that the model file expects to be read for a stroke, with its effects.
+    /// Force in N that the model file expects to be read for a stroke, with its effects and empirical terms.
     ///
     /// # Errors
     /// As [`force_n`].
     pub fn force_n(&self, row: &StrokeRow) -> Result<f64, EffectsError> {
-        self.force_with(row, &self.effects)
+        let reference = &self.file.reference;
+        let terms = self.file.empirical.iter().map(|term| term.ln_factor(row, reference)).sum::<f64>();
+        let force_n = self.force_with(row, &self.effects)?;
+        // Without terms no bit changes.
+        Ok(if self.file.empirical.is_empty() { force_n } else { force_n * libm::exp(terms) })
     }
 
-    /// The same without the effects.
+    /// The same without the effects and terms.
     ///
     /// # Errors
     /// As [`force_n`].
     pub fn plain_force_n(&self, row: &StrokeRow) -> Result<f64, EffectsError> {
         self.force_with(row, &[])
+    }
+
+    /// Whether the empirical terms were made from strokes like this one: beyond them they are held at their edge, and left out where a condition is not
+    /// recorded.
+    #[must_use]
+    pub fn terms_tell(&self, row: &StrokeRow) -> bool {
+        self.file.empirical.iter().all(|term| term.is_told(row, &self.file.reference))
     }
 
     /// Interface friction angle of a stroke, deg: its set-point and the offset, or that of the file.

@@ -3,14 +3,14 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Active, EffectId, EffectsError, Reference, Shape};
+use crate::{Active, EffectId, EffectsError, EmpiricalTerm, Reference, Shape};
 
 /// Id of the format.
 pub const FILE_SCHEMA: &str = "soilctl.model-file/1";
 
 /// A force model with a soil and the effects that a campaign was found to have: what `--model-file` loads.
 ///
-/// Taking an entry out of `effects` takes the effect out of every prediction, exactly.
+/// Taking an entry out of `effects`, or of `empirical`, takes it out of every prediction, exactly.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelFile {
     /// [`FILE_SCHEMA`].
@@ -23,6 +23,9 @@ pub struct ModelFile {
     pub soil: SoilEntry,
     /// Effects, best first.
     pub effects: Vec<EffectEntry>,
+    /// Terms without a name, of conditions of the strokes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub empirical: Vec<EmpiricalTerm>,
     /// What the data did not tell apart.
     #[serde(default)]
     pub equivalence_set: Vec<String>,
@@ -164,6 +167,7 @@ impl ModelFile {
             }
         }
         found.active(file)?;
+        found.empirical.iter().try_for_each(|term| term.check(file))?;
         Ok(found)
     }
 

@@ -21,6 +21,12 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// Place of a batch in the order in which they were made, from 0; `None` if there is none of that name.
+    #[must_use]
+    pub fn place_of(&self, batch: &str) -> Option<f64> {
+        self.batches.iter().position(|name| name == batch).map(|place| place as f64)
+    }
+
     /// The reference of a campaign; `None` without strokes.
     #[must_use]
     pub fn of(rows: &[StrokeRow]) -> Option<Self> {

@@ -5,7 +5,8 @@
 use std::collections::BTreeMap;
 
 use soilctl_effects::{
-    EffectEntry, EffectId, FILE_SCHEMA, Loaded, ModelFile, ParameterValue, Reference, SoilEntry,
+    Covariate, EffectEntry, EffectId, EmpiricalTerm, FILE_SCHEMA, Loaded, ModelFile, ParameterValue,
+    Reference, SoilEntry,
 };
 use soilctl_strokes::StrokeRow;
 
@@ -33,6 +34,7 @@ fn file() -> ModelFile {
             shape: 0.0,
             log_bayes_factor: 9.0,
         }],
+        empirical: Vec::new(),
         equivalence_set: vec!["depth_offset".into()],
         reference: Reference::of(&rows).unwrap(),
         data_hash: String::new(),
@@ -46,6 +48,32 @@ fn what_is_written_reads_back() {
     let path = folder.path().join("patch.json");
     file().write(&path).unwrap();
     assert_eq!(ModelFile::read(&path).unwrap(), file());
+}
+
+/// A term changes the force of a stroke by its factor and nothing else, and none leaves every bit as it is.
+#[test]
+fn an_empirical_term_is_a_factor_and_its_file_reads_back() {
+    let row =
+        StrokeRow { alpha_deg: 80.0, depth_m: 0.02, width_m: 0.127, force_n: 5.0, ..StrokeRow::default() };
+    let term = |ln_force: [f64; 2]| EmpiricalTerm {
+        over: vec![Covariate::ToolAngle],
+        at: vec![vec![70.0, 90.0]],
+        ln_force: ln_force.to_vec(),
+        sd: vec![0.01; 2],
+        log_bayes_factor: 7.0,
+    };
+    let with = ModelFile { empirical: vec![term([0.1, 0.3])], ..file() };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("patch.json");
+    with.write(&path).unwrap();
+    assert_eq!(ModelFile::read(&path).unwrap(), with);
+    assert!(!serde_json::to_string(&file()).unwrap().contains("empirical"));
+    let force = |file: ModelFile| Loaded::new(file, "patch").unwrap().force_n(&row).unwrap();
+    assert!((force(with.clone()) / force(file()) - 0.2_f64.exp()).abs() < 1e-12);
+    let plain = Loaded::new(with, "patch").unwrap().plain_force_n(&row).unwrap();
+    assert_eq!(plain.to_bits(), Loaded::new(file(), "patch").unwrap().plain_force_n(&row).unwrap().to_bits());
+    ModelFile { empirical: vec![term([0.0, 9.0])], ..file() }.write(&path).unwrap();
+    assert!(ModelFile::read(&path).unwrap_err().to_string().contains("from -3 to 3"));
 }
 
 #[test]

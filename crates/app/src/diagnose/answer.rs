@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use soilctl_diagnosis::{Data, Diagnosis, signal_gaps};
+use soilctl_diagnosis::{Data, Diagnosis, Status, signal_gaps};
 use soilctl_effects::EffectId;
 
 use super::Against;
@@ -14,7 +14,10 @@ use super::files::Written;
 use super::follow_up::FollowUp;
 use super::logs::Resimulation;
 use crate::Outcome;
-use crate::text::measured;
+use crate::text::{measured, number};
+
+/// Effects that come nearest to what has no name.
+const MOST_NEAREST: usize = 3;
 
 /// Where model and measurement disagree, which effect is missing, and the gap after it is added.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -23,6 +26,11 @@ pub struct Answer {
     pub status: String,
     /// Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
     pub effects: Vec<EffectAnswer>,
+    /// What takes the place of effects where the status is unknown: a change of the force over conditions of the strokes, which `patch` has. Empty
+    /// otherwise.
+    pub empirical: Vec<TermAnswer>,
+    /// Effects of the catalogue that come nearest where the status is unknown, best first, at most three; empty otherwise.
+    pub nearest: Vec<NearestAnswer>,
     /// What the data do not tell apart, best first; ids of effects, or `unknown:<covariate>`.
     pub equivalence_set: Vec<String>,
     /// How far model and measurement are apart.
@@ -76,6 +84,67 @@ pub struct EffectAnswer {
     /// Parameters by name.
     pub parameters: BTreeMap<String, ParameterAnswer>,
     /// ln Bayes factor over the explanation without it.
+    pub log_bayes_factor: f64,
+}
+
+/// A change of the force over one condition of the strokes or two, without a name.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct TermAnswer {
+    /// Columns of the stroke table.
+    pub over: Vec<String>,
+    /// Values of each of these, ascending, in the unit of the column; of `batch` its place, from 0.
+    pub at: Vec<Vec<f64>>,
+    /// Change of ln force there, those of the last condition one after the other; linear between, and held beyond.
+    pub ln_force: Vec<f64>,
+    /// Standard deviation of each.
+    pub sd: Vec<f64>,
+    /// ln Bayes factor over the explanation without it.
+    pub log_bayes_factor: f64,
+}
+
+/// A point of a term.
+#[derive(Debug)]
+pub struct TermPoint {
+    /// Values of the conditions.
+    pub at: Vec<f64>,
+    /// Change of the force there, relative, with its standard deviation.
+    pub change: [f64; 2],
+}
+
+impl TermPoint {
+    /// In words.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let at: Vec<String> = self.at.iter().map(|value| number(*value)).collect();
+        let [change, sd] = self.change.map(|share| 100.0 * share);
+        format!("{change:+.1} ± {sd:.1} % at {}", at.join(" x "))
+    }
+}
+
+impl TermAnswer {
+    /// Its points, one after the other.
+    #[must_use]
+    pub fn points(&self) -> Vec<TermPoint> {
+        let last = self.at.last().map_or(1, Vec::len).max(1);
+        let values = self.ln_force.iter().zip(&self.sd).enumerate();
+        values
+            .map(|(k, (ln_force, sd))| {
+                let places = if self.at.len() > 1 { vec![k / last, k % last] } else { vec![k] };
+                let at = self.at.iter().zip(places).filter_map(|(values, place)| values.get(place).copied());
+                let factor = ln_force.exp();
+                TermPoint { at: at.collect(), change: [factor - 1.0, factor * sd] }
+            })
+            .collect()
+    }
+}
+
+/// An effect that comes near.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct NearestAnswer {
+    /// Id in the catalogue.
+    #[schemars(with = "String")]
+    pub id: EffectId,
+    /// ln Bayes factor of it alone.
     pub log_bayes_factor: f64,
 }
 
@@ -222,6 +291,24 @@ impl Answer {
                         .collect(),
                     log_bayes_factor: found.log_bayes_factor,
                 })
+                .collect(),
+            empirical: d
+                .terms
+                .iter()
+                .map(|term| TermAnswer {
+                    over: term.over.iter().map(ToString::to_string).collect(),
+                    at: term.at.clone(),
+                    ln_force: term.ln_force.clone(),
+                    sd: term.sd.clone(),
+                    log_bayes_factor: term.log_bayes_factor,
+                })
+                .collect(),
+            nearest: d
+                .alone
+                .iter()
+                .filter(|(_, log_bayes)| d.status == Status::Unknown && *log_bayes > 0.0)
+                .take(MOST_NEAREST)
+                .map(|&(id, log_bayes_factor)| NearestAnswer { id, log_bayes_factor })
                 .collect(),
             equivalence_set: d.equivalence_set.iter().map(ToString::to_string).collect(),
             gap: GapAnswer {

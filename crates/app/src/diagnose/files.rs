@@ -31,7 +31,8 @@ pub(super) fn write(
     let patch = out.join("patch.json");
     file.write(&patch)?;
     let name = patch.display().to_string();
-    let before = Loaded::new(comparison.without_effects(&file, against.known().len()), &name)?;
+    let known = [against.known().len(), data.known_terms().len()];
+    let before = Loaded::new(comparison.without_effects(&file, known), &name)?;
     let after = Loaded::new(file, &name)?;
     save(&out.join("predictions.csv"), &comparison.predictions_csv(data, &before, &after)?)?;
     save(&out.join("gap.csv"), &comparison.gap_csv()?)?;

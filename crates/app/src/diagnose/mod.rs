@@ -17,8 +17,8 @@ use std::path::Path;
 
 pub use against::Against;
 pub use answer::{
-    Answer, ChannelGapAnswer, EffectAnswer, GapAnswer, NextAnswer, ParameterAnswer, SignalAnswer,
-    TestabilityAnswer, WhereAnswer,
+    Answer, ChannelGapAnswer, EffectAnswer, GapAnswer, NearestAnswer, NextAnswer, ParameterAnswer,
+    SignalAnswer, TermAnswer, TermPoint, TestabilityAnswer, WhereAnswer,
 };
 use contenders::Weights;
 use follow_up::FollowUp;

@@ -96,6 +96,7 @@ impl Again<'_> {
         // The soil as it was fitted beside what was found: without, it takes a part of an effect, and the simulated arm would show it, too.
         let mut plain = file;
         plain.effects.truncate(against.known().len());
+        plain.empirical.truncate(data.known_terms().len());
         // An interface friction off its set-point is what is looked for: the fit of forces would take it for the soil's, and then every
         // signal of the simulated arm had it.
         plain.soil.delta_offset_deg.value = 0.0;
@@ -111,6 +112,10 @@ impl Again<'_> {
                 Err(AppError::Campaign(ref problem @ CampaignError::Effect { effect, .. })) => {
                     self.watch.note(&problem.to_string());
                     plain.effects.retain(|known| known.id != effect);
+                }
+                Err(AppError::Campaign(ref problem @ CampaignError::Term { over, .. })) => {
+                    self.watch.note(&problem.to_string());
+                    plain.empirical.retain(|term| !term.over.contains(&over));
                 }
                 found => break found?,
             }
@@ -133,20 +138,22 @@ impl Again<'_> {
         Learning::new(&self.plan, plain, data, &campaign, &store, self.watch)?.all(data, &candidates)
     }
 
-    /// Simulates with the effects that were found; `None` without effects, or if it was stopped.
+    /// Simulates with the effects or the term that were found; `None` without any, or if it was stopped.
     fn after(
         &self,
         against: &Against,
         data: &Data,
         diagnosis: &Diagnosis,
     ) -> Result<Option<Resimulated>, AppError> {
-        if diagnosis.effects.is_empty() || !self.shows_found {
+        if !diagnosis.has_found() || !self.shows_found {
             return Ok(None);
         }
-        self.watch.note("the same commands on the simulated arm, with the effects");
+        self.watch.note("the same commands on the simulated arm, with what was found");
         match self.simulate(&model_file(against, data, diagnosis), &data.campaign) {
-            // An effect that the simulated arm cannot show stays named.
-            Err(AppError::Campaign(problem @ CampaignError::Effect { .. })) => {
+            // An effect or a term that the simulated arm cannot show stays in the answer.
+            Err(AppError::Campaign(
+                problem @ (CampaignError::Effect { .. } | CampaignError::Term { .. }),
+            )) => {
                 self.watch.note(&problem.to_string());
                 Ok(None)
             }

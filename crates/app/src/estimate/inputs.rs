@@ -14,8 +14,8 @@ use soilctl_strokes::{
 use super::bands::{self, Bands};
 use super::law;
 use super::request::{BandKind, Request, Uncertainty};
-use crate::AppError;
 use crate::request::NumberOrColumn;
+use crate::{AppError, terms};
 
 /// What a request knows: measurements, and what is known beside them.
 #[derive(Debug, Clone)]
@@ -41,25 +41,28 @@ pub(super) struct Files {
     campaign: Campaign,
     /// The model file, if one took the effect of ends out of the forces.
     pub(super) without_ends: Option<PathBuf>,
+    /// That strokes lie beyond those from which its empirical terms were made.
+    beyond_terms: Option<String>,
 }
 
 impl Files {
     /// A table and its campaign, with nothing taken out of the forces.
     #[cfg(not(target_family = "wasm"))]
     pub(super) const fn of(table: StrokeTable, campaign: Campaign) -> Self {
-        Self { table, campaign, without_ends: None }
+        Self { table, campaign, without_ends: None, beyond_terms: None }
     }
 
     pub(super) fn read(request: &Request, exact: bool) -> Result<Self, AppError> {
         let mut table = request.file.strokes(ReadOptions { allow_zero_sd: exact })?;
-        let mut without_ends = None;
+        let (mut without_ends, mut beyond_terms) = (None, None);
         if let Some(path) = &request.model_file {
             let model = Loaded::read(path)?;
+            beyond_terms = terms::beyond(&model, table.rows());
             table = without_effects(&table, &model)?;
             let is_of_ends = |active: &Active| active.effect.id == EffectId::SideEffects3d;
             without_ends = model.effects().iter().any(is_of_ends).then(|| path.clone());
         }
-        Ok(Self { table, campaign: request.file.campaign()?, without_ends })
+        Ok(Self { table, campaign: request.file.campaign()?, without_ends, beyond_terms })
     }
 }
 
@@ -117,6 +120,7 @@ impl Inputs {
                     .into(),
             );
         }
+        warnings.extend(files.beyond_terms.clone());
         Ok(Self { measurements, bands, campaign: campaign.clone(), delta_deg, density_kg_m3, warnings })
     }
 

@@ -9,8 +9,8 @@ use soilctl_strokes::{ReadOptions, StrokeRow};
 
 use super::Request;
 use super::answer::{Answer, Inputs, StrokePrediction};
-use crate::AppError;
 use crate::request::{Ends, NumberOrColumn};
+use crate::{AppError, terms};
 
 pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError> {
     let mut file = ModelFile::read(path)?;
@@ -30,18 +30,20 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
         delta_set_deg: row.delta_set_deg.filter(|_| delta.is_none()),
         ..row.clone()
     };
-    let (strokes, force_n, k_net) =
+    let (strokes, force_n, k_net, beyond) =
         match (&request.strokes, request.alpha_deg, request.depth_m, request.width_m) {
             (Some(table), ..) => {
                 let table = table.strokes(ReadOptions { allow_zero_sd: true })?;
+                let beyond = terms::beyond(&loaded, table.rows());
                 let rows =
                     table.rows().map(|row| stroke(&loaded, seen(&row))).collect::<Result<Vec<_>, _>>()?;
-                (Some(rows), None, None)
+                (Some(rows), None, None, beyond)
             }
             (None, Some(alpha_deg), Some(depth_m), Some(width_m)) => {
                 let row = StrokeRow { alpha_deg, depth_m, width_m, force_n: 1.0, ..StrokeRow::default() };
                 let force_n = loaded.force_n(&row)?;
-                (None, Some(force_n), Some(coefficient(&loaded, &row, force_n)))
+                let beyond = terms::beyond(&loaded, std::iter::once(row.clone()));
+                (None, Some(force_n), Some(coefficient(&loaded, &row, force_n)), beyond)
             }
             _ => {
                 return Err(AppError::Request(
@@ -53,6 +55,7 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
     let soil = &loaded.file().soil;
     let base = plane_model(&loaded.file().model)?;
     let effects: Vec<&str> = loaded.file().effects.iter().map(|entry| entry.id.name()).collect();
+    let over = terms::conditions(&loaded).map(|over| format!(" and what has no name over {over}"));
     let with = if effects.is_empty() { "no effects".to_owned() } else { effects.join(", ") };
     Ok(Answer {
         model: base.id().into(),
@@ -84,7 +87,13 @@ pub(super) fn predict(request: &Request, path: &Path) -> Result<Answer, AppError
             width_m: request.width_m,
         },
         interpolation_margin: 0.0,
-        notes: vec![format!("with the effects of {}: {with}", path.display())],
+        notes: std::iter::once(format!(
+            "with the effects of {}: {with}{}",
+            path.display(),
+            over.unwrap_or_default()
+        ))
+        .chain(beyond)
+        .collect(),
         reference: base.reference().to_owned(),
         valid_range: base.valid_range().into(),
         strokes,

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
 use soilctl_controller::Sensed;
-use soilctl_effects::{Active, Covariate, ModelFile, Reference, Site, SoilSite, SurfaceSite};
+use soilctl_effects::{Active, Covariate, ModelFile, Site, SoilSite, SurfaceSite};
 use soilctl_plant::config::PlantConfig;
 use soilctl_plant::{Contact, Effects, SoilChange};
 
@@ -21,9 +21,12 @@ use crate::{CampaignError, Plan};
 use sensors::Sensors;
 use soil::SoilEffects;
 
-/// The effects of a model file, if the plant can show them all.
+/// The effects of a model file, if the plant can show them all and its empirical terms.
 pub(crate) fn shown(file: &ModelFile, name: &str) -> Result<Vec<Active>, CampaignError> {
     let effects = file.active(name)?;
+    if file.empirical.iter().any(|term| term.over.contains(&Covariate::Speed)) {
+        return Err(CampaignError::Term { file: name.to_owned(), over: Covariate::Speed });
+    }
     match effects.iter().find(|active| active.effect.varies_with == Some(Covariate::Speed)) {
         Some(of_speed) => Err(CampaignError::Effect {
             file: name.to_owned(),
@@ -55,12 +58,12 @@ impl PlantEffects {
     /// Effects in a batch of a plan; `stroke` is the number of the stroke in the plan that is being made.
     pub(crate) fn new(
         effects: &[Active],
-        reference: &Reference,
+        file: &ModelFile,
         plan: &Plan,
         batch: usize,
         stroke: Arc<AtomicUsize>,
     ) -> Result<Self, CampaignError> {
-        let mut soil = SoilEffects::new(reference, plan, batch, Arc::clone(&stroke))?;
+        let mut soil = SoilEffects::new(&file.reference, &file.empirical, plan, batch, Arc::clone(&stroke))?;
         let mut sensors = Sensors::new(plan, stroke);
         let (mut interface_deg, mut depth_m) = (0.0, 0.0);
         for &active in effects {

@@ -8,6 +8,7 @@ use crate::Plan;
 /// The place of a stroke in its campaign.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Place {
+    pub(super) radius_m: f64,
     /// Radius from 12 in (0) to 17 in (1).
     pub(super) radius_position: f64,
     pub(super) base_deg: f64,
@@ -17,6 +18,10 @@ pub(super) struct Place {
     pub(super) gap_prior_m: Option<f64>,
     /// From the first (0) to the last (1) stroke of the campaign.
     pub(super) time_fraction: f64,
+    /// Set-point of the interface friction angle.
+    pub(super) delta_set_deg: f64,
+    /// Number in its preparation, from 1.
+    pub(super) order: f64,
 }
 
 /// The places of all strokes.
@@ -32,6 +37,10 @@ pub(super) fn places(plan: &Plan) -> Vec<Place> {
         .iter()
         .enumerate()
         .map(|(i, stroke)| Place {
+            radius_m: stroke.radius_m,
+            delta_set_deg: stroke.delta_rad.to_degrees(),
+            #[allow(clippy::cast_precision_loss, reason = "at most 1024 strokes")]
+            order: 1.0 + strokes[..i].iter().filter(|earlier| earlier.batch == stroke.batch).count() as f64,
             radius_position: (stroke.radius_m - near) / (far - near),
             base_deg: base(stroke),
             base_position: if high > low { 2.0 * (base(stroke) - low) / (high - low) - 1.0 } else { 0.0 },

@@ -145,8 +145,7 @@ impl Job<'_> {
         let mut simulation = self.plan.simulation(&setup, self.seed, batch)?;
         if let Some(file) = self.model_file {
             setup.notes.insert("model_file".to_owned(), self.model_text.clone());
-            let effects =
-                PlantEffects::new(&self.effects, &file.reference, self.plan, batch, Arc::clone(&stroke))?;
+            let effects = PlantEffects::new(&self.effects, file, self.plan, batch, Arc::clone(&stroke))?;
             simulation.plant_mut().set_effects(Box::new(effects));
         }
         if let Some(ground) = simulation.plant().ground() {

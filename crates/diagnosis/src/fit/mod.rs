@@ -26,6 +26,9 @@ pub(crate) struct Fit {
     pub(crate) amplitudes: Vec<(f64, f64)>,
     /// Coefficients of the nuisance regressors.
     pub(crate) nuisance: Vec<f64>,
+    /// Coefficients of the regressors of a shape without a name, and their covariances.
+    pub(crate) shape: Vec<f64>,
+    pub(crate) shape_covariance: Vec<Vec<f64>>,
     /// Scatter of ln force of one stroke, without depth error.
     pub(crate) scatter: f64,
     /// Standard deviation of each ln force, batches aside.

@@ -34,6 +34,7 @@ impl Problem<'_> {
             soil = [p[0], p[1], p[2]];
             soil_sd = [sd(0), sd(1), sd(2)];
         }
+        let shape = self.generic_at..self.generic_at + self.spec.generic.len();
         let batches = if self.with_force { self.setup.batch_terms } else { 0 };
         let (mut force_sd, mut ln_force, mut expectation_sd) = (Vec::new(), Vec::new(), Vec::new());
         let mut readings = Vec::new();
@@ -74,6 +75,11 @@ impl Problem<'_> {
             soil_sd,
             amplitudes,
             nuisance: p[self.nuisance_at..self.generic_at].to_vec(),
+            shape: shape.clone().map(|k| p[k]).collect(),
+            shape_covariance: shape
+                .clone()
+                .map(|i| shape.clone().map(|j| covariance[(i, j)]).collect())
+                .collect(),
             scatter: ln_scatter[0].exp(),
             force_sd,
             ln_force,

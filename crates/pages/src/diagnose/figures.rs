@@ -52,7 +52,7 @@ pub(super) fn residuals(work: &Diagnosed, covariate: &str) -> Result<Option<Figu
     let mut figure = Figure::new(title, Axis::linear(*label), Axis::linear("Difference (%)"));
     figure.push(RefLine::horizontal("", 0.0))?;
     figure.push(Points::new("without effects", before))?;
-    if !work.diagnosis.effects.is_empty() {
+    if work.diagnosis.has_found() {
         figure.push(Points::new("with effects", of(&c.after, 0.006)))?;
     }
     Ok(Some(figure))
@@ -74,7 +74,7 @@ pub(super) fn forces(work: &Diagnosed) -> Result<Figure, PageError> {
     let high = all.iter().copied().fold(f64::NEG_INFINITY, f64::max).exp();
     figure.push(soilctl_figure::Line::new("equal", [(low, low), (high, high)]).color(6).width(1.0))?;
     figure.push(Points::new("without effects", of(&c.before)).color(0))?;
-    if !work.diagnosis.effects.is_empty() {
+    if work.diagnosis.has_found() {
         figure.push(Points::new("with effects", of(&c.after)).color(1))?;
     }
     Ok(figure)

@@ -93,7 +93,7 @@ fn what(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {
     page.heading("What is missing, and how sure that is");
     if answer.effects.is_empty() {
         page.paragraph("No effect of the catalogue is named.");
-        return Ok(());
+        return without_a_name(page, answer);
     }
     let columns = [
         ("effect", Align::Left),
@@ -117,6 +117,28 @@ fn what(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {
         "The ln Bayes factor says how much more probable the forces are with the effect than without it: 5 is a \
          factor of 150. Plausible ranges of the parameters are part of it, so a free parameter pays for itself.",
     );
+    Ok(())
+}
+
+/// What the force does over conditions of the strokes, where no effect explains it.
+fn without_a_name(page: &mut HtmlReport, answer: &Answer) -> Result<(), PageError> {
+    for term in &answer.empirical {
+        page.paragraph(format!(
+            "What the forces do over {} takes its place in the model file, as a table without a law behind it: it says nothing of conditions that these \
+             strokes did not have. ln Bayes factor {:.1}.",
+            term.over.join(" and "),
+            term.log_bayes_factor
+        ));
+        let conditions = term.over.iter().map(|name| (name.clone(), Align::Right));
+        let columns = conditions.chain([("change of the force".to_owned(), Align::Right)]);
+        let mut table = Table::new("An empirical term", columns);
+        for point in term.points() {
+            let [change, sd] = point.change.map(|share| 100.0 * share);
+            let at = point.at.iter().map(|value| number(*value));
+            table.row(at.chain([format!("{change:+.1} ± {sd:.1} %")]))?;
+        }
+        page.table(table);
+    }
     Ok(())
 }
 

@@ -51,7 +51,7 @@ fn models(work: &Diagnosed, courses: &[Option<Course>], i: usize) -> Option<Mode
         return Some(Models { before, after: simulated(&work.simulated.after), caption: SIMULATED });
     }
     let typical = typical_course(&work.data.rows, courses, i)?;
-    let after = (!work.diagnosis.effects.is_empty()).then(|| (typical.clone(), c.after[i].exp()));
+    let after = (work.diagnosis.has_found()).then(|| (typical.clone(), c.after[i].exp()));
     Some(Models { before: (typical, c.before[i].exp()), after, caption: TYPICAL })
 }
 

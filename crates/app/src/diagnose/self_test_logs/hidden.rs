@@ -150,6 +150,7 @@ fn truth(model: &str, phi_deg: f64, density_kg_m3: f64, set_deg: f64) -> ModelFi
             gravity_m_s2: STANDARD_GRAVITY_M_S2,
         },
         effects: Vec::new(),
+        empirical: Vec::new(),
         equivalence_set: Vec::new(),
         reference: Reference {
             depth_m: 0.025,

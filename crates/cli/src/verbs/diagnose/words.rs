@@ -1,6 +1,6 @@
 //! The answer of `diagnose` in words.
 
-use soilctl_app::diagnose::Answer;
+use soilctl_app::diagnose::{Answer, NearestAnswer};
 use soilctl_app::text::{columns, number};
 
 use crate::output::Words;
@@ -19,6 +19,22 @@ impl Words for Answer {
                 effect.id,
                 effect.log_bayes_factor,
                 parameters.join(", ")
+            );
+        }
+        for term in &self.empirical {
+            text += &format!(
+                "  over {} (ln Bayes factor {:.1}): ",
+                term.over.join(" and "),
+                term.log_bayes_factor
+            );
+            text += &term.points().iter().map(|point| point.text()).collect::<Vec<_>>().join(", ");
+            text += "; in the patch as an empirical term\n";
+        }
+        if !self.nearest.is_empty() {
+            let near = |of: &NearestAnswer| format!("{} ({:.1})", of.id, of.log_bayes_factor);
+            text += &format!(
+                "  nearest in the catalogue, ln Bayes factor: {}\n",
+                self.nearest.iter().map(near).collect::<Vec<_>>().join(", ")
             );
         }
         let mut rows = vec![vec!["gap".to_owned(), "before".into(), "after".into()]];
