@@ -33,6 +33,13 @@ fn tiny<'a>(rest: &[&'a str]) -> Vec<&'a str> {
     [&TINY[..], rest].concat()
 }
 
+/// The same with two interface friction angles, which it takes to look a table up: six cases.
+fn square<'a>(rest: &[&'a str]) -> Vec<&'a str> {
+    let mut words = tiny(rest);
+    (words[5], words[7]) = ("25:30:5", "0:30:30");
+    words
+}
+
 fn text(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap()
 }
@@ -181,14 +188,14 @@ fn a_table_is_saved_shown_checked_and_used() {
     let dir = tempfile::tempdir().unwrap();
     let (out, saved) = (dir.path().join("t.csv"), dir.path().join("proofs"));
     let (file, folder) = (out.to_str().unwrap(), saved.to_str().unwrap());
-    json(&tiny(&["--save", folder, "--out", file]));
+    json(&square(&["--save", folder, "--out", file]));
     // A proof that got lost: its case is solved once more, to the same bits.
     let proof = saved.join("alpha_85_phi_30_delta_30.json");
     std::fs::remove_file(&proof).unwrap();
-    let (_, plan) = json(&tiny(&["--dry-run", "--save", folder, "--out", file]));
-    assert_eq!(plan["done"], 3);
+    let (_, plan) = json(&square(&["--dry-run", "--save", folder, "--out", file]));
+    assert_eq!(plan["done"], 5);
     let before = text(&out);
-    json(&tiny(&["--save", folder, "--out", file]));
+    json(&square(&["--save", folder, "--out", file]));
     assert_eq!(text(&out), before);
 
     // A table of an earlier version gets what it lacks of ends, to the same bits.
@@ -197,20 +204,20 @@ fn a_table_is_saved_shown_checked_and_used() {
     let rows = table.rows().iter().map(plane).collect();
     let older = BracketTable::new(table.name(), table.rules(), rows).unwrap();
     write_bracket(&older, &sidecar.source, &out).unwrap();
-    let (_, plan) = json(&tiny(&["--dry-run", "--out", file]));
+    let (_, plan) = json(&square(&["--dry-run", "--out", file]));
     assert_eq!(plan["done"], 0);
-    json(&tiny(&["--out", file]));
+    json(&square(&["--out", file]));
     assert_eq!(text(&out), before);
 
     let (_, shown) = json(&["table", "show", file]);
     let cells = shown["cells"].as_array().unwrap();
-    assert_eq!((cells.len(), &shown["gaps"]["uncertified"]), (4, &0.into()));
+    assert_eq!((cells.len(), &shown["gaps"]["uncertified"]), (6, &0.into()));
     let (code, proven) = json(&["certify", proof.to_str().unwrap()]);
     // Beside each the proof of a plate with ends.
-    assert_eq!((code, std::fs::read_dir(&saved).unwrap().count()), (0, 8));
+    assert_eq!((code, std::fs::read_dir(&saved).unwrap().count()), (0, 12));
     let (code, ended) = json(&["certify", proof.with_extension("ends.json").to_str().unwrap()]);
     assert!(code == 0 && ended["width"].as_f64().unwrap() > 4.0, "{ended}");
-    let cell = &cells[0];
+    let cell = &cells[2];
     for side in ["lower", "upper"] {
         let force = proven[side]["proven"].as_f64().unwrap();
         let k = cell[side].as_f64().unwrap();
