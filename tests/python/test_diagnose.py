@@ -170,10 +170,19 @@ def test_what_has_no_name_is_a_term_of_the_model_file(soilctl, tmp_path, validat
     assert not any("lie beyond" in note for note in said["notes"])
     alone = soilctl.json("predict", "--alpha", 80, "--depth", 0.02, "--width", 0.127, "--model-file", answer["patch"])
     assert any("1 of 1 strokes lie beyond" in note for note in alone["notes"])
+    # Beside the term nothing of it is found again, and the next model file carries it on.
+    again = soilctl.json("diagnose", folder, "--model-file", answer["patch"], "--out", tmp_path / "again")
+    assert again["known_effects"] == ["a term over order"] and again["beyond_known"] is None
+    assert "unknown:order" not in again["equivalence_set"]
+    assert again["gap"]["before"] < 1.1 * gap["after"]
+    carried = json.loads((tmp_path / "again" / "patch.json").read_text(encoding="utf-8"))
+    assert carried["empirical"] == patch["empirical"]
     found[0]["order"] = 40
     save(strokes, found)
     region = soilctl.json("estimate", strokes, "--model-file", answer["patch"])
     assert any("1 of 48 strokes lie beyond" in warning for warning in region["warnings"])
+    again = soilctl.json("diagnose", folder, "--model-file", answer["patch"], "--out", tmp_path / "beyond")
+    assert "1 of 48 strokes lie beyond" in again["beyond_known"]
 
 
 def test_the_next_experiment_has_the_columns_of_a_stroke_table(diagnosed):

@@ -57,7 +57,7 @@ impl Decided {
 pub struct Readings {
     /// Columns.
     pub columns: BTreeSet<Channel>,
-    /// By stroke, whether it takes part.
+    /// By stroke, whether it takes part; those beyond the end do.
     pub strokes: Vec<bool>,
 }
 

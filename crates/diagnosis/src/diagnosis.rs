@@ -165,7 +165,8 @@ pub fn log_evidence(data: &Data, surface: &Surface, of: &Readings) -> Result<f64
     let first = FitSetup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);
-    Ok(Search::of_strokes(&setup, of.strokes.clone())?.log_evidence())
+    let takes_part = |i: usize| of.strokes.get(i).copied().unwrap_or(true);
+    Ok(Search::of_strokes(&setup, (0..data.len()).map(takes_part).collect())?.log_evidence())
 }
 
 /// Relative error of an amplitude because nature's formula is not ours. Empirical: with it, 90 % of the amplitudes of hidden campaigns

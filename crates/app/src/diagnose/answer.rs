@@ -59,8 +59,11 @@ pub struct Answer {
     pub model: String,
     /// The model file that the campaign was held against; null without one.
     pub model_file: Option<String>,
-    /// Effects of that file, which were taken as known; `patch` has them before those that were found.
+    /// Effects of that file, which were taken as known, and its empirical terms as `a term over` their conditions; `patch` has them before those that
+    /// were found.
     pub known_effects: Vec<String>,
+    /// That strokes lie beyond those from which the empirical terms of that file were made; null if none does.
+    pub beyond_known: Option<String>,
     /// Strokes.
     pub strokes: usize,
     /// Strokes whose trace was used.
@@ -364,7 +367,8 @@ impl Answer {
             report: None,
             model: against.model.clone(),
             model_file: against.file.as_ref().map(|(path, _)| path.clone()),
-            known_effects: against.known().iter().map(|known| known.id.to_string()).collect(),
+            known_effects: against.known_words(),
+            beyond_known: against.beyond_terms.clone(),
             strokes: data.len(),
             traces,
             phi_deg: d.comparison.soil_after.phi_deg,

@@ -35,6 +35,18 @@ struct Contender {
     adds: f64,
 }
 
+/// What came of simulating a set of effects.
+enum Tried {
+    Weighed(Box<Contender>),
+    /// Most strokes that the measured arm made are of kinds that sink on this one.
+    Sinks,
+    /// Strokes speak against one of the effects, the simulated arm cannot show it, or the work was stopped.
+    NotShown,
+}
+
+/// Why a contest is none.
+const SINKS: &str = "too few of the strokes fail the soil of the simulated arm that has what they ask for";
+
 fn names(ids: &[EffectId]) -> String {
     ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ")
 }
@@ -64,13 +76,20 @@ impl Again<'_> {
         let mut untried = Vec::new();
         for id in in_question {
             match self.contender(against, data, &[id], weights)? {
-                Some(contender) => contenders.push(contender),
-                None if found.contains(&id) => return Ok(()),
-                None => untried.push(id),
+                Tried::Weighed(contender) => contenders.push(*contender),
+                Tried::Sinks if found.contains(&id) => {
+                    self.doubt(diagnosis, SINKS);
+                    return Ok(());
+                }
+                Tried::NotShown if found.contains(&id) => return Ok(()),
+                Tried::Sinks | Tried::NotShown => untried.push(id),
             }
         }
         untried.retain(|id| TURN_ALIKE.contains(id) || in_set(diagnosis).any(|of| of == *id));
-        rank(data, &mut contenders, weights)?;
+        if !rank(data, &mut contenders, weights)? {
+            self.doubt(diagnosis, SINKS);
+            return Ok(());
+        }
         let Some(first) = contenders.first().map(|first| first.ids.clone()) else { return Ok(()) };
         let mut sets: Vec<Vec<EffectId>> = found
             .iter()
@@ -81,9 +100,14 @@ impl Again<'_> {
             sets.push(found);
         }
         for ids in sets {
-            contenders.extend(self.contender(against, data, &ids, weights)?);
+            let Tried::Weighed(further) = self.contender(against, data, &ids, weights)? else { continue };
+            contenders.push(*further);
+            // A set whose arm leaves too few strokes to weigh it with the others is not one of them.
+            if !rank(data, &mut contenders, weights)? {
+                contenders.retain(|of| of.ids != ids);
+                rank(data, &mut contenders, weights)?;
+            }
         }
-        rank(data, &mut contenders, weights)?;
         for of in &contenders {
             self.watch.note(&format!(
                 "the simulated arm with {}: ln evidence of all readings {:+.1}",
@@ -94,34 +118,40 @@ impl Again<'_> {
         let Some(outcome) = outcome(&contenders, untried) else { return Ok(()) };
         data.decide(&outcome.best, &outcome.as_likely);
         *diagnosis = (weights.diagnosis)(data)?;
-        if !outcome.is_borne_out && diagnosis.status == Status::Named {
-            diagnosis.status = Status::Provisional;
-            self.watch.note("the simulated arm without effects explains the readings as well: what responses ask for is provisional");
+        if !outcome.is_borne_out {
+            self.doubt(diagnosis, "the simulated arm without effects explains the readings as well");
         }
         Ok(())
     }
 
-    /// The campaign with a set of effects, as it is fitted with them alone, on the simulated arm; `None` if strokes speak against one of them, the arm
-    /// cannot show it, or the work is stopped.
+    /// A firm name that the contest does not bear out is provisional.
+    fn doubt(&self, diagnosis: &mut Diagnosis, why: &str) {
+        if diagnosis.status == Status::Named {
+            diagnosis.status = Status::Provisional;
+            self.watch.note(&format!("{why}: what responses ask for is provisional"));
+        }
+    }
+
+    /// The campaign with a set of effects, as it is fitted with them alone, on the simulated arm.
     fn contender(
         &self,
         against: &Against,
         data: &Data,
         ids: &[EffectId],
         weights: &Weights<'_>,
-    ) -> Result<Option<Contender>, AppError> {
+    ) -> Result<Tried, AppError> {
         let mut alone = data.clone();
         alone.decide(ids, &[]);
         let fitted = (weights.diagnosis)(&alone)?;
         if fitted.effects.len() != ids.len() {
-            return Ok(None);
+            return Ok(Tried::NotShown);
         }
         let file = model_file(against, data, &fitted);
         let simulated = match self.simulate(&file, &data.campaign) {
-            Err(AppError::Campaign(CampaignError::Effect { .. })) => return Ok(None),
+            Err(AppError::Campaign(CampaignError::Effect { .. })) => return Ok(Tried::NotShown),
             found => found?,
         };
-        let Some(simulated) = simulated else { return Ok(None) };
+        let Some(simulated) = simulated else { return Ok(Tried::NotShown) };
         let offset_deg = file.soil.delta_offset_deg.value;
         let model = Loaded::new(file, "the simulated soil")?;
         let mut beside = data.clone();
@@ -129,32 +159,44 @@ impl Again<'_> {
         beside.expect(&simulated.data, true, offset_deg);
         expect_scene(&mut beside, &simulated.data, &model);
         let strokes = beside.readings().strokes;
-        let made = strokes.iter().filter(|made| **made).count();
-        if 2 * made < strokes.len() {
+        if are_few(&strokes) {
             self.watch.note(&format!(
-                "of {} strokes, {made} are of a kind that always fails the soil of the simulated arm with {}: too few to be weighed",
+                "of {} strokes, {} are of a kind that always fails the soil of the simulated arm with {}: too few to be weighed",
                 strokes.len(),
+                taking_part(&strokes),
                 names(ids)
             ));
-            return Ok(None);
+            return Ok(Tried::Sinks);
         }
-        Ok(Some(Contender { ids: ids.to_vec(), beside, adds: 0.0 }))
+        Ok(Tried::Weighed(Box::new(Contender { ids: ids.to_vec(), beside, adds: 0.0 })))
     }
 }
 
 /// Weighs the readings of which all contenders, and the arm without effects, say what to expect; most evidence first. Strokes on the brink may
-/// fail the soil on one arm and sink on the other: that says little of either.
-fn rank(plain: &Data, contenders: &mut [Contender], weights: &Weights<'_>) -> Result<(), AppError> {
+/// fail the soil on one arm and sink on the other: that says little of either. `false` if too few are left, and then nothing is weighed.
+fn rank(plain: &Data, contenders: &mut [Contender], weights: &Weights<'_>) -> Result<bool, AppError> {
     let mut shared = plain.readings();
     for of in contenders.iter() {
         shared.keep(&of.beside.readings());
+    }
+    if are_few(&shared.strokes) {
+        return Ok(false);
     }
     let without = (weights.log_evidence)(plain, &shared)?;
     for of in contenders.iter_mut() {
         of.adds = (weights.log_evidence)(&of.beside, &shared)? - without;
     }
     contenders.sort_by(|a, b| b.adds.total_cmp(&a.adds));
-    Ok(())
+    Ok(true)
+}
+
+fn taking_part(strokes: &[bool]) -> usize {
+    strokes.iter().filter(|takes_part| **takes_part).count()
+}
+
+/// Whether less than half of the strokes takes part.
+fn are_few(strokes: &[bool]) -> bool {
+    2 * taking_part(strokes) < strokes.len()
 }
 
 /// What comes of a contest.

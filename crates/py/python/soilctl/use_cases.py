@@ -60,6 +60,7 @@ __all__ = [
     "DiagnoseChannelGap",
     "DiagnoseEffect",
     "DiagnoseGap",
+    "DiagnoseNearest",
     "DiagnoseNext",
     "DiagnoseParameter",
     "DiagnoseSelfTestAnswer",
@@ -69,6 +70,7 @@ __all__ = [
     "DiagnoseSelfTestLogsSaid",
     "DiagnoseSelfTestRate",
     "DiagnoseSignal",
+    "DiagnoseTerm",
     "DiagnoseTestability",
     "DiagnoseWhere",
     "DoctorAnswer",
@@ -6297,6 +6299,21 @@ class DiagnoseGap(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseNearest(Record):
+    """An effect that comes near.
+
+    Attributes:
+        id: Id in the catalogue.
+        log_bayes_factor: ln Bayes factor of it alone.
+    """
+
+    id: str
+    """Id in the catalogue."""
+    log_bayes_factor: float
+    """ln Bayes factor of it alone."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class DiagnoseNext(Record):
     """The next experiment.
 
@@ -6375,6 +6392,32 @@ class DiagnoseSignal(Record):
 
 
 @dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseTerm(Record):
+    """A change of the force over one condition of the strokes or two, without a name.
+
+    Attributes:
+        at: Values of each of these, ascending, in the unit of the column; of ``batch`` its place, from 0.
+        ln_force: Change of ln force there, those of the last condition one after the other; linear between, and
+            held beyond.
+        log_bayes_factor: ln Bayes factor over the explanation without it.
+        over: Columns of the stroke table.
+        sd: Standard deviation of each.
+    """
+
+    at: list[list[float]]
+    """Values of each of these, ascending, in the unit of the column; of ``batch`` its place, from 0."""
+    ln_force: list[float]
+    """Change of ln force there, those of the last condition one after the other; linear between, and held beyond.
+    """
+    log_bayes_factor: float
+    """ln Bayes factor over the explanation without it."""
+    over: list[str]
+    """Columns of the stroke table."""
+    sd: list[float]
+    """Standard deviation of each."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class DiagnoseTestability(Record):
     """What the design could show of an effect.
 
@@ -6423,18 +6466,24 @@ class DiagnoseAnswer(Answer):
     Attributes:
         schema: Id of this schema.
         version: Version of the program.
+        beyond_known: That strokes lie beyond those from which the empirical terms of that file were made; null if
+            none does.
         density_kg_m3: Recalibrated density with the effects, kg/m3.
         disagreements: Where readings of interface friction, zero or surface say what the verdict does not have,
             each with the reason.
         effects: Effects of the best explanation, best first; empty unless named, ambiguous or provisional.
+        empirical: What takes the place of effects where the status is unknown: a change of the force over
+            conditions of the strokes, which ``patch`` has. Empty otherwise.
         equivalence_set: What the data do not tell apart, best first; ids of effects, or ``unknown:<covariate>``.
         gap: How far model and measurement are apart.
         gap_by_channel: The gap of forces and of each column, on batches that were left out, forces first; empty
             with fewer than two batches. ``gap.csv`` has it along each condition.
-        known_effects: Effects of that file, which were taken as known; ``patch`` has them before those that were
-            found.
+        known_effects: Effects of that file, which were taken as known, and its empirical terms as ``a term over``
+            their conditions; ``patch`` has them before those that were found.
         model: The force model without effects.
         model_file: The model file that the campaign was held against; null without one.
+        nearest: Effects of the catalogue that come nearest where the status is unknown, best first, at most three;
+            empty otherwise.
         next_experiment: The follow-up that would tell most; null if nothing on the menu would.
         not_resimulated_because: Why logs that are there cannot be simulated again; null otherwise.
         patch: Model file for ``--model-file``.
@@ -6454,6 +6503,8 @@ class DiagnoseAnswer(Answer):
     """Id of this schema."""
     version: str
     """Version of the program."""
+    beyond_known: str | None
+    """That strokes lie beyond those from which the empirical terms of that file were made; null if none does."""
     density_kg_m3: float
     """Recalibrated density with the effects, kg/m3."""
     disagreements: list[str]
@@ -6462,6 +6513,10 @@ class DiagnoseAnswer(Answer):
     """
     effects: list[DiagnoseEffect]
     """Effects of the best explanation, best first; empty unless named, ambiguous or provisional."""
+    empirical: list[DiagnoseTerm]
+    """What takes the place of effects where the status is unknown: a change of the force over conditions of the
+    strokes, which ``patch`` has. Empty otherwise.
+    """
     equivalence_set: list[str]
     """What the data do not tell apart, best first; ids of effects, or ``unknown:<covariate>``."""
     gap: DiagnoseGap
@@ -6471,11 +6526,17 @@ class DiagnoseAnswer(Answer):
     batches. ``gap.csv`` has it along each condition.
     """
     known_effects: list[str]
-    """Effects of that file, which were taken as known; ``patch`` has them before those that were found."""
+    """Effects of that file, which were taken as known, and its empirical terms as ``a term over`` their conditions;
+    ``patch`` has them before those that were found.
+    """
     model: str
     """The force model without effects."""
     model_file: str | None
     """The model file that the campaign was held against; null without one."""
+    nearest: list[DiagnoseNearest]
+    """Effects of the catalogue that come nearest where the status is unknown, best first, at most three; empty
+    otherwise.
+    """
     next_experiment: DiagnoseNext | None
     """The follow-up that would tell most; null if nothing on the menu would."""
     not_resimulated_because: str | None

@@ -69,6 +69,9 @@ impl Words for Answer {
         for disagreement in &self.disagreements {
             text += &format!("note: {disagreement}\n");
         }
+        if let Some(beyond) = &self.beyond_known {
+            text += &format!("note: {beyond}\n");
+        }
         if let Some(sentence) = self.resimulation() {
             text += &format!("note: {sentence}\n");
         }
