@@ -77,7 +77,8 @@ def test_the_plate_is_dragged_and_the_log_tells_the_soil(dig, pages, soilctl, tm
     done = soilctl("process", log, "--out", strokes, "--format", "json")
     assert done.returncode in (0, 1), done.stderr
     found = json.loads(done.stdout)["logs"][0]
-    contact = found["found"]["contacts"][0]
+    # A plate that comes down haltingly may touch the soil before it.
+    contact = max(found["found"]["contacts"], key=lambda contact: contact["depth_m"] or 0.0)
     assert contact["kind"] in ("stroke", "no_failure", "refused") and abs(contact["depth_m"] - 0.025) < 0.006, contact
     assert 2.0 < contact["highest_n"] < 20.0
     if found["strokes"]:
