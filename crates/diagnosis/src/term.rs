@@ -25,8 +25,9 @@ pub(crate) fn term(
         .iter()
         .enumerate()
         .filter_map(|(i, line)| {
-            let x = recorded(data, shape.over.on, i)?;
-            let y = shape.over.times.map_or(Some(0.0), |times| recorded(data, times, i))?;
+            let recorded = |condition: Covariate| condition.recorded(&data.rows[i], &data.reference);
+            let x = recorded(shape.over.on)?;
+            let y = shape.over.times.map_or(Some(0.0), recorded)?;
             let change = line.iter().zip(coefficients).map(|(a, b)| a * b).sum();
             let variance: f64 = line
                 .iter()
@@ -62,14 +63,6 @@ struct Point {
     y: f64,
     change: f64,
     sd: f64,
-}
-
-/// A condition of a stroke; of a batch its place.
-fn recorded(data: &Data, condition: Covariate, stroke: usize) -> Option<f64> {
-    match condition {
-        Covariate::Batch => data.rows[stroke].batch.as_deref().and_then(|name| data.reference.place_of(name)),
-        of_row => of_row.of(&data.rows[stroke]),
-    }
 }
 
 /// The few points of one condition between which a line is near enough.

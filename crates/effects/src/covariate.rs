@@ -3,6 +3,8 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 use soilctl_strokes::StrokeRow;
 
+use crate::Reference;
+
 /// A condition of a stroke that is recorded: what an effect, a residual or a follow-up may vary with.
 ///
 /// In files it has the name of its column.
@@ -87,6 +89,17 @@ impl Covariate {
             Self::Order => row.order.map(f64::from),
             Self::Time => row.time_s,
             Self::Batch => None,
+        }
+    }
+}
+
+impl Covariate {
+    /// As [`Covariate::of`], but a batch has its place in the order of the reference, from 0; `None` if it is not there.
+    #[must_use]
+    pub fn recorded(self, row: &StrokeRow, reference: &Reference) -> Option<f64> {
+        match self {
+            Self::Batch => reference.place_of(row.batch.as_deref()?),
+            of_row => of_row.of(row),
         }
     }
 }

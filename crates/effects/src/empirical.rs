@@ -67,7 +67,7 @@ impl EmpiricalTerm {
     /// Change of ln force of a stroke; 0 if one of the conditions is not recorded. Batches have their places in `reference`.
     #[must_use]
     pub fn ln_factor(&self, row: &StrokeRow, reference: &Reference) -> f64 {
-        self.at_values(&|condition| recorded(condition, row, reference))
+        self.at_values(&|condition| condition.recorded(row, reference))
     }
 
     /// Whether a stroke has all conditions, within the grid.
@@ -75,7 +75,7 @@ impl EmpiricalTerm {
     pub fn is_told(&self, row: &StrokeRow, reference: &Reference) -> bool {
         let within = |(condition, at): (&Covariate, &Vec<f64>)| {
             let ends = at.first().zip(at.last());
-            let value = recorded(*condition, row, reference);
+            let value = condition.recorded(row, reference);
             value.zip(ends).is_some_and(|(value, (low, high))| {
                 // Readings of one condition scatter.
                 let margin = MARGIN * (high - low);
@@ -104,14 +104,6 @@ impl EmpiricalTerm {
             }
             _ => 0.0,
         }
-    }
-}
-
-/// A condition of a stroke.
-fn recorded(condition: Covariate, row: &StrokeRow, reference: &Reference) -> Option<f64> {
-    match condition {
-        Covariate::Batch => reference.place_of(row.batch.as_deref()?),
-        of_row => of_row.of(row),
     }
 }
 

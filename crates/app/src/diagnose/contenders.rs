@@ -103,11 +103,11 @@ impl Again<'_> {
             let Tried::Weighed(further) = self.contender(against, data, &ids, weights)? else { continue };
             contenders.push(*further);
             // A set whose arm leaves too few strokes to weigh it with the others is not one of them.
-            if !rank(data, &mut contenders, weights)? {
-                contenders.retain(|of| of.ids != ids);
-                rank(data, &mut contenders, weights)?;
+            if shared(data, &contenders).is_none() {
+                contenders.pop();
             }
         }
+        rank(data, &mut contenders, weights)?;
         for of in &contenders {
             self.watch.note(&format!(
                 "the simulated arm with {}: ln evidence of all readings {:+.1}",
@@ -148,7 +148,9 @@ impl Again<'_> {
         }
         let file = model_file(against, data, &fitted);
         let simulated = match self.simulate(&file, &data.campaign) {
-            Err(AppError::Campaign(CampaignError::Effect { .. })) => return Ok(Tried::NotShown),
+            Err(AppError::Campaign(CampaignError::Effect { .. } | CampaignError::Term { .. })) => {
+                return Ok(Tried::NotShown);
+            }
             found => found?,
         };
         let Some(simulated) = simulated else { return Ok(Tried::NotShown) };
@@ -172,16 +174,19 @@ impl Again<'_> {
     }
 }
 
-/// Weighs the readings of which all contenders, and the arm without effects, say what to expect; most evidence first. Strokes on the brink may
-/// fail the soil on one arm and sink on the other: that says little of either. `false` if too few are left, and then nothing is weighed.
-fn rank(plain: &Data, contenders: &mut [Contender], weights: &Weights<'_>) -> Result<bool, AppError> {
+/// The readings of which all contenders, and the arm without effects, say what to expect; `None` if too few strokes are left. Strokes on the brink may
+/// fail the soil on one arm and sink on the other: that says little of either.
+fn shared(plain: &Data, contenders: &[Contender]) -> Option<Readings> {
     let mut shared = plain.readings();
-    for of in contenders.iter() {
+    for of in contenders {
         shared.keep(&of.beside.readings());
     }
-    if are_few(&shared.strokes) {
-        return Ok(false);
-    }
+    (!are_few(&shared.strokes)).then_some(shared)
+}
+
+/// Weighs the readings that all contenders share, most evidence first; `false` if these are too few, and then nothing is weighed.
+fn rank(plain: &Data, contenders: &mut [Contender], weights: &Weights<'_>) -> Result<bool, AppError> {
+    let Some(shared) = shared(plain, contenders) else { return Ok(false) };
     let without = (weights.log_evidence)(plain, &shared)?;
     for of in contenders.iter_mut() {
         of.adds = (weights.log_evidence)(&of.beside, &shared)? - without;
@@ -261,11 +266,11 @@ mod tests {
 
     use super::*;
 
-    /// A campaign of two strokes, beside an arm that read these columns of the first and may have failed the soil in the second.
-    fn beside(z_drift_m: Option<f64>, post_slope_norm: Option<f64>, both: bool) -> Data {
+    /// A campaign of two strokes at each of two tool angles, beside an arm that read these columns of those that did not sink on it.
+    fn beside(z_drift_m: Option<f64>, post_slope_norm: Option<f64>, sinks: &str) -> Data {
         let row = |name: &str, z_drift_m, post_slope_norm| StrokeRow {
             stroke_id: Some(name.to_owned()),
-            alpha_deg: if name == "a" { 90.0 } else { 80.0 },
+            alpha_deg: if "ab".contains(name) { 90.0 } else { 80.0 },
             depth_m: 0.025,
             width_m: 0.1,
             force_n: 5.0,
@@ -274,9 +279,10 @@ mod tests {
             ..StrokeRow::default()
         };
         let of = |rows| Data::new("t", rows, Campaign::default()).unwrap();
-        let mut data = of(["a", "b"].map(|name| row(name, Some(1e-3), Some(0.2))).to_vec());
-        let second = both.then(|| row("b", z_drift_m, post_slope_norm));
-        let simulated = std::iter::once(row("a", z_drift_m, post_slope_norm)).chain(second).collect();
+        let names = ["a", "b", "c", "d"];
+        let mut data = of(names.map(|name| row(name, Some(1e-3), Some(0.2))).to_vec());
+        let made = names.into_iter().filter(|name| !sinks.contains(name));
+        let simulated = made.map(|name| row(name, z_drift_m, post_slope_norm)).collect();
         data.expect(&of(simulated), false, 0.0);
         data
     }
@@ -288,14 +294,14 @@ mod tests {
     /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.
     #[test]
     fn contenders_are_weighed_by_the_readings_that_all_of_them_expect() {
-        let both = || beside(Some(1e-3), Some(0.2), true);
+        let both = || beside(Some(1e-3), Some(0.2), "");
         let mut contenders = vec![
             contender(&[EffectId::Backlash], 0.0, both()),
-            contender(&[EffectId::CableFlex], 0.0, beside(Some(1e-3), None, true)),
-            contender(&[EffectId::ForceBias], 0.0, beside(Some(1e-3), Some(0.2), false)),
+            contender(&[EffectId::CableFlex], 0.0, beside(Some(1e-3), None, "")),
+            contender(&[EffectId::ForceBias], 0.0, beside(Some(1e-3), Some(0.2), "c")),
         ];
         let plain = both();
-        assert_eq!((plain.readings().columns.len(), plain.readings().strokes), (2, vec![true; 2]));
+        assert_eq!((plain.readings().columns.len(), plain.readings().strokes), (2, vec![true; 4]));
         let asked = RefCell::new(Vec::new());
         let log_evidence = |data: &Data, of: &Readings| {
             asked.borrow_mut().push(of.clone());
@@ -305,15 +311,19 @@ mod tests {
         rank(&plain, &mut contenders, &Weights { diagnosis: &diagnosis, log_evidence: &log_evidence })
             .unwrap();
         let asked = asked.into_inner();
-        let shared = Readings { columns: [Channel::ZDrift].into(), strokes: vec![true, false] };
+        // With a stroke that sinks its whole kind is left out.
+        let shared = Readings { columns: [Channel::ZDrift].into(), strokes: vec![true, true, false, false] };
         assert_eq!(asked, vec![shared; 4]);
         assert!(contenders.iter().all(|of| of.adds.abs() < 1e-12));
+        // One on which the other kind sinks leaves nothing to weigh them all by.
+        contenders.push(contender(&[EffectId::ForceDrift], 0.0, beside(Some(1e-3), Some(0.2), "a")));
+        assert!(super::shared(&plain, &contenders).is_none());
     }
 
     #[test]
     fn the_best_has_to_beat_the_arm_without_effects_and_a_second_effect_to_earn_its_place() {
         let [a, b, c] = [EffectId::Backlash, EffectId::CableFlex, EffectId::FtCrosstalk];
-        let of = |ids: &[EffectId], adds| contender(ids, adds, beside(None, None, true));
+        let of = |ids: &[EffectId], adds| contender(ids, adds, beside(None, None, ""));
         let found = |all: &[Contender], untried: &[EffectId]| {
             let outcome = outcome(all, untried.to_vec()).unwrap();
             (outcome.best, outcome.as_likely, outcome.is_borne_out)
