@@ -1,6 +1,6 @@
 //! What takes too long for every change: `cargo xtask verify`, whole or in parts.
 //!
-//! All of it runs in the profile of the tests, where the inner loops are optimised and arithmetic that overflows is found, with the
+//! All of it runs in the profile of the tests, where the inner loops are optimised and overflow in our arithmetic is found, with the
 //! whole workspace's features: what `cargo xtask test` compiled is not compiled again.
 
 use crate::browser;
@@ -93,7 +93,7 @@ pub(crate) const PARTS: [(Part, &str, &str); 15] = [
     (
         Part::Browser,
         "browser",
-        "the workbench of a static site: its bits against the program's, size and time",
+        "long tests of pages and estimates in Python; the workbench of a static site: its bits against the program's, size and time",
     ),
     (Part::Fuzz, "fuzz", "the targets of fuzz/ compile"),
     (Part::Windows, "windows", "the task of this name"),
@@ -205,6 +205,20 @@ fn properties(workspace: &Workspace) -> Result<(), XtaskError> {
 
 fn browser(workspace: &Workspace) -> Result<(), XtaskError> {
     setup(workspace)?;
+    Step::new("long Python tests", workspace.venv_python())
+        .args([
+            "-m",
+            "pytest",
+            "tests/python",
+            "--ignore",
+            "tests/python/wheel",
+            "--ignore",
+            "tests/python/browser",
+        ])
+        .args(["-m", "long"])
+        .dir(workspace.root())
+        .env("SOILCTL", find_soilctl(workspace)?)
+        .run()?;
     let folder = workspace.target().join("workbench");
     browser::make(workspace, &folder)?;
     // What is compared for speed is optimised on both sides.
