@@ -83,6 +83,7 @@ def orange(eye):
     return (red > 120) & (blue < 12) & (abs(green / np.maximum(red, 1) - 0.42 / 0.91) < 0.05)
 
 
+@pytest.mark.long
 def test_both_eyes_see_the_plate_where_it_is(dig, pages):
     page = pages(dig.url, script="window.HEADSET_PX = 640;", color_scheme="light")
     hand = begin(page)
@@ -165,6 +166,7 @@ def test_the_plate_follows_the_hand_and_stays_when_it_lets_go(dig, pages):
     assert page.evaluate("dig.hand.grips()") is False and np.allclose(plate(page), at, atol=PLAY_M)
 
 
+@pytest.mark.long
 def test_whatever_ends_the_grip_lets_go(dig, pages):
     page = pages(dig.url)
     hand = begin(page)
@@ -204,6 +206,7 @@ def test_whatever_ends_the_grip_lets_go(dig, pages):
     until(page, "dig.visit === null && headset.session === null")
 
 
+@pytest.mark.long
 def test_the_controller_shakes_with_the_force_and_its_button_stops_the_arm(dig, pages):
     page = pages(dig.url)
     hand = begin(page)
@@ -253,6 +256,7 @@ def test_what_refuses_a_view_is_said(dig, pages):
     assert page.evaluate("dig.visit.painter.floor_z_m") is None
 
 
+@pytest.mark.long
 def test_who_watches_moves_the_sandbox_and_not_the_plate(dig, pages):
     page = pages(dig.url.partition("#")[0], NO_TOKEN)
     enter(page)
@@ -298,6 +302,7 @@ def test_who_watches_moves_the_sandbox_and_not_the_plate(dig, pages):
     assert np.allclose(page.evaluate("dig.visit.place.at"), at, atol=1e-6)
 
 
+@pytest.mark.long
 def test_through_the_room_and_by_finger(dig, pages):
     page = pages(dig.url, script="window.HEADSET_PX = 240;")
     page.evaluate("() => { Object.assign(headset, {modes: ['immersive-ar'], blend: 'alpha-blend', head: [[0, 1.6, 0], [-.259, 0, 0, .966]]}); navigator.xr.dispatchEvent(new Event('devicechange')); }")

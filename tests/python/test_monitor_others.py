@@ -63,6 +63,7 @@ def six_joints(tmp_path_factory):
     return next(path.glob("*.mcap")), tip
 
 
+@pytest.mark.long
 def test_a_view_has_all_of_the_arm_in_it(serve, stroke_log, six_joints):
     # All corners of bodies, and of the box, as the page draws them.
     points = """(() => { const {scene} = monitor, {sandbox} = scene.description, links = scene.arm.pose(scene.arm.values(scene.state, monitor.names));

@@ -228,8 +228,8 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 #[test]
-fn two_regions_hold_their_soil() {
-    let found = campaigns(1..=1, &[SOILS[0], SOILS[3]], 1);
+fn a_region_holds_its_soil() {
+    let found = campaigns(1..=1, &[SOILS[3]], 1);
     assert!(found.iter().all(|one| one.holds));
 }
 
