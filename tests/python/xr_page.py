@@ -131,6 +131,8 @@ def lead(page, source, way, speed_m_s=0.05):
         share = min(1.0, (page.evaluate("dig.state.time_s") - begin) / seconds)
         put(page, source, from_place + share * page.evaluate("dig.visit.place.scale") * in_room(page, way))
         page.wait_for_timeout(30)
+    # The page sees a hand when it draws, which a slow machine does seldom.
+    frames(page, 3)
     rest(page)
 
 
