@@ -100,12 +100,9 @@ def holds(answer, soil):
     return crossings % 2 == 1
 
 
-KINDS = [(Bounds, 4, True), (Coulomb, 3, True), (Coulomb, 5, False)]
-
-
 # Each call takes a fifth of a second, with bounds more.
 @pytest.mark.parametrize("campaigns", [20, pytest.param(200, marks=pytest.mark.long)])
-@pytest.mark.parametrize(("kind", "repeats", "stated"), KINDS)
+@pytest.mark.parametrize(("kind", "repeats", "stated"), [(Bounds, 4, True), (Coulomb, 3, True), (Coulomb, 5, False)])
 def test_regions_hold_the_truth(soilctl, data, tmp_path, kind, repeats, stated, campaigns):
     model, random = kind(data), np.random.default_rng(2001)
     held, widths = 0, []

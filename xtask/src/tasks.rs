@@ -1,6 +1,6 @@
 //! The tasks and their steps.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::error::XtaskError;
 use crate::python::Environment;
@@ -169,7 +169,12 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
     built.run(workspace)?;
     wheel::test(workspace)?;
     // Last, so that a log ends with pytest's summary.
-    Step::new("Python tests", workspace.venv_python())
+    python_tests(workspace, "Python tests", &soilctl).run()
+}
+
+/// The tests of the program in Python but those that are marked as long.
+pub(crate) fn python_tests(workspace: &Workspace, name: &str, soilctl: &Path) -> Step {
+    Step::new(name, workspace.venv_python())
         .args(["-m", "pytest", "tests/python", "--ignore", "tests/python/wheel"])
         // It tests what takes minutes to build: see `verify`.
         .args(["--ignore", "tests/python/browser"])
@@ -177,7 +182,6 @@ fn test(workspace: &Workspace) -> Result<(), XtaskError> {
         .args(["--numprocesses", "2", "--dist", "loadfile"])
         .dir(workspace.root())
         .env("SOILCTL", soilctl)
-        .run()
 }
 
 /// Builds the command-line tool as the Rust tests do; with other arguments much would be compiled once more.

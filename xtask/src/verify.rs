@@ -8,7 +8,7 @@ use crate::error::XtaskError;
 use crate::fuzz;
 use crate::run::Step;
 use crate::systems;
-use crate::tasks::{cargo, find_soilctl, setup};
+use crate::tasks::{cargo, find_soilctl, python_tests, setup};
 use crate::workspace::Workspace;
 
 /// Cases of each property test; an ordinary test run takes proptest's 256.
@@ -205,20 +205,7 @@ fn properties(workspace: &Workspace) -> Result<(), XtaskError> {
 
 fn browser(workspace: &Workspace) -> Result<(), XtaskError> {
     setup(workspace)?;
-    Step::new("long Python tests", workspace.venv_python())
-        .args([
-            "-m",
-            "pytest",
-            "tests/python",
-            "--ignore",
-            "tests/python/wheel",
-            "--ignore",
-            "tests/python/browser",
-        ])
-        .args(["-m", "long"])
-        .dir(workspace.root())
-        .env("SOILCTL", find_soilctl(workspace)?)
-        .run()?;
+    python_tests(workspace, "long Python tests", &find_soilctl(workspace)?).args(["-m", "long"]).run()?;
     let folder = workspace.target().join("workbench");
     browser::make(workspace, &folder)?;
     // What is compared for speed is optimised on both sides.
