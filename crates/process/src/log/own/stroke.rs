@@ -113,7 +113,7 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
         tips[1].push(tip_and_sensor(arm, &sample.motor)?.0.origin_m);
     }
     let touch = touched(arm, &logged.approach, &tare)?;
-    let surface = touch.or_else(|| {
+    let surface = touch.map(|touch| touch.z_m).or_else(|| {
         flags.push("surface_as_stated");
         logged.stated_surface_m
     });
@@ -149,9 +149,9 @@ pub(super) fn process(arm: &Arm, logged: &Logged, tool_weight_n: f64) -> Result<
     if air(&logged.approach).is_some() {
         (row.air_across_n, row.air_along_n) = (Some(tare[2]), Some(tare[0]));
     }
-    row.touch_z_m = touch.zip(logged.stated_surface_m).map(|(touched, stated)| touched - stated);
+    row.touch_z_m = touch.zip(logged.stated_surface_m).map(|(touch, stated)| touch.z_m - stated);
     row.insertion_force_n = insertion_force_n(arm, &logged.approach, &tare)?;
-    row.depth_sd_m = Some(depth_sd_m(arm, &joints[0], &half_steps, touch.is_some())?);
+    row.depth_sd_m = Some(depth_sd_m(arm, &joints[0], &half_steps, touch.map(|touch| touch.late))?);
     if let Outcome::Found(point) = &evaluated.analysis.outcome {
         // At the beginning the external encoders stand at some count; the insertion tells the height more exactly.
         if let Some(start_z_m) = start_z_m {
