@@ -9,6 +9,7 @@ use soilctl_soil::STANDARD_GRAVITY_M_S2;
 use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
+use crate::correlation::Correlation;
 use crate::learnt::{Learnt, Unsteadiness};
 use crate::traces::{PhaseKey, traced};
 
@@ -124,6 +125,8 @@ pub struct Data {
     pub(crate) twin: Vec<Learnt>,
     /// By how much strokes of that arm go another way for reasons of their own.
     pub(crate) unsteadiness: Unsteadiness,
+    /// How the readings of one stroke vary together, where strokes of that arm were repeated.
+    pub(crate) correlation: Option<Correlation>,
     /// Whether the free-air readings of the table are taken off the forces.
     tare_is_off: bool,
     /// Effects that are not to be found, but known.
@@ -208,6 +211,7 @@ impl Data {
             learnt: BTreeMap::new(),
             twin: Vec::new(),
             unsteadiness: Unsteadiness::default(),
+            correlation: None,
             tare_is_off: false,
             known: Vec::new(),
             known_terms: Vec::new(),
@@ -272,6 +276,12 @@ impl Data {
     pub fn doubt(&mut self, setting: Learnt) {
         self.unsteadiness.add(&setting);
         self.twin.push(setting);
+    }
+
+    /// Takes how the readings of one stroke vary together from strokes that the simulated arm made several times with other noise. Fewer than
+    /// twelve degrees of freedom (strokes times further repeats) say nothing.
+    pub fn vary_as(&mut self, repeats: &[&Self]) {
+        self.correlation = Correlation::of_repeats(repeats);
     }
 
     /// Takes also those columns that only a simulated arm says what to expect of: for strokes that are compared with others of that arm.

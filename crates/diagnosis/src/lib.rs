@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod channels;
+mod correlation;
 mod data;
 mod diagnosis;
 mod error;

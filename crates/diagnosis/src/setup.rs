@@ -7,6 +7,7 @@ use soilctl_effects::{
 };
 
 use crate::channels::Baseline;
+use crate::correlation::Correlation;
 use crate::data::Data;
 use crate::generic::indicator;
 use crate::learnt::Learnt;
@@ -110,14 +111,15 @@ impl<'a> FitSetup<'a> {
         self.data.known.iter().map(|known| known.active).chain(more).collect()
     }
 
-    /// Channels that every fit of forces has: those that read the interface friction, and those that share with the forces what the twin may be
-    /// off by.
+    /// Channels that every fit of forces has: those that read the interface friction, those that share with the forces what the twin may be
+    /// off by, and those that vary together.
     pub(crate) fn core(&self) -> BTreeSet<Channel> {
         let shared =
             |channel: &Channel| self.twin().iter().any(|setting| setting.channels().contains(channel));
+        let varies = |channel: &Channel| self.correlation().is_some_and(|of| of.has(*channel));
         self.baselines
             .iter()
-            .filter(|(channel, baseline)| baseline.reads_delta || shared(channel))
+            .filter(|(channel, baseline)| baseline.reads_delta || shared(channel) || varies(channel))
             .map(|(channel, _)| *channel)
             .collect()
     }
@@ -125,6 +127,11 @@ impl<'a> FitSetup<'a> {
     /// How strokes respond to settings in which the simulated arm may be off.
     pub(crate) fn twin(&self) -> &'a [Learnt] {
         if self.compares_signals { &self.data.twin } else { &[] }
+    }
+
+    /// How the readings of one stroke vary together.
+    pub(crate) fn correlation(&self) -> Option<&'a Correlation> {
+        self.data.correlation.as_ref().filter(|_| self.compares_signals)
     }
 
     /// Variance that a row has since strokes of the simulated arm go another way for reasons of their own: of ln force, or of a column.
@@ -138,7 +145,7 @@ impl<'a> FitSetup<'a> {
 
     /// Whether the forces take part in the fit of a set of effects.
     pub(crate) fn needs_forces(&self, spec: &Spec) -> bool {
-        spec.on_force() || !self.twin().is_empty()
+        spec.on_force() || !self.twin().is_empty() || self.correlation().is_some()
     }
 
     /// The same campaign with batches as the only nuisance, for predictions that a model file can repeat.

@@ -1,4 +1,5 @@
-//! How the simulated arm shows effects: single strokes like those of the campaign, without and with each effect, by the same noise.
+//! How the simulated arm shows effects: single strokes like those of the campaign, without and with each effect, by the same noise; and how
+//! their readings vary together, by other noise.
 
 use std::path::Path;
 use std::sync::atomic::Ordering;
@@ -16,6 +17,8 @@ use crate::{AppError, Interrupted, Watch, process, simulate};
 
 /// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.
 const SEED: u64 = 0x1ea2;
+/// How often the single strokes are made once more with other noise, which tells how the readings of a stroke vary together.
+const REPEATS: u64 = 4;
 /// Steps in deg and kg/m3 to which the soil of single strokes is rounded: responses are differences, which change little with the soil, and
 /// campaigns in much the same soil share them. It is the soil as it was known before the strokes were looked at, for an effect that is there
 /// moves the fitted one.
@@ -70,7 +73,7 @@ impl<'a> Learning<'a> {
         simulated.sort_unstable();
         simulated.dedup();
         let of_effects: usize = simulated.iter().map(|id| amplitudes(id.effect()).len()).sum();
-        let runs = of_effects + 2 * Setting::ALL.len();
+        let runs = 1 + REPEATS as usize + of_effects + 2 * Setting::ALL.len();
         let each = self.plan.strokes().strokes().len();
         let clock = Instant::now();
         let Some(plain) = self.table(&self.plan, &self.plain)? else {
@@ -113,7 +116,25 @@ impl<'a> Learning<'a> {
                 data.learn(*wanted, Learnt::new(wanted.effect(), data, &plain, &shown));
             }
         }
-        self.settings(data, &plain)
+        if self.settings(data, &plain)? == Progress::Stopped {
+            return Ok(Progress::Stopped);
+        }
+        self.noise(data, &plain)
+    }
+
+    /// Learns how the readings of a stroke vary together.
+    fn noise(&self, data: &mut Data, plain: &Data) -> Result<Progress, AppError> {
+        let stop = self.watch.stop(Interrupted::KeepsResults);
+        let mut others = Vec::new();
+        for further in 1..=REPEATS {
+            match self.table_of(&self.plan, &self.plain, SEED + further)? {
+                Some(table) => others.push(table),
+                None if stop.load(Ordering::Relaxed) => return Ok(Progress::Stopped),
+                None => {}
+            }
+        }
+        data.vary_as(&std::iter::once(plain).chain(&others).collect::<Vec<_>>());
+        Ok(Progress::Done)
     }
 
     /// Learns what the settings do in which the simulated arm may be off.
@@ -137,15 +158,20 @@ impl<'a> Learning<'a> {
 
     /// Strokes with the soil and the effects of a model file; `None` if no stroke has a failure force, or it was stopped.
     fn table(&self, plan: &Plan, file: &ModelFile) -> Result<Option<Data>, AppError> {
+        self.table_of(plan, file, SEED)
+    }
+
+    /// The same under a seed of its own.
+    fn table_of(&self, plan: &Plan, file: &ModelFile, seed: u64) -> Result<Option<Data>, AppError> {
         let text = serde_json::to_string(file)?;
         // Files that the plan names may change under the same name.
         let named = format!("{:?}{:?}", plan.plant().config(), plan.controller());
-        let of = format!("{}\n{}\n{}\n{text}\n{named}", env!("CARGO_PKG_VERSION"), SEED, plan.text());
+        let of = format!("{}\n{}\n{}\n{text}\n{named}", env!("CARGO_PKG_VERSION"), seed, plan.text());
         let folder = self.store.join(fnv1a(of.as_bytes()));
         let strokes = folder.join("strokes.csv");
         if !strokes.is_file() {
             let name = folder.display().to_string();
-            let options = Options { out: &folder, seed: SEED, threads: cores(), content: Content::Steps };
+            let options = Options { out: &folder, seed, threads: cores(), content: Content::Steps };
             let made = simulate::campaign(plan, Some((file, name.as_str())), &options, self.watch)?;
             if !made.complete {
                 return Ok(None);

@@ -3,6 +3,7 @@
 mod problem;
 mod report;
 mod solve;
+mod together;
 
 use std::collections::BTreeSet;
 

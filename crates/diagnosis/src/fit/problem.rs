@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use soilctl_effects::{Active, Channel};
 
+use super::together::Together;
 use crate::data::Prior;
 use crate::setup::{FitSetup, SETTING_SD};
 use crate::spec::Spec;
@@ -24,6 +25,14 @@ pub(super) enum Row {
     Channel { stroke: usize, block: usize },
 }
 
+impl Row {
+    pub(super) fn stroke(self) -> usize {
+        match self {
+            Self::Force(stroke) | Self::Channel { stroke, .. } => stroke,
+        }
+    }
+}
+
 pub(super) struct Problem<'a> {
     pub(super) setup: &'a FitSetup<'a>,
     pub(super) spec: &'a Spec,
@@ -33,6 +42,8 @@ pub(super) struct Problem<'a> {
     /// Block of each row: 0 forces, then channels.
     pub(super) block: Vec<usize>,
     pub(super) included: Vec<bool>,
+    /// Rows that take part, those together that vary together.
+    pub(super) together: Vec<Together>,
     /// Design of the linear parameters, row by row; nonlinear columns are filled in every round.
     pub(super) design: Vec<f64>,
     pub(super) priors: Vec<Prior>,
@@ -131,6 +142,11 @@ impl<'a> Problem<'a> {
                 design.extend(line);
             }
         }
+        let signal = |row: Row| match row {
+            Row::Force(_) => None,
+            Row::Channel { block, .. } => Some(channels[block]),
+        };
+        let together = Together::all(&rows, &included, signal, setup.correlation());
         Self {
             setup,
             spec,
@@ -139,6 +155,7 @@ impl<'a> Problem<'a> {
             y,
             block: blocks,
             included,
+            together,
             design,
             priors,
             with_force,
@@ -233,9 +250,15 @@ impl<'a> Problem<'a> {
     pub(super) fn objective(&self, p: &[f64], ln_scatter: &[f64]) -> Option<f64> {
         let means = self.means(p)?;
         let mut sum = 0.0;
-        for (r, mean) in self.included_rows(&means) {
-            let sd = self.row_sd(r, ln_scatter).0;
-            sum += loss((self.y[r] - mean) / sd) + sd.ln();
+        for together in &self.together {
+            let mut z = Vec::with_capacity(together.rows.len());
+            for &r in &together.rows {
+                let sd = self.row_sd(r, ln_scatter).0;
+                sum += sd.ln();
+                z.push((self.y[r] - means[r]) / sd);
+            }
+            together.whiten(&mut z);
+            sum += z.into_iter().map(loss).sum::<f64>() + together.half_ln_det;
         }
         for (value, prior) in p.iter().zip(&self.priors) {
             sum += 0.5 * ((value - prior.mean) / prior.sd).powi(2);

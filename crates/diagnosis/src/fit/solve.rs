@@ -89,18 +89,25 @@ impl Problem<'_> {
         let mut hessian = DMatrix::zeros(width, width);
         let mut gradient = DVector::zeros(width);
         let mut present = Vec::with_capacity(width);
-        for (r, mean) in self.included_rows(means) {
-            let sd = self.row_sd(r, ln_scatter).0;
-            let z = (self.y[r] - mean) / sd;
-            let weight = weight(z) / (sd * sd);
-            let line = &jacobian[r * width..(r + 1) * width];
-            present.clear();
-            present.extend((0..width).filter(|&k| line[k] != 0.0));
-            for (n, &i) in present.iter().enumerate() {
-                let scaled = weight * line[i];
-                gradient[i] += scaled * (self.y[r] - mean);
-                for &j in &present[..=n] {
-                    hessian[(i, j)] += scaled * line[j];
+        for together in &self.together {
+            let (mut residuals, mut lines) = (Vec::new(), Vec::with_capacity(together.rows.len() * width));
+            for &r in &together.rows {
+                let sd = self.row_sd(r, ln_scatter).0;
+                residuals.push((self.y[r] - means[r]) / sd);
+                lines.extend(jacobian[r * width..(r + 1) * width].iter().map(|value| value / sd));
+            }
+            together.whiten(&mut residuals);
+            together.whiten_lines(&mut lines, width);
+            for (z, line) in residuals.into_iter().zip(lines.chunks_exact(width)) {
+                let weight = weight(z);
+                present.clear();
+                present.extend((0..width).filter(|&k| line[k] != 0.0));
+                for (n, &i) in present.iter().enumerate() {
+                    let scaled = weight * line[i];
+                    gradient[i] += scaled * z;
+                    for &j in &present[..=n] {
+                        hessian[(j, i)] += scaled * line[j];
+                    }
                 }
             }
         }
@@ -111,7 +118,7 @@ impl Problem<'_> {
         }
         for i in 0..width {
             for j in 0..i {
-                hessian[(j, i)] = hessian[(i, j)];
+                hessian[(i, j)] = hessian[(j, i)];
             }
         }
         (hessian, gradient)
