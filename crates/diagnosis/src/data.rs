@@ -253,14 +253,18 @@ impl Data {
     }
 
     /// Takes what the scene makes of the force of each stroke from a simulated arm in soil of a known force: ln of the force that was read
-    /// over that which the force model gives (`model_n`, by stroke of `simulated`). A mean over strokes of one tool angle and radius, since
-    /// simulated strokes scatter, too. Strokes whose kind is missing there keep what an arm before it said; if there was none, nothing happens.
+    /// over that which the force model gives (`model_n`, by stroke of `simulated`). Strokes are found by their names, since each has other neighbours;
+    /// for one that is missing there the mean at its tool angle and radius stands. Strokes whose kind is missing keep what an arm before it said; if
+    /// there was none, nothing happens.
     pub fn expect_scene(&mut self, simulated: &Self, model_n: &[f64]) {
         let of = |row: &StrokeRow| -> Option<f64> {
-            let found = simulated.rows.iter().zip(model_n).filter(|(other, _)| is_of_a_kind(row, other));
-            let ratios: Vec<f64> = found.map(|(other, model)| (other.force_n / model).ln()).collect();
-            let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
-            mean.is_finite().then_some(mean)
+            let found = |is_like: &dyn Fn(&StrokeRow) -> bool| -> Option<f64> {
+                let like = simulated.rows.iter().zip(model_n).filter(|(other, _)| is_like(other));
+                let ratios: Vec<f64> = like.map(|(other, model)| (other.force_n / model).ln()).collect();
+                let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
+                mean.is_finite().then_some(mean)
+            };
+            found(&|other| is_same(row, other)).or_else(|| found(&|other| is_of_a_kind(row, other)))
         };
         let before = |i: usize| self.scene.as_ref()?.get(i).copied();
         self.scene = self.rows.iter().enumerate().map(|(i, row)| of(row).or_else(|| before(i))).collect();
@@ -327,12 +331,7 @@ impl Data {
     pub fn expect(&mut self, simulated: &Self, shows_known: bool, delta_offset_deg: f64) {
         self.expected_shows_known = shows_known;
         self.expected_delta_offset_deg = delta_offset_deg;
-        let place = |row: &StrokeRow| {
-            simulated
-                .rows
-                .iter()
-                .position(|other| row.stroke_id.is_some() && other.stroke_id == row.stroke_id)
-        };
+        let place = |row: &StrokeRow| simulated.rows.iter().position(|other| is_same(row, other));
         let places: Vec<Option<usize>> = self.rows.iter().map(place).collect();
         // A kind of stroke of which one sinks is on the brink: the others of it go their own way, too.
         let sinks = |row: &StrokeRow| {
@@ -461,6 +460,11 @@ impl Data {
     }
 }
 
+/// Whether two strokes have one name.
+fn is_same(a: &StrokeRow, b: &StrokeRow) -> bool {
+    a.stroke_id.is_some() && a.stroke_id == b.stroke_id
+}
+
 /// Whether two strokes have one tool angle and radius.
 fn is_of_a_kind(a: &StrokeRow, b: &StrokeRow) -> bool {
     let near = a.radius_m.zip(b.radius_m).is_none_or(|(a, b)| (a - b).abs() < SAME_RADIUS_M);
@@ -484,4 +488,42 @@ fn nearest(levels: &[f64], value: f64) -> usize {
         }
     }
     best.1
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    fn strokes(of: &[(&str, f64, f64)]) -> Data {
+        let row = |&(name, alpha_deg, force_n): &(&str, f64, f64)| StrokeRow {
+            stroke_id: Some(name.to_owned()),
+            alpha_deg,
+            depth_m: 0.02,
+            width_m: 0.1,
+            force_n,
+            radius_m: Some(0.4),
+            ..StrokeRow::default()
+        };
+        Data::new("t", of.iter().map(row).collect(), Campaign::default()).unwrap()
+    }
+
+    /// A stroke has its own scene; one that sank has that of its kind, and one whose kind sank has what the arm before said, if there was one.
+    #[test]
+    fn the_scene_is_that_of_the_stroke() {
+        let mut data = strokes(&[("a", 90.0, 1.0), ("b", 90.0, 1.0), ("c", 90.0, 1.0), ("d", 80.0, 1.0)]);
+        let scene = |data: &Data| data.scene.clone();
+        data.expect_scene(&strokes(&[("a", 90.0, 4.0), ("b", 90.0, 9.0)]), &[2.0, 3.0]);
+        assert_eq!(scene(&data), None);
+        let whole = strokes(&[("a", 90.0, 4.0), ("b", 90.0, 9.0), ("d", 80.0, 5.0)]);
+        data.expect_scene(&whole, &[2.0, 3.0, 5.0]);
+        let (two, three) = (2.0_f64.ln(), 3.0_f64.ln());
+        assert_eq!(scene(&data).unwrap(), [two, three, 0.5 * (two + three), 0.0]);
+        data.expect_scene(&strokes(&[("a", 90.0, 6.0), ("d", 90.0, 6.0)]), &[2.0, 3.0]);
+        assert_eq!(scene(&data).unwrap()[3], two);
+        let before = scene(&data).unwrap();
+        data.expect_scene(&strokes(&[("d", 80.0, 10.0)]), &[2.0]);
+        assert_eq!(scene(&data).unwrap(), [before[0], before[1], before[2], 5.0_f64.ln()]);
+    }
 }

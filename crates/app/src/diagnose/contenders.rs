@@ -1,7 +1,8 @@
 //! Effects that could explain a campaign, each simulated whole, and ranked by all readings.
 //!
 //! Responses that are learnt from single strokes are those of an arm without effects. An effect that keeps a plate from sinking changes what all others
-//! do, and what responses leave over was taken for a second effect. So those that come into question are simulated in the whole campaign.
+//! do, and what responses leave over was taken for a second effect. So those that come into question are simulated in the whole campaign. Each has
+//! the soil that is fitted beside it, and so has the arm without effects: a soil that was fitted by the table alone leaves more over than most effects do.
 
 use soilctl_campaign::CampaignError;
 use soilctl_diagnosis::{Data, Diagnosis, Explanation, Readings, Status, THRESHOLD, TURN_ALIKE};
@@ -31,7 +32,7 @@ pub(super) struct Weights<'a> {
 struct Contender {
     ids: Vec<EffectId>,
     beside: Data,
-    /// ln evidence of what all contenders expect, over that of the arm without effects.
+    /// ln evidence of what all contenders expect, over that of the better arm without effects.
     adds: f64,
 }
 
@@ -71,6 +72,7 @@ impl Again<'_> {
             in_question.len(),
             self.plan.strokes().strokes().len()
         ));
+        let plain = self.refitted(against, data, weights)?;
         let mut contenders = Vec::new();
         // What the simulated arm has no say about stays as likely as it was found to be.
         let mut untried = Vec::new();
@@ -86,7 +88,7 @@ impl Again<'_> {
             }
         }
         untried.retain(|id| TURN_ALIKE.contains(id) || in_set(diagnosis).any(|of| of == *id));
-        if !rank(data, &mut contenders, weights)? {
+        if !rank(&plain, &mut contenders, weights)? {
             self.doubt(diagnosis, SINKS);
             return Ok(());
         }
@@ -103,11 +105,11 @@ impl Again<'_> {
             let Tried::Weighed(further) = self.contender(against, data, &ids, weights)? else { continue };
             contenders.push(*further);
             // A set whose arm leaves too few strokes to weigh it with the others is not one of them.
-            if shared(data, &contenders).is_none() {
+            if shared(&plain, &contenders).is_none() {
                 contenders.pop();
             }
         }
-        rank(data, &mut contenders, weights)?;
+        rank(&plain, &mut contenders, weights)?;
         for of in &contenders {
             self.watch.note(&format!(
                 "the simulated arm with {}: ln evidence of all readings {:+.1}",
@@ -116,12 +118,30 @@ impl Again<'_> {
             ));
         }
         let Some(outcome) = outcome(&contenders, untried) else { return Ok(()) };
-        data.decide(&outcome.best, &outcome.as_likely);
+        match outcome.bearing {
+            Bearing::Out | Bearing::Open => data.decide(&outcome.best, &outcome.as_likely),
+            Bearing::Denied => {
+                self.watch.note(
+                    "the simulated arm without effects explains the readings better than with any of them",
+                );
+                data.decide(&[], &[]);
+            }
+        }
         *diagnosis = (weights.diagnosis)(data)?;
-        if !outcome.is_borne_out {
+        if outcome.bearing == Bearing::Open {
             self.doubt(diagnosis, "the simulated arm without effects explains the readings as well");
         }
         Ok(())
+    }
+
+    /// The campaign beside the arms without effects: the one that it was compared with, and one with the soil that all signals ask for, unless too
+    /// many strokes sink there.
+    fn refitted(&self, against: &Against, data: &Data, weights: &Weights<'_>) -> Result<Vec<Data>, AppError> {
+        let refitted = match self.contender(against, data, &[], weights)? {
+            Tried::Weighed(without) => Some(without.beside),
+            Tried::Sinks | Tried::NotShown => None,
+        };
+        Ok(std::iter::once(data.clone()).chain(refitted).collect())
     }
 
     /// A firm name that the contest does not bear out is provisional.
@@ -142,7 +162,9 @@ impl Again<'_> {
     ) -> Result<Tried, AppError> {
         let mut alone = data.clone();
         alone.decide(ids, &[]);
-        let fitted = (weights.diagnosis)(&alone)?;
+        let mut fitted = (weights.diagnosis)(&alone)?;
+        // A shape without a name is no part of a set of effects.
+        fitted.terms.clear();
         if fitted.effects.len() != ids.len() {
             return Ok(Tried::NotShown);
         }
@@ -174,20 +196,24 @@ impl Again<'_> {
     }
 }
 
-/// The readings of which all contenders, and the arm without effects, say what to expect; `None` if too few strokes are left. Strokes on the brink may
+/// The readings of which all contenders, and the arms without effects, say what to expect; `None` if too few strokes are left. Strokes on the brink may
 /// fail the soil on one arm and sink on the other: that says little of either.
-fn shared(plain: &Data, contenders: &[Contender]) -> Option<Readings> {
-    let mut shared = plain.readings();
-    for of in contenders {
-        shared.keep(&of.beside.readings());
-    }
+fn shared(plain: &[Data], contenders: &[Contender]) -> Option<Readings> {
+    let all = plain.iter().chain(contenders.iter().map(|of| &of.beside)).map(Data::readings);
+    let shared = all.reduce(|mut shared, of| {
+        shared.keep(&of);
+        shared
+    })?;
     (!are_few(&shared.strokes)).then_some(shared)
 }
 
 /// Weighs the readings that all contenders share, most evidence first; `false` if these are too few, and then nothing is weighed.
-fn rank(plain: &Data, contenders: &mut [Contender], weights: &Weights<'_>) -> Result<bool, AppError> {
+fn rank(plain: &[Data], contenders: &mut [Contender], weights: &Weights<'_>) -> Result<bool, AppError> {
     let Some(shared) = shared(plain, contenders) else { return Ok(false) };
-    let without = (weights.log_evidence)(plain, &shared)?;
+    let mut without = f64::NEG_INFINITY;
+    for of in plain {
+        without = without.max((weights.log_evidence)(of, &shared)?);
+    }
     for of in contenders.iter_mut() {
         of.adds = (weights.log_evidence)(&of.beside, &shared)? - without;
     }
@@ -210,8 +236,19 @@ struct Outcome {
     best: Vec<EffectId>,
     /// Effects that may stand in the place of the only one of `best`.
     as_likely: Vec<EffectId>,
-    /// Whether `best` adds more than its number of effects costs, to the arm without effects.
-    is_borne_out: bool,
+    /// What the arm without effects says of it.
+    bearing: Bearing,
+}
+
+/// Whether a set of effects adds more to the arm without effects than its number of effects costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Bearing {
+    /// It does.
+    Out,
+    /// Not by enough.
+    Open,
+    /// The arm without effects is likelier by more than two effects may lie behind each other and still be as likely.
+    Denied,
 }
 
 /// The outcome of contenders that were weighed; each further effect has to earn its place. `untried` are effects of which the simulated arm has no say.
@@ -224,7 +261,12 @@ fn outcome(contenders: &[Contender], untried: Vec<EffectId>) -> Option<Outcome> 
         1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
         _ => untried,
     };
-    Some(Outcome { best: best.ids.clone(), as_likely, is_borne_out: score(best) > 0.0 })
+    let bearing = match score(best) {
+        adds if adds > 0.0 => Bearing::Out,
+        adds if adds > -AS_LIKELY.0 => Bearing::Open,
+        _ => Bearing::Denied,
+    };
+    Some(Outcome { best: best.ids.clone(), as_likely, bearing })
 }
 
 /// Effects that are not told apart from what was found.
@@ -300,8 +342,8 @@ mod tests {
             contender(&[EffectId::CableFlex], 0.0, beside(Some(1e-3), None, "")),
             contender(&[EffectId::ForceBias], 0.0, beside(Some(1e-3), Some(0.2), "c")),
         ];
-        let plain = both();
-        assert_eq!((plain.readings().columns.len(), plain.readings().strokes), (2, vec![true; 4]));
+        let plain = [both()];
+        assert_eq!((plain[0].readings().columns.len(), plain[0].readings().strokes), (2, vec![true; 4]));
         let asked = RefCell::new(Vec::new());
         let log_evidence = |data: &Data, of: &Readings| {
             asked.borrow_mut().push(of.clone());
@@ -326,20 +368,21 @@ mod tests {
         let of = |ids: &[EffectId], adds| contender(ids, adds, beside(None, None, ""));
         let found = |all: &[Contender], untried: &[EffectId]| {
             let outcome = outcome(all, untried.to_vec()).unwrap();
-            (outcome.best, outcome.as_likely, outcome.is_borne_out)
+            (outcome.best, outcome.as_likely, outcome.bearing)
         };
         // Behind by less than a tenth of 60, or by less than 5.
         let all = [of(&[a], 60.0), of(&[b], 54.5), of(&[c], 53.5)];
-        assert_eq!(found(&all, &[]), (vec![a], vec![b], true));
+        assert_eq!(found(&all, &[]), (vec![a], vec![b], Bearing::Out));
         let all = [of(&[a], 20.0), of(&[b], 15.5), of(&[c], 14.5)];
-        assert_eq!(found(&all, &[]), (vec![a], vec![b], true));
+        assert_eq!(found(&all, &[]), (vec![a], vec![b], Bearing::Out));
         // What cannot be simulated stays open.
-        assert_eq!(found(&all[..1], &[c]), (vec![a], vec![c], true));
+        assert_eq!(found(&all[..1], &[c]), (vec![a], vec![c], Bearing::Out));
         // A pair that adds less than another effect costs is not the best, one that adds more is, and what it has is not as likely as it.
         let pair = |beyond: f64| [of(&[a, b], 20.0 + beyond * THRESHOLD), of(&[a], 20.0), of(&[b], 19.0)];
-        assert_eq!(found(&pair(0.9), &[]), (vec![a], vec![b], true));
-        assert_eq!(found(&pair(1.1), &[]), (vec![a, b], vec![], true));
-        assert!(!found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2);
+        assert_eq!(found(&pair(0.9), &[]), (vec![a], vec![b], Bearing::Out));
+        assert_eq!(found(&pair(1.1), &[]), (vec![a, b], vec![], Bearing::Out));
+        assert_eq!(found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2, Bearing::Open);
+        assert_eq!(found(&[of(&[a], THRESHOLD - 5.1), of(&[b], -30.0)], &[]).2, Bearing::Denied);
         assert!(outcome(&[], vec![c]).is_none());
     }
 }

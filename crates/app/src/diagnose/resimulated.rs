@@ -72,13 +72,24 @@ impl Again<'_> {
             Ok((simulated, how))
         };
         let (before, plain) = self.before(against, data, diagnosis)?;
-        let Some(before) = before else { return ended(Simulated::default()) };
-        let mut with_signals = data.clone();
-        if self.expect(&before, &plain, &mut with_signals)? == Progress::Stopped {
+        let Some(mut before) = before else { return ended(Simulated::default()) };
+        let of_table = data.clone();
+        if self.expect(&before, &plain, data)? == Progress::Stopped {
+            *data = of_table;
             return ended(Simulated::default());
         }
-        *data = with_signals;
         *diagnosis = (weights.diagnosis)(data)?;
+        // The soil was that which the table asks for: with the one that all signals ask for, less may be missing.
+        if diagnosis.has_found()
+            && let (Some(again), plain) = self.before(against, data, diagnosis)?
+        {
+            let mut recalibrated = of_table;
+            if self.expect(&again, &plain, &mut recalibrated)? == Progress::Done {
+                *data = recalibrated;
+                *diagnosis = (weights.diagnosis)(data)?;
+                before = again;
+            }
+        }
         self.contest(against, data, diagnosis, weights)?;
         let after = self.after(against, data, diagnosis)?;
         let how = if stopped() { Resimulation::Stopped } else { Resimulation::Compared };
