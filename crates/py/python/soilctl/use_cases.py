@@ -6619,12 +6619,13 @@ class DiagnoseSelfTestLogsEntry(Record):
     """One hidden campaign, and what was said of it.
 
     Attributes:
-        amplitude: Its amplitude in the unit of its parameter; null for none.
+        amplitude: Amplitude of the effect in the unit of its parameter, or the largest change of ln force; null for
+            nothing.
         equivalence_set: What was not told apart.
         follow_up: What it gave with the strokes that were proposed; null if none were, or they were not made.
         found: Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given.
         given: Effects that were given, best first.
-        hidden: The effect that was hidden; null for none.
+        hidden: What was hidden: an effect, or ``outside_`` and a kind that no effect is; null for nothing.
         number: Its number, from 0.
         soil: Preset of the soil.
         status: Status of the diagnosis; ``no_failures`` if no stroke failed the soil.
@@ -6632,7 +6633,7 @@ class DiagnoseSelfTestLogsEntry(Record):
     """
 
     amplitude: float | None
-    """Its amplitude in the unit of its parameter; null for none."""
+    """Amplitude of the effect in the unit of its parameter, or the largest change of ln force; null for nothing."""
     equivalence_set: list[str]
     """What was not told apart."""
     follow_up: DiagnoseSelfTestLogsSaid | None
@@ -6642,7 +6643,7 @@ class DiagnoseSelfTestLogsEntry(Record):
     given: list[str]
     """Effects that were given, best first."""
     hidden: str | None
-    """The effect that was hidden; null for none."""
+    """What was hidden: an effect, or ``outside_`` and a kind that no effect is; null for nothing."""
     number: int
     """Its number, from 0."""
     soil: str
@@ -8955,7 +8956,9 @@ def diagnose_self_test_logs(
     *,
     model: str = "table",
     campaigns: int = 3,
+    strokes: Literal["12", "24", "48"] = "12",
     hidden: str | None = None,
+    soil: str | None = None,
     follow_up: bool = False,
     seed: int = 1,
     progress: Progress = None,
@@ -8966,9 +8969,12 @@ def diagnose_self_test_logs(
     Args:
         folder: Folder for the campaigns; a run that was ended goes on from there.
         model: Force model without effects.
-        campaigns: Hidden campaigns of 12 strokes; every third hides nothing, the others an effect in turn. At least
-            1 and at most 10000.
-        hidden: Hide this effect in all of them, or ``none``.
+        campaigns: Hidden campaigns; every third hides nothing, the others an effect in turn. At least 1 and at most
+            10000.
+        strokes: Strokes of a campaign.
+        hidden: Hide this effect in all of them, or ``none``, or ``outside``: in turn six kinds that no effect is,
+            which takes 24 strokes or 48.
+        soil: Preset of the sand of all of them, instead of four in turn.
         follow_up: Where an answer leaves several effects open, run the plan that it proposes on the same arm and
             diagnose that, too.
         seed: Seed. At least 0.

@@ -43,7 +43,7 @@ pub(super) fn run(
 }
 
 fn own(folder: &Path, case: &Case) -> PathBuf {
-    folder.join(format!("{:04}_{}", case.number, case.named()))
+    folder.join(format!("{:04}_{}", case.number, case.hidden.name()))
 }
 
 fn made(

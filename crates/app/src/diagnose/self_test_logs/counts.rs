@@ -7,20 +7,23 @@ use serde::{Deserialize, Serialize};
 use soilctl_stats::median;
 
 use super::super::self_test::Rate;
-use super::hidden::Case;
+use super::hidden::{Case, Hidden};
+use super::outside::Outside;
 use crate::diagnose::Diagnosed;
 
 /// Status of a campaign of which no stroke failed the soil.
 const NO_FAILURES: &str = "no_failures";
+/// What stands before the conditions of a shape without a name.
+const UNKNOWN: &str = "unknown:";
 
 /// One hidden campaign, and what was said of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Entry {
     /// Its number, from 0.
     pub number: u64,
-    /// The effect that was hidden; null for none.
+    /// What was hidden: an effect, or `outside_` and a kind that no effect is; null for nothing.
     pub hidden: Option<String>,
-    /// Its amplitude in the unit of its parameter; null for none.
+    /// Amplitude of the effect in the unit of its parameter, or the largest change of ln force; null for nothing.
     pub amplitude: Option<f64>,
     /// Preset of the soil.
     pub soil: String,
@@ -49,7 +52,10 @@ pub struct Said {
 impl Said {
     pub(super) fn new(case: &Case, found: &Diagnosed) -> Self {
         let answer = &found.answer;
-        let of_hidden = case.hidden.and_then(|(id, _)| found.diagnosis.effects.iter().find(|of| of.id == id));
+        let of_hidden = match case.hidden {
+            Hidden::Effect(id, _) => found.diagnosis.effects.iter().find(|of| of.id == id),
+            Hidden::Nothing | Hidden::Outside(..) => None,
+        };
         Self {
             strokes: answer.strokes,
             status: answer.status.clone(),
@@ -69,13 +75,24 @@ impl Said {
         }
     }
 
-    /// Status, with the first effect where one was given.
+    /// Status, with the first effect where one was given, or the conditions of a shape without a name.
     #[must_use]
     pub fn in_words(&self) -> String {
-        match self.given.first() {
-            Some(first) => format!("{} {first}", self.status),
-            None => self.status.clone(),
+        match (self.given.first(), self.equivalence_set.first()) {
+            (Some(first), _) => format!("{} {first}", self.status),
+            (None, Some(shape)) => format!("{} {}", self.status, shape.trim_start_matches(UNKNOWN)),
+            (None, None) => self.status.clone(),
         }
+    }
+
+    /// Whether a shape without a name is given, or left beside effects, over the conditions of what was hidden.
+    fn is_over(&self, of: Outside) -> bool {
+        let [mut wanted, mut other] = [of.over(), of.over()]
+            .map(|over| over.iter().map(|condition| condition.column()).collect::<Vec<_>>());
+        other.reverse();
+        [&mut wanted, &mut other].iter().any(|names| {
+            self.equivalence_set.iter().any(|given| *given == format!("{UNKNOWN}{}", names.join(" x ")))
+        })
     }
 
     fn is_firm(&self) -> bool {
@@ -91,12 +108,20 @@ impl Entry {
     pub(super) fn new(case: &Case, said: Said, follow_up: Option<Said>) -> Self {
         Self {
             number: case.number,
-            hidden: case.hidden.map(|(id, _)| id.to_string()),
-            amplitude: case.hidden.map(|(_, size)| size),
+            hidden: (case.hidden != Hidden::Nothing).then(|| case.hidden.name().to_owned()),
+            amplitude: match case.hidden {
+                Hidden::Nothing => None,
+                Hidden::Effect(_, size) | Hidden::Outside(_, size) => Some(size),
+            },
             soil: case.soil.to_owned(),
             said,
             follow_up,
         }
+    }
+
+    /// What was hidden, if no effect is that.
+    fn outside(&self) -> Option<Outside> {
+        Outside::ALL.into_iter().find(|of| Some(of.name()) == self.hidden.as_deref())
     }
 }
 
@@ -104,6 +129,8 @@ impl Entry {
 pub(super) fn count(entries: &[Entry]) -> (Vec<Rate>, BTreeMap<String, BTreeMap<String, usize>>) {
     let entries: Vec<&Entry> = entries.iter().filter(|entry| entry.said.status != NO_FAILURES).collect();
     let (hidden, null): (Vec<&Entry>, Vec<&Entry>) = entries.iter().partition(|entry| entry.hidden.is_some());
+    let (outside, hidden): (Vec<&Entry>, Vec<&Entry>) =
+        hidden.into_iter().partition(|entry| entry.outside().is_some());
     let rate = |name: &str, of: &[&Entry], is: &dyn Fn(&Entry) -> bool| {
         let right = of.iter().filter(|entry| is(entry)).count();
         let share = (!of.is_empty()).then(|| right as f64 / of.len() as f64);
@@ -127,6 +154,10 @@ pub(super) fn count(entries: &[Entry]) -> (Vec<Rate>, BTreeMap<String, BTreeMap<
         rate("one effect hidden: right name first", &hidden, &is_first),
         rate("one effect hidden: right name in the set", &hidden, &in_set),
         rate("one effect hidden: firm wrong name", &hidden, &|entry| is_wrong(&entry.said, entry)),
+        rate("outside the catalogue: unknown or provisional, over the right condition", &outside, &|entry| {
+            entry.outside().is_some_and(|of| !entry.said.is_firm() && entry.said.is_over(of))
+        }),
+        rate("outside the catalogue: firm wrong name", &outside, &|entry| entry.said.is_firm()),
         rate("several left open, follow-up run: right name, firm", &followed, &|entry| {
             after(entry, &|said| {
                 said.is_firm() && !said.given.is_empty() && said.is_only(entry.hidden.as_ref())
@@ -192,7 +223,7 @@ mod tests {
         let half = (Some(0.5), 2);
         let ratio = (Some(0.3 / 0.2), 1);
         let none = (None, 0);
-        assert_eq!(all, [half, half, half, half, none, none, none, (Some(1.0), 1), ratio]);
+        assert_eq!(all, [half, half, half, half, none, none, none, none, none, (Some(1.0), 1), ratio]);
         assert_eq!(confusion["none"]["named backlash"], 1);
         assert_eq!(confusion["force_drift"], BTreeMap::from([("named force_bias".to_owned(), 1)]));
     }
@@ -211,6 +242,31 @@ mod tests {
         for name in ["run: right name, firm", "run: right name first", "run: firm wrong name"] {
             assert_eq!(of(name), Some((Some(0.5), 2)), "{name}");
         }
+    }
+
+    /// A corner found over the two conditions in the other order is right, also beside an effect that is provisional; another condition is not, nor is
+    /// a firm name, whatever stands beside it.
+    #[test]
+    fn shapes_by_hand() {
+        let said = |status: &str, given: &[&str], set: &str| {
+            let mut of = entry(Some(("outside_corner", -0.2)), status, given, None);
+            of.said.equivalence_set.push(set.to_owned());
+            of
+        };
+        let (rates, confusion) = count(&[
+            said("unknown", &[], "unknown:depth_m x alpha_deg"),
+            said("provisional", &["radius_dependence"], "unknown:alpha_deg x depth_m"),
+            said("unknown", &[], "unknown:depth_m"),
+            said("named", &["radius_dependence"], "unknown:alpha_deg x depth_m"),
+        ]);
+        let of = |name: &str| rates.iter().find(|rate| rate.name == name).map(|rate| (rate.rate, rate.of));
+        assert_eq!(
+            of("outside the catalogue: unknown or provisional, over the right condition"),
+            Some((Some(0.5), 4))
+        );
+        assert_eq!(of("outside the catalogue: firm wrong name"), Some((Some(0.25), 4)));
+        assert_eq!(of("one effect hidden: right name first"), Some((None, 0)));
+        assert_eq!(confusion["outside_corner"]["unknown depth_m"], 1);
     }
 
     #[test]

@@ -1,20 +1,52 @@
 //! What is hidden in a campaign of logs: its soil, its arm, and an effect or none. All of it follows from the seed and the number.
 
-use std::fmt::Write as _;
-
 use soilctl_diagnosis::self_test::{Random, hidden_size};
 use soilctl_effects::{EffectId, ModelFile, ParameterValue, Reference, SoilEntry};
 use soilctl_soil::STANDARD_GRAVITY_M_S2;
 
 use super::super::learn::with;
+use super::design::Design;
+use super::outside::Outside;
 
-/// Preparations of a campaign and strokes in each.
-pub(super) const BATCHES: usize = 4;
-pub(super) const STROKES: usize = 3;
 /// Standard deviation of the friction angle that a direct shear test tells, deg, and of the densities of preparations, relative: small, so that
 /// what the twin learns of a soil, for densities in steps of 50 kg/m3, serves all campaigns in it.
 pub(super) const PHI_SD_DEG: f64 = 1.0;
-const DENSITY_SD_REL: f64 = 0.005;
+pub(super) const DENSITY_SD_REL: f64 = 0.005;
+
+/// What a campaign hides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Hidden {
+    /// Nothing.
+    Nothing,
+    /// An effect, with its amplitude in the unit of its parameter.
+    Effect(EffectId, f64),
+    /// What no effect of the catalogue is, with its largest change of ln force.
+    Outside(Outside, f64),
+}
+
+impl Hidden {
+    /// Its name in answers.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Nothing => "none",
+            Self::Effect(id, _) => id.name(),
+            Self::Outside(of, _) => of.name(),
+        }
+    }
+}
+
+/// What all campaigns hide, or in which turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Nothing every third time, otherwise an effect in turn.
+    InTurn,
+    /// Nothing.
+    Nothing,
+    /// One effect.
+    Effect(EffectId),
+    /// What no effect is, in turn.
+    Outside,
+}
 
 /// What a campaign may hide, in turn: nothing every third time.
 const HIDDEN: [Option<EffectId>; 12] = [
@@ -33,11 +65,11 @@ const HIDDEN: [Option<EffectId>; 12] = [
 ];
 
 /// A preset with what is known of it beforehand: friction angle (deg) and density (kg/m3), and the set-point of its strokes (deg).
-struct Sand {
-    preset: &'static str,
+pub(super) struct Sand {
+    pub(super) preset: &'static str,
     phi_deg: f64,
     density_kg_m3: f64,
-    set_deg: f64,
+    pub(super) set_deg: f64,
 }
 
 const SANDS: [Sand; 4] = [
@@ -47,14 +79,24 @@ const SANDS: [Sand; 4] = [
     Sand { preset: "glass_beads", phi_deg: 30.0, density_kg_m3: 1450.0, set_deg: 19.0 },
 ];
 
+impl Sand {
+    /// The one with the name of a preset.
+    pub(super) fn named(preset: &str) -> Result<&'static Self, crate::AppError> {
+        SANDS.iter().find(|sand| sand.preset == preset).ok_or_else(|| {
+            let names = SANDS.each_ref().map(|sand| sand.preset).join(", ");
+            crate::AppError::Request(format!("hidden campaigns are made in {names}, and not in {preset:?}"))
+        })
+    }
+}
+
 /// A campaign that hides something.
 pub(super) struct Case {
     /// Its number, from 0.
     pub(super) number: u64,
     /// Seed of its noise.
     pub(super) seed: u64,
-    /// The effect, with its amplitude in the unit of its parameter.
-    pub(super) hidden: Option<(EffectId, f64)>,
+    /// What it hides.
+    pub(super) hidden: Hidden,
     /// Name of its soil's preset.
     pub(super) soil: &'static str,
     /// Its plan.
@@ -68,75 +110,57 @@ pub(super) struct Case {
 }
 
 impl Case {
-    /// The campaign of a number; `only` is what it is to hide, if it is not its turn that says so.
+    /// The campaign of a number.
     pub(super) fn new(
         seed: u64,
         number: u64,
-        only: Option<Option<EffectId>>,
+        wanted: Wanted,
+        (design, soil): (Design, Option<&Sand>),
         model: &str,
     ) -> Result<Self, crate::AppError> {
         let mut random = Random::new(seed, number + 1);
         let turn = (number % HIDDEN.len() as u64) as usize;
-        let id = only.unwrap_or_else(|| HIDDEN.get(turn).copied().flatten());
+        let of_effect = |id: Option<EffectId>, random: &mut Random| {
+            id.map_or(Hidden::Nothing, |id| Hidden::Effect(id, hidden_size(id, random)))
+        };
         // The soils in turn, one further in each round of what is hidden, so that each effect meets each of them.
         let place = (number + number / HIDDEN.len() as u64) as usize % SANDS.len();
-        let sand = SANDS.get(place).unwrap_or(&SANDS[0]);
-        let hidden = id.map(|id| (id, hidden_size(id, &mut random)));
+        let sand = soil.unwrap_or(&SANDS[place]);
+        let hidden = match wanted {
+            Wanted::InTurn => of_effect(HIDDEN.get(turn).copied().flatten(), &mut random),
+            Wanted::Nothing => Hidden::Nothing,
+            Wanted::Effect(id) => of_effect(Some(id), &mut random),
+            Wanted::Outside => {
+                let of = Outside::ALL[number as usize % Outside::ALL.len()];
+                Hidden::Outside(of, Outside::size(&mut random))
+            }
+        };
         let phi_deg = sand.phi_deg + random.normal(PHI_SD_DEG);
         let density_kg_m3 = sand.density_kg_m3 * (1.0 + random.normal(DENSITY_SD_REL));
         let plant = soilctl_campaign::unlike_plant(&mut || random.unit())?;
-        let plain = truth(model, phi_deg, density_kg_m3, sand.set_deg);
+        let plain = truth(model, phi_deg, density_kg_m3, sand.set_deg, design);
         let truth = match hidden {
-            Some((id, size)) => with(&plain, id.effect(), size),
-            None => plain,
+            Hidden::Nothing => plain,
+            Hidden::Effect(id, size) => with(&plain, id.effect(), size),
+            Hidden::Outside(of, size) => {
+                ModelFile { empirical: vec![of.term(size, design, &mut random)], ..plain }
+            }
         };
         Ok(Self {
             number,
             seed: seed.wrapping_mul(1_000).wrapping_add(number),
             hidden,
             soil: sand.preset,
-            plan: plan(sand, model),
+            plan: design.plan(sand, model),
             plant,
             told_phi_deg: sand.phi_deg,
             truth,
         })
     }
-
-    /// What it hides, in words.
-    pub(super) fn named(&self) -> &'static str {
-        self.hidden.map_or("none", |(id, _)| id.name())
-    }
-}
-
-/// Two tool angles at two radii: one of these goes with the preparation, both with the place in it.
-fn plan(sand: &Sand, model: &str) -> String {
-    let mut text = format!(
-        "version = 1\ndesign = \"hidden campaign\"\nsoil = \"{}\"\nmodel = \"{model}\"\nplant = \"plant.toml\"\n\
-         preparation = {{ density_sd_rel = {DENSITY_SD_REL} }}\n",
-        sand.preset
-    );
-    for batch in 0..BATCHES {
-        text += "[[batches]]\nstrokes = [\n";
-        let radius_m = if batch < BATCHES / 2 { 0.4318 } else { 0.3048 };
-        for stroke in 0..STROKES {
-            let base_deg = 25.0 * (stroke as f64 - 1.0);
-            let (alpha_deg, depth_m) =
-                if (batch + stroke) % 2 == 0 { (90.0, 0.0254) } else { (80.0, 0.02501) };
-            // Writing to a text cannot fail.
-            let _ = writeln!(
-                text,
-                "    {{ radius_m = {radius_m}, base_deg = {base_deg:.1}, alpha_deg = {alpha_deg:.1}, depth_m = {depth_m}, \
-                 delta_set_deg = {:.1} }},",
-                sand.set_deg
-            );
-        }
-        text += "]\n";
-    }
-    text
 }
 
 /// A model file of a soil whose interface friction is the set-point.
-fn truth(model: &str, phi_deg: f64, density_kg_m3: f64, set_deg: f64) -> ModelFile {
+fn truth(model: &str, phi_deg: f64, density_kg_m3: f64, set_deg: f64, design: Design) -> ModelFile {
     let value = |value: f64, unit: &str| ParameterValue { value, sd: 0.0, unit: unit.to_owned() };
     ModelFile {
         schema: soilctl_effects::FILE_SCHEMA.to_owned(),
@@ -159,7 +183,7 @@ fn truth(model: &str, phi_deg: f64, density_kg_m3: f64, set_deg: f64) -> ModelFi
             speed_mps: None,
             time_s: None,
             base_deg: Some((-25.0, 25.0)),
-            batches: Vec::new(),
+            batches: (0..design.batches()).map(|batch| batch.to_string()).collect(),
         },
         data_hash: String::new(),
         held_out: None,
@@ -180,11 +204,15 @@ mod tests {
     #[test]
     fn campaigns_can_be_made_and_made_again() {
         let folder = tempfile::tempdir().unwrap();
-        for number in 0..4 {
-            let case = Case::new(7, number, Some(Some(EffectId::ForceDrift)), "table").unwrap();
+        let designs = [Design::Strokes12, Design::Strokes24, Design::Strokes48];
+        for (number, design) in (0..4).flat_map(|number| designs.map(|design| (number, design))) {
+            let drift = Wanted::Effect(EffectId::ForceDrift);
+            let case = |number| Case::new(7, number, drift, (design, None), "table").unwrap();
+            let (case, again, next) = (case(number), case(number), case(number + 1));
             std::fs::write(folder.path().join("plant.toml"), &case.plant).unwrap();
             let plan = Plan::from_toml(&case.plan, "plan", folder.path()).unwrap();
-            assert_eq!((plan.batches(), plan.strokes().strokes().len()), (BATCHES, BATCHES * STROKES));
+            assert_eq!((plan.batches(), plan.strokes().strokes().len()), (design.batches(), design.all()));
+            assert_eq!(plan.apart().unwrap().strokes().strokes().len(), design.kinds());
             assert_ne!(
                 plan.plant().config(),
                 Plan::from_toml(&case.plan.replace("plant.toml", "default"), "p", Path::new(""))
@@ -192,21 +220,19 @@ mod tests {
                     .plant()
                     .config()
             );
-            let again = Case::new(7, number, Some(Some(EffectId::ForceDrift)), "table").unwrap();
             assert_eq!((&again.plant, &again.truth), (&case.plant, &case.truth));
-            assert_ne!(Case::new(7, number + 1, None, "table").unwrap().plant, case.plant);
+            assert_ne!(next.plant, case.plant);
         }
+        let in_turn =
+            |number| Case::new(1, number, Wanted::InTurn, (Design::default(), None), "table").unwrap();
         // In four rounds each effect meets each soil once, and nothing each of them four times.
-        let mut met: Vec<(&str, &str)> = (0..48)
-            .map(|number| Case::new(1, number, None, "table").unwrap())
-            .map(|case| (case.named(), case.soil))
-            .collect();
+        let mut met: Vec<(&str, &str)> =
+            (0..48).map(in_turn).map(|case| (case.hidden.name(), case.soil)).collect();
         met.sort_unstable();
         assert_eq!(met.chunk_by(|a, b| a == b).map(<[_]>::len).filter(|count| *count == 1).count(), 32);
         assert_eq!(met.chunk_by(|a, b| a == b).map(<[_]>::len).filter(|count| *count == 4).count(), 4);
         // A third hides nothing, and that comes first.
-        let turns: Vec<bool> =
-            (0..12).map(|n| Case::new(1, n, None, "table").unwrap().hidden.is_none()).collect();
+        let turns: Vec<bool> = (0..12).map(|number| in_turn(number).hidden == Hidden::Nothing).collect();
         assert!(turns[0] && turns.iter().filter(|none| **none).count() == 4);
     }
 }

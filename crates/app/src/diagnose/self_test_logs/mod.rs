@@ -2,7 +2,9 @@
 
 mod campaign;
 mod counts;
+mod design;
 mod hidden;
+mod outside;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -15,7 +17,8 @@ use soilctl_effects::EffectId;
 use soilctl_jobs::{Inputs, Journal};
 
 pub use counts::{Entry, Said};
-use hidden::{BATCHES, Case, STROKES};
+pub use design::Design;
+use hidden::{Case, Sand, Wanted};
 
 use super::self_test::Rate;
 use crate::files::failed;
@@ -34,14 +37,22 @@ pub struct Request {
     #[arg(long, value_name = "NAME", default_value_t = Request::default().model)]
     pub model: String,
 
-    /// Hidden campaigns of 12 strokes; every third hides nothing, the others an effect in turn
+    /// Hidden campaigns; every third hides nothing, the others an effect in turn
     #[arg(long, value_name = "N", default_value_t = Request::default().campaigns, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     #[schemars(range(min = 1, max = 10_000))]
     pub campaigns: u64,
 
-    /// Hide this effect in all of them, or `none`
+    /// Strokes of a campaign
+    #[arg(long, value_name = "N", value_enum, default_value_t = Request::default().strokes)]
+    pub strokes: Design,
+
+    /// Hide this effect in all of them, or `none`, or `outside`: in turn six kinds that no effect is, which takes 24 strokes or 48
     #[arg(long, value_name = "EFFECT")]
     pub hidden: Option<String>,
+
+    /// Preset of the sand of all of them, instead of four in turn
+    #[arg(long, value_name = "PRESET")]
+    pub soil: Option<String>,
 
     /// Where an answer leaves several effects open, run the plan that it proposes on the same arm and diagnose that, too
     #[arg(long)]
@@ -58,7 +69,9 @@ impl Default for Request {
             folder: PathBuf::new(),
             model: "table".into(),
             campaigns: 3,
+            strokes: Design::default(),
             hidden: None,
+            soil: None,
             follow_up: false,
             seed: 1,
         }
@@ -97,7 +110,9 @@ struct Header {
     schema: String,
     program_version: String,
     model: String,
+    strokes: Design,
     hidden: Option<String>,
+    soil: Option<String>,
     follow_up: bool,
     seed: u64,
 }
@@ -105,10 +120,12 @@ struct Header {
 impl Header {
     fn new(request: &Request) -> Self {
         Self {
-            schema: "soilctl.diagnose-self-test-logs-journal/2".to_owned(),
+            schema: "soilctl.diagnose-self-test-logs-journal/3".to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             model: request.model.clone(),
+            strokes: request.strokes,
             hidden: request.hidden.clone(),
+            soil: request.soil.clone(),
             follow_up: request.follow_up,
             seed: request.seed,
         }
@@ -117,11 +134,14 @@ impl Header {
 
 impl Inputs for Header {
     fn inputs(&self) -> Vec<(&'static str, String)> {
+        let left_out = |value: Option<&String>| value.map_or_else(|| "left out".to_owned(), Clone::clone);
         vec![
             ("format", self.schema.clone()),
             ("version of soilctl", self.program_version.clone()),
             ("--model", self.model.clone()),
-            ("--hidden", self.hidden.clone().unwrap_or_else(|| "left out".to_owned())),
+            ("--strokes", self.strokes.all().to_string()),
+            ("--hidden", left_out(self.hidden.as_ref())),
+            ("--soil", left_out(self.soil.as_ref())),
             ("--follow-up", self.follow_up.to_string()),
             ("--seed", self.seed.to_string()),
         ]
@@ -134,7 +154,8 @@ impl Inputs for Header {
 /// [`AppError`] if there is no such force model or effect, the folder is of another run, or a campaign cannot be made or diagnosed.
 pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     crate::request::check(request)?;
-    let only = only(request.hidden.as_deref())?;
+    let wanted = wanted(request)?;
+    let soil = request.soil.as_deref().map(Sand::named).transpose()?;
     let folder = &request.folder;
     std::fs::create_dir_all(folder).map_err(failed(folder))?;
     let (mut journal, mut entries) = open(&folder.join("self_test.jsonl"), &Header::new(request))?;
@@ -142,19 +163,19 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let stop = watch.stop(Interrupted::KeepsResults);
     let stopped = || stop.load(Ordering::Relaxed);
     let todo: Vec<u64> = (0..request.campaigns).filter(|number| !known(&entries, *number)).collect();
-    let mut clock = Clock { watch, start: Instant::now(), todo: todo.len() };
+    let mut clock = Clock { watch, start: Instant::now(), todo: todo.len(), design: request.strokes };
     clock.begin(entries.len());
     for (done, number) in todo.into_iter().enumerate() {
         if stopped() {
             break;
         }
-        let case = Case::new(request.seed, number, only, &request.model)?;
+        let case = Case::new(request.seed, number, wanted, (request.strokes, soil), &request.model)?;
         let how = (request.model.as_str(), request.follow_up);
         let Some(entry) = campaign::run(folder, &case, how, watch)? else { break };
         let followed =
             entry.follow_up.as_ref().map(|said| format!(", after its follow-up {}", said.in_words()));
         let said = entry.said.in_words() + &followed.unwrap_or_default();
-        clock.after(done + 1, &format!("campaign {number}, hidden {}: {said}", case.named()));
+        clock.after(done + 1, &format!("campaign {number}, hidden {}: {said}", case.hidden.name()));
         journal.add(&entry)?;
         entries.push(entry);
     }
@@ -171,12 +192,17 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     })
 }
 
-/// What all campaigns are to hide, if that was said.
-fn only(hidden: Option<&str>) -> Result<Option<Option<EffectId>>, AppError> {
-    match hidden {
-        None => Ok(None),
-        Some("none") => Ok(Some(None)),
-        Some(id) => Ok(Some(Some(id.parse()?))),
+/// What campaigns are to hide.
+fn wanted(request: &Request) -> Result<Wanted, AppError> {
+    match (request.hidden.as_deref(), request.strokes) {
+        (None, _) => Ok(Wanted::InTurn),
+        (Some("none"), _) => Ok(Wanted::Nothing),
+        (Some("outside"), Design::Strokes12) => Err(AppError::Request(
+            "12 strokes have one depth and two tool angles, over which no shape shows: give 24 or 48 strokes"
+                .to_owned(),
+        )),
+        (Some("outside"), Design::Strokes24 | Design::Strokes48) => Ok(Wanted::Outside),
+        (Some(id), _) => Ok(Wanted::Effect(id.parse::<EffectId>()?)),
     }
 }
 
@@ -197,17 +223,21 @@ struct Clock<'a> {
     watch: &'a dyn Watch,
     start: Instant,
     todo: usize,
+    design: Design,
 }
 
 impl Clock<'_> {
     fn begin(&mut self, known: usize) {
+        let minutes = |strokes: usize| strokes as f64 * STROKE_S / 60.0;
+        let alone = RUNS * self.design.kinds();
         self.watch.note(&format!(
-            "{} hidden campaigns of {} strokes to be made and diagnosed, {known} are there; each stroke is simulated twice, and some {} single \
-             strokes a soil show what effects do: at some 3 s of one core a stroke, {:.0} min of one core and as much again for each new soil",
+            "{} hidden campaigns of {} strokes to be made and diagnosed, {known} are there; each stroke is simulated twice, and some {alone} single \
+             strokes a soil show what effects do: at some 3 s of one core a stroke, {:.0} min of one core and {:.0} for each new soil, and more where \
+             something is found",
             self.todo,
-            BATCHES * STROKES,
-            SINGLE_STROKES,
-            (2 * BATCHES * STROKES * self.todo) as f64 * STROKE_S / 60.0,
+            self.design.all(),
+            minutes(2 * self.design.all() * self.todo),
+            minutes(alone),
         ));
     }
 
@@ -217,6 +247,7 @@ impl Clock<'_> {
     }
 }
 
-/// Processor time of a simulated stroke in s, on a machine of 2026, and single strokes that show the effects in one soil: for predictions only.
+/// Processor time of a simulated stroke in s, on a machine of 2026, and how often each kind of stroke is simulated to show effects and settings in one
+/// soil: for predictions only.
 const STROKE_S: f64 = 3.0;
-const SINGLE_STROKES: usize = 216;
+const RUNS: usize = 59;

@@ -51,14 +51,22 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FOLDER")]
     self_test_logs: Option<PathBuf>,
 
-    /// Hidden campaigns with logs, of 12 strokes each; every third hides nothing, the others an effect in turn
+    /// Hidden campaigns with logs; every third hides nothing, the others an effect in turn
     #[arg(long, value_name = "N", default_value_t = diagnose::self_test_logs::Request::default().campaigns,
           requires = "self_test_logs", value_parser = clap::value_parser!(u64).range(1..=10_000))]
     campaigns: u64,
 
-    /// Hide this effect in all campaigns with logs, or `none`
+    /// Strokes of a campaign with logs
+    #[arg(long, value_name = "N", value_enum, default_value_t = diagnose::self_test_logs::Design::default(), requires = "self_test_logs")]
+    strokes: diagnose::self_test_logs::Design,
+
+    /// Hide this effect in all campaigns with logs, or `none`, or `outside`: in turn six kinds that no effect is, which takes 24 strokes or 48
     #[arg(long, value_name = "EFFECT", requires = "self_test_logs")]
     hidden: Option<String>,
+
+    /// Preset of the sand of all campaigns with logs, instead of four in turn
+    #[arg(long, value_name = "PRESET", requires = "self_test_logs")]
+    soil: Option<String>,
 
     /// Where the answer of a campaign with logs leaves several effects open, run the plan that it proposes on the same arm, too
     #[arg(long, requires = "self_test_logs")]
@@ -76,7 +84,9 @@ pub(crate) fn run(args: &Args, output: &mut Output) -> Result<Outcome, CliError>
             folder: folder.clone(),
             model: args.request.model.clone(),
             campaigns: args.campaigns,
+            strokes: args.strokes,
             hidden: args.hidden.clone(),
+            soil: args.soil.clone(),
             follow_up: args.follow_up,
             seed: args.seed,
         };
