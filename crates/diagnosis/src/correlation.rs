@@ -2,7 +2,6 @@
 
 use nalgebra::{Cholesky, DMatrix};
 use soilctl_effects::Channel;
-use soilctl_strokes::StrokeRow;
 
 use crate::channels::spread;
 use crate::data::Data;
@@ -34,16 +33,13 @@ impl Correlation {
     /// are too few.
     pub(crate) fn of_repeats(repeats: &[&Data]) -> Option<Self> {
         let (first, others) = repeats.split_first()?;
-        let place = |data: &Data, row: &StrokeRow| {
-            data.rows.iter().position(|other| row.stroke_id.is_some() && other.stroke_id == row.stroke_id)
-        };
         // Places of each stroke that all repeats have.
         let strokes: Vec<Vec<usize>> = first
             .rows
             .iter()
             .enumerate()
             .filter_map(|(i, row)| {
-                let others = others.iter().map(|data| place(data, row));
+                let others = others.iter().map(|data| data.place_of(row));
                 std::iter::once(Some(i)).chain(others).collect()
             })
             .collect();
@@ -123,7 +119,7 @@ fn standardised(repeats: &[&Data], strokes: &[Vec<usize>], signal: Signal) -> Op
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
-    use soilctl_strokes::Campaign;
+    use soilctl_strokes::{Campaign, StrokeRow};
 
     use super::*;
     use crate::self_test::Random;

@@ -283,9 +283,10 @@ impl Data {
     }
 
     /// Takes how the readings of one stroke vary together from strokes that the simulated arm made several times with other noise. Fewer than
-    /// twelve degrees of freedom (strokes times further repeats) say nothing.
-    pub fn vary_as(&mut self, repeats: &[&Self]) {
+    /// twelve degrees of freedom (strokes times further repeats) say nothing: readings stay independent, and the answer is `false`.
+    pub fn vary_as(&mut self, repeats: &[&Self]) -> bool {
         self.correlation = Correlation::of_repeats(repeats);
+        self.correlation.is_some()
     }
 
     /// Takes also those columns that only a simulated arm says what to expect of: for strokes that are compared with others of that arm.
@@ -331,8 +332,7 @@ impl Data {
     pub fn expect(&mut self, simulated: &Self, shows_known: bool, delta_offset_deg: f64) {
         self.expected_shows_known = shows_known;
         self.expected_delta_offset_deg = delta_offset_deg;
-        let place = |row: &StrokeRow| simulated.rows.iter().position(|other| is_same(row, other));
-        let places: Vec<Option<usize>> = self.rows.iter().map(place).collect();
+        let places: Vec<Option<usize>> = self.rows.iter().map(|row| simulated.place_of(row)).collect();
         // A kind of stroke of which one sinks is on the brink: the others of it go their own way, too.
         let sinks = |row: &StrokeRow| {
             self.rows.iter().zip(&places).any(|(other, place)| place.is_none() && is_of_a_kind(row, other))
@@ -427,6 +427,11 @@ impl Data {
     pub(crate) fn refer_to(&mut self, reference: Reference) {
         self.strokes = self.rows.iter().map(|row| Stroke::new(row, &reference)).collect();
         self.reference = reference;
+    }
+
+    /// Where the stroke with the name of another table's stroke is.
+    pub(crate) fn place_of(&self, row: &StrokeRow) -> Option<usize> {
+        self.rows.iter().position(|other| is_same(row, other))
     }
 
     /// Number of strokes.

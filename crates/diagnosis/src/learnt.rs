@@ -252,15 +252,8 @@ pub fn simulated_as(id: EffectId) -> Option<EffectId> {
 
 /// Differences at one amplitude, for every stroke of the campaign.
 fn node(data: &Data, plain: &Data, shown: &Shown<'_>) -> Node {
-    let pairs: Vec<(usize, usize)> = plain
-        .rows
-        .iter()
-        .enumerate()
-        .filter_map(|(i, row)| {
-            let same = |other: &StrokeRow| row.stroke_id.is_some() && other.stroke_id == row.stroke_id;
-            Some((i, shown.with.rows.iter().position(same)?))
-        })
-        .collect();
+    let pairs: Vec<(usize, usize)> =
+        plain.rows.iter().enumerate().filter_map(|(i, row)| Some((i, shown.with.place_of(row)?))).collect();
     let like = |row: &StrokeRow, has: &dyn Fn(usize, usize) -> Option<f64>| {
         let found = pairs.iter().filter_map(|&(i, j)| Some((distance(row, &plain.rows[i]), has(i, j)?)));
         found.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |(_, difference)| difference)

@@ -87,10 +87,7 @@ impl Signal {
 
     fn differences(&self, data: &Data, simulated: &Data) -> Vec<f64> {
         let difference = |(i, row): (usize, &soilctl_strokes::StrokeRow)| {
-            let same = |other: &soilctl_strokes::StrokeRow| {
-                row.stroke_id.is_some() && other.stroke_id == row.stroke_id
-            };
-            let j = simulated.rows.iter().position(same)?;
+            let j = simulated.place_of(row)?;
             Some(self.of(data, i)? - self.of(simulated, j)?)
         };
         data.rows.iter().enumerate().filter_map(difference).collect()

@@ -133,7 +133,9 @@ impl<'a> Learning<'a> {
                 None => {}
             }
         }
-        data.vary_as(&std::iter::once(plain).chain(&others).collect::<Vec<_>>());
+        if !data.vary_as(&std::iter::once(plain).chain(&others).collect::<Vec<_>>()) {
+            self.watch.note("too few single strokes fail the soil again to tell how readings of a stroke vary together: they are weighed as independent");
+        }
         Ok(Progress::Done)
     }
 

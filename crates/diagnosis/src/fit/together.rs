@@ -66,3 +66,35 @@ impl Together {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: signals that go with each other by 0.6 have L = [[1, 0], [0.6, 0.8]], so that (1, 1) becomes (1, 0.5).
+    #[test]
+    fn what_varies_together_becomes_independent() {
+        let factor = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.6, 0.8]);
+        let together = Together { rows: vec![0, 1], factor, half_ln_det: 0.8_f64.ln() };
+        let mut z = [1.0, 1.0];
+        together.whiten(&mut z);
+        assert!((z[0] - 1.0).abs() < 1e-15 && (z[1] - 0.5).abs() < 1e-15, "{z:?}");
+        // Lines of a Jacobian go as residuals do, column by column.
+        let mut lines = [1.0, 0.0, 2.0, 1.0, 3.0, -1.0];
+        together.whiten_lines(&mut lines, 3);
+        for column in 0..3 {
+            let mut of = [[1.0, 0.0, 2.0][column], [1.0, 3.0, -1.0][column]];
+            together.whiten(&mut of);
+            assert!((of[0] - lines[column]).abs() < 1e-15 && (of[1] - lines[3 + column]).abs() < 1e-15);
+        }
+    }
+
+    /// Rows that take part go by stroke where something is known of them, and each by itself where nothing is.
+    #[test]
+    fn rows_of_a_stroke_go_together_only_if_something_is_known() {
+        let rows = [Row::Force(0), Row::Force(1), Row::Channel { stroke: 0, block: 0 }];
+        let alone = Together::all(&rows, &[true, false, true], |_| None, None);
+        assert_eq!(alone.iter().map(|of| of.rows.clone()).collect::<Vec<_>>(), [vec![0], vec![2]]);
+        assert!(alone.iter().all(|of| of.half_ln_det == 0.0));
+    }
+}

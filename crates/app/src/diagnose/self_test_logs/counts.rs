@@ -1,6 +1,6 @@
 //! What diagnoses of hidden campaigns said, counted.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -87,12 +87,9 @@ impl Said {
 
     /// Whether a shape without a name is given, or left beside effects, over the conditions of what was hidden.
     fn is_over(&self, of: Outside) -> bool {
-        let [mut wanted, mut other] = [of.over(), of.over()]
-            .map(|over| over.iter().map(|condition| condition.column()).collect::<Vec<_>>());
-        other.reverse();
-        [&mut wanted, &mut other].iter().any(|names| {
-            self.equivalence_set.iter().any(|given| *given == format!("{UNKNOWN}{}", names.join(" x ")))
-        })
+        let wanted: BTreeSet<&str> = of.over().iter().map(|condition| condition.column()).collect();
+        let shapes = self.equivalence_set.iter().filter_map(|given| given.strip_prefix(UNKNOWN));
+        shapes.map(|over| over.split(" x ").collect::<BTreeSet<_>>()).any(|over| over == wanted)
     }
 
     fn is_firm(&self) -> bool {

@@ -2,7 +2,7 @@
 //! surface; where the force begins is the surface.
 
 use soilctl_kinematics::Arm;
-use soilctl_stats::least_squares;
+use soilctl_stats::{least_squares, mean_and_sd};
 
 use super::sample::{Phase, Sample, tip_and_sensor};
 use crate::ProcessError;
@@ -74,13 +74,8 @@ fn upward_n<'a>(
 
 /// Upward force in N above which there is soil, by mean forces in free air.
 fn contact_force_n(air_n: &[f64]) -> f64 {
-    if air_n.len() < FEWEST {
-        return CONTACT_N;
-    }
-    let count = air_n.len() as f64;
-    let mean = air_n.iter().sum::<f64>() / count;
-    let variance = air_n.iter().map(|up| (up - mean).powi(2)).sum::<f64>() / (count - 1.0);
-    CONTACT_N.max(CONTACT_SD * variance.sqrt())
+    let noise = mean_and_sd(air_n).filter(|_| air_n.len() >= FEWEST);
+    noise.map_or(CONTACT_N, |(_, sd)| CONTACT_N.max(CONTACT_SD * sd))
 }
 
 /// The first block of those that stay in contact. Forwards: soft soil may give way for a while after the edge has met it.
