@@ -183,7 +183,8 @@ fn ignored(workspace: &Workspace, name: &str, programs: &[&str], filter: &str) -
 }
 
 fn properties(workspace: &Workspace) -> Result<(), XtaskError> {
-    const PROGRAMS: [&str; 9] = [
+    const PROGRAMS: [&str; 10] = [
+        "ends",
         "estimator_properties",
         "plate_bounds",
         "fits",

@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use soilctl_earth_pressure::{
-    Blocks, Case, Coulomb, EarthPressureError, ForceModel, LogSpiral, McKyesAli, Perumpral, model,
+    Blocks, Case, Coulomb, EarthPressureError, ForceModel, LogSpiral, McKyesAli, Perumpral, Prediction, model,
 };
 use soilctl_soil::{Angle, WidthRatio};
 
@@ -101,9 +101,38 @@ fn blocks_at_a_smooth_plate_are_rankines() {
     );
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 16, ..ProptestConfig::default() })]
+/// In weak soil before a plate that lies flat, crescents cost so much that an upright failure plane, which has none, takes
+/// the least force. It was found for one width and missed for another, so that a wider plate took more for each width.
+#[test]
+fn where_crescents_vanish_is_tried() {
+    let at = |ratio: f64| {
+        let case = Case::level_deg(45.775, 20.0, 3.054).with_width_ratio(WidthRatio::new(ratio).unwrap());
+        McKyesAli.predict(&case).unwrap()
+    };
+    let is_noted = |p: &Prediction| p.notes.iter().any(|note| note.contains("beyond the model"));
+    let [narrow, twice, wide] = [0.909, 1.818, 18.18].map(at);
+    assert!(is_noted(&narrow) && is_noted(&twice) && !is_noted(&wide));
+    assert!((narrow.k_net().0 - twice.k_net().0).abs() < 1e-6 && twice.k_net().0 > wide.k_net().0);
+    // The wedge on an upright plane by hand: the triangle under the plate, times sin(90 + phi) / sin(alpha + delta + 90 + phi).
+    let [alpha, phi, delta] = [45.775_f64, 20.0, 3.054].map(f64::to_radians);
+    let weight = alpha.sin() * alpha.cos() * phi.cos() / (alpha + delta + phi).cos();
+    let found = narrow.passive.unwrap().weight;
+    assert!((found / weight - 1.0).abs() < 1e-6, "{found} {weight}");
+}
 
+/// The force for each width falls with the width, to that of plane strain.
+fn falls_with_width(id: &str, alpha: f64, phi: f64, delta: f64, narrow: f64) -> Result<(), TestCaseError> {
+    let model = model(id).unwrap();
+    let case = |r: f64| Case::level_deg(alpha, phi, delta).with_width_ratio(WidthRatio::new(r).unwrap());
+    let widths = [narrow, 2.0 * narrow, 20.0 * narrow, f64::INFINITY];
+    let found: Vec<f64> =
+        widths.iter().filter_map(|&r| model.predict(&case(r)).ok()).map(|p| p.k_net().0).collect();
+    prop_assert!(found.len() == 4 || found.is_empty(), "{id}");
+    prop_assert!(found.windows(2).all(|k| k[0] >= k[1] * (1.0 - 1e-3)), "{id} {found:?}");
+    Ok(())
+}
+
+proptest! {
     /// The wedge models of a plate without ends are Coulomb's wedge, Godwin & Spoor's is the log-spiral.
     #[test]
     fn without_ends_the_plane_models_remain(alpha in 45.0..90.0, phi in 16.0..44.0, ratio in 0.05..0.9) {
@@ -125,17 +154,22 @@ proptest! {
         }
     }
 
-    /// Ends never help: the force for each width falls with the width, to that of plane strain.
+    /// Ends never help.
     #[test]
     fn force_per_width_falls_with_width(alpha in 45.0..90.0, phi in 20.0..44.0, ratio in 0.0..0.9, narrow in 0.3..5.0) {
-        let case = |r: f64| Case::level_deg(alpha, phi, ratio * phi).with_width_ratio(WidthRatio::new(r).unwrap());
-        for id in ["mckyes", "perumpral", "godwin-spoor", "ovesen", "blocks-3d"] {
-            let model = model(id).unwrap();
-            let widths = [narrow, 2.0 * narrow, 20.0 * narrow, f64::INFINITY];
-            let found: Vec<f64> = widths.iter().filter_map(|&r| model.predict(&case(r)).ok()).map(|p| p.k_net().0).collect();
-            prop_assert!(found.len() == 4 || found.is_empty(), "{id}");
-            prop_assert!(found.windows(2).all(|k| k[0] >= k[1] * (1.0 - 1e-3)), "{id} {found:?}");
+        for id in ["mckyes", "perumpral", "godwin-spoor", "ovesen"] {
+            falls_with_width(id, alpha, phi, ratio * phi, narrow)?;
         }
+    }
+}
+
+// Blocks take a hundred times longer.
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 16, ..ProptestConfig::default() })]
+
+    #[test]
+    fn force_per_width_of_blocks_falls_with_width(alpha in 45.0..90.0, phi in 20.0..44.0, ratio in 0.0..0.9, narrow in 0.3..5.0) {
+        falls_with_width("blocks-3d", alpha, phi, ratio * phi, narrow)?;
     }
 
     /// A slice is the model at one geometry.

@@ -6,6 +6,9 @@
 //! for cohesion and surcharge; the rise b makes the weight factor least (McKyes & Ali 1977, Journal of Terramechanics
 //! 14, 43-51). In the limit of a wide plate it is Coulomb's wedge.
 //!
+//! As the failure plane becomes upright the crescents vanish, and with them what the ends cost: for a narrow plate in weak
+//! soil the least force may be found there. The prediction has a note then.
+//!
 //! It is no upper bound: the last radial plane of a crescent slides along the soil beside it without dilating.
 
 use soilctl_soil::{Angle, WidthRatio};
@@ -16,6 +19,9 @@ use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
 const ID: &str = "mckyes";
 
+/// A failure plane that leans back over the plate has no crescents.
+const STEEPEST: f64 = std::f64::consts::FRAC_PI_2;
+
 /// McKyes & Ali's wedge with crescents.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct McKyesAli;
@@ -23,7 +29,8 @@ pub struct McKyesAli;
 impl McKyesAli {
     fn factors(at: &BetweenEnds) -> LoadFactors {
         let b = at.plane_cot;
-        let sideways = (b * (b + 2.0 * at.plate_cot)).sqrt() * at.depth_over_width;
+        // Upright planes are so to rounding.
+        let sideways = (b * (b + 2.0 * at.plate_cot)).max(0.0).sqrt() * at.depth_over_width;
         LoadFactors {
             weight: at.wedge.weight * (1.0 + 2.0 / 3.0 * sideways),
             surcharge: at.wedge.surcharge * (1.0 + sideways),
@@ -58,11 +65,11 @@ impl ForceModel for McKyesAli {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        predict(ID, case, Self::factors)
+        predict(ID, case, STEEPEST, Self::factors)
     }
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
-        failure_surface(self, case, Self::factors)
+        failure_surface(self, case, STEEPEST, Self::factors)
     }
 
     fn at(

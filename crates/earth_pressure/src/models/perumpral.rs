@@ -15,6 +15,9 @@ use crate::{Case, EarthPressureError, LoadFactors, Prediction};
 
 const ID: &str = "perumpral";
 
+/// Sides hold back a wedge on any failure plane.
+const STEEPEST: f64 = std::f64::consts::PI;
+
 /// Perumpral, Grisso & Desai's wedge with forces on its sides.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Perumpral;
@@ -56,11 +59,11 @@ impl ForceModel for Perumpral {
 
     fn predict(&self, case: &Case) -> Result<Prediction, EarthPressureError> {
         self.valid_range().check(ID, case)?;
-        predict(ID, case, |at| Self::factors(case, at))
+        predict(ID, case, STEEPEST, |at| Self::factors(case, at))
     }
 
     fn failure_surface(&self, case: &Case) -> Result<Option<FailureSurface>, EarthPressureError> {
-        failure_surface(self, case, |at| Self::factors(case, at))
+        failure_surface(self, case, STEEPEST, |at| Self::factors(case, at))
     }
 
     fn at(

@@ -1,5 +1,7 @@
 //! Limit equilibrium of a plane wedge with something at its two ends: the failure plane is the one of least weight
 //! factor, ends included, and all other loads are taken on it.
+//!
+//! The least may be at the steepest plane for which a model's ends have a meaning, which is then tried itself.
 
 use super::coulomb::{Coulomb, Wedge};
 use crate::minimise::minimise;
@@ -33,17 +35,24 @@ impl BetweenEnds {
     }
 }
 
-/// The prediction of a model whose passive factors are `ends` of a wedge. The active thrust is Coulomb's, in plane
-/// strain.
+/// The prediction of a model whose passive factors are `ends` of a wedge, with failure planes that rise up to `steepest`
+/// (radians). The active thrust is Coulomb's, in plane strain.
 pub(super) fn predict(
     id: &'static str,
     case: &Case,
+    steepest: f64,
     ends: impl Fn(&BetweenEnds) -> LoadFactors,
 ) -> Result<Prediction, EarthPressureError> {
-    let (wedges, plane) = critical(id, case, &ends)?;
+    let (wedges, plane) = critical(id, case, steepest, &ends)?;
     let passive = ends(&wedges.on(plane));
     let mut prediction = Prediction::from_sides(id, case, passive, Coulomb::active(case))?;
     prediction.notes.push("active side after Coulomb, in plane strain");
+    if plane > steepest - 1e-9 {
+        prediction.notes.push(
+            "the failure plane of least force is the steepest of this model, where its ends vanish: a narrow plate in \
+             this position is beyond the model",
+        );
+    }
     Ok(prediction)
 }
 
@@ -51,10 +60,11 @@ pub(super) fn predict(
 pub(super) fn failure_surface(
     model: &dyn ForceModel,
     case: &Case,
+    steepest: f64,
     ends: impl Fn(&BetweenEnds) -> LoadFactors,
 ) -> Result<Option<FailureSurface>, EarthPressureError> {
     model.valid_range().check(model.id(), case)?;
-    let (wedges, plane) = critical(model.id(), case, &ends)?;
+    let (wedges, plane) = critical(model.id(), case, steepest, &ends)?;
     let (height, reach) = (wedges.depth, wedges.depth / libm::tan(plane));
     Ok(Some(FailureSurface::from_tip(case, vec![(0.0, 0.0), (reach, height)])))
 }
@@ -63,14 +73,16 @@ pub(super) fn failure_surface(
 fn critical(
     id: &'static str,
     case: &Case,
+    steepest: f64,
     ends: &impl Fn(&BetweenEnds) -> LoadFactors,
 ) -> Result<(Wedges, f64), EarthPressureError> {
     let wedges = Wedges::of(case);
-    let steepest =
+    // Steeper planes hold the wedge whatever the force.
+    let holding =
         std::f64::consts::PI - case.tool_angle.radians() - case.interface.radians() - case.friction.radians();
-    let edge = 1e-6 * steepest;
+    let edge = 1e-6 * holding;
     let weight = |plane: f64| ends(&wedges.on(plane)).weight;
-    let found = if steepest > 0.0 { minimise(edge, steepest - edge, SCAN, weight) } else { None };
+    let found = if holding > 0.0 { minimise(edge, steepest.min(holding - edge), SCAN, weight) } else { None };
     let (plane, _) = found
         .ok_or_else(|| case.singular(id, "no failure plane has a finite force; lower alpha, phi or delta"))?;
     Ok((wedges, plane))
