@@ -10,7 +10,7 @@ use soilctl_earth_pressure::{Case, ForceModel, plane_model};
 pub use super::Answer;
 use super::Head;
 use super::bounds::{self, BoundsOptions};
-use super::grid::{Grid, Nodes};
+use super::grid::{Grid, Nodes, check_axes};
 use crate::table_file::{form, write_table};
 use crate::{AppError, Watch};
 
@@ -99,6 +99,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
             "the table would have {size} nodes; at most {MAX_CELLS} are allowed, so take larger steps"
         )));
     }
+    check_axes(&axes)?;
     if request.model == BOUNDS {
         return bounds::build(&request.bounds, axes, request.out.as_deref(), watch);
     }
@@ -116,7 +117,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
     let model = plane_model(&request.model)?;
     let (table, first_refusal) = fill(model.as_ref(), axes, watch)?;
     if table.is_empty() {
-        let reason = first_refusal.unwrap_or_else(|| "delta is above phi everywhere".into());
+        let reason = first_refusal.unwrap_or_default();
         return Err(AppError::Request(format!("no node of the table could be filled: {reason}")));
     }
     let source = format!("{} on a grid; {}", model.id(), model.reference());

@@ -6,6 +6,8 @@ use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::AppError;
+
 /// Grids by name.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
@@ -26,6 +28,27 @@ impl Grid {
             Self::Wide => [axis(30, 110, 10), axis(20, 55, 5), axis(0, 55, 5)],
         }
     }
+}
+
+/// Refuses nodes of which no table can be read: along each axis it needs two that have cases, which are those with delta up to phi.
+pub(super) fn check_axes([alphas, phis, deltas]: &[Vec<f64>; 3]) -> Result<(), AppError> {
+    let with_cases = [
+        alphas.clone(),
+        phis.iter().copied().filter(|phi| deltas.iter().any(|delta| delta <= phi)).collect(),
+        deltas.iter().copied().filter(|delta| phis.iter().any(|phi| delta <= phi)).collect(),
+    ];
+    for (option, nodes) in ["--alpha", "--phi", "--delta"].into_iter().zip(with_cases) {
+        let found = match nodes[..] {
+            [] => "no angle".to_owned(),
+            [only] => format!("{only} deg alone"),
+            _ => continue,
+        };
+        return Err(AppError::Request(format!(
+            "of {option}, {found} has cases, since delta is never above phi; a table needs two angles along each axis: \
+             begin --delta lower or go higher with --phi"
+        )));
+    }
+    Ok(())
 }
 
 /// Most nodes along one axis.
@@ -98,6 +121,19 @@ mod tests {
         let values = |text: &str| text.parse::<Nodes>().unwrap().values();
         assert_eq!(values("70:85:5"), [70.0, 75.0, 80.0, 85.0]);
         assert_eq!((values("25:26:0.1").len(), values("25:26:0.1")[10]), (11, 26.0));
+    }
+
+    #[test]
+    fn a_grid_with_cases_at_one_angle_is_refused() {
+        let words = |phi: [f64; 2], delta: [f64; 2]| {
+            let axes = [vec![80.0, 90.0], phi.to_vec(), delta.to_vec()];
+            check_axes(&axes).map_or_else(|problem| problem.to_string(), |()| "taken".into())
+        };
+        assert_eq!(words([20.0, 25.0], [20.0, 25.0]), "taken");
+        // Only 25 deg of friction reaches the rougher plates.
+        assert!(words([20.0, 25.0], [25.0, 30.0]).contains("of --phi, 25 deg alone"));
+        assert!(words([26.0, 29.0], [25.0, 30.0]).contains("of --delta, 25 deg alone"));
+        assert!(words([20.0, 25.0], [30.0, 40.0]).contains("of --phi, no angle"));
     }
 
     #[test]

@@ -94,7 +94,7 @@ pub(super) fn build(
         }
         journal::remove(out)?;
         if table.rows().is_empty() {
-            let reason = empty.first().map_or("delta is above phi everywhere", |(_, reason)| reason);
+            let reason = empty.first().map_or("this shard has no case", |(_, reason)| reason);
             return Err(AppError::Request(format!("no node of the table could be filled: {reason}")));
         }
     }
