@@ -13,7 +13,7 @@ use super::resimulated::{Again, expect_scene, model_file};
 use crate::AppError;
 
 /// An effect is as likely as the best if its ln evidence lies behind by less than this, or by less than this part of what the best adds: a twin
-/// is not the arm. Empirical.
+/// is not the arm. So is no effect, if it lies behind by less than the first. Empirical.
 const AS_LIKELY: (f64, f64) = (5.0, 0.1);
 /// Most effects that are simulated alone, and the part of the best one's ln Bayes factor that one must have alone to be tried.
 const MOST: usize = 5;
@@ -240,7 +240,7 @@ struct Outcome {
     bearing: Bearing,
 }
 
-/// Whether a set of effects adds more to the arm without effects than its number of effects costs.
+/// Whether a set of effects adds more to the arm without effects than its number of effects costs, and more than may be the twin's fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Bearing {
     /// It does.
@@ -262,7 +262,7 @@ fn outcome(contenders: &[Contender], untried: Vec<EffectId>) -> Option<Outcome> 
         _ => untried,
     };
     let bearing = match score(best) {
-        adds if adds > 0.0 => Bearing::Out,
+        adds if adds > 0.0 && best.adds > AS_LIKELY.0 => Bearing::Out,
         adds if adds > -AS_LIKELY.0 => Bearing::Open,
         _ => Bearing::Denied,
     };
@@ -382,6 +382,9 @@ mod tests {
         assert_eq!(found(&pair(0.9), &[]), (vec![a], vec![b], Bearing::Out));
         assert_eq!(found(&pair(1.1), &[]), (vec![a, b], vec![], Bearing::Out));
         assert_eq!(found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2, Bearing::Open);
+        // No effect is as likely as one that adds less than what keeps two effects apart.
+        assert_eq!(found(&[of(&[a], 4.9)], &[]).2, Bearing::Open);
+        assert_eq!(found(&[of(&[a], 5.1)], &[]).2, Bearing::Out);
         assert_eq!(found(&[of(&[a], THRESHOLD - 5.1), of(&[b], -30.0)], &[]).2, Bearing::Denied);
         assert!(outcome(&[], vec![c]).is_none());
     }
