@@ -48,8 +48,15 @@ enum Tried {
 /// Why a contest is none.
 const SINKS: &str = "too few of the strokes fail the soil of the simulated arm that has what they ask for";
 
-fn names(ids: &[EffectId]) -> String {
-    ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ")
+/// The simulated arm in words.
+fn arm(ids: &[EffectId]) -> String {
+    match ids {
+        [] => "the simulated arm without effects".to_owned(),
+        _ => format!(
+            "the simulated arm with {}",
+            ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ")
+        ),
+    }
 }
 
 impl Again<'_> {
@@ -111,11 +118,7 @@ impl Again<'_> {
         }
         rank(&plain, &mut contenders, weights)?;
         for of in &contenders {
-            self.watch.note(&format!(
-                "the simulated arm with {}: ln evidence of all readings {:+.1}",
-                names(&of.ids),
-                of.adds
-            ));
+            self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", arm(&of.ids), of.adds));
         }
         let Some(outcome) = outcome(&contenders, untried) else { return Ok(()) };
         match outcome.bearing {
@@ -185,10 +188,10 @@ impl Again<'_> {
         let strokes = beside.readings().strokes;
         if are_few(&strokes) {
             self.watch.note(&format!(
-                "of {} strokes, {} are of a kind that always fails the soil of the simulated arm with {}: too few to be weighed",
+                "of {} strokes, {} are of a kind that always fails the soil of {}: too few to be weighed",
                 strokes.len(),
                 taking_part(&strokes),
-                names(ids)
+                arm(ids)
             ));
             return Ok(Tried::Sinks);
         }
