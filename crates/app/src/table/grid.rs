@@ -30,14 +30,13 @@ impl Grid {
     }
 }
 
-/// Refuses nodes of which no table can be read: along each axis it needs two that have cases, which are those with delta up to phi.
-pub(super) fn check_axes([alphas, phis, deltas]: &[Vec<f64>; 3]) -> Result<(), AppError> {
-    let with_cases = [
-        alphas.clone(),
+/// Refuses nodes of which no table can be read: it needs two of phi and two of delta that have cases, which are those with delta up to phi.
+pub(super) fn check_axes([_, phis, deltas]: &[Vec<f64>; 3]) -> Result<(), AppError> {
+    let with_cases: [Vec<f64>; 2] = [
         phis.iter().copied().filter(|phi| deltas.iter().any(|delta| delta <= phi)).collect(),
         deltas.iter().copied().filter(|delta| phis.iter().any(|phi| delta <= phi)).collect(),
     ];
-    for (option, nodes) in ["--alpha", "--phi", "--delta"].into_iter().zip(with_cases) {
+    for (option, nodes) in ["--phi", "--delta"].into_iter().zip(with_cases) {
         let found = match nodes[..] {
             [] => "no angle".to_owned(),
             [only] => format!("{only} deg alone"),
