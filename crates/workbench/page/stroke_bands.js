@@ -56,8 +56,8 @@ export class Bands {
     const rho = this.rho(event.clientY - box.top);
     if (!(rho > 0)) return;
     this.place.setPointerCapture(event.pointerId);
-    // What it had when it was taken.
-    this.held = {k: Number(k), rho, base: structuredClone(this.rows.base[k])};
+    // What it had when it was taken. `top` stays: only the pointer pulls, not an answer that makes the page above longer meanwhile.
+    this.held = {k: Number(k), top: box.top, rho, base: structuredClone(this.rows.base[k])};
     this.rows.table.rest();
   }
 
@@ -65,7 +65,7 @@ export class Bands {
     const {held} = this;
     if (!held) return;
     this.rows.base[held.k] = held.base;
-    this.rows.pull(held.k, Math.max(1, this.rho(event.clientY - this.place.getBoundingClientRect().top)) / held.rho);
+    this.rows.pull(held.k, Math.max(1, this.rho(event.clientY - held.top)) / held.rho);
   }
 }
 
