@@ -75,7 +75,7 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);
     let search = Search::new(&setup)?;
-    let expected: Vec<Expected> = data.possible().map(|of| expected(&setup, phi_deg, of)).collect();
+    let expected = expected(&setup, phi_deg, data.possible());
     // With a handful of strokes the largest amplitudes alone could be seen, which is no test of anything.
     let testable = expected.iter().filter(|of| of.lambda >= LEAST_LAMBDA).count() > 0 && !data.is_summary();
     let verdict = judge(&search);

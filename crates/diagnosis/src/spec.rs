@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use soilctl_effects::{Channel, Effect, EffectId};
+use soilctl_effects::{Active, Channel, Effect, EffectId};
 
 use crate::data::Data;
 use crate::learnt::Learnt;
@@ -19,6 +19,20 @@ pub(crate) struct Choice {
     pub(crate) responds: bool,
     /// Whether forces and channels respond as a simulated arm showed it.
     pub(crate) learnt: bool,
+}
+
+impl Choice {
+    /// What its amplitude makes of a column of a stroke; 0 of a column that does not show it.
+    pub(crate) fn shift(&self, data: &Data, channel: Channel, stroke: usize, active: &Active) -> f64 {
+        if self.learnt {
+            let learnt = data.learnt.get(&self.effect.id);
+            learnt.map_or(0.0, |learnt| learnt.shift(channel, stroke, active.amplitude))
+        } else if self.linked && self.effect.linked.contains(&channel) {
+            self.effect.shift(channel, active.amplitude, active.shape, &data.reading(stroke))
+        } else {
+            0.0
+        }
+    }
 }
 
 /// Effects and shapes without a name.

@@ -3,8 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 use soilctl_effects::{Active, EffectId};
 
+use crate::fit::Background;
 use crate::learnt::Learnt;
 use crate::setup::FitSetup;
+use crate::spec::{Choice, Spec};
 
 /// Expected squared signal-to-noise ratio below which nothing can be named honestly: half of it, 4, is the largest ln Bayes factor that
 /// is to be expected, a little more than an effect must earn.
@@ -21,6 +23,8 @@ pub enum Testable {
     IfLarge,
     /// Friction angle, density and interface friction take it up.
     Absorbed,
+    /// Only columns show it, and what these may be off by without it takes it up.
+    Masked,
     /// The design does not vary what it depends on.
     NotVaried,
 }
@@ -33,6 +37,7 @@ impl Testable {
             Self::Yes => "yes",
             Self::IfLarge => "if large",
             Self::Absorbed => "absorbed by phi, density and delta",
+            Self::Masked => "masked by what the instrument and the simulated arm may be off by",
             Self::NotVaried => "not testable with this design",
         }
     }
@@ -131,53 +136,137 @@ pub(crate) fn lambda(setup: &FitSetup<'_>, phi_deg: f64, change: &[f64], sd: &[f
     Some(rest.iter().zip(sd).map(|(g, s)| (g / s).powi(2)).sum())
 }
 
-/// Expected signal of an effect at an amplitude, in forces and linked channels together.
-fn signal(setup: &FitSetup<'_>, phi_deg: f64, id: EffectId, amplitude: f64, sd: &[f64]) -> (f64, f64) {
+/// Squared signal-to-noise ratios of an effect.
+#[derive(Debug, Clone, Copy, Default)]
+struct Signal {
+    /// After everything that a fit moves is fitted anew.
+    left: f64,
+    /// Before, in forces and in all readings.
+    force: f64,
+    all: f64,
+}
+
+impl Signal {
+    fn most(self, other: Self) -> Self {
+        Self {
+            left: self.left.max(other.left),
+            force: self.force.max(other.force),
+            all: self.all.max(other.all),
+        }
+    }
+}
+
+/// Expected signal of an effect at an amplitude: in forces alone, or in all readings if these tell more.
+fn signal(
+    setup: &FitSetup<'_>,
+    background: Option<&Background<'_>>,
+    phi_deg: f64,
+    id: EffectId,
+    amplitude: f64,
+) -> Signal {
     let (data, effect) = (setup.data, id.effect());
+    let sd = stroke_sd(setup, None);
     let told =
         |shape: &&f64| effect.needs(**shape).is_none_or(|channel| data.channels.contains_key(&channel));
-    let (mut most, mut raw) = (0.0_f64, 0.0_f64);
     let learnt = data.learnt.get(&id);
     let simulated = [effect.simulated_shape()];
     let shapes = if learnt.is_some() { &simulated } else { effect.shapes() };
-    for &shape in shapes.iter().filter(told) {
-        let Some(change) = change(setup, phi_deg, Active { effect, amplitude, shape }) else { continue };
-        let mut found = lambda(setup, phi_deg, &change, sd).unwrap_or(0.0);
-        for channel in learnt.map_or(effect.linked, Learnt::channels) {
-            let Some(cells) = data.channels.get(channel) else { continue };
-            let scatter = setup.baselines[channel].ln_scatter.mean.exp();
-            let shifts = (0..data.len()).filter(|&i| cells[i].is_some()).map(|i| {
-                let formula = || effect.shift(*channel, amplitude, shape, &data.reading(i));
-                learnt.map_or_else(formula, |learnt| learnt.shift(*channel, i, amplitude)) / scatter
-            });
-            found += shifts.map(|x| x * x).sum::<f64>();
-        }
-        most = most.max(found);
-        raw = raw.max(change.iter().zip(sd).map(|(g, s)| (g / s).powi(2)).sum::<f64>());
-    }
-    (most, raw)
+    let shows = learnt.map_or(effect.linked, Learnt::channels);
+    let of = |shape: f64| {
+        let change = change(setup, phi_deg, Active { effect, amplitude, shape });
+        let force = change.map_or_else(Signal::default, |change| {
+            let force = change.iter().zip(&sd).map(|(g, s)| (g / s).powi(2)).sum();
+            Signal { left: lambda(setup, phi_deg, &change, &sd).unwrap_or(0.0), force, all: force }
+        });
+        let sign = amplitude.signum();
+        let choice = Choice { effect, sign, shape, linked: true, responds: false, learnt: learnt.is_some() };
+        let together = background
+            .filter(|background| background.has_any(shows))
+            .and_then(|background| background.lambda(&choice, amplitude));
+        let all = together.map(|(left, all)| Signal { left, all, force: 0.0 });
+        force.most(all.unwrap_or_default())
+    };
+    shapes.iter().filter(told).map(|shape| of(*shape)).fold(Signal::default(), Signal::most)
 }
 
-/// What a design can show of an effect.
-pub(crate) fn expected(setup: &FitSetup<'_>, phi_deg: f64, id: EffectId) -> Expected {
-    let sd = stroke_sd(setup, None);
-    let range = setup.range(id.effect());
-    let both = |size: f64| {
-        let signs = range.signs().iter();
-        signs
-            .map(|sign| signal(setup, phi_deg, id, sign * size, &sd))
-            .fold((0.0, 0.0), |a: (f64, f64), b| (a.0.max(b.0), a.1.max(b.1)))
+/// What a design can show of effects.
+pub(crate) fn expected(
+    setup: &FitSetup<'_>,
+    phi_deg: f64,
+    ids: impl Iterator<Item = EffectId>,
+) -> Vec<Expected> {
+    let nothing = Spec::default();
+    let background = Background::new(setup, &nothing, phi_deg);
+    let of = |id: EffectId| {
+        let range = setup.range(id.effect());
+        let both = |size: f64| {
+            let signs = range.signs().iter();
+            signs
+                .map(|sign| signal(setup, background.as_ref(), phi_deg, id, sign * size))
+                .fold(Signal::default(), Signal::most)
+        };
+        let (typical, largest) = (both(range.typical()), both(range.high));
+        let testable = if typical.left >= LEAST_LAMBDA {
+            Testable::Yes
+        } else if largest.left >= LEAST_LAMBDA {
+            Testable::IfLarge
+        } else if largest.force >= LEAST_LAMBDA {
+            Testable::Absorbed
+        } else if largest.all >= LEAST_LAMBDA {
+            Testable::Masked
+        } else {
+            Testable::NotVaried
+        };
+        Expected { id, lambda: typical.left, lambda_largest: largest.left, testable }
     };
-    let (lambda, _) = both(range.typical());
-    let (lambda_largest, raw) = both(range.high);
-    let testable = if lambda >= LEAST_LAMBDA {
-        Testable::Yes
-    } else if lambda_largest >= LEAST_LAMBDA {
-        Testable::IfLarge
-    } else if raw >= LEAST_LAMBDA {
-        Testable::Absorbed
-    } else {
-        Testable::NotVaried
-    };
-    Expected { id, lambda, lambda_largest, testable }
+    ids.map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+    use soilctl_earth_pressure::model;
+    use soilctl_strokes::{Campaign, StrokeRow};
+
+    use super::*;
+    use crate::data::Data;
+    use crate::surface::Surface;
+
+    /// Play `a` of the drives is a constant in their gap. With N strokes of one force F, a gap that scatters by s, a zero that is known to b and a
+    /// stretch known to 1 / k, what all strokes share is known to `v = b² + (F / k)² + s² / N`, and lambda is `a² / v`: by hand, without a fit.
+    #[test]
+    fn a_constant_in_a_column_stands_out_by_what_its_zero_is_known_to() {
+        let (n, force_n) = (16_usize, 5.0);
+        let row = |i: usize| StrokeRow {
+            alpha_deg: 90.0,
+            depth_m: 0.02,
+            width_m: 0.1,
+            force_n,
+            motor_ext_gap_m: Some(if i % 2 == 0 { 1e-4 } else { -1e-4 }),
+            ..StrokeRow::default()
+        };
+        let campaign = Campaign::default();
+        let data = Data::new("test", (0..n).map(row).collect(), campaign.clone()).unwrap();
+        let surface = Surface::new(model("chen").unwrap(), (90.0, 90.0)).unwrap();
+        let setup = FitSetup::new(&data, &surface, 35.0);
+        let found = expected(&setup, 35.0, [EffectId::Backlash].into_iter());
+        let instrument = &campaign.instrument;
+        let known = (0.25 * instrument.gap_sd).max(6e-5).hypot(force_n / instrument.joint_stiffness_n_per_m);
+        let variance = known * known + instrument.gap_sd.powi(2) / n as f64;
+        let range = EffectId::Backlash.effect().range;
+        for (lambda, amplitude) in [(found[0].lambda, range.typical()), (found[0].lambda_largest, range.high)]
+        {
+            let by_hand = amplitude * amplitude / variance;
+            assert!((lambda / by_hand - 1.0).abs() < 1e-9, "{lambda} {by_hand}");
+        }
+        // However many strokes there are, a zero that is known to half a millimetre hides play of as much.
+        let many = Data::new("test", (0..400).map(row).collect(), campaign).unwrap();
+        let setup = FitSetup::new(&many, &surface, 35.0);
+        let found = expected(&setup, 35.0, [EffectId::Backlash].into_iter());
+        assert!(found[0].lambda < LEAST_LAMBDA, "{found:?}");
+        let verdict =
+            if found[0].lambda_largest < LEAST_LAMBDA { Testable::Masked } else { Testable::IfLarge };
+        assert_eq!(found[0].testable, verdict);
+    }
 }

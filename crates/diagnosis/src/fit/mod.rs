@@ -1,5 +1,6 @@
 //! The most likely soil, scatter and amplitudes of one set of effects, and the evidence for it.
 
+mod background;
 mod problem;
 mod report;
 mod solve;
@@ -7,6 +8,7 @@ mod together;
 
 use std::collections::BTreeSet;
 
+pub(crate) use background::Background;
 use problem::Problem;
 use soilctl_effects::Channel;
 

@@ -190,13 +190,7 @@ impl<'a> Problem<'a> {
                 let reads_delta = self.with_force && self.setup.baselines[&channel].reads_delta;
                 let mut value = if reads_delta { p[1] } else { 0.0 };
                 for (choice, active) in self.spec.choices.iter().zip(&actives[data.known.len()..]) {
-                    if choice.learnt {
-                        let learnt = data.learnt.get(&choice.effect.id);
-                        value += learnt.map_or(0.0, |learnt| learnt.shift(channel, stroke, active.amplitude));
-                    } else if choice.linked && choice.effect.linked.contains(&channel) {
-                        let reading = data.reading(stroke);
-                        value += choice.effect.shift(channel, active.amplitude, active.shape, &reading);
-                    }
+                    value += choice.shift(data, channel, stroke, active);
                 }
                 Some(value)
             }

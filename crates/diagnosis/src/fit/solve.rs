@@ -62,7 +62,7 @@ impl Problem<'_> {
     }
 
     /// Derivatives with respect to soil and amplitudes.
-    fn fill_nonlinear(&self, p: &[f64], jacobian: &mut [f64]) -> Option<()> {
+    pub(super) fn fill_nonlinear(&self, p: &[f64], jacobian: &mut [f64]) -> Option<()> {
         let width = self.priors.len();
         let soil = 0..self.nuisance_at;
         for k in soil.chain(self.amplitude_at..width) {
@@ -78,7 +78,7 @@ impl Problem<'_> {
         Some(())
     }
 
-    fn normal(
+    pub(super) fn normal(
         &self,
         p: &[f64],
         means: &[f64],
