@@ -85,6 +85,16 @@ impl Unsteadiness {
         self.variance(self.channels.get(&channel), stroke)
     }
 
+    /// Variance of a difference of two simulated strokes of much the same kind, mean over the strokes: of ln force, or of a column.
+    fn mean(&self, channel: Option<Channel>) -> f64 {
+        let sums = match channel {
+            None => Some(&self.ln_force),
+            Some(channel) => self.channels.get(&channel),
+        };
+        let strokes = sums.map_or(0, Vec::len);
+        (0..strokes).map(|stroke| self.variance(sums, stroke)).sum::<f64>() / strokes.max(1) as f64
+    }
+
     fn variance(&self, sums: Option<&Vec<f64>>, stroke: usize) -> f64 {
         let sum = sums.and_then(|sums| sums.get(stroke)).copied().unwrap_or_default();
         Self::OF_A_DIFFERENCE * sum / self.settings.max(1) as f64
@@ -100,7 +110,12 @@ impl Learnt {
     #[must_use]
     pub fn new(effect: &'static Effect, data: &Data, plain: &Data, shown: &[Shown<'_>]) -> Self {
         let local = data.strokes.iter().map(|stroke| share(effect, stroke)).collect();
-        let mut nodes: Vec<Node> = shown.iter().map(|shown| node(data, plain, shown)).collect();
+        let formula = |data: &Data, stroke: usize, channel: Channel, amplitude: f64| {
+            let has_one = effect.linked.contains(&channel);
+            has_one.then(|| effect.shift(channel, amplitude, effect.simulated_shape(), &data.reading(stroke)))
+        };
+        let transfer = Transfer { data, plain, formula: &formula, unsteadiness: &data.unsteadiness };
+        let mut nodes: Vec<Node> = shown.iter().map(|shown| transfer.node(shown)).collect();
         nodes.sort_by(|a, b| a.amplitude.abs().total_cmp(&b.amplitude.abs()));
         let mut learnt = Self { nodes, local, channels: Vec::new(), alike: None };
         let seen = |channel: &Channel| {
@@ -117,8 +132,10 @@ impl Learnt {
     /// (`down`) by the same factor, for an amplitude of 1; `plain` are the strokes with the setting as it is.
     #[must_use]
     pub fn of_setting(data: &Data, plain: &Data, up: &Data, down: &Data) -> Self {
+        let unsteadiness = Unsteadiness::default();
+        let transfer = Transfer { data, plain, formula: &|_, _, _, _| None, unsteadiness: &unsteadiness };
         let nodes = [(1.0, up), (-1.0, down)]
-            .map(|(amplitude, with)| node(data, plain, &Shown { amplitude, with }))
+            .map(|(amplitude, with)| transfer.node(&Shown { amplitude, with }))
             .to_vec();
         let mut learnt = Self { nodes, local: vec![1.0; data.rows.len()], channels: Vec::new(), alike: None };
         let seen = |channel: &Channel| {
@@ -250,23 +267,66 @@ pub fn simulated_as(id: EffectId) -> Option<EffectId> {
     id.effect().varies_with.is_none().then_some(id)
 }
 
-/// Differences at one amplitude, for every stroke of the campaign.
-fn node(data: &Data, plain: &Data, shown: &Shown<'_>) -> Node {
-    let pairs: Vec<(usize, usize)> =
-        plain.rows.iter().enumerate().filter_map(|(i, row)| Some((i, shown.with.place_of(row)?))).collect();
-    let like = |row: &StrokeRow, has: &dyn Fn(usize, usize) -> Option<f64>| {
-        let found = pairs.iter().filter_map(|&(i, j)| Some((distance(row, &plain.rows[i]), has(i, j)?)));
-        found.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |(_, difference)| difference)
-    };
-    let of = |has: &dyn Fn(usize, usize) -> Option<f64>| data.rows.iter().map(|row| like(row, has)).collect();
-    // Depths are recorded: what a plate that rises or sinks loses of its force by the square of its depth, the force model knows.
-    let at_depth = |data: &Data, k: usize| data.ln_force[k] - 2.0 * data.rows[k].depth_m.ln();
-    let ln_force = of(&|i, j| Some(at_depth(shown.with, j) - at_depth(plain, i)));
-    let channels = plain.channels.iter().filter_map(|(channel, before)| {
-        let after = shown.with.channels.get(channel)?;
-        Some((*channel, of(&|i, j| Some(after[j]? - before[i]?))))
-    });
-    Node { amplitude: shown.amplitude, ln_force, channels: channels.collect() }
+/// How what single strokes of a few kinds showed is carried over to the strokes of a campaign.
+struct Transfer<'a> {
+    data: &'a Data,
+    /// The single strokes without the effect.
+    plain: &'a Data,
+    /// What the catalogue says that a column of a stroke shows of an amplitude, if it does.
+    formula: &'a dyn Fn(&Data, usize, Channel, f64) -> Option<f64>,
+    /// By how much single strokes go their own way.
+    unsteadiness: &'a Unsteadiness,
+}
+
+impl Transfer<'_> {
+    /// Responses at one amplitude, for every stroke of the campaign.
+    fn node(&self, shown: &Shown<'_>) -> Node {
+        let Self { plain, unsteadiness, .. } = *self;
+        let (amplitude, with) = (shown.amplitude, shown.with);
+        let rows = plain.rows.iter().enumerate();
+        let pairs: Vec<(usize, usize)> = rows.filter_map(|(i, row)| Some((i, with.place_of(row)?))).collect();
+        let of = |has: &dyn Fn(usize, usize) -> Option<f64>| -> Vec<(usize, f64)> {
+            pairs.iter().filter_map(|&(i, j)| Some((i, has(i, j)?))).collect()
+        };
+        // Depths are recorded: what a plate that rises or sinks loses of its force by the square of its depth, the force model knows.
+        let at_depth = |data: &Data, k: usize| data.ln_force[k] - 2.0 * data.rows[k].depth_m.ln();
+        let forces = of(&|i, j| Some(at_depth(with, j) - at_depth(plain, i)));
+        let ln_force = self.carried(&forces, &|_, _| None, unsteadiness.mean(None));
+        let channels = plain.channels.iter().filter_map(|(channel, before)| {
+            let after = with.channels.get(channel)?;
+            let differences = of(&|i, j| Some(after[j]? - before[i]?));
+            let formula = |data: &Data, stroke| (self.formula)(data, stroke, *channel, amplitude);
+            Some((*channel, self.carried(&differences, &formula, unsteadiness.mean(Some(*channel)))))
+        });
+        let channels = channels.collect();
+        Node { amplitude, ln_force, channels }
+    }
+
+    /// A response of every stroke of the campaign, from differences of single strokes (place in `plain`, value): a part that all share, which goes as the
+    /// formula goes from stroke to stroke if there is one, and what the single stroke that is most like it has beyond. Either part is drawn to nothing
+    /// by the share of its square that is to be expected of strokes that go their own way, of which a difference has this variance (James & Stein 1961).
+    fn carried(
+        &self,
+        differences: &[(usize, f64)],
+        formula: &dyn Fn(&Data, usize) -> Option<f64>,
+        variance: f64,
+    ) -> Vec<f64> {
+        let pattern = |data: &Data, stroke: usize| formula(data, stroke).unwrap_or(1.0);
+        let sum = |of: &dyn Fn(usize, f64) -> f64| differences.iter().map(|&(i, d)| of(i, d)).sum::<f64>();
+        let kept = |square: f64, noise: f64| if square > noise { 1.0 - noise / square } else { 0.0 };
+        let square = sum(&|i, _| pattern(self.plain, i).powi(2));
+        let share = if square > 0.0 { sum(&|i, d| d * pattern(self.plain, i)) / square } else { 0.0 };
+        let common = kept(share * share * square, variance) * share;
+        let beyond = |i: usize, d: f64| d - share * pattern(self.plain, i);
+        let freedom = differences.len().saturating_sub(1).max(1) as f64;
+        let own = kept(sum(&|i, d| beyond(i, d).powi(2)) / freedom, variance);
+        let of_stroke = |(stroke, row): (usize, &StrokeRow)| {
+            let apart = |&(i, _): &(usize, f64)| distance(row, &self.plain.rows[i]);
+            let like = differences.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+            like.map_or(0.0, |&(i, d)| common * pattern(self.data, stroke) + own * beyond(i, d))
+        };
+        self.data.rows.iter().enumerate().map(of_stroke).collect()
+    }
 }
 
 /// How little two strokes are alike, from 0.
@@ -293,6 +353,50 @@ mod tests {
         // Slope 3 + 2 at the end.
         assert!((curve(&points, 4.0) - (square(2.0) + 2.0 * 5.0)).abs() < 1e-12);
         assert_eq!((curve(&[(2.0, 6.0)], 3.0), curve(&[], 1.0)), (9.0, 0.0));
+    }
+
+    /// Single strokes of two forces, of an arm whose cables stretch by 0.4 mm/N: strokes of other forces show what they have by their own force. What
+    /// strokes do that go their own way is no response, whether all kinds do it or one.
+    #[test]
+    fn what_single_strokes_show_goes_to_others_as_the_formula_goes_and_chance_does_not() {
+        let data = |strokes: &[(f64, f64)]| {
+            let row = |(i, &(force_n, way_m)): (usize, &(f64, f64))| StrokeRow {
+                stroke_id: Some(format!("s{i}")),
+                alpha_deg: 80.0 + 10.0 * i as f64,
+                depth_m: 0.025,
+                width_m: 0.1,
+                force_n,
+                displacement_at_failure_m: Some(way_m),
+                ..StrokeRow::default()
+            };
+            let rows = strokes.iter().enumerate().map(row).collect();
+            Data::new("t", rows, soilctl_strokes::Campaign::default()).unwrap()
+        };
+        let effect = EffectId::CableFlex.effect();
+        let plain = data(&[(4.0, 3e-3), (8.0, 5e-3)]);
+        let with = data(&[(4.0, 3e-3 + 4.0 * 4e-4), (8.0, 5e-3 + 8.0 * 4e-4)]);
+        let mut campaign = data(&[(5.0, 4e-3), (12.0, 6e-3)]);
+        let at = |campaign: &Data, with: &Data, stroke: usize| {
+            let shown = [Shown { amplitude: 4e-4, with }];
+            Learnt::new(effect, campaign, &plain, &shown).nodes[0].channels[&Channel::Displacement][stroke]
+        };
+        for (stroke, force_n) in [(0, 5.0), (1, 12.0)] {
+            assert!((at(&campaign, &with, stroke) - force_n * 4e-4).abs() < 1e-12);
+        }
+        // Ways that differ by 1 mm for no reason are what a response of some tenths of one is then.
+        let still = data(&[(4.0, 3e-3), (8.0, 5e-3)]);
+        let (up, down) = (data(&[(4.0, 4e-3), (8.0, 6e-3)]), data(&[(4.0, 4e-3), (8.0, 6e-3)]));
+        campaign.doubt(Learnt::of_setting(&campaign, &still, &up, &down));
+        let chance = data(&[(4.0, 3e-3 + 8e-4), (8.0, 5e-3 - 3e-4)]);
+        for stroke in [0, 1] {
+            assert_eq!(at(&campaign, &chance, stroke), 0.0);
+        }
+        // Much more than chance stays, but for the share of its square that chance is expected to have.
+        let large = data(&[(4.0, 3e-3 + 4.0 * 4e-3), (8.0, 5e-3 + 8.0 * 4e-3)]);
+        let variance = 4.0 / 3.0 * 1e-6;
+        let kept = 1.0 - variance / ((4.0_f64.powi(2) + 8.0_f64.powi(2)) * 4e-3 * 4e-3);
+        // The amplitude is one tenth of what was seen: ten times the formula.
+        assert!((at(&campaign, &large, 1) - kept * 12.0 * 4e-3).abs() < 1e-9);
     }
 
     /// A column that follows a setting up and down says nothing of jumps; one stroke that leaves its way with both ends of one of two settings has

@@ -90,6 +90,10 @@ impl<'a> Learning<'a> {
             Setting::ALL.len(),
             clock.elapsed().as_secs_f64() * runs as f64 / 60.0
         ));
+        // What settings do tells by how much strokes go their own way.
+        if self.settings(data, &plain)? == Progress::Stopped {
+            return Ok(Progress::Stopped);
+        }
         for id in simulated {
             let effect = id.effect();
             let mut tables = Vec::new();
@@ -115,9 +119,6 @@ impl<'a> Learning<'a> {
             for (wanted, _) in wanted.iter().filter(|(_, of)| *of == id) {
                 data.learn(*wanted, Learnt::new(wanted.effect(), data, &plain, &shown));
             }
-        }
-        if self.settings(data, &plain)? == Progress::Stopped {
-            return Ok(Progress::Stopped);
         }
         self.noise(data, &plain)
     }
