@@ -265,7 +265,7 @@ pub struct TestabilityAnswer {
     pub lambda: f64,
     /// The same at the largest plausible amplitude.
     pub lambda_largest: f64,
-    /// yes, if large, absorbed by soil and interface, masked by what instrument and simulated arm may be off by, or not varied by the design.
+    /// yes, if large, absorbed by soil and interface, masked by baselines, or not varied by the design.
     pub verdict: String,
 }
 

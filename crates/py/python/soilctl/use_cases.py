@@ -6425,7 +6425,7 @@ class DiagnoseTestability(Record):
         id: Id of the effect.
         lambda_: Expected squared signal-to-noise ratio at a typical amplitude.
         lambda_largest: The same at the largest plausible amplitude.
-        verdict: yes, if large, absorbed by soil and interface, masked by what instrument and simulated arm may be off by, or not varied by the design.
+        verdict: yes, if large, absorbed by soil and interface, masked by baselines, or not varied by the design.
     """
 
     id: str
@@ -6435,7 +6435,7 @@ class DiagnoseTestability(Record):
     lambda_largest: float
     """The same at the largest plausible amplitude."""
     verdict: str
-    """yes, if large, absorbed by soil and interface, masked by what instrument and simulated arm may be off by, or not varied by the design."""
+    """yes, if large, absorbed by soil and interface, masked by baselines, or not varied by the design."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
