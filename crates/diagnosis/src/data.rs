@@ -10,8 +10,9 @@ use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
 use crate::correlation::Correlation;
-use crate::learnt::{Learnt, Unsteadiness};
+use crate::learnt::Learnt;
 use crate::traces::{PhaseKey, traced};
+use crate::unsteadiness::Unsteadiness;
 
 /// Density that dry sand has if nobody weighed it, kg/m3, and its relative standard deviation. Empirical: the four soils of
 /// `data/soils.csv` have 1430 to 1600.
@@ -278,7 +279,9 @@ impl Data {
     /// Takes how strokes respond to a setting of the simulated arm that may be off: forces and columns then share how far it is. To be called
     /// after [`Data::expect`].
     pub fn doubt(&mut self, setting: Learnt) {
-        self.unsteadiness.add(&setting);
+        if let Some(alike) = setting.alike() {
+            self.unsteadiness.add(alike);
+        }
         self.twin.push(setting);
     }
 

@@ -1,12 +1,11 @@
 //! What a simulated arm shows of an effect, stroke by stroke and signal by signal, in place of the catalogue's formulas: these do not
 //! know what the controller makes of it.
 
-use std::collections::BTreeMap;
-
 use soilctl_effects::{Channel, Effect, EffectId, Stroke};
-use soilctl_strokes::StrokeRow;
 
 use crate::data::Data;
+use crate::transfer::{Node, Transfer};
+use crate::unsteadiness::Unsteadiness;
 
 /// A response counts if it is this part of what the readings of a column scatter by, root mean square over the strokes at the largest
 /// amplitude that was simulated: less is noise of the simulation. Empirical.
@@ -14,9 +13,6 @@ const LEAST_SHARE: f64 = 0.25;
 /// Part of the square of a response by which the larger amplitude of a sign may differ from the smaller one in proportion. More is no response,
 /// but a stroke that went another way for reasons of its own. Empirical.
 const MOST_BENT: f64 = 0.5;
-/// A tool angle (deg), radius and depth (both relative) by which a stroke is as much another one as by each of the others.
-const APART: [f64; 3] = [5.0, 0.3, 0.3];
-
 /// Strokes of a simulated arm with an effect of one amplitude.
 #[derive(Debug, Clone, Copy)]
 pub struct Shown<'a> {
@@ -24,15 +20,6 @@ pub struct Shown<'a> {
     pub amplitude: f64,
     /// What the arm's logs gave.
     pub with: &'a Data,
-}
-
-/// Differences to the same strokes without the effect, at one amplitude.
-#[derive(Debug, Clone)]
-struct Node {
-    amplitude: f64,
-    /// Of ln of force over squared depth, by stroke of the campaign.
-    ln_force: Vec<f64>,
-    channels: BTreeMap<Channel, Vec<f64>>,
 }
 
 /// Responses of all strokes of a campaign to an effect.
@@ -44,61 +31,8 @@ pub struct Learnt {
     local: Vec<f64>,
     /// Columns that show it.
     channels: Vec<Channel>,
-    /// Of a setting: what a higher and a lower one do alike, which is nothing that goes with the setting.
+    /// Of a setting.
     alike: Option<Node>,
-}
-
-/// By how much strokes of the simulated arm go another way for reasons of their own: one that is on the brink of sinking does so with one setting and
-/// not with the next. Sums of squares over settings, by stroke of the campaign.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Unsteadiness {
-    settings: usize,
-    ln_force: Vec<f64>,
-    channels: BTreeMap<Channel, Vec<f64>>,
-}
-
-impl Unsteadiness {
-    /// Part of the mean square of `(up + down) / 2 - plain` that is the variance of a difference of two strokes, if all three scatter by the same.
-    const OF_A_DIFFERENCE: f64 = 2.0 / 1.5;
-
-    /// Takes what a setting did alike, up and down.
-    pub(crate) fn add(&mut self, learnt: &Learnt) {
-        let Some(alike) = &learnt.alike else { return };
-        let add = |sums: &mut Vec<f64>, values: &[f64]| {
-            sums.resize(values.len(), 0.0);
-            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value * value);
-        };
-        self.settings += 1;
-        add(&mut self.ln_force, &alike.ln_force);
-        for (channel, values) in &alike.channels {
-            add(self.channels.entry(*channel).or_default(), values);
-        }
-    }
-
-    /// Variance of ln of a stroke's force over that of the same stroke, simulated.
-    pub(crate) fn of_force(&self, stroke: usize) -> f64 {
-        self.variance(Some(&self.ln_force), stroke)
-    }
-
-    /// The same of a column.
-    pub(crate) fn of_channel(&self, channel: Channel, stroke: usize) -> f64 {
-        self.variance(self.channels.get(&channel), stroke)
-    }
-
-    /// Variance of a difference of two simulated strokes of much the same kind, mean over the strokes: of ln force, or of a column.
-    fn mean(&self, channel: Option<Channel>) -> f64 {
-        let sums = match channel {
-            None => Some(&self.ln_force),
-            Some(channel) => self.channels.get(&channel),
-        };
-        let strokes = sums.map_or(0, Vec::len);
-        (0..strokes).map(|stroke| self.variance(sums, stroke)).sum::<f64>() / strokes.max(1) as f64
-    }
-
-    fn variance(&self, sums: Option<&Vec<f64>>, stroke: usize) -> f64 {
-        let sum = sums.and_then(|sums| sums.get(stroke)).copied().unwrap_or_default();
-        Self::OF_A_DIFFERENCE * sum / self.settings.max(1) as f64
-    }
 }
 
 impl Learnt {
@@ -149,6 +83,11 @@ impl Learnt {
         learnt.alike = Some(combined(&learnt.nodes, |_| 0.5));
         learnt.nodes = vec![combined(&learnt.nodes, |amplitude| 0.5 * amplitude)];
         learnt
+    }
+
+    /// Of a setting: what a higher and a lower one do alike, which is nothing that goes with the setting.
+    pub(crate) fn alike(&self) -> Option<&Node> {
+        self.alike.as_ref()
     }
 
     /// Columns that show the effect.
@@ -267,79 +206,11 @@ pub fn simulated_as(id: EffectId) -> Option<EffectId> {
     id.effect().varies_with.is_none().then_some(id)
 }
 
-/// How what single strokes of a few kinds showed is carried over to the strokes of a campaign.
-struct Transfer<'a> {
-    data: &'a Data,
-    /// The single strokes without the effect.
-    plain: &'a Data,
-    /// What the catalogue says that a column of a stroke shows of an amplitude, if it does.
-    formula: &'a dyn Fn(&Data, usize, Channel, f64) -> Option<f64>,
-    /// By how much single strokes go their own way.
-    unsteadiness: &'a Unsteadiness,
-}
-
-impl Transfer<'_> {
-    /// Responses at one amplitude, for every stroke of the campaign.
-    fn node(&self, shown: &Shown<'_>) -> Node {
-        let Self { plain, unsteadiness, .. } = *self;
-        let (amplitude, with) = (shown.amplitude, shown.with);
-        let rows = plain.rows.iter().enumerate();
-        let pairs: Vec<(usize, usize)> = rows.filter_map(|(i, row)| Some((i, with.place_of(row)?))).collect();
-        let of = |has: &dyn Fn(usize, usize) -> Option<f64>| -> Vec<(usize, f64)> {
-            pairs.iter().filter_map(|&(i, j)| Some((i, has(i, j)?))).collect()
-        };
-        // Depths are recorded: what a plate that rises or sinks loses of its force by the square of its depth, the force model knows.
-        let at_depth = |data: &Data, k: usize| data.ln_force[k] - 2.0 * data.rows[k].depth_m.ln();
-        let forces = of(&|i, j| Some(at_depth(with, j) - at_depth(plain, i)));
-        let ln_force = self.carried(&forces, &|_, _| None, unsteadiness.mean(None));
-        let channels = plain.channels.iter().filter_map(|(channel, before)| {
-            let after = with.channels.get(channel)?;
-            let differences = of(&|i, j| Some(after[j]? - before[i]?));
-            let formula = |data: &Data, stroke| (self.formula)(data, stroke, *channel, amplitude);
-            Some((*channel, self.carried(&differences, &formula, unsteadiness.mean(Some(*channel)))))
-        });
-        let channels = channels.collect();
-        Node { amplitude, ln_force, channels }
-    }
-
-    /// A response of every stroke of the campaign, from differences of single strokes (place in `plain`, value): a part that all share, which goes as the
-    /// formula goes from stroke to stroke if there is one, and what the single stroke that is most like it has beyond. Either part is drawn to nothing
-    /// by the share of its square that is to be expected of strokes that go their own way, of which a difference has this variance (James & Stein 1961).
-    fn carried(
-        &self,
-        differences: &[(usize, f64)],
-        formula: &dyn Fn(&Data, usize) -> Option<f64>,
-        variance: f64,
-    ) -> Vec<f64> {
-        let pattern = |data: &Data, stroke: usize| formula(data, stroke).unwrap_or(1.0);
-        let sum = |of: &dyn Fn(usize, f64) -> f64| differences.iter().map(|&(i, d)| of(i, d)).sum::<f64>();
-        let kept = |square: f64, noise: f64| if square > noise { 1.0 - noise / square } else { 0.0 };
-        let square = sum(&|i, _| pattern(self.plain, i).powi(2));
-        let share = if square > 0.0 { sum(&|i, d| d * pattern(self.plain, i)) / square } else { 0.0 };
-        let common = kept(share * share * square, variance) * share;
-        let beyond = |i: usize, d: f64| d - share * pattern(self.plain, i);
-        let freedom = differences.len().saturating_sub(1).max(1) as f64;
-        let own = kept(sum(&|i, d| beyond(i, d).powi(2)) / freedom, variance);
-        let of_stroke = |(stroke, row): (usize, &StrokeRow)| {
-            let apart = |&(i, _): &(usize, f64)| distance(row, &self.plain.rows[i]);
-            let like = differences.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
-            like.map_or(0.0, |&(i, d)| common * pattern(self.data, stroke) + own * beyond(i, d))
-        };
-        self.data.rows.iter().enumerate().map(of_stroke).collect()
-    }
-}
-
-/// How little two strokes are alike, from 0.
-fn distance(a: &StrokeRow, b: &StrokeRow) -> f64 {
-    let relative = |a: f64, b: f64| (a - b) / a.max(b).max(f64::MIN_POSITIVE);
-    let radius = a.radius_m.zip(b.radius_m).map_or(0.0, |(a, b)| relative(a, b));
-    let parts = [a.alpha_deg - b.alpha_deg, radius, relative(a.depth_m, b.depth_m)];
-    parts.iter().zip(APART).map(|(part, apart)| (part / apart).powi(2)).sum()
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use soilctl_strokes::StrokeRow;
 
     use super::*;
 
@@ -417,12 +288,15 @@ mod tests {
         };
         let plain = data(0.0, 0.0);
         let mut unsteady = Unsteadiness::default();
-        unsteady.add(&Learnt::of_setting(&plain, &plain, &data(0.1, 2e-3), &data(-0.1, -2e-3)));
-        assert!(unsteady.of_force(0) < 1e-18 && unsteady.of_channel(Channel::ZDrift, 0) < 1e-18);
-        unsteady.add(&Learnt::of_setting(&plain, &plain, &data(0.3, 3e-3), &data(0.3, 3e-3)));
-        assert!((unsteady.of_force(0) - 4.0 / 3.0 * 0.3 * 0.3 / 2.0).abs() < 1e-12);
-        assert!((unsteady.of_channel(Channel::ZDrift, 0) - 4.0 / 3.0 * 9e-6 / 2.0).abs() < 1e-15);
-        assert_eq!(unsteady.of_channel(Channel::PostSlope, 0), 0.0);
+        let add = |up: &Data, down: &Data, to: &mut Unsteadiness| {
+            to.add(Learnt::of_setting(&plain, &plain, up, down).alike().unwrap());
+        };
+        add(&data(0.1, 2e-3), &data(-0.1, -2e-3), &mut unsteady);
+        assert!(unsteady.variance(None, 0) < 1e-18 && unsteady.variance(Some(Channel::ZDrift), 0) < 1e-18);
+        add(&data(0.3, 3e-3), &data(0.3, 3e-3), &mut unsteady);
+        assert!((unsteady.variance(None, 0) - 4.0 / 3.0 * 0.3 * 0.3 / 2.0).abs() < 1e-12);
+        assert!((unsteady.variance(Some(Channel::ZDrift), 0) - 4.0 / 3.0 * 9e-6 / 2.0).abs() < 1e-15);
+        assert_eq!(unsteady.variance(Some(Channel::PostSlope), 0), 0.0);
     }
 
     #[test]

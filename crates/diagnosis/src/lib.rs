@@ -26,6 +26,8 @@ mod tables;
 mod term;
 mod testability;
 mod traces;
+mod transfer;
+mod unsteadiness;
 mod verdict;
 
 pub use data::{Data, Prior, Readings};

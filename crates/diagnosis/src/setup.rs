@@ -136,11 +136,7 @@ impl<'a> FitSetup<'a> {
 
     /// Variance that a row has since strokes of the simulated arm go another way for reasons of their own: of ln force, or of a column.
     pub(crate) fn unsteadiness(&self, channel: Option<Channel>, stroke: usize) -> f64 {
-        match channel {
-            _ if !self.compares_signals => 0.0,
-            None => self.data.unsteadiness.of_force(stroke),
-            Some(channel) => self.data.unsteadiness.of_channel(channel, stroke),
-        }
+        if self.compares_signals { self.data.unsteadiness.variance(channel, stroke) } else { 0.0 }
     }
 
     /// Whether the forces take part in the fit of a set of effects.

@@ -94,7 +94,10 @@ impl Again<'_> {
                 Tried::Sinks | Tried::NotShown => untried.push(id),
             }
         }
-        untried.retain(|id| TURN_ALIKE.contains(id) || in_set(diagnosis).any(|of| of == *id));
+        let in_set: Vec<EffectId> = in_set(diagnosis).collect();
+        untried.retain(|id| {
+            TURN_ALIKE.contains(id) || in_set.contains(id) && is_likely_alone(&diagnosis.alone, *id)
+        });
         if !rank(&plain, &mut contenders, weights)? {
             self.doubt(diagnosis, SINKS);
             return Ok(());
@@ -280,6 +283,13 @@ fn in_set(diagnosis: &Diagnosis) -> impl Iterator<Item = EffectId> + '_ {
     })
 }
 
+/// Whether an effect alone is about as likely as the likeliest: where several were found, another one may stand for the second of them only.
+fn is_likely_alone(alone: &[(EffectId, f64)], id: EffectId) -> bool {
+    let most = alone.first().map_or(0.0, |(_, log_bayes)| *log_bayes);
+    let behind = AS_LIKELY.0.max(AS_LIKELY.1 * most);
+    alone.iter().any(|(of, log_bayes)| *of == id && *log_bayes > most - behind)
+}
+
 /// Effects that may be what is missing: what was found, what is not told apart from it, and the likeliest alone. Of two that turn the slip alike, each
 /// brings the other.
 fn in_question(diagnosis: &Diagnosis) -> Vec<EffectId> {
@@ -363,6 +373,15 @@ mod tests {
         // One on which the other kind sinks leaves nothing to weigh them all by.
         contenders.push(contender(&[EffectId::ForceDrift], 0.0, beside(Some(1e-3), Some(0.2), "a")));
         assert!(super::shared(&plain, &contenders).is_none());
+    }
+
+    /// Beside a bias of the sensor that explains nearly everything, what may stand for a small second effect is no rival of the bias.
+    #[test]
+    fn a_rival_of_a_second_effect_is_none_of_the_first() {
+        let [bias, flex, ends] = [EffectId::ForceBias, EffectId::CableFlex, EffectId::SideEffects3d];
+        let alone = [(bias, 120.0), (flex, 109.0), (ends, 4.0)];
+        assert_eq!(alone.map(|(id, _)| is_likely_alone(&alone, id)), [true, true, false]);
+        assert!(!is_likely_alone(&alone, EffectId::WallProximity) && !is_likely_alone(&[], bias));
     }
 
     #[test]
