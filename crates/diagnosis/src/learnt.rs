@@ -49,7 +49,7 @@ impl Learnt {
             has_one.then(|| effect.shift(channel, amplitude, effect.simulated_shape(), &data.reading(stroke)))
         };
         let transfer = Transfer { data, plain, formula: &formula, unsteadiness: &data.unsteadiness };
-        let mut nodes: Vec<Node> = shown.iter().map(|shown| transfer.node(shown)).collect();
+        let mut nodes = transfer.nodes(shown);
         nodes.sort_by(|a, b| a.amplitude.abs().total_cmp(&b.amplitude.abs()));
         let mut learnt = Self { nodes, local, channels: Vec::new(), alike: None };
         let seen = |channel: &Channel| {
@@ -68,9 +68,8 @@ impl Learnt {
     pub fn of_setting(data: &Data, plain: &Data, up: &Data, down: &Data) -> Self {
         let unsteadiness = Unsteadiness::default();
         let transfer = Transfer { data, plain, formula: &|_, _, _, _| None, unsteadiness: &unsteadiness };
-        let nodes = [(1.0, up), (-1.0, down)]
-            .map(|(amplitude, with)| transfer.node(&Shown { amplitude, with }))
-            .to_vec();
+        let nodes =
+            transfer.nodes(&[(1.0, up), (-1.0, down)].map(|(amplitude, with)| Shown { amplitude, with }));
         let mut learnt = Self { nodes, local: vec![1.0; data.rows.len()], channels: Vec::new(), alike: None };
         let seen = |channel: &Channel| {
             let scatter = crate::channels::spread(&data.beyond_expected(*channel)).max(f64::MIN_POSITIVE);
