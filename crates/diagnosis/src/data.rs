@@ -113,7 +113,7 @@ pub struct Data {
     /// The same phase by phase.
     pub(crate) expected_phases: BTreeMap<PhaseKey, Vec<f64>>,
     /// Which strokes are of a kind (one tool angle and radius) that all failed the soil of that arm, too.
-    made: Vec<bool>,
+    pub(crate) made: Vec<bool>,
     /// Whether that arm had the known effects.
     pub(crate) expected_shows_known: bool,
     /// Interface friction of that arm's soil minus the set-point, deg.
@@ -474,7 +474,7 @@ fn is_same(a: &StrokeRow, b: &StrokeRow) -> bool {
 }
 
 /// Whether two strokes have one tool angle and radius.
-fn is_of_a_kind(a: &StrokeRow, b: &StrokeRow) -> bool {
+pub(crate) fn is_of_a_kind(a: &StrokeRow, b: &StrokeRow) -> bool {
     let near = a.radius_m.zip(b.radius_m).is_none_or(|(a, b)| (a - b).abs() < SAME_RADIUS_M);
     near && (a.alpha_deg - b.alpha_deg).abs() < 1.0
 }

@@ -89,7 +89,6 @@ impl Transfer<'_> {
     ) -> Vec<f64> {
         let pattern = |data: &Data, stroke: usize| formula(data, stroke).unwrap_or(1.0);
         let sum = |of: &dyn Fn(usize, f64) -> f64| differences.iter().map(|&(i, d)| of(i, d)).sum::<f64>();
-        let kept = |square: f64, noise: f64| if square > noise { 1.0 - noise / square } else { 0.0 };
         let square = sum(&|i, _| pattern(self.plain, i).powi(2));
         let share = if square > 0.0 { sum(&|i, d| d * pattern(self.plain, i)) / square } else { 0.0 };
         let common = kept(share * share * square, variance) * share;
@@ -103,6 +102,11 @@ impl Transfer<'_> {
         };
         self.data.rows.iter().enumerate().map(of_stroke).collect()
     }
+}
+
+/// Share of a value that is kept, by its square and what chance alone is expected to make of that.
+pub(crate) fn kept(square: f64, chance: f64) -> f64 {
+    if square > chance { 1.0 - chance / square } else { 0.0 }
 }
 
 /// Variance of a difference by what differences at two amplitudes of a sign are not in proportion: half of it is the stroke's without the effect, which

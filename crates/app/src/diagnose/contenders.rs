@@ -79,12 +79,12 @@ impl Again<'_> {
             in_question.len(),
             self.plan.strokes().strokes().len()
         ));
-        let plain = self.refitted(against, data, weights)?;
+        let (base, plain) = self.refitted(against, data, weights)?;
         let mut contenders = Vec::new();
         // What the simulated arm has no say about stays as likely as it was found to be.
         let mut untried = Vec::new();
         for id in in_question {
-            match self.contender(against, data, &[id], weights)? {
+            match self.contender(against, data, &[id], weights, Some(&base))? {
                 Tried::Weighed(contender) => contenders.push(*contender),
                 Tried::Sinks if found.contains(&id) => {
                     self.doubt(diagnosis, SINKS);
@@ -112,7 +112,9 @@ impl Again<'_> {
             sets.push(found);
         }
         for ids in sets {
-            let Tried::Weighed(further) = self.contender(against, data, &ids, weights)? else { continue };
+            let Tried::Weighed(further) = self.contender(against, data, &ids, weights, Some(&base))? else {
+                continue;
+            };
             contenders.push(*further);
             // A set whose arm leaves too few strokes to weigh it with the others is not one of them.
             if shared(&plain, &contenders).is_none() {
@@ -140,14 +142,21 @@ impl Again<'_> {
         Ok(())
     }
 
-    /// The campaign beside the arms without effects: the one that it was compared with, and one with the soil that all signals ask for, unless too
-    /// many strokes sink there.
-    fn refitted(&self, against: &Against, data: &Data, weights: &Weights<'_>) -> Result<Vec<Data>, AppError> {
-        let refitted = match self.contender(against, data, &[], weights)? {
-            Tried::Weighed(without) => Some(without.beside),
-            Tried::Sinks | Tried::NotShown => None,
+    /// The campaign beside the arms without effects: one with the soil that all signals ask for, unless too many strokes sink there, and the one that it
+    /// was compared with. The first of them is what all others are compared with.
+    fn refitted(
+        &self,
+        against: &Against,
+        data: &Data,
+        weights: &Weights<'_>,
+    ) -> Result<(Data, Vec<Data>), AppError> {
+        let refitted = match self.contender(against, data, &[], weights, None)? {
+            Tried::Weighed(without) => without.beside,
+            Tried::Sinks | Tried::NotShown => return Ok((data.clone(), vec![data.clone()])),
         };
-        Ok(std::iter::once(data.clone()).chain(refitted).collect())
+        let mut compared = data.clone();
+        compared.expect_as(&refitted);
+        Ok((refitted.clone(), vec![refitted, compared]))
     }
 
     /// A firm name that the contest does not bear out is provisional.
@@ -158,13 +167,15 @@ impl Again<'_> {
         }
     }
 
-    /// The campaign with a set of effects, as it is fitted with them alone, on the simulated arm.
+    /// The campaign with a set of effects, as it is fitted with them alone, on the simulated arm; what it expects beyond what `base` does is cleared of
+    /// chance.
     fn contender(
         &self,
         against: &Against,
         data: &Data,
         ids: &[EffectId],
         weights: &Weights<'_>,
+        base: Option<&Data>,
     ) -> Result<Tried, AppError> {
         let mut alone = data.clone();
         alone.decide(ids, &[]);
@@ -188,6 +199,9 @@ impl Again<'_> {
         beside.know(&model);
         beside.expect(&simulated.data, true, offset_deg);
         expect_scene(&mut beside, &simulated.data, &model);
+        if let Some(base) = base {
+            beside.expect_as(base);
+        }
         let strokes = beside.readings().strokes;
         if are_few(&strokes) {
             self.watch.note(&format!(
