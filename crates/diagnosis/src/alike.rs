@@ -1,5 +1,6 @@
 //! Two simulated arms of one campaign, and what of their difference is chance.
 
+use soilctl_effects::Channel;
 use soilctl_stats::median;
 
 use crate::channels::spread;
@@ -9,27 +10,49 @@ use crate::transfer::kept;
 /// Depths of two strokes, relative to the lesser, from which they tell how a difference goes with the depth.
 const LEAST_APART: f64 = 0.05;
 
+/// Columns in which a stroke that slips or sinks on one arm and not on another differs from the others of its kind, and by how many standard deviations
+/// of chance. Empirical.
+const SLIPPING: [Channel; 2] = [Channel::FrictionAngle, Channel::SlipAngle];
+const ASTRAY: f64 = 6.0;
+
 impl Data {
     /// Takes chance out of what is expected beyond what `base` expects, the same strokes beside another simulated arm: strokes of one kind (tool angle
     /// and radius) differ by their mean and with their depth, and each by what it has beyond, drawn to nothing by the share of its square that is to be
-    /// expected of strokes that go their own way. Two arms made by themselves would each have its own chance, which is as much as small effects are.
+    /// expected of strokes that go their own way. A kind of which one slips or sinks otherwise is on the brink, as one of which a stroke fails no soil. Two arms made by themselves would each have its own chance, which is as much as small effects are.
     pub fn expect_as(&mut self, base: &Self) {
         let both: Vec<bool> = self.made.iter().zip(&base.made).map(|(a, b)| *a && *b).collect();
+        let mut astray = vec![false; both.len()];
         let mut expected = std::mem::take(&mut self.expected);
         for (channel, values) in &mut expected {
-            if let Some(theirs) = base.expected.get(channel) {
-                *values = self.smooth(values, theirs, &both, self.unsteadiness.mean_variance(Some(*channel)));
+            let Some(theirs) = base.expected.get(channel) else { continue };
+            let variance = self.unsteadiness.mean_variance(Some(*channel));
+            let (smooth, left) = self.smooth(values, theirs, &both, variance);
+            *values = smooth;
+            if SLIPPING.contains(channel) && variance > 0.0 {
+                let far = |left: f64| left * left > ASTRAY * ASTRAY * variance;
+                astray.iter_mut().zip(left).for_each(|(astray, left)| *astray |= far(left));
             }
         }
         self.expected = expected;
+        for i in (0..astray.len()).filter(|&i| astray[i]) {
+            let of_kind = |j: &usize| is_of_a_kind(&self.rows[i], &self.rows[*j]);
+            let kind: Vec<usize> = (0..self.rows.len()).filter(of_kind).collect();
+            kind.into_iter().for_each(|j| self.made[j] = false);
+        }
         if let (Some(scene), Some(theirs)) = (self.scene.as_ref(), base.scene.as_ref()) {
-            self.scene = Some(self.smooth(scene, theirs, &both, self.unsteadiness.mean_variance(None)));
+            self.scene = Some(self.smooth(scene, theirs, &both, self.unsteadiness.mean_variance(None)).0);
         }
     }
 
     /// `theirs` and what of `values` beyond it is no chance, of which a difference has this variance, as told by some of the strokes. One that went another
-    /// way tells nothing of the others of its kind: medians.
-    fn smooth(&self, values: &[f64], theirs: &[f64], told_by: &[bool], variance: f64) -> Vec<f64> {
+    /// way tells nothing of the others of its kind: medians. Beside it, what each stroke has beyond what its kind shares; 0 of those that tell nothing.
+    fn smooth(
+        &self,
+        values: &[f64],
+        theirs: &[f64],
+        told_by: &[bool],
+        variance: f64,
+    ) -> (Vec<f64>, Vec<f64>) {
         let beyond: Vec<f64> = values.iter().zip(theirs).map(|(a, b)| a - b).collect();
         let depth = |i: usize| self.rows[i].depth_m;
         let told: Vec<usize> = (0..beyond.len()).filter(|&i| told_by[i]).collect();
@@ -52,11 +75,12 @@ impl Data {
             if levels.is_empty() { 0.0 } else { median(&mut levels) }
         };
         let shared: Vec<f64> = (0..beyond.len()).map(|i| level(i) + slope * depth(i)).collect();
-        let left: Vec<f64> = told.iter().map(|&i| beyond[i] - shared[i]).collect();
-        let own = kept(spread(&left).powi(2), variance);
-        let of_stroke =
-            |i: usize| theirs[i] + shared[i] + if told_by[i] { own * (beyond[i] - shared[i]) } else { 0.0 };
-        (0..beyond.len()).map(of_stroke).collect()
+        let of_told: Vec<f64> = told.iter().map(|&i| beyond[i] - shared[i]).collect();
+        let own = kept(spread(&of_told).powi(2), variance);
+        let mut left = vec![0.0; beyond.len()];
+        told.iter().zip(of_told).for_each(|(&i, of)| left[i] = of);
+        let smooth = (0..beyond.len()).map(|i| theirs[i] + shared[i] + own * left[i]).collect();
+        (smooth, left)
     }
 }
 
@@ -85,7 +109,7 @@ mod tests {
         let chance = |i: usize| [0.0, 1.0, -1.0][i % 3];
         let smooth = |own: &dyn Fn(usize) -> f64, told_by: &[bool], variance: f64| -> Vec<f64> {
             let values: Vec<f64> = (0..12).map(|i| theirs[i] + real(i) + own(i)).collect();
-            let smooth = data.smooth(&values, &theirs, told_by, variance);
+            let smooth = data.smooth(&values, &theirs, told_by, variance).0;
             smooth.iter().zip(&theirs).map(|(a, b)| a - b).collect()
         };
         let near = |found: &[f64], expected: &dyn Fn(usize) -> f64| {
