@@ -243,7 +243,7 @@ mod tests {
             depth_m: 0.02,
             width_m: 0.1,
             force_n,
-            motor_ext_gap_m: Some(if i % 2 == 0 { 1e-4 } else { -1e-4 }),
+            motor_ext_gap_m: Some(if i.is_multiple_of(2) { 1e-4 } else { -1e-4 }),
             ..StrokeRow::default()
         };
         let campaign = Campaign::default();
