@@ -139,8 +139,14 @@ impl Again<'_> {
             }
         }
         *diagnosis = (weights.diagnosis)(data)?;
-        if outcome.bearing == Bearing::Open {
-            self.doubt(diagnosis, "the simulated arm without effects explains the readings as well");
+        match outcome.bearing {
+            Bearing::Open => {
+                self.doubt(diagnosis, "the simulated arm without effects explains the readings as well");
+            }
+            Bearing::Out if !is_same_set(&outcome.best, diagnosis.effects.iter().map(|found| found.id)) => {
+                self.doubt(diagnosis, "responses ask for other effects than the simulated arms");
+            }
+            Bearing::Out | Bearing::Denied => {}
         }
         Ok(())
     }
@@ -300,6 +306,15 @@ fn in_set(diagnosis: &Diagnosis) -> impl Iterator<Item = EffectId> + '_ {
     })
 }
 
+/// Whether effects are those of a set, in any order.
+fn is_same_set(set: &[EffectId], ids: impl Iterator<Item = EffectId>) -> bool {
+    let mut ids: Vec<EffectId> = ids.collect();
+    let mut set = set.to_vec();
+    ids.sort_unstable();
+    set.sort_unstable();
+    ids == set
+}
+
 /// Whether an effect alone is about as likely as the likeliest: where several were found, another one may stand for the second of them only.
 fn is_likely_alone(alone: &[(EffectId, f64)], id: EffectId) -> bool {
     let most = alone.first().map_or(0.0, |(_, log_bayes)| *log_bayes);
@@ -399,6 +414,13 @@ mod tests {
         let alone = [(bias, 120.0), (flex, 109.0), (ends, 4.0)];
         assert_eq!(alone.map(|(id, _)| is_likely_alone(&alone, id)), [true, true, false]);
         assert!(!is_likely_alone(&alone, EffectId::WallProximity) && !is_likely_alone(&[], bias));
+    }
+
+    #[test]
+    fn a_part_of_what_the_arms_ask_for_is_not_what_they_ask_for() {
+        let [a, b] = [EffectId::SideEffects3d, EffectId::DensityGradient];
+        let same = |ids: &[EffectId]| is_same_set(&[a, b], ids.iter().copied());
+        assert!(same(&[a, b]) && same(&[b, a]) && !same(&[a]) && !same(&[]));
     }
 
     #[test]
