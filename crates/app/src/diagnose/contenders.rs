@@ -141,7 +141,10 @@ impl Again<'_> {
         *diagnosis = (weights.diagnosis)(data)?;
         match outcome.bearing {
             Bearing::Open => {
-                self.doubt(diagnosis, "the simulated arm without effects explains the readings as well");
+                self.doubt(
+                    diagnosis,
+                    "a simulated arm with fewer effects, or none, explains the readings about as well",
+                );
             }
             Bearing::Out if !is_same_set(&outcome.best, diagnosis.effects.iter().map(|found| found.id)) => {
                 self.doubt(diagnosis, "responses ask for other effects than the simulated arms");
@@ -269,7 +272,7 @@ struct Outcome {
     bearing: Bearing,
 }
 
-/// Whether a set of effects adds more to the arm without effects than its number of effects costs, and more than may be chance.
+/// Whether a set of effects adds more to the arm without effects than its number of effects costs, and more to arms with fewer than may be chance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Bearing {
     /// It does.
@@ -290,8 +293,11 @@ fn outcome(contenders: &[Contender], untried: Vec<EffectId>) -> Option<Outcome> 
         1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
         _ => untried,
     };
+    // The best of fewer effects: none, or one of a pair.
+    let fewer = contenders.iter().filter(|of| of.ids.len() < best.ids.len());
+    let lesser = fewer.map(|of| of.adds).fold(0.0, f64::max);
     let bearing = match score(best) {
-        adds if adds > 0.0 && best.adds > CHANCE => Bearing::Out,
+        adds if adds > 0.0 && best.adds - lesser > CHANCE => Bearing::Out,
         adds if adds > -CHANCE => Bearing::Open,
         _ => Bearing::Denied,
     };
@@ -441,7 +447,8 @@ mod tests {
         // A pair that adds less than another effect costs is not the best, one that adds more is, and what it has is not as likely as it.
         let pair = |beyond: f64| [of(&[a, b], 20.0 + beyond * THRESHOLD), of(&[a], 20.0), of(&[b], 19.0)];
         assert_eq!(found(&pair(0.9), &[]), (vec![a], vec![b], Bearing::Out));
-        assert_eq!(found(&pair(1.1), &[]), (vec![a, b], vec![], Bearing::Out));
+        assert_eq!(found(&pair(1.1), &[]), (vec![a, b], vec![], Bearing::Open));
+        assert_eq!(found(&pair(2.9), &[]), (vec![a, b], vec![], Bearing::Out));
         assert_eq!(found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2, Bearing::Open);
         // No effect is as likely as one that adds no more than chance may.
         assert_eq!(found(&[of(&[a], 9.9)], &[]).2, Bearing::Open);
