@@ -16,9 +16,10 @@ const SLIPPING: [Channel; 2] = [Channel::FrictionAngle, Channel::SlipAngle];
 const ASTRAY: f64 = 6.0;
 
 impl Data {
-    /// Takes chance out of what is expected beyond what `base` expects, the same strokes beside another simulated arm: strokes of one kind (tool angle
-    /// and radius) differ by their mean and with their depth, and each by what it has beyond, drawn to nothing by the share of its square that is to be
-    /// expected of strokes that go their own way. A kind of which one slips or sinks otherwise is on the brink, as one of which a stroke fails no soil. Two arms made by themselves would each have its own chance, which is as much as small effects are.
+    /// Takes chance out of what is expected beyond what `base` expects, the same strokes beside another simulated arm: two arms made by themselves would
+    /// each have its own, which is as much as small effects are. Strokes of one kind (tool angle and radius) differ by their median and with their
+    /// depth, and each by what it has beyond, drawn to nothing by the share of its square that is to be expected of strokes that go their own way. A
+    /// kind of which one slips otherwise than the others is on the brink and takes no part, as one of which a stroke sinks ([`Data::readings`]).
     pub fn expect_as(&mut self, base: &Self) {
         let both: Vec<bool> = self.made.iter().zip(&base.made).map(|(a, b)| *a && *b).collect();
         let mut astray = vec![false; both.len()];
