@@ -4,6 +4,8 @@
 //! do, and what responses leave over was taken for a second effect. So those that come into question are simulated in the whole campaign. Each has
 //! the soil that is fitted beside it, and so has the arm without effects: a soil that was fitted by the table alone leaves more over than most effects do.
 
+use std::collections::BTreeSet;
+
 use soilctl_campaign::CampaignError;
 use soilctl_diagnosis::{Data, Diagnosis, Explanation, Readings, Status, THRESHOLD, TURN_ALIKE};
 use soilctl_effects::{EffectId, Loaded};
@@ -82,12 +84,13 @@ impl Again<'_> {
             in_question.len(),
             self.plan.strokes().strokes().len()
         ));
-        let (base, plain) = self.refitted(against, data, weights)?;
+        let plain = self.refitted(against, data, weights)?;
+        let base = plain.first();
         let mut contenders = Vec::new();
         // What the simulated arm has no say about stays as likely as it was found to be.
         let mut untried = Vec::new();
         for id in in_question {
-            match self.contender(against, data, &[id], weights, Some(&base))? {
+            match self.contender(against, data, &[id], weights, base)? {
                 Tried::Weighed(contender) => contenders.push(*contender),
                 Tried::Sinks if found.contains(&id) => {
                     self.doubt(diagnosis, SINKS);
@@ -115,7 +118,7 @@ impl Again<'_> {
             sets.push(found);
         }
         for ids in sets {
-            let Tried::Weighed(further) = self.contender(against, data, &ids, weights, Some(&base))? else {
+            let Tried::Weighed(further) = self.contender(against, data, &ids, weights, base)? else {
                 continue;
             };
             contenders.push(*further);
@@ -156,19 +159,14 @@ impl Again<'_> {
 
     /// The campaign beside the arms without effects: one with the soil that all signals ask for, unless too many strokes sink there, and the one that it
     /// was compared with. The first of them is what all others are compared with.
-    fn refitted(
-        &self,
-        against: &Against,
-        data: &Data,
-        weights: &Weights<'_>,
-    ) -> Result<(Data, Vec<Data>), AppError> {
+    fn refitted(&self, against: &Against, data: &Data, weights: &Weights<'_>) -> Result<Vec<Data>, AppError> {
         let refitted = match self.contender(against, data, &[], weights, None)? {
             Tried::Weighed(without) => without.beside,
-            Tried::Sinks | Tried::NotShown => return Ok((data.clone(), vec![data.clone()])),
+            Tried::Sinks | Tried::NotShown => return Ok(vec![data.clone()]),
         };
         let mut compared = data.clone();
         compared.expect_as(&refitted);
-        Ok((refitted.clone(), vec![refitted, compared]))
+        Ok(vec![refitted, compared])
     }
 
     /// A firm name that the contest does not bear out is provisional.
@@ -314,11 +312,7 @@ fn in_set(diagnosis: &Diagnosis) -> impl Iterator<Item = EffectId> + '_ {
 
 /// Whether effects are those of a set, in any order.
 fn is_same_set(set: &[EffectId], ids: impl Iterator<Item = EffectId>) -> bool {
-    let mut ids: Vec<EffectId> = ids.collect();
-    let mut set = set.to_vec();
-    ids.sort_unstable();
-    set.sort_unstable();
-    ids == set
+    set.iter().copied().collect::<BTreeSet<_>>() == ids.collect()
 }
 
 /// Whether an effect alone is about as likely as the likeliest: where several were found, another one may stand for the second of them only.
