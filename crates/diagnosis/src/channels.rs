@@ -12,6 +12,9 @@ use crate::data::{Data, Prior};
 /// How far baselines may be from those of a simulated arm, over what they may be without one. Empirical.
 const SIMULATED: f64 = 0.5;
 
+/// How far the stretch of the drives may be from a simulated arm's, relative: it was measured, and what is beyond is an effect, `cable_flex`. Empirical.
+const STRETCH_SD: f64 = 0.05;
+
 /// How far readings that are only ever compared with a simulated arm may be from that arm, all strokes alike: the surface as touched (m),
 /// the force of an insertion (relative), the inclination of the motors' force (deg; the same again for 10 deg of tool angle), and the play that
 /// a load takes up (deg). The force of an insertion goes by Reissner's N_q, which a degree of friction changes by 15 %, and an effect moves the fitted friction by two, and the motors' force has
@@ -57,6 +60,8 @@ impl Baseline {
         // about which mean.
         let beyond = |sd: f64| (spread - 1.3 * sd).max(0.0);
         let own = Prior { mean: (0.7 * spread).ln(), sd: 0.7 };
+        // Relative to the stretch of the drives as it was measured.
+        let stretch_sd = if data.expected.contains_key(&channel) { STRETCH_SD / SIMULATED } else { 1.0 };
         let (mut terms, ln_scatter): (Vec<(Vec<f64>, Prior)>, Prior) = match channel {
             Channel::TareBefore | Channel::TareAfter => {
                 (vec![(one(), zero((0.5 * instrument.tare_sd).max(0.02)))], given(instrument.tare_sd))
@@ -80,7 +85,10 @@ impl Baseline {
             Channel::MotorExtGap => {
                 let stretch = force.iter().map(|f| f / instrument.joint_stiffness_n_per_m).collect();
                 let sd = (0.25 * instrument.gap_sd).max(6e-5);
-                (vec![(one(), zero(sd)), (stretch, Prior { mean: 1.0, sd: 1.0 })], given(instrument.gap_sd))
+                (
+                    vec![(one(), zero(sd)), (stretch, Prior { mean: 1.0, sd: stretch_sd })],
+                    given(instrument.gap_sd),
+                )
             }
             Channel::XStep => {
                 let sd = (0.05 * instrument.encoder_step_m).max(1e-5);
@@ -103,7 +111,7 @@ impl Baseline {
             ),
             Channel::GapSlope => {
                 let stretch = 1.0 / instrument.joint_stiffness_n_per_m;
-                (vec![(one(), Prior { mean: stretch, sd: stretch })], own)
+                (vec![(one(), Prior { mean: stretch, sd: stretch_sd * stretch })], own)
             }
             Channel::PostSlope => {
                 let mean = if data.campaign.dense_preparation { -0.6 } else { -0.1 };
@@ -133,9 +141,9 @@ impl Baseline {
         if channel == Channel::Displacement && data.derived.contains(&channel) {
             // A trace has the encoders' reading; whether it holds the stretch of the drives depends on where they sit.
             let stretch = force.iter().map(|f| f / instrument.joint_stiffness_n_per_m).collect();
-            terms.push((stretch, Prior { mean: 0.5, sd: 0.5 }));
+            terms.push((stretch, Prior { mean: 0.5, sd: 0.5 * stretch_sd }));
         }
-        let reads_delta = matches!(channel, Channel::FrictionAngle | Channel::SlipAngle);
+        let reads_delta = reads_delta(channel);
         let mut known: Vec<f64> =
             if reads_delta { (0..n).map(|i| data.delta_set_deg(i)).collect() } else { vec![0.0; n] };
         let responses = |terms: &mut Vec<(Vec<f64>, Prior)>| {
@@ -189,8 +197,41 @@ fn after_failure(data: &Data, sd: f64) -> Vec<(Vec<f64>, Prior)> {
     angles.into_iter().map(level).chain([depth]).map(|term| (term, Prior { mean: 0.0, sd })).collect()
 }
 
+/// Whether a column reads the interface friction angle itself.
+pub(crate) const fn reads_delta(channel: Channel) -> bool {
+    matches!(channel, Channel::FrictionAngle | Channel::SlipAngle)
+}
+
 /// Standard deviation that an outlier does not move much: 1.4826 times the median absolute deviation, as for normal values
 /// (Rousseeuw & Croux 1993).
 pub(crate) fn spread(values: &[f64]) -> f64 {
     if values.len() < 2 { 0.0 } else { 1.4826 * median_absolute_deviation(values) }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use soilctl_strokes::{Campaign, StrokeRow};
+
+    use super::*;
+
+    /// Without a simulated arm the stretch of the drives may be off by all of it, beside one by a twentieth: the rest is `cable_flex`.
+    #[test]
+    fn the_stretch_is_known_beside_a_simulated_arm() {
+        let row = StrokeRow {
+            stroke_id: Some("s".to_owned()),
+            alpha_deg: 90.0,
+            depth_m: 0.025,
+            width_m: 0.1,
+            force_n: 5.0,
+            motor_ext_gap_m: Some(1e-3),
+            ..StrokeRow::default()
+        };
+        let mut data = Data::new("t", vec![row], Campaign::default()).unwrap();
+        let stretch_sd = |data: &Data| Baseline::of(Channel::MotorExtGap, data).terms[1].1.sd;
+        assert_eq!(stretch_sd(&data), 1.0);
+        data.expect(&data.clone(), false, 0.0);
+        assert!((stretch_sd(&data) - 0.05).abs() < 1e-15);
+    }
 }
