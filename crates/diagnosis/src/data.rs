@@ -76,6 +76,9 @@ impl Readings {
 /// Radii that differ by less are one, in m: those of a plan are inches apart.
 const SAME_RADIUS_M: f64 = 0.02;
 
+/// Part of the strokes of a kind (one tool angle and radius) that may sink before all of it are taken to be on the brink. Empirical.
+const BRINK: f64 = 0.2;
+
 /// Rows up to which a table is a summary: there are four unknowns (soil, interface, density, scatter), and an effect has one or two.
 const MOST_SUMMARIES: usize = 6;
 
@@ -112,7 +115,7 @@ pub struct Data {
     pub(crate) expected: BTreeMap<Channel, Vec<f64>>,
     /// The same phase by phase.
     pub(crate) expected_phases: BTreeMap<PhaseKey, Vec<f64>>,
-    /// Which strokes are of a kind (one tool angle and radius) that all failed the soil of that arm, too.
+    /// Which strokes failed the soil of that arm, too, and are of a kind that is not on the brink.
     pub(crate) made: Vec<bool>,
     /// Whether that arm had the known effects.
     pub(crate) expected_shows_known: bool,
@@ -336,11 +339,13 @@ impl Data {
         self.expected_shows_known = shows_known;
         self.expected_delta_offset_deg = delta_offset_deg;
         let places: Vec<Option<usize>> = self.rows.iter().map(|row| simulated.place_of(row)).collect();
-        // A kind of stroke of which one sinks is on the brink: the others of it go their own way, too.
-        let sinks = |row: &StrokeRow| {
-            self.rows.iter().zip(&places).any(|(other, place)| place.is_none() && is_of_a_kind(row, other))
+        // Of a kind that is on the brink of sinking, strokes that do not sink go their own way, too.
+        let brink = |i: usize| {
+            let kind = self.kind(i);
+            let sink = kind.iter().filter(|j| places[**j].is_none()).count();
+            sink as f64 > BRINK * kind.len() as f64
         };
-        self.made = self.rows.iter().map(|row| !sinks(row)).collect();
+        self.made = (0..self.rows.len()).map(|i| places[i].is_some() && !brink(i)).collect();
         let all = |cells: &[Option<f64>]| -> Option<Vec<f64>> {
             let mean = |is_like: &dyn Fn(&StrokeRow) -> bool| {
                 let of = cells.iter().zip(&simulated.rows).filter(|(_, row)| is_like(row));
@@ -368,6 +373,12 @@ impl Data {
         self.channels.retain(|channel, _| !channel.is_compared_only() || expected.contains_key(channel));
         let phases = simulated.phases.iter().filter(|(key, _)| self.phases.contains_key(key));
         self.expected_phases = phases.filter_map(|(key, cells)| Some((*key, all(cells)?))).collect();
+    }
+
+    /// Strokes of the kind of a stroke, with itself.
+    pub(crate) fn kind(&self, stroke: usize) -> Vec<usize> {
+        let of_kind = |j: &usize| is_of_a_kind(&self.rows[stroke], &self.rows[*j]);
+        (0..self.rows.len()).filter(of_kind).collect()
     }
 
     /// Takes the effects, the empirical terms and the gravity of a model file as known. Amplitudes are held in every fit, and the effects are not
@@ -433,7 +444,8 @@ impl Data {
     }
 
     /// Where the stroke with the name of another table's stroke is.
-    pub(crate) fn place_of(&self, row: &StrokeRow) -> Option<usize> {
+    #[must_use]
+    pub fn place_of(&self, row: &StrokeRow) -> Option<usize> {
         self.rows.iter().position(|other| is_same(row, other))
     }
 
@@ -515,6 +527,28 @@ mod tests {
             ..StrokeRow::default()
         };
         Data::new("t", of.iter().map(row).collect(), Campaign::default()).unwrap()
+    }
+
+    /// One of five strokes that sinks is left out; with two of them all of their kind are, and those of another kind stay.
+    #[test]
+    fn a_kind_on_the_brink_is_left_out() {
+        let all: Vec<(String, f64, f64)> =
+            (0..7).map(|i| (format!("s{i}"), if i < 5 { 90.0 } else { 80.0 }, 1.0)).collect();
+        let without = |sinks: &[usize]| {
+            let made = all.iter().enumerate().filter(|(i, _)| !sinks.contains(i));
+            strokes(
+                &made.map(|(_, (name, alpha, force))| (name.as_str(), *alpha, *force)).collect::<Vec<_>>(),
+            )
+        };
+        let taking_part = |sinks: &[usize]| {
+            let mut data = without(&[]);
+            data.expect(&without(sinks), false, 0.0);
+            data.readings().strokes
+        };
+        assert_eq!(taking_part(&[]), [true; 7]);
+        assert_eq!(taking_part(&[2]), [true, true, false, true, true, true, true]);
+        assert_eq!(taking_part(&[2, 4]), [false, false, false, false, false, true, true]);
+        assert_eq!(taking_part(&[6]), [true, true, true, true, true, false, false]);
     }
 
     /// A stroke has its own scene; one that sank has that of its kind, and one whose kind sank has what the arm before said, if there was one.

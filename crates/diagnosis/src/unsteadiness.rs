@@ -13,6 +13,8 @@ pub(crate) struct Unsteadiness {
     settings: usize,
     ln_force: Vec<f64>,
     channels: BTreeMap<Channel, Vec<f64>>,
+    /// Further variance of a signal, by stroke.
+    further: BTreeMap<(Option<Channel>, usize), f64>,
 }
 
 impl Unsteadiness {
@@ -35,7 +37,13 @@ impl Unsteadiness {
     /// Variance of a stroke over the same one, simulated: of ln force (`None`), or of a column.
     pub(crate) fn variance(&self, channel: Option<Channel>, stroke: usize) -> f64 {
         let sum = self.sums(channel).get(stroke).copied().unwrap_or_default();
-        Self::OF_A_DIFFERENCE * sum / self.settings.max(1) as f64
+        let further = self.further.get(&(channel, stroke)).copied().unwrap_or_default();
+        Self::OF_A_DIFFERENCE * sum / self.settings.max(1) as f64 + further
+    }
+
+    /// Takes a stroke to scatter by a further variance: of ln force (`None`), or of a column.
+    pub(crate) fn widen(&mut self, channel: Option<Channel>, stroke: usize, variance: f64) {
+        *self.further.entry((channel, stroke)).or_default() += variance;
     }
 
     /// Its mean over the strokes.

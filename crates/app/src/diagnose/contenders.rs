@@ -7,12 +7,13 @@
 use std::collections::BTreeSet;
 
 use soilctl_campaign::CampaignError;
-use soilctl_diagnosis::{Data, Diagnosis, Explanation, Readings, Status, THRESHOLD, TURN_ALIKE};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, FoundEffect, Readings, Status, THRESHOLD, TURN_ALIKE};
 use soilctl_effects::{EffectId, Loaded};
 
 use super::Against;
 use super::resimulated::{Again, expect_scene, model_file};
 use crate::AppError;
+use crate::text::measured;
 
 /// An effect is as likely as the best if its ln evidence lies behind by less than this, or by less than this part of what the best adds: a twin
 /// is not the arm. Empirical.
@@ -36,7 +37,11 @@ pub(super) struct Weights<'a> {
 /// A set of effects, and the readings beside the simulated arm that has them.
 struct Contender {
     ids: Vec<EffectId>,
+    /// The arm in words.
+    arm: String,
     beside: Data,
+    /// Whether strokes of a kind go different ways there.
+    jumps: bool,
     /// ln evidence of what all contenders expect, over that of the better arm without effects.
     adds: f64,
 }
@@ -54,13 +59,13 @@ enum Tried {
 const SINKS: &str = "too few of the strokes fail the soil of the simulated arm that has what they ask for";
 
 /// The simulated arm in words.
-fn arm(ids: &[EffectId]) -> String {
-    match ids {
+fn arm(effects: &[FoundEffect]) -> String {
+    let each = |of: &FoundEffect| {
+        format!("{} of {}", of.id, measured(of.amplitude, of.amplitude_sd, of.id.effect().parameter.unit))
+    };
+    match effects {
         [] => "the simulated arm without effects".to_owned(),
-        _ => format!(
-            "the simulated arm with {}",
-            ids.iter().map(|id| id.name()).collect::<Vec<_>>().join(", ")
-        ),
+        _ => format!("the simulated arm with {}", effects.iter().map(each).collect::<Vec<_>>().join(", ")),
     }
 }
 
@@ -90,8 +95,23 @@ impl Again<'_> {
         // What the simulated arm has no say about stays as likely as it was found to be.
         let mut untried = Vec::new();
         for id in in_question {
-            match self.contender(against, data, &[id], weights, base)? {
-                Tried::Weighed(contender) => contenders.push(*contender),
+            match self.contender(against, data, &[id], weights, base, 0.0)? {
+                Tried::Weighed(contender) => {
+                    // Where an effect that passes the controller makes strokes go another way, one size of it says little of another.
+                    let is_uneven = contender.jumps && id.effect().site.passes_the_controller();
+                    let further = if is_uneven { &[-1.0, 1.0][..] } else { &[] };
+                    contenders.push(*contender);
+                    for off in further {
+                        if let Tried::Weighed(other) =
+                            self.contender(against, data, &[id], weights, base, *off)?
+                        {
+                            contenders.push(*other);
+                            if shared(&plain, &contenders).is_none() {
+                                contenders.pop();
+                            }
+                        }
+                    }
+                }
                 Tried::Sinks if found.contains(&id) => {
                     self.doubt(diagnosis, SINKS);
                     return Ok(());
@@ -118,7 +138,7 @@ impl Again<'_> {
             sets.push(found);
         }
         for ids in sets {
-            let Tried::Weighed(further) = self.contender(against, data, &ids, weights, base)? else {
+            let Tried::Weighed(further) = self.contender(against, data, &ids, weights, base, 0.0)? else {
                 continue;
             };
             contenders.push(*further);
@@ -128,8 +148,15 @@ impl Again<'_> {
             }
         }
         rank(&plain, &mut contenders, weights)?;
+        // Of one set at several sizes the best counts.
+        let mut seen: Vec<Vec<EffectId>> = Vec::new();
+        contenders.retain(|of| {
+            let is_first = !seen.contains(&of.ids);
+            seen.push(of.ids.clone());
+            is_first
+        });
         for of in &contenders {
-            self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", arm(&of.ids), of.adds));
+            self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", of.arm, of.adds));
         }
         let Some(outcome) = outcome(&contenders, untried) else { return Ok(()) };
         match outcome.bearing {
@@ -160,7 +187,7 @@ impl Again<'_> {
     /// The campaign beside the arms without effects: one with the soil that all signals ask for, unless too many strokes sink there, and the one that it
     /// was compared with. The first of them is what all others are compared with.
     fn refitted(&self, against: &Against, data: &Data, weights: &Weights<'_>) -> Result<Vec<Data>, AppError> {
-        let refitted = match self.contender(against, data, &[], weights, None)? {
+        let refitted = match self.contender(against, data, &[], weights, None, 0.0)? {
             Tried::Weighed(without) => without.beside,
             Tried::Sinks | Tried::NotShown => return Ok(vec![data.clone()]),
         };
@@ -178,7 +205,7 @@ impl Again<'_> {
     }
 
     /// The campaign with a set of effects, as it is fitted with them alone, on the simulated arm; what it expects beyond what `base` does is cleared of
-    /// chance.
+    /// chance. The sizes are off the fitted ones by so many standard deviations.
     fn contender(
         &self,
         against: &Against,
@@ -186,6 +213,7 @@ impl Again<'_> {
         ids: &[EffectId],
         weights: &Weights<'_>,
         base: Option<&Data>,
+        off: f64,
     ) -> Result<Tried, AppError> {
         let mut alone = data.clone();
         alone.decide(ids, &[]);
@@ -194,6 +222,12 @@ impl Again<'_> {
         fitted.terms.clear();
         if fitted.effects.len() != ids.len() {
             return Ok(Tried::NotShown);
+        }
+        for of in &mut fitted.effects {
+            let size = of.amplitude + off * of.amplitude.signum() * of.amplitude_sd;
+            if size * of.amplitude > 0.0 {
+                of.amplitude = size;
+            }
         }
         let file = model_file(against, data, &fitted);
         let simulated = match self.simulate(&file, &data.campaign) {
@@ -209,20 +243,24 @@ impl Again<'_> {
         beside.know(&model);
         beside.expect(&simulated.data, true, offset_deg);
         expect_scene(&mut beside, &simulated.data, &model);
-        if let Some(base) = base {
-            beside.expect_as(base);
-        }
+        let jumps = base.is_some_and(|base| beside.expect_as(base));
         let strokes = beside.readings().strokes;
         if are_few(&strokes) {
             self.watch.note(&format!(
-                "of {} strokes, {} are of a kind that always fails the soil of {}: too few to be weighed",
+                "of {} strokes, {} fail the soil of {} and are of a kind that is not on the brink: too few to be weighed",
                 strokes.len(),
                 taking_part(&strokes),
-                arm(ids)
+                arm(&fitted.effects)
             ));
             return Ok(Tried::Sinks);
         }
-        Ok(Tried::Weighed(Box::new(Contender { ids: ids.to_vec(), beside, adds: 0.0 })))
+        Ok(Tried::Weighed(Box::new(Contender {
+            ids: ids.to_vec(),
+            arm: arm(&fitted.effects),
+            beside,
+            jumps,
+            adds: 0.0,
+        })))
     }
 }
 
@@ -284,8 +322,16 @@ enum Bearing {
 /// The outcome of contenders that were weighed; each further effect has to earn its place. `untried` are effects of which the simulated arm has no say.
 fn outcome(contenders: &[Contender], untried: Vec<EffectId>) -> Option<Outcome> {
     let score = |of: &Contender| of.adds - THRESHOLD * of.ids.len() as f64;
-    let best = contenders.iter().max_by(|a, b| score(a).total_cmp(&score(b)))?;
-    let behind = AS_LIKELY.0.max(AS_LIKELY.1 * best.adds);
+    let most = contenders.iter().max_by(|a, b| score(a).total_cmp(&score(b)))?;
+    let behind = AS_LIKELY.0.max(AS_LIKELY.1 * most.adds);
+    // A part of it that is as likely is the simpler answer.
+    let is_simpler = |of: &&Contender| {
+        of.ids.len() < most.ids.len()
+            && of.ids.iter().all(|id| most.ids.contains(id))
+            && of.adds > most.adds - behind
+    };
+    let simpler = contenders.iter().filter(is_simpler);
+    let best = simpler.max_by(|a, b| score(a).total_cmp(&score(b))).unwrap_or(most);
     let close = |of: &&Contender| of.ids.len() == 1 && of.ids != best.ids && of.adds > best.adds - behind;
     let as_likely = match best.ids.len() {
         1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
@@ -375,7 +421,7 @@ mod tests {
     }
 
     fn contender(ids: &[EffectId], adds: f64, beside: Data) -> Contender {
-        Contender { ids: ids.to_vec(), beside, adds }
+        Contender { ids: ids.to_vec(), arm: String::new(), beside, jumps: false, adds }
     }
 
     /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.
@@ -436,12 +482,18 @@ mod tests {
         assert_eq!(found(&all, &[]), (vec![a], vec![b], Bearing::Out));
         let all = [of(&[a], 20.0), of(&[b], 15.5), of(&[c], 14.5)];
         assert_eq!(found(&all, &[]), (vec![a], vec![b], Bearing::Out));
+        // One that comes within a tenth of a pair that has it is the answer, and what is as likely as it is so, too.
+        let close = [of(&[a, b], 151.7), of(&[a], 141.4), of(&[c], 128.4)];
+        assert_eq!(found(&close, &[]), (vec![a], vec![c], Bearing::Out));
+        assert_eq!(found(&[of(&[a, b], 157.7), of(&[a], 141.4)], &[]), (vec![a, b], vec![], Bearing::Out));
         // What cannot be simulated stays open.
         assert_eq!(found(&all[..1], &[c]), (vec![a], vec![c], Bearing::Out));
-        // A pair that adds less than another effect costs is not the best, one that adds more is, and what it has is not as likely as it.
+        // A pair that adds no more than another effect costs, or than makes two as likely, is not the best; one that adds more is, and what it has is not
+        // as likely as it.
         let pair = |beyond: f64| [of(&[a, b], 20.0 + beyond * THRESHOLD), of(&[a], 20.0), of(&[b], 19.0)];
         assert_eq!(found(&pair(0.9), &[]), (vec![a], vec![b], Bearing::Out));
-        assert_eq!(found(&pair(1.1), &[]), (vec![a, b], vec![], Bearing::Open));
+        assert_eq!(found(&pair(1.1), &[]), (vec![a], vec![b], Bearing::Out));
+        assert_eq!(found(&pair(1.5), &[]), (vec![a, b], vec![], Bearing::Open));
         assert_eq!(found(&pair(2.9), &[]), (vec![a, b], vec![], Bearing::Out));
         assert_eq!(found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2, Bearing::Open);
         // No effect is as likely as one that adds no more than chance may.
