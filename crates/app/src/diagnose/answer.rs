@@ -355,6 +355,7 @@ impl Answer {
                 data,
                 d,
                 &against.known().iter().map(|known| known.id).collect::<Vec<_>>(),
+                simulated.before.as_ref().map(|before| &before.data),
             ),
             next_experiment: d.next.as_ref().zip(written.next.as_ref()).map(|(next, path)| NextAnswer {
                 text: next.text.clone(),

@@ -13,8 +13,16 @@ const COMMON_DEG: f64 = 0.3;
 /// Standard deviation of a median over that of a mean, for normal values.
 const OF_MEDIAN: f64 = 1.2533;
 
-/// All of them, in words.
-pub(super) fn disagreements(data: &Data, diagnosis: &Diagnosis, known: &[EffectId]) -> Vec<String> {
+/// Strokes that fail the soil on the simulated arm and did not on the measured one, from which that is no chance: at least so many, and this part of them.
+const SANK: (usize, f64) = (3, 0.2);
+
+/// All of them, in words; `without` is the campaign on the simulated arm without effects.
+pub(super) fn disagreements(
+    data: &Data,
+    diagnosis: &Diagnosis,
+    known: &[EffectId],
+    without: Option<&Data>,
+) -> Vec<String> {
     let names = |acts: &dyn Fn(Site) -> bool| {
         let set = diagnosis.equivalence_set.iter().filter_map(|explanation| match explanation {
             Explanation::Effect(id) => Some(*id),
@@ -23,11 +31,17 @@ pub(super) fn disagreements(data: &Data, diagnosis: &Diagnosis, known: &[EffectI
         let found = diagnosis.effects.iter().map(|found| found.id);
         set.chain(found).chain(known.iter().copied()).any(|id| acts(id.effect().site))
     };
-    [interface(data, &names), zero(data, &names), surface(data, &names)].into_iter().flatten().collect()
+    let sank = without.and_then(|without| sank(data, without, &names));
+    [interface(data, &names), zero(data, &names), surface(data, &names), sank].into_iter().flatten().collect()
 }
 
 /// Whether an effect at a site is named, in the equivalence set, or known.
 type Names<'a> = &'a dyn Fn(&dyn Fn(Site) -> bool) -> bool;
+
+/// Effects that change the angle of the force which the controller holds.
+fn turns_the_force(site: Site) -> bool {
+    matches!(site, Site::Interface | Site::Sensor(SensorSite::Crosstalk))
+}
 
 fn interface(data: &Data, names: Names<'_>) -> Option<String> {
     let cells = data.channels.get(&Channel::SlipAngle)?;
@@ -38,7 +52,7 @@ fn interface(data: &Data, names: Names<'_>) -> Option<String> {
         .collect();
     let (lift_deg, sd_deg) = middle(&lifts)?;
     let sd_deg = sd_deg.hypot(COMMON_DEG);
-    let named = names(&|site| matches!(site, Site::Interface | Site::Sensor(SensorSite::Crosstalk)));
+    let named = names(&turns_the_force);
     let lifted = lift_deg.abs() > MATTERS[0] && lift_deg.abs() > SIGNIFICANT * sd_deg;
     let set_deg = median(&mut data.rows.iter().filter_map(|row| row.delta_set_deg).collect::<Vec<_>>());
     (lifted && !named).then(|| {
@@ -47,6 +61,19 @@ fn interface(data: &Data, names: Names<'_>) -> Option<String> {
              which `process` takes for the interface friction, and no effect is named for it; at failure the controller holds the set-point, \
              so forces at failure do not show it, and heaps, or readings of the sensor along the plate that are off, turn it as well",
             set_deg + lift_deg
+        )
+    })
+}
+
+fn sank(data: &Data, without: &Data, names: Names<'_>) -> Option<String> {
+    let all = without.rows.len();
+    let missing = without.rows.iter().filter(|row| data.place_of(row).is_none()).count();
+    let many = missing >= SANK.0 && missing as f64 > SANK.1 * all as f64;
+    (many && !names(&turns_the_force)).then(|| {
+        format!(
+            "soil failure: {missing} of the {all} strokes that fail the soil on the simulated arm are not in the table, and no effect is named for that; a \
+             plate sinks instead where the interface friction is below the set-point, or where readings of the sensor along the plate are too small \
+             (cross-talk). A set-point that is some degrees lower tells: where the soil then fails, slipping soil shows the interface friction"
         )
     })
 }
@@ -96,4 +123,35 @@ fn middle(values: &[f64]) -> Option<(f64, f64)> {
         let spread = sd_of_median_abs(values.iter().map(|value| value - middle));
         (middle, OF_MEDIAN * spread / (values.len() as f64).sqrt())
     })
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use soilctl_strokes::{Campaign, StrokeRow};
+
+    use super::*;
+
+    /// Ten strokes fail the soil on the simulated arm: seven of them in the table are said to be few, eight are not, and nothing is said where an effect
+    /// is named for it.
+    #[test]
+    fn strokes_that_sink_are_said() {
+        let table = |count: usize| {
+            let row = |i: usize| StrokeRow {
+                stroke_id: Some(format!("batch_000-{i}")),
+                alpha_deg: 90.0,
+                depth_m: 0.02,
+                width_m: 0.1,
+                force_n: 5.0,
+                ..StrokeRow::default()
+            };
+            Data::new("t", (0..count).map(row).collect(), Campaign::default()).unwrap()
+        };
+        let said = |count: usize, site: Site| sank(&table(count), &table(10), &|acts| acts(site));
+        let other = Site::Sensor(SensorSite::ForceZeroDrift);
+        assert!(said(7, other).unwrap().starts_with("soil failure: 3 of the 10 strokes"));
+        assert_eq!(said(8, other), None);
+        assert_eq!(said(1, Site::Interface), None);
+    }
 }
