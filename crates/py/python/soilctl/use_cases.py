@@ -66,6 +66,7 @@ __all__ = [
     "DiagnoseSelfTestAnswer",
     "DiagnoseSelfTestLogsAnswer",
     "DiagnoseSelfTestLogsEntry",
+    "DiagnoseSelfTestLogsPart",
     "DiagnoseSelfTestLogsRate",
     "DiagnoseSelfTestLogsSaid",
     "DiagnoseSelfTestRate",
@@ -6619,31 +6620,33 @@ class DiagnoseSelfTestLogsEntry(Record):
     """One hidden campaign, and what was said of it.
 
     Attributes:
-        amplitude: Amplitude of the effect in the unit of its parameter, or the largest change of ln force; null for
-            nothing.
         equivalence_set: What was not told apart.
         follow_up: What it gave with the strokes that were proposed; null if none were, or they were not made.
-        found: Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given.
+        found: Amplitudes that were found of hidden effects, each with its standard deviation, by effect.
+        gap: Root mean square of all readings of batches that were left out, in standard deviations, without and
+            with the effects that were given; null with fewer than two batches.
         given: Effects that were given, best first.
-        hidden: What was hidden: an effect, or ``outside_`` and a kind that no effect is; null for nothing.
+        hidden: What was hidden: effects, or ``outside_`` and a kind that no effect is; empty for nothing.
         number: Its number, from 0.
         soil: Preset of the soil.
         status: Status of the diagnosis; ``no_failures`` if no stroke failed the soil.
         strokes: Strokes that failed the soil.
     """
 
-    amplitude: float | None
-    """Amplitude of the effect in the unit of its parameter, or the largest change of ln force; null for nothing."""
     equivalence_set: list[str]
     """What was not told apart."""
     follow_up: DiagnoseSelfTestLogsSaid | None
     """What it gave with the strokes that were proposed; null if none were, or they were not made."""
-    found: list[Any] | None
-    """Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given."""
+    found: dict[str, list[Any]]
+    """Amplitudes that were found of hidden effects, each with its standard deviation, by effect."""
+    gap: list[Any] | None
+    """Root mean square of all readings of batches that were left out, in standard deviations, without and with the
+    effects that were given; null with fewer than two batches.
+    """
     given: list[str]
     """Effects that were given, best first."""
-    hidden: str | None
-    """What was hidden: an effect, or ``outside_`` and a kind that no effect is; null for nothing."""
+    hidden: list[DiagnoseSelfTestLogsPart]
+    """What was hidden: effects, or ``outside_`` and a kind that no effect is; empty for nothing."""
     number: int
     """Its number, from 0."""
     soil: str
@@ -6652,6 +6655,21 @@ class DiagnoseSelfTestLogsEntry(Record):
     """Status of the diagnosis; ``no_failures`` if no stroke failed the soil."""
     strokes: int
     """Strokes that failed the soil."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class DiagnoseSelfTestLogsPart(Record):
+    """A part of what was hidden.
+
+    Attributes:
+        amplitude: Amplitude of the effect in the unit of its parameter, or the largest change of ln force.
+        name: An effect, or ``outside_`` and a kind that no effect is.
+    """
+
+    amplitude: float
+    """Amplitude of the effect in the unit of its parameter, or the largest change of ln force."""
+    name: str
+    """An effect, or ``outside_`` and a kind that no effect is."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -6678,7 +6696,9 @@ class DiagnoseSelfTestLogsSaid(Record):
 
     Attributes:
         equivalence_set: What was not told apart.
-        found: Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given.
+        found: Amplitudes that were found of hidden effects, each with its standard deviation, by effect.
+        gap: Root mean square of all readings of batches that were left out, in standard deviations, without and
+            with the effects that were given; null with fewer than two batches.
         given: Effects that were given, best first.
         status: Status of the diagnosis; ``no_failures`` if no stroke failed the soil.
         strokes: Strokes that failed the soil.
@@ -6686,8 +6706,12 @@ class DiagnoseSelfTestLogsSaid(Record):
 
     equivalence_set: list[str]
     """What was not told apart."""
-    found: list[Any] | None
-    """Amplitude that was found of the hidden effect, with its standard deviation; null if it was not given."""
+    found: dict[str, list[Any]]
+    """Amplitudes that were found of hidden effects, each with its standard deviation, by effect."""
+    gap: list[Any] | None
+    """Root mean square of all readings of batches that were left out, in standard deviations, without and with the
+    effects that were given; null with fewer than two batches.
+    """
     given: list[str]
     """Effects that were given, best first."""
     status: str
@@ -6711,7 +6735,7 @@ class DiagnoseSelfTestLogsAnswer(Answer):
         seed: Seed.
     """
 
-    schema: Literal["soilctl.diagnose-self-test-logs/1"]
+    schema: Literal["soilctl.diagnose-self-test-logs/2"]
     """Id of this schema."""
     version: str
     """Version of the program."""
@@ -8972,8 +8996,8 @@ def diagnose_self_test_logs(
         campaigns: Hidden campaigns; every third hides nothing, the others an effect in turn. At least 1 and at most
             10000.
         strokes: Strokes of a campaign.
-        hidden: Hide this effect in all of them, or ``none``, or ``outside``: in turn six kinds that no effect is,
-            which takes 24 strokes or 48.
+        hidden: Hide this effect in all of them, or ``none``, or ``two``: in turn six pairs of effects, or
+            ``outside``: in turn six kinds that no effect is, which takes 24 strokes or 48.
         soil: Preset of the sand of all of them, instead of four in turn.
         follow_up: Where an answer leaves several effects open, run the plan that it proposes on the same arm and
             diagnose that, too.

@@ -14,25 +14,32 @@ pub(super) const PHI_SD_DEG: f64 = 1.0;
 pub(super) const DENSITY_SD_REL: f64 = 0.005;
 
 /// What a campaign hides.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Hidden {
-    /// Nothing.
-    Nothing,
-    /// An effect, with its amplitude in the unit of its parameter.
-    Effect(EffectId, f64),
+    /// Effects, each with its amplitude in the unit of its parameter; none hides nothing.
+    Effects(Vec<(EffectId, f64)>),
     /// What no effect of the catalogue is, with its largest change of ln force.
     Outside(Outside, f64),
 }
 
 impl Hidden {
-    /// Its name in answers.
-    pub(super) const fn name(self) -> &'static str {
+    /// Its parts by name, with their sizes.
+    pub(super) fn parts(&self) -> Vec<(&'static str, f64)> {
         match self {
-            Self::Nothing => "none",
-            Self::Effect(id, _) => id.name(),
-            Self::Outside(of, _) => of.name(),
+            Self::Effects(all) => all.iter().map(|(id, size)| (id.name(), *size)).collect(),
+            Self::Outside(of, size) => vec![(of.name(), *size)],
         }
     }
+
+    /// Its name in answers and of its folder.
+    pub(super) fn name(&self) -> String {
+        joined(&self.parts().into_iter().map(|(name, _)| name).collect::<Vec<_>>())
+    }
+}
+
+/// Names of what a campaign hides as one.
+pub(super) fn joined(names: &[&str]) -> String {
+    if names.is_empty() { "none".to_owned() } else { names.join("+") }
 }
 
 /// What all campaigns hide, or in which turn.
@@ -44,6 +51,8 @@ pub(super) enum Wanted {
     Nothing,
     /// One effect.
     Effect(EffectId),
+    /// Two effects at once, pairs in turn.
+    Two,
     /// What no effect is, in turn.
     Outside,
 }
@@ -62,6 +71,16 @@ const HIDDEN: [Option<EffectId>; 12] = [
     None,
     Some(EffectId::ForceScale),
     Some(EffectId::CableFlex),
+];
+
+/// Pairs of effects that are hidden at once, in turn: each of six effects that are found alone, with two others.
+const PAIRS: [[EffectId; 2]; 6] = [
+    [EffectId::ForceBias, EffectId::Backlash],
+    [EffectId::ForceDrift, EffectId::InterfaceFrictionOffset],
+    [EffectId::CableFlex, EffectId::ForceBias],
+    [EffectId::FtCrosstalk, EffectId::Backlash],
+    [EffectId::InterfaceFrictionOffset, EffectId::CableFlex],
+    [EffectId::ForceDrift, EffectId::FtCrosstalk],
 ];
 
 /// A preset with what is known of it beforehand: friction angle (deg) and density (kg/m3), and the set-point of its strokes (deg).
@@ -120,16 +139,17 @@ impl Case {
     ) -> Result<Self, crate::AppError> {
         let mut random = Random::new(seed, number + 1);
         let turn = (number % HIDDEN.len() as u64) as usize;
-        let of_effect = |id: Option<EffectId>, random: &mut Random| {
-            id.map_or(Hidden::Nothing, |id| Hidden::Effect(id, hidden_size(id, random)))
+        let of_effects = |ids: &[EffectId], random: &mut Random| {
+            Hidden::Effects(ids.iter().map(|id| (*id, hidden_size(*id, random))).collect())
         };
         // The soils in turn, one further in each round of what is hidden, so that each effect meets each of them.
         let place = (number + number / HIDDEN.len() as u64) as usize % SANDS.len();
         let sand = soil.unwrap_or(&SANDS[place]);
         let hidden = match wanted {
-            Wanted::InTurn => of_effect(HIDDEN.get(turn).copied().flatten(), &mut random),
-            Wanted::Nothing => Hidden::Nothing,
-            Wanted::Effect(id) => of_effect(Some(id), &mut random),
+            Wanted::InTurn => of_effects(HIDDEN[turn].as_slice(), &mut random),
+            Wanted::Nothing => Hidden::Effects(Vec::new()),
+            Wanted::Effect(id) => of_effects(&[id], &mut random),
+            Wanted::Two => of_effects(&PAIRS[number as usize % PAIRS.len()], &mut random),
             Wanted::Outside => {
                 let of = Outside::ALL[number as usize % Outside::ALL.len()];
                 Hidden::Outside(of, Outside::size(&mut random))
@@ -139,11 +159,12 @@ impl Case {
         let density_kg_m3 = sand.density_kg_m3 * (1.0 + random.normal(DENSITY_SD_REL));
         let plant = soilctl_campaign::unlike_plant(&mut || random.unit())?;
         let plain = truth(model, phi_deg, density_kg_m3, sand.set_deg, design);
-        let truth = match hidden {
-            Hidden::Nothing => plain,
-            Hidden::Effect(id, size) => with(&plain, id.effect(), size),
+        let truth = match &hidden {
+            Hidden::Effects(all) => {
+                all.iter().fold(plain, |file, (id, size)| with(&file, id.effect(), *size))
+            }
             Hidden::Outside(of, size) => {
-                ModelFile { empirical: vec![of.term(size, design, &mut random)], ..plain }
+                ModelFile { empirical: vec![of.term(*size, design, &mut random)], ..plain }
             }
         };
         Ok(Self {
@@ -226,13 +247,13 @@ mod tests {
         let in_turn =
             |number| Case::new(1, number, Wanted::InTurn, (Design::default(), None), "table").unwrap();
         // In four rounds each effect meets each soil once, and nothing each of them four times.
-        let mut met: Vec<(&str, &str)> =
+        let mut met: Vec<(String, &str)> =
             (0..48).map(in_turn).map(|case| (case.hidden.name(), case.soil)).collect();
         met.sort_unstable();
         assert_eq!(met.chunk_by(|a, b| a == b).map(<[_]>::len).filter(|count| *count == 1).count(), 32);
         assert_eq!(met.chunk_by(|a, b| a == b).map(<[_]>::len).filter(|count| *count == 4).count(), 4);
         // A third hides nothing, and that comes first.
-        let turns: Vec<bool> = (0..12).map(|number| in_turn(number).hidden == Hidden::Nothing).collect();
+        let turns: Vec<bool> = (0..12).map(|number| in_turn(number).hidden.parts().is_empty()).collect();
         assert!(turns[0] && turns.iter().filter(|none| **none).count() == 4);
     }
 }

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use soilctl_effects::EffectId;
 use soilctl_jobs::{Inputs, Journal};
 
-pub use counts::{Entry, Said};
+pub use counts::{Entry, Part, Said};
 pub use design::Design;
 use hidden::{Case, Sand, Wanted};
 
@@ -46,7 +46,8 @@ pub struct Request {
     #[arg(long, value_name = "N", value_enum, default_value_t = Request::default().strokes)]
     pub strokes: Design,
 
-    /// Hide this effect in all of them, or `none`, or `outside`: in turn six kinds that no effect is, which takes 24 strokes or 48
+    /// Hide this effect in all of them, or `none`, or `two`: in turn six pairs of effects, or `outside`: in turn six kinds that no effect is, which takes
+    /// 24 strokes or 48
     #[arg(long, value_name = "EFFECT")]
     pub hidden: Option<String>,
 
@@ -97,7 +98,7 @@ pub struct Answer {
 }
 
 impl crate::Answer for Answer {
-    const SCHEMA: &'static str = "soilctl.diagnose-self-test-logs/1";
+    const SCHEMA: &'static str = "soilctl.diagnose-self-test-logs/2";
 
     fn outcome(&self) -> Outcome {
         if self.stopped { Outcome::Partial } else { Outcome::Done }
@@ -120,7 +121,7 @@ struct Header {
 impl Header {
     fn new(request: &Request) -> Self {
         Self {
-            schema: "soilctl.diagnose-self-test-logs-journal/3".to_owned(),
+            schema: "soilctl.diagnose-self-test-logs-journal/4".to_owned(),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
             model: request.model.clone(),
             strokes: request.strokes,
@@ -197,6 +198,7 @@ fn wanted(request: &Request) -> Result<Wanted, AppError> {
     match (request.hidden.as_deref(), request.strokes) {
         (None, _) => Ok(Wanted::InTurn),
         (Some("none"), _) => Ok(Wanted::Nothing),
+        (Some("two"), _) => Ok(Wanted::Two),
         (Some("outside"), Design::Strokes12) => Err(AppError::Request(
             "12 strokes have one depth and two tool angles, over which no shape shows: give 24 or 48 strokes"
                 .to_owned(),

@@ -1,6 +1,6 @@
 //! The answer of `diagnose --self-test-logs` in words.
 
-use soilctl_app::diagnose::self_test_logs::Answer;
+use soilctl_app::diagnose::self_test_logs::{Answer, Part, Said};
 use soilctl_app::text::columns;
 
 use super::self_test::{confusion, rates};
@@ -14,17 +14,21 @@ impl Words for Answer {
                 .to_vec(),
         ];
         for of in &self.campaigns {
-            let found =
-                of.said.found.map_or_else(|| "-".into(), |(value, sd)| format!("{value:.3e} +- {sd:.1e}"));
+            let each = |text: &dyn Fn(&Part) -> String| {
+                let all: Vec<String> = of.hidden.iter().map(text).collect();
+                if all.is_empty() { "-".to_owned() } else { all.join(", ") }
+            };
+            let found = |part: &Part| {
+                let sizes = of.said.found.get(&part.name);
+                sizes.map_or_else(|| "-".to_owned(), |(value, sd)| format!("{value:.3e} +- {sd:.1e}"))
+            };
             rows.push(vec![
                 of.number.to_string(),
-                of.hidden.clone().unwrap_or_else(|| "none".into()),
-                of.amplitude.map_or_else(|| "-".into(), |size| format!("{size:.3e}")),
+                of.hidden_name(),
+                each(&|part| format!("{:.3e}", part.amplitude)),
                 of.said.in_words(),
-                found,
-                of.follow_up
-                    .as_ref()
-                    .map_or_else(|| "-".into(), soilctl_app::diagnose::self_test_logs::Said::in_words),
+                each(&found),
+                of.follow_up.as_ref().map_or_else(|| "-".into(), Said::in_words),
             ]);
         }
         let mut text =
