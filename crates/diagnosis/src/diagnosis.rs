@@ -87,10 +87,11 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
         for ((choice, (amplitude, sd)), factor) in
             best.spec.choices.iter().zip(&best.fit.amplitudes).zip(&verdict.factors)
         {
+            let held = data.held(choice.effect.id).map(|(_, sd)| sd);
             effects.push(FoundEffect {
                 id: choice.effect.id,
                 amplitude: *amplitude,
-                amplitude_sd: sd.hypot(FORM_ERROR * amplitude),
+                amplitude_sd: held.unwrap_or_else(|| sd.hypot(FORM_ERROR * amplitude)),
                 shape: choice.shape,
                 log_bayes_factor: *factor,
             });

@@ -37,13 +37,31 @@ pub(super) struct Weights<'a> {
 /// A set of effects, and the readings beside the simulated arm that has them.
 struct Contender {
     ids: Vec<EffectId>,
-    /// The arm in words.
-    arm: String,
+    /// Their sizes on that arm.
+    effects: Vec<FoundEffect>,
+    /// Whether these are others than strokes tell beside responses.
+    is_off: bool,
     beside: Data,
     /// Whether strokes of a kind go different ways there.
     jumps: bool,
     /// ln evidence of what all contenders expect, over that of the better arm without effects.
     adds: f64,
+}
+
+/// A set of effects that is to be simulated.
+struct Set {
+    ids: Vec<EffectId>,
+    /// Those of them whose sizes are known.
+    held: Vec<FoundEffect>,
+    /// By how many standard deviations sizes are off those that strokes tell.
+    off: f64,
+}
+
+impl Set {
+    /// Effects with the sizes that strokes tell.
+    fn of(ids: &[EffectId]) -> Self {
+        Self { ids: ids.to_vec(), held: Vec::new(), off: 0.0 }
+    }
 }
 
 /// What came of simulating a set of effects.
@@ -53,6 +71,18 @@ enum Tried {
     Sinks,
     /// Strokes speak against one of the effects, the simulated arm cannot show it, or the work was stopped.
     NotShown,
+}
+
+impl Contender {
+    /// Its effects, if strokes do not tell their sizes.
+    fn held(&self) -> &[FoundEffect] {
+        if self.is_off { &self.effects } else { &[] }
+    }
+}
+
+/// Takes the sizes of effects as known.
+fn hold(data: &mut Data, effects: &[FoundEffect]) {
+    effects.iter().for_each(|of| data.hold(of.id, of.amplitude, of.amplitude_sd));
 }
 
 /// Why a contest is none.
@@ -95,15 +125,16 @@ impl Again<'_> {
         // What the simulated arm has no say about stays as likely as it was found to be.
         let mut untried = Vec::new();
         for id in in_question {
-            match self.contender(against, data, &[id], weights, base, 0.0)? {
+            match self.contender(against, data, &Set::of(&[id]), weights, base)? {
                 Tried::Weighed(contender) => {
                     // Where an effect that passes the controller makes strokes go another way, one size of it says little of another.
                     let is_uneven = contender.jumps && id.effect().site.passes_the_controller();
                     let further = if is_uneven { &[-1.0, 1.0][..] } else { &[] };
                     contenders.push(*contender);
                     for off in further {
+                        let set = Set { off: *off, ..Set::of(&[id]) };
                         if let Tried::Weighed(other) =
-                            self.contender(against, data, &[id], weights, base, *off)?
+                            self.contender(against, data, &set, weights, base)?
                         {
                             contenders.push(*other);
                             if shared(&plain, &contenders).is_none() {
@@ -128,17 +159,19 @@ impl Again<'_> {
             self.doubt(diagnosis, SINKS);
             return Ok(());
         }
-        let Some(first) = contenders.first().map(|first| first.ids.clone()) else { return Ok(()) };
-        let mut sets: Vec<Vec<EffectId>> = found
-            .iter()
-            .filter(|id| !first.contains(id))
-            .map(|id| [first.as_slice(), &[*id]].concat())
-            .collect();
+        let Some(first) = contenders.first() else { return Ok(()) };
+        let beside = |more: &[EffectId]| Set {
+            ids: [first.ids.as_slice(), more].concat(),
+            held: first.held().to_vec(),
+            off: 0.0,
+        };
+        let more = |id: &&EffectId| !first.ids.contains(id);
+        let mut sets: Vec<Set> = found.iter().filter(more).map(|id| beside(&[*id])).collect();
         if found.len() > 2 {
-            sets.push(found);
+            sets.push(Set::of(&found));
         }
-        for ids in sets {
-            let Tried::Weighed(further) = self.contender(against, data, &ids, weights, base, 0.0)? else {
+        for set in sets {
+            let Tried::Weighed(further) = self.contender(against, data, &set, weights, base)? else {
                 continue;
             };
             contenders.push(*further);
@@ -156,11 +189,16 @@ impl Again<'_> {
             is_first
         });
         for of in &contenders {
-            self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", of.arm, of.adds));
+            self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", arm(&of.effects), of.adds));
         }
         let Some(outcome) = outcome(&contenders, untried) else { return Ok(()) };
         match outcome.bearing {
-            Bearing::Out | Bearing::Open => data.decide(&outcome.best, &outcome.as_likely),
+            Bearing::Out | Bearing::Open => {
+                data.decide(&outcome.best, &outcome.as_likely);
+                // The size is that of the arm that was weighed.
+                let best = contenders.iter().find(|of| of.ids == outcome.best);
+                hold(data, best.map_or(&[], Contender::held));
+            }
             Bearing::Denied => {
                 self.watch.note(
                     "the simulated arm without effects explains the readings better than with any of them",
@@ -187,7 +225,7 @@ impl Again<'_> {
     /// The campaign beside the arms without effects: one with the soil that all signals ask for, unless too many strokes sink there, and the one that it
     /// was compared with. The first of them is what all others are compared with.
     fn refitted(&self, against: &Against, data: &Data, weights: &Weights<'_>) -> Result<Vec<Data>, AppError> {
-        let refitted = match self.contender(against, data, &[], weights, None, 0.0)? {
+        let refitted = match self.contender(against, data, &Set::of(&[]), weights, None)? {
             Tried::Weighed(without) => without.beside,
             Tried::Sinks | Tried::NotShown => return Ok(vec![data.clone()]),
         };
@@ -205,30 +243,35 @@ impl Again<'_> {
     }
 
     /// The campaign with a set of effects, as it is fitted with them alone, on the simulated arm; what it expects beyond what `base` does is cleared of
-    /// chance. The sizes are off the fitted ones by so many standard deviations.
+    /// chance.
     fn contender(
         &self,
         against: &Against,
         data: &Data,
-        ids: &[EffectId],
+        Set { ids, held, off }: &Set,
         weights: &Weights<'_>,
         base: Option<&Data>,
-        off: f64,
     ) -> Result<Tried, AppError> {
         let mut alone = data.clone();
         alone.decide(ids, &[]);
+        hold(&mut alone, held);
         let mut fitted = (weights.diagnosis)(&alone)?;
-        // A shape without a name is no part of a set of effects.
-        fitted.terms.clear();
+        if fitted.effects.len() == ids.len() && *off != 0.0 {
+            // With the soil that strokes ask for beside that size.
+            for of in &mut fitted.effects {
+                let size = of.amplitude + off * of.amplitude.signum() * of.amplitude_sd;
+                if size * of.amplitude > 0.0 {
+                    of.amplitude = size;
+                }
+            }
+            hold(&mut alone, &fitted.effects);
+            fitted = (weights.diagnosis)(&alone)?;
+        }
         if fitted.effects.len() != ids.len() {
             return Ok(Tried::NotShown);
         }
-        for of in &mut fitted.effects {
-            let size = of.amplitude + off * of.amplitude.signum() * of.amplitude_sd;
-            if size * of.amplitude > 0.0 {
-                of.amplitude = size;
-            }
-        }
+        // A shape without a name is no part of a set of effects.
+        fitted.terms.clear();
         let file = model_file(against, data, &fitted);
         let simulated = match self.simulate(&file, &data.campaign) {
             Err(AppError::Campaign(CampaignError::Effect { .. } | CampaignError::Term { .. })) => {
@@ -255,8 +298,9 @@ impl Again<'_> {
             return Ok(Tried::Sinks);
         }
         Ok(Tried::Weighed(Box::new(Contender {
-            ids: ids.to_vec(),
-            arm: arm(&fitted.effects),
+            ids: ids.clone(),
+            is_off: *off != 0.0 || !held.is_empty(),
+            effects: fitted.effects,
             beside,
             jumps,
             adds: 0.0,
@@ -421,7 +465,7 @@ mod tests {
     }
 
     fn contender(ids: &[EffectId], adds: f64, beside: Data) -> Contender {
-        Contender { ids: ids.to_vec(), arm: String::new(), beside, jumps: false, adds }
+        Contender { ids: ids.to_vec(), effects: Vec::new(), is_off: false, beside, jumps: false, adds }
     }
 
     /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.

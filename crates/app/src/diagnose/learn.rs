@@ -5,15 +5,13 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use soilctl_campaign::{CampaignError, Content, Options, Plan, Setting};
+use soilctl_campaign::{CampaignError, Plan, Setting};
 use soilctl_diagnosis::{Data, Learnt, RecordedTraces, Shown, simulated_as};
 use soilctl_effects::{Effect, EffectEntry, EffectId, ModelFile, ParameterValue};
-use soilctl_jobs::fnv1a;
-use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
+use soilctl_strokes::Campaign;
 
-use crate::files::failed;
-use crate::machine::cores;
-use crate::{AppError, Interrupted, Watch, process, simulate};
+use super::kept::{Kept, kept};
+use crate::{AppError, Interrupted, Watch};
 
 /// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.
 const SEED: u64 = 0x1ea2;
@@ -166,28 +164,9 @@ impl<'a> Learning<'a> {
 
     /// The same under a seed of its own.
     fn table_of(&self, plan: &Plan, file: &ModelFile, seed: u64) -> Result<Option<Data>, AppError> {
-        let text = serde_json::to_string(file)?;
-        // Files that the plan names may change under the same name.
-        let named = format!("{:?}{:?}", plan.plant().config(), plan.controller());
-        let of = format!("{}\n{}\n{}\n{text}\n{named}", env!("CARGO_PKG_VERSION"), seed, plan.text());
-        let folder = self.store.join(fnv1a(of.as_bytes()));
-        let strokes = folder.join("strokes.csv");
-        if !strokes.is_file() {
-            let name = folder.display().to_string();
-            let options = Options { out: &folder, seed, threads: cores(), content: Content::Steps };
-            let made = simulate::campaign(plan, Some((file, name.as_str())), &options, self.watch)?;
-            if !made.complete {
-                return Ok(None);
-            }
-            let processed = process::run(&process::Request::of_folder(&folder, &strokes), self.watch)?;
-            if processed.stopped || processed.strokes.is_empty() {
-                return Ok(None);
-            }
-            remove_logs(&folder)?;
-        }
-        let table = StrokeTable::read(&strokes, ReadOptions { allow_zero_sd: false })?;
-        let mut data = Data::new(table.name(), table.rows().collect(), self.campaign.clone())?;
-        let _ = RecordedTraces::read(&folder.join("traces.csv"), &table)?.add_to(&mut data);
+        let Some(Kept { strokes, traces }) = kept(plan, file, seed, self.store, self.watch)? else { return Ok(None) };
+        let mut data = Data::new(strokes.name(), strokes.rows().collect(), self.campaign.clone())?;
+        let _ = RecordedTraces::read(&traces, &strokes)?.add_to(&mut data);
         data.compare_everything();
         Ok(Some(data))
     }
@@ -238,15 +217,4 @@ pub(super) fn with(plain: &ModelFile, effect: &Effect, amplitude: f64) -> ModelF
     let mut file = plain.clone();
     file.effects.push(EffectEntry { id: effect.id, parameters, shape, log_bayes_factor: 0.0 });
     file
-}
-
-/// Logs of single strokes are some 15 MB each, and all that is wanted of them is in the table.
-pub(super) fn remove_logs(folder: &Path) -> Result<(), AppError> {
-    for entry in std::fs::read_dir(folder).map_err(failed(folder))? {
-        let path = entry.map_err(failed(folder))?.path();
-        if path.extension().is_some_and(|ending| ending == "mcap") {
-            std::fs::remove_file(&path).map_err(failed(&path))?;
-        }
-    }
-    Ok(())
 }

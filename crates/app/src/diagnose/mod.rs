@@ -6,6 +6,7 @@ mod contenders;
 mod disagreements;
 mod files;
 mod follow_up;
+mod kept;
 mod learn;
 mod logs;
 mod request;

@@ -3,18 +3,18 @@
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use soilctl_campaign::{CampaignError, Content, Options, Plan};
+use soilctl_campaign::{CampaignError, Plan};
 use soilctl_diagnosis::{Course, Data, Diagnosis, RecordedTraces};
 use soilctl_effects::{EffectId, Loaded, ModelFile};
 use soilctl_jobs::fnv1a;
-use soilctl_strokes::{Campaign, ReadOptions, StrokeTable};
+use soilctl_strokes::Campaign;
 
 use super::Against;
 use super::contenders::Weights;
+use super::kept::{Kept, kept};
 use super::learn::{Learning, Progress};
 use super::logs::Resimulation;
-use crate::machine::cores;
-use crate::{AppError, Interrupted, Watch, process, simulate};
+use crate::{AppError, Interrupted, Watch};
 
 /// Noise of the campaign that is simulated again must not be that of the first one.
 const OTHER_NOISE: u64 = 0x5eed;
@@ -172,8 +172,7 @@ impl Again<'_> {
         }
     }
 
-    /// Runs the plan of the log with soil and effects of a model file, in a folder of its own: what is there of the same run is
-    /// used. `None` if it was stopped, or no stroke has a failure force.
+    /// Runs the plan of the log with soil and effects of a model file, or reads what an earlier run left of it. `None` if it was stopped, or no stroke has a failure force.
     pub(super) fn simulate(
         &self,
         file: &ModelFile,
@@ -184,28 +183,11 @@ impl Again<'_> {
         "hand".clone_into(&mut file.status);
         (file.equivalence_set, file.held_out) = (Vec::new(), None);
         file.effects.iter_mut().for_each(|effect| effect.log_bayes_factor = 0.0);
-        let text = serde_json::to_string(&file)?;
-        let folder = self.out.join("resimulated").join(fnv1a(text.as_bytes()));
-        let options = Options {
-            out: &folder,
-            seed: self.seed ^ OTHER_NOISE,
-            threads: cores(),
-            content: Content::Whole,
-        };
-        let name = folder.display().to_string();
-        let simulated = simulate::campaign(&self.plan, Some((&file, name.as_str())), &options, self.watch)?;
-        if !simulated.complete {
-            return Ok(None);
-        }
-        let strokes = folder.join("strokes.csv");
-        let processed = process::run(&process::Request::of_folder(&folder, &strokes), self.watch)?;
-        if processed.stopped || processed.strokes.is_empty() {
-            return Ok(None);
-        }
-        let table = StrokeTable::read(&strokes, ReadOptions { allow_zero_sd: false })?;
-        let mut data = Data::new(table.name(), table.rows().collect(), campaign.clone())?;
+        let (seed, store) = (self.seed ^ OTHER_NOISE, self.out.join("resimulated"));
+        let Some(Kept { strokes, traces }) = kept(&self.plan, &file, seed, &store, self.watch)? else { return Ok(None) };
+        let mut data = Data::new(strokes.name(), strokes.rows().collect(), campaign.clone())?;
         data.tare_taken_off();
-        let courses = RecordedTraces::read(&folder.join("traces.csv"), &table)?.add_to(&mut data).courses;
+        let courses = RecordedTraces::read(&traces, &strokes)?.add_to(&mut data).courses;
         Ok(Some(Resimulated { data, courses }))
     }
 }

@@ -95,7 +95,8 @@ impl<'a> Problem<'a> {
         let amplitude_at = priors.len();
         for (k, choice) in spec.choices.iter().enumerate() {
             let range = setup.range(choice.effect);
-            priors.push(match spec.fixed.get(k) {
+            let held = data.held(choice.effect.id).map(|(amplitude, _)| amplitude);
+            priors.push(match spec.fixed.get(k).copied().or(held) {
                 Some(amplitude) => Prior { mean: amplitude.abs().ln(), sd: FIXED_SD },
                 None => Prior { mean: range.typical().ln(), sd: range.ln_sd() },
             });

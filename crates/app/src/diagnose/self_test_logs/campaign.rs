@@ -8,7 +8,7 @@ use soilctl_strokes::Campaign;
 
 use super::counts::{Entry, Said};
 use super::hidden::{Case, PHI_SD_DEG};
-use crate::diagnose::learn::remove_logs;
+use crate::diagnose::kept::remove_logs;
 use crate::diagnose::{Diagnosed, Request, without_page};
 use crate::files::{failed, read_text, save};
 use crate::machine::cores;
