@@ -59,6 +59,28 @@ fn what_was_decided_is_said() {
     assert_eq!(decided(&[], &[]).0, Status::Unknown);
 }
 
+/// A size that is held is said as it is, and the soil makes up for it: of a bias that is larger than strokes ask for, the sand has to be weaker.
+#[test]
+fn the_soil_is_told_beside_a_size_that_is_held() {
+    let hidden = campaign(&[EffectId::ForceBias], 3, Design::default());
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    let told = diagnosed(&hidden, hidden.rows.clone());
+    let (size, sd) = (told.effects[0].amplitude, 0.123);
+    let held = |amplitude: f64| {
+        let mut data = Data::new("test", hidden.rows.clone(), hidden.campaign.clone()).unwrap();
+        data.hold(EffectId::ForceBias, amplitude, sd);
+        assert_eq!(diagnose(&data, &surface).unwrap().effects[0].amplitude, size);
+        data.decide(&[EffectId::ForceBias], &[]);
+        data.hold(EffectId::ForceBias, amplitude, sd);
+        let found = diagnose(&data, &surface).unwrap();
+        assert!((found.effects[0].amplitude / amplitude - 1.0).abs() < 1e-4 && found.effects[0].amplitude_sd == sd);
+        found.model_file(&data, "chen", &[], String::new()).soil.phi_deg.value
+    };
+    let phi_deg = [0.7, 1.0, 1.3].map(|part| held(part * size));
+    let weaker = size.signum();
+    assert!(phi_deg.windows(2).all(|pair| weaker * (pair[0] - pair[1]) > 0.05), "{size} {phi_deg:?}");
+}
+
 /// Readings are likelier beside what is expected of them with the effect that is there than without it.
 #[test]
 fn the_truth_has_more_evidence_than_nothing() {
