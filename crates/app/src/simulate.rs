@@ -78,6 +78,7 @@ pub fn run(request: &Request, watch: &dyn Watch) -> Result<Answer, AppError> {
         seed: request.seed.unwrap_or(plan.file().seed),
         threads: request.threads.map_or_else(cores, |threads| threads as usize),
         content: Content::Whole,
+        only: None,
     };
     let model_file = model_file.as_ref().map(|(file, name)| (file, name.as_str()));
     campaign(&plan, model_file, &options, watch)
@@ -94,7 +95,8 @@ pub fn campaign(
     watch: &dyn Watch,
 ) -> Result<Answer, AppError> {
     let stop = watch.stop(Interrupted::KeepsResults);
-    let strokes = plan.strokes().strokes().len();
+    let run = (0..plan.batches()).filter(|batch| options.runs(*batch));
+    let strokes = run.map(|batch| plan.strokes_of(batch).len()).sum::<usize>();
     watch.begin(strokes as u64, "strokes");
     let report = simulate(plan, model_file, options, &stop, &|notice| match notice {
         Notice::Stroke { .. } => watch.advance(1),

@@ -83,6 +83,23 @@ impl Watch for OneOfMany<'_> {
     }
 }
 
+/// Whoever watches a piece of work that is made of many, all of which are counted: nothing is heard of it, and it can be stopped.
+pub(crate) struct Silent<'a>(pub(crate) &'a dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn stop(&self, interrupted: Interrupted) -> Arc<AtomicBool> {
+        self.0.stop(interrupted)
+    }
+
+    fn begin(&self, _: u64, _: &str) {}
+
+    fn advance(&self, _: u64) {}
+
+    fn end(&self) {}
+
+    fn note(&self, _: &str) {}
+}
+
 /// Nobody watches: notes are dropped, and nothing is ever stopped.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unwatched;

@@ -24,7 +24,7 @@ strokes = [
 fn batch() -> u64 {
     let folder = tempfile::tempdir().unwrap();
     let plan = Plan::from_toml(PLAN, "plan", Path::new("")).unwrap();
-    let options = Options { out: folder.path(), seed: 1, threads: 1, content: Content::Whole };
+    let options = Options { out: folder.path(), seed: 1, threads: 1, content: Content::Whole, only: None };
     let report = simulate(&plan, None, &options, &AtomicBool::new(false), &|_| {}).unwrap();
     report.batches.iter().map(|batch| batch.steps).sum()
 }

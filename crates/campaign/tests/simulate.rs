@@ -27,7 +27,7 @@ fn plan() -> Plan {
 }
 
 fn run(out: &Path, seed: u64, threads: usize) -> Result<Report, CampaignError> {
-    let options = Options { out, seed, threads, content: Content::Whole };
+    let options = Options { out, seed, threads, content: Content::Whole, only: None };
     simulate(&plan(), None, &options, &AtomicBool::new(false), &|_| {})
 }
 
@@ -56,12 +56,17 @@ fn the_same_bytes_however_it_is_run() {
         expected.keys().collect::<Vec<_>>(),
         ["batch_000.mcap", "batch_001.mcap", "campaign.json", "simulation.json"]
     );
-    assert_eq!(run(two.path(), 3, 2).unwrap(), report);
+    // A batch alone is that of the whole campaign, which then takes it over.
+    let alone = Options { out: two.path(), seed: 3, threads: 2, content: Content::Whole, only: Some(&[1]) };
+    let second = simulate(&plan(), None, &alone, &AtomicBool::new(false), &|_| {}).unwrap();
+    assert!(second.complete && second.batches[..] == report.batches[1..]);
+    assert!(files(two.path())["batch_001.mcap"] == expected["batch_001.mcap"]);
+    assert_eq!(run(two.path(), 3, 2).unwrap(), Report { resumed: 1, ..report.clone() });
     assert!(files(two.path()) == expected);
 
     let (stop, options) = (
         AtomicBool::new(false),
-        Options { out: resumed.path(), seed: 3, threads: 1, content: Content::Whole },
+        Options { out: resumed.path(), seed: 3, threads: 1, content: Content::Whole, only: None },
     );
     let first = simulate(&plan(), None, &options, &stop, &|notice| {
         if matches!(notice, Notice::Finished { .. }) {
@@ -113,7 +118,7 @@ fn essence(log: &Path) -> (Vec<String>, Vec<String>) {
 fn a_log_of_steps_is_the_whole_one_without_what_follows() {
     let (whole, steps) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     run(whole.path(), 3, 2).unwrap();
-    let options = Options { out: steps.path(), seed: 3, threads: 2, content: Content::Steps };
+    let options = Options { out: steps.path(), seed: 3, threads: 2, content: Content::Steps, only: None };
     let report = simulate(&plan(), None, &options, &AtomicBool::new(false), &|_| {}).unwrap();
     let sizes = |dir: &Path| files(dir).values().map(Vec::len).sum::<usize>();
     assert!(
@@ -156,7 +161,7 @@ fn effect(id: &str, parameter: &str, value: f64) -> String {
 fn an_effect_that_the_plant_cannot_show_is_named() {
     let dir = tempfile::tempdir().unwrap();
     let file = patch(&effect("rate_effect", "n", 0.05));
-    let options = Options { out: dir.path(), seed: 1, threads: 1, content: Content::Whole };
+    let options = Options { out: dir.path(), seed: 1, threads: 1, content: Content::Whole, only: None };
     let error = simulate(&plan(), Some((&file, "patch.json")), &options, &AtomicBool::new(true), &|_| {});
     let message = error.unwrap_err().to_string();
     assert!(message.starts_with("patch.json: the effect `rate_effect` cannot be simulated: "), "{message}");

@@ -351,16 +351,21 @@ impl Data {
     /// effects, or, if it `shows_known`, with those of [`Data::know`]. Where a stroke is missing there, the mean at its tool angle
     /// and radius stands for it, or else at its tool angle. `delta_offset_deg` is the interface friction there minus the set-point, in deg.
     pub fn expect(&mut self, simulated: &Self, shows_known: bool, delta_offset_deg: f64) {
+        self.expect_of(&vec![true; self.len()], simulated, shows_known, delta_offset_deg);
+    }
+
+    /// The same where the arm was asked for some of the strokes only: others take no part.
+    pub fn expect_of(&mut self, asked: &[bool], simulated: &Self, shows_known: bool, delta_offset_deg: f64) {
         self.expected_shows_known = shows_known;
         self.expected_delta_offset_deg = delta_offset_deg;
         let places: Vec<Option<usize>> = self.rows.iter().map(|row| simulated.place_of(row)).collect();
         // Of a kind that is on the brink of sinking, strokes that do not sink go their own way, too.
         let brink = |i: usize| {
-            let kind = self.kind(i);
+            let kind: Vec<usize> = self.kind(i).into_iter().filter(|j| asked[*j]).collect();
             let sink = kind.iter().filter(|j| places[**j].is_none()).count();
             sink as f64 > BRINK * kind.len() as f64
         };
-        self.made = (0..self.rows.len()).map(|i| places[i].is_some() && !brink(i)).collect();
+        self.made = (0..self.rows.len()).map(|i| asked[i] && places[i].is_some() && !brink(i)).collect();
         let all = |cells: &[Option<f64>]| -> Option<Vec<f64>> {
             let mean = |is_like: &dyn Fn(&StrokeRow) -> bool| {
                 let of = cells.iter().zip(&simulated.rows).filter(|(_, row)| is_like(row));

@@ -5,13 +5,13 @@ use soilctl_effects::{Active, EffectId, EmpiricalTerm};
 use crate::DiagnosisError;
 use crate::data::{Data, Readings};
 use crate::explanation::Explanation;
-use crate::gap::{Comparison, compare};
+use crate::gap::{Comparison, FittedSoil, compare, soil_beside};
 use crate::localise::{Where, localise};
 use crate::next::{Found, NextExperiment, next};
-use crate::search::Search;
+use crate::search::{Scored, Search};
 use crate::settle::settled;
 use crate::setup::FitSetup;
-use crate::spec::Spec;
+use crate::spec::{Choice, Spec};
 use crate::surface::Surface;
 use crate::term::term;
 use crate::testability::{Expected, LEAST_LAMBDA, expected};
@@ -84,17 +84,9 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
     let mut spec = Spec::default();
     if let (Status::Named | Status::Ambiguous | Status::Provisional, Some(best)) = (status, &verdict.best) {
         spec = best.spec.clone();
-        for ((choice, (amplitude, sd)), factor) in
-            best.spec.choices.iter().zip(&best.fit.amplitudes).zip(&verdict.factors)
-        {
-            let held = data.held(choice.effect.id).map(|(_, sd)| sd);
-            effects.push(FoundEffect {
-                id: choice.effect.id,
-                amplitude: *amplitude,
-                amplitude_sd: held.unwrap_or_else(|| sd.hypot(FORM_ERROR * amplitude)),
-                shape: choice.shape,
-                log_bayes_factor: *factor,
-            });
+        effects = effects_of(data, best);
+        for (effect, factor) in effects.iter_mut().zip(&verdict.factors) {
+            effect.log_bayes_factor = *factor;
         }
     }
     let shape = verdict.instead_of_effects.as_ref().filter(|_| status == Status::Unknown);
@@ -151,6 +143,54 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
         next,
         scatter: search.baseline.scatter,
     })
+}
+
+/// Effects of a set, all with the ln Bayes factor of the whole set.
+fn effects_of(data: &Data, set: &Scored) -> Vec<FoundEffect> {
+    let found = set.spec.choices.iter().zip(&set.fit.amplitudes);
+    let effect = |(choice, (amplitude, sd)): (&Choice, &(f64, f64))| {
+        let held = data.held(choice.effect.id).map(|(_, sd)| sd);
+        FoundEffect {
+            id: choice.effect.id,
+            amplitude: *amplitude,
+            amplitude_sd: held.unwrap_or_else(|| sd.hypot(FORM_ERROR * amplitude)),
+            shape: choice.shape,
+            log_bayes_factor: set.log_bayes,
+        }
+    };
+    found.map(effect).collect()
+}
+
+/// Effects with their sizes, and the soil beside them.
+#[derive(Debug, Clone)]
+pub struct Fitted {
+    /// The effects; none if strokes speak against one of them.
+    pub effects: Vec<FoundEffect>,
+    /// The soil.
+    pub soil: FittedSoil,
+}
+
+/// Sizes and soil that strokes tell of a set that was decided for ([`Data::decide`]), or the soil without effects if it is empty or none was: what
+/// [`diagnose`] says of them, without weighing whether they are there.
+///
+/// # Errors
+/// As [`diagnose`].
+pub fn fitted(data: &Data, surface: &Surface) -> Result<Fitted, DiagnosisError> {
+    let data = &settled(data, surface)?;
+    let first = FitSetup::new(data, surface, data.phi.mean);
+    let phi_deg = Search::new(&first)?.baseline.soil[0];
+    let setup = FitSetup::new(data, surface, phi_deg);
+    let search = Search::new(&setup)?;
+    let set = data.decided.as_ref().and_then(|decided| search.together(&decided.best));
+    let effects = set.as_ref().map(|set| effects_of(data, set)).unwrap_or_default();
+    let spec = set.map(|set| set.spec).unwrap_or_default();
+    let amplitudes: Vec<f64> = effects.iter().map(|effect| effect.amplitude).collect();
+    let soil = soil_beside(&setup, &spec, &amplitudes).ok_or_else(|| DiagnosisError::NoFit {
+        file: data.name.clone(),
+        model: "the force model".into(),
+        problem: "no soil was found beside the effects".into(),
+    })?;
+    Ok(Fitted { effects, soil })
 }
 
 /// ln of the probability of forces and columns, with what is known and nothing else: to be compared between what is expected of the same

@@ -76,16 +76,8 @@ pub struct Comparison {
 pub(crate) fn compare(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<Comparison> {
     let setup = full.without_model_error();
     let core = setup.core();
+    let OnForces { forces, kept, channels } = OnForces::of(&setup, spec, amplitudes);
     let all = everything(&setup);
-    let forces = Spec {
-        choices: spec.choices.iter().filter(|choice| choice.effect.acts_on_force()).copied().collect(),
-        generic: spec.generic.clone(),
-        ..Spec::default()
-    };
-    let fixed = spec.choices.iter().zip(amplitudes).filter(|(choice, _)| choice.effect.acts_on_force());
-    let kept = Spec { fixed: fixed.map(|(_, a)| *a).collect(), ..forces.clone() };
-    let mut channels = forces.touched(setup.data);
-    channels.extend(&core);
     let before = fit(&setup, &Spec::default(), &core, true, &all)?;
     let after = fit(&setup, &kept, &channels, true, &all)?;
     let columns = Columns::new(&setup, spec);
@@ -148,6 +140,37 @@ pub(crate) fn compare(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> O
         stroke_sd,
         parts,
     })
+}
+
+/// The soil beside a set of effects (amplitudes fixed), as [`compare`] has it. `None` if the fit fails.
+pub(crate) fn soil_beside(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<FittedSoil> {
+    let setup = full.without_model_error();
+    let OnForces { kept, channels, .. } = OnForces::of(&setup, spec, amplitudes);
+    Some(soil(&setup, &fit(&setup, &kept, &channels, true, &everything(&setup))?))
+}
+
+/// What of a set of effects acts on forces.
+struct OnForces {
+    forces: Spec,
+    /// The same with amplitudes that stay as they are.
+    kept: Spec,
+    /// Columns that a fit of the forces with them has.
+    channels: BTreeSet<Channel>,
+}
+
+impl OnForces {
+    fn of(setup: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> Self {
+        let forces = Spec {
+            choices: spec.choices.iter().filter(|choice| choice.effect.acts_on_force()).copied().collect(),
+            generic: spec.generic.clone(),
+            ..Spec::default()
+        };
+        let fixed = spec.choices.iter().zip(amplitudes).filter(|(choice, _)| choice.effect.acts_on_force());
+        let kept = Spec { fixed: fixed.map(|(_, a)| *a).collect(), ..forces.clone() };
+        let mut channels = forces.touched(setup.data);
+        channels.extend(&setup.core());
+        Self { forces, kept, channels }
+    }
 }
 
 fn soil(setup: &FitSetup<'_>, fit: &Fit) -> FittedSoil {

@@ -16,6 +16,7 @@ mod localise;
 mod next;
 mod parts;
 mod patch;
+mod sample;
 mod search;
 pub mod self_test;
 mod settle;
@@ -32,7 +33,7 @@ mod unsteadiness;
 mod verdict;
 
 pub use data::{Data, Prior, Readings};
-pub use diagnosis::{Diagnosis, FoundEffect, diagnose, log_evidence};
+pub use diagnosis::{Diagnosis, Fitted, FoundEffect, diagnose, fitted, log_evidence};
 pub use error::DiagnosisError;
 pub use explanation::{Dependence, Explanation};
 pub use gap::{Comparison, FittedSoil, Gap};

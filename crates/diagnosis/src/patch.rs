@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use soilctl_effects::{EffectEntry, FILE_SCHEMA, HeldOut, ModelFile, ParameterValue, SoilEntry};
 
-use crate::{Comparison, Data, Diagnosis, FoundEffect};
+use crate::{Comparison, Data, Diagnosis, Fitted, FittedSoil, FoundEffect};
 
 fn value(value: f64, sd: f64, unit: &str) -> ParameterValue {
     ParameterValue { value, sd, unit: unit.into() }
@@ -51,27 +51,51 @@ impl Diagnosis {
         known: &[EffectEntry],
         data_hash: String,
     ) -> ModelFile {
-        let soil = &self.comparison.soil_after;
-        let set = data.delta_set_deg(0);
-        let mean = data.reference.delta_set_deg.unwrap_or(set);
+        let file = file(data, model, known, (&self.comparison.soil_after, &self.effects));
         ModelFile {
-            schema: FILE_SCHEMA.into(),
-            model: model.to_owned(),
             status: self.status.name().into(),
-            soil: SoilEntry {
-                phi_deg: value(soil.phi_deg, soil.phi_sd_deg, "deg"),
-                delta_deg: value((mean + soil.delta_offset_deg).max(0.0), soil.delta_offset_sd_deg, "deg"),
-                delta_offset_deg: value(soil.delta_offset_deg, soil.delta_offset_sd_deg, "deg"),
-                density_kg_m3: value(soil.density_kg_m3, soil.density_sd_kg_m3, "kg/m3"),
-                gravity_m_s2: data.gravity_m_s2,
-            },
-            effects: known.iter().cloned().chain(self.effects.iter().map(FoundEffect::entry)).collect(),
             empirical: data.known_terms.iter().chain(&self.terms).cloned().collect(),
             equivalence_set: self.equivalence_set.iter().map(ToString::to_string).collect(),
-            reference: data.reference.clone(),
             data_hash,
             held_out: self.comparison.held_out(),
+            ..file
         }
+    }
+}
+
+impl Fitted {
+    /// The model file of effects that nothing was said of: force model, effects and empirical terms that are known, then these.
+    #[must_use]
+    pub fn model_file(&self, data: &Data, model: &str, known: &[EffectEntry]) -> ModelFile {
+        file(data, model, known, (&self.soil, &self.effects))
+    }
+}
+
+/// What is known, a soil and effects.
+fn file(
+    data: &Data,
+    model: &str,
+    known: &[EffectEntry],
+    (soil, effects): (&FittedSoil, &[FoundEffect]),
+) -> ModelFile {
+    let mean = data.reference.delta_set_deg.unwrap_or_else(|| data.delta_set_deg(0));
+    ModelFile {
+        schema: FILE_SCHEMA.into(),
+        model: model.to_owned(),
+        status: "hand".into(),
+        soil: SoilEntry {
+            phi_deg: value(soil.phi_deg, soil.phi_sd_deg, "deg"),
+            delta_deg: value((mean + soil.delta_offset_deg).max(0.0), soil.delta_offset_sd_deg, "deg"),
+            delta_offset_deg: value(soil.delta_offset_deg, soil.delta_offset_sd_deg, "deg"),
+            density_kg_m3: value(soil.density_kg_m3, soil.density_sd_kg_m3, "kg/m3"),
+            gravity_m_s2: data.gravity_m_s2,
+        },
+        effects: known.iter().cloned().chain(effects.iter().map(FoundEffect::entry)).collect(),
+        empirical: data.known_terms.clone(),
+        equivalence_set: Vec::new(),
+        reference: data.reference.clone(),
+        data_hash: String::new(),
+        held_out: None,
     }
 }
 

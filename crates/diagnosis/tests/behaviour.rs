@@ -73,7 +73,10 @@ fn the_soil_is_told_beside_a_size_that_is_held() {
         data.decide(&[EffectId::ForceBias], &[]);
         data.hold(EffectId::ForceBias, amplitude, sd);
         let found = diagnose(&data, &surface).unwrap();
-        assert!((found.effects[0].amplitude / amplitude - 1.0).abs() < 1e-4 && found.effects[0].amplitude_sd == sd);
+        assert!(
+            (found.effects[0].amplitude / amplitude - 1.0).abs() < 1e-4
+                && found.effects[0].amplitude_sd == sd
+        );
         found.model_file(&data, "chen", &[], String::new()).soil.phi_deg.value
     };
     let phi_deg = [0.7, 1.0, 1.3].map(|part| held(part * size));

@@ -44,7 +44,7 @@ fn strokes_with(log: &Path, settings: &LogSettings) -> usize {
 fn main() {
     let folder = tempfile::tempdir().unwrap();
     let plan = Plan::from_toml(PLAN, "plan", Path::new("")).unwrap();
-    let options = Options { out: folder.path(), seed: 1, threads: 1, content: Content::Whole };
+    let options = Options { out: folder.path(), seed: 1, threads: 1, content: Content::Whole, only: None };
     simulate(&plan, None, &options, &AtomicBool::new(false), &|_| {}).unwrap();
     let zstd = folder.path().join("batch_000.mcap");
     let plain = folder.path().join("plain.mcap");

@@ -7,11 +7,13 @@
 use std::collections::BTreeSet;
 
 use soilctl_campaign::CampaignError;
-use soilctl_diagnosis::{Data, Diagnosis, Explanation, FoundEffect, Readings, Status, THRESHOLD, TURN_ALIKE};
+use soilctl_diagnosis::{
+    Data, Diagnosis, Explanation, Fitted, FoundEffect, Readings, Status, THRESHOLD, TURN_ALIKE,
+};
 use soilctl_effects::{EffectId, Loaded};
 
 use super::Against;
-use super::resimulated::{Again, expect_scene, model_file};
+use super::resimulated::{Again, expect_scene};
 use crate::AppError;
 use crate::text::measured;
 
@@ -21,17 +23,45 @@ const AS_LIKELY: (f64, f64) = (5.0, 0.1);
 /// What the noise of the arm without effects may make of ln evidence, one way or the other: that of one campaign had a standard deviation of 8 over
 /// three seeds. Empirical.
 const CHANCE: f64 = 10.0;
-/// Most effects that are simulated alone, and the part of the best one's ln Bayes factor that one must have alone to be tried.
+/// Most effects that are simulated alone, the part of the best one's ln Bayes factor that one must have alone to be tried, and to be tried at
+/// several sizes, unless it was found.
 const MOST: usize = 5;
 const LEAST_SHARE: f64 = 0.2;
+const LEAST_SHARE_OF_SIZES: f64 = 0.5;
 
 /// ln evidence of data, of these readings of theirs.
 type LogEvidence<'a> = &'a dyn Fn(&Data, &Readings) -> Result<f64, AppError>;
 
-/// How data are weighed: the diagnosis, and ln of the probability of forces and columns with what is known and nothing else.
+/// How data are weighed: the diagnosis, sizes and soil of a set that was decided for, and ln of the probability of forces and columns with what is
+/// known and nothing else.
 pub(super) struct Weights<'a> {
     pub(super) diagnosis: &'a dyn Fn(&Data) -> Result<Diagnosis, AppError>,
+    pub(super) fitted: &'a dyn Fn(&Data) -> Result<Fitted, AppError>,
     pub(super) log_evidence: LogEvidence<'a>,
+}
+
+/// Strokes by which contenders are weighed: whole batches with so many or a few more, since each contender is simulated. Empirical: contests
+/// of campaigns of 24 strokes decide.
+const STROKES: usize = 24;
+
+/// The part of a campaign by which contenders are weighed.
+struct Part {
+    /// Its batches; all if `None`.
+    batches: Option<Vec<usize>>,
+    strokes: Vec<bool>,
+}
+
+impl Part {
+    fn of(data: &Data) -> Self {
+        let batches = data.sample(STROKES);
+        let strokes = batches.as_ref().map_or_else(|| vec![true; data.len()], |of| data.of_batches(of));
+        Self { batches, strokes }
+    }
+
+    /// Whether less than half of its strokes takes part.
+    fn is_little(&self, strokes: &[bool]) -> bool {
+        2 * taking_part(strokes) < taking_part(&self.strokes)
+    }
 }
 
 /// A set of effects, and the readings beside the simulated arm that has them.
@@ -44,8 +74,9 @@ struct Contender {
     beside: Data,
     /// Whether strokes of a kind go different ways there.
     jumps: bool,
-    /// ln evidence of what all contenders expect, over that of the better arm without effects.
+    /// ln evidence of what all contenders expect, over that of the better arm without effects, once it is weighed.
     adds: f64,
+    is_weighed: bool,
 }
 
 /// A set of effects that is to be simulated.
@@ -114,30 +145,34 @@ impl Again<'_> {
             return Ok(());
         }
         let in_question = in_question(diagnosis);
+        let part = Part::of(data);
         self.watch.note(&format!(
-            "{} effects come into question: the {} strokes once more on the simulated arm with each of them, and with what was found beside the best",
-            in_question.len(),
-            self.plan.strokes().strokes().len()
+            "{} come into question: {} of the {} strokes once more on the simulated arm with each of them, and with what was found beside the best",
+            in_question.iter().map(|id| id.name()).collect::<Vec<_>>().join(", "),
+            taking_part(&part.strokes),
+            data.len()
         ));
-        let plain = self.refitted(against, data, weights)?;
+        let plain = self.refitted(against, data, &part, weights)?;
         let base = plain.first();
         let mut contenders = Vec::new();
         // What the simulated arm has no say about stays as likely as it was found to be.
         let mut untried = Vec::new();
         for id in in_question {
-            match self.contender(against, data, &Set::of(&[id]), weights, base)? {
+            match self.contender(against, data, &part, &Set::of(&[id]), weights, base)? {
                 Tried::Weighed(contender) => {
                     // Where an effect that passes the controller makes strokes go another way, one size of it says little of another.
                     let is_uneven = contender.jumps && id.effect().site.passes_the_controller();
-                    let further = if is_uneven { &[-1.0, 1.0][..] } else { &[] };
+                    let is_wanted =
+                        found.contains(&id) || has_alone(&diagnosis.alone, id, LEAST_SHARE_OF_SIZES);
+                    let further = if is_uneven && is_wanted { &[-1.0, 1.0][..] } else { &[] };
                     contenders.push(*contender);
                     for off in further {
                         let set = Set { off: *off, ..Set::of(&[id]) };
                         if let Tried::Weighed(other) =
-                            self.contender(against, data, &set, weights, base)?
+                            self.contender(against, data, &part, &set, weights, base)?
                         {
                             contenders.push(*other);
-                            if shared(&plain, &contenders).is_none() {
+                            if shared(&plain, &contenders, &part).is_none() {
                                 contenders.pop();
                             }
                         }
@@ -155,7 +190,8 @@ impl Again<'_> {
         untried.retain(|id| {
             TURN_ALIKE.contains(id) || in_set.contains(id) && is_likely_alone(&diagnosis.alone, *id)
         });
-        if !rank(&plain, &mut contenders, weights)? {
+        let mut ranked = None;
+        if !rank(&plain, &mut contenders, &part, weights, &mut ranked)? {
             self.doubt(diagnosis, SINKS);
             return Ok(());
         }
@@ -171,16 +207,16 @@ impl Again<'_> {
             sets.push(Set::of(&found));
         }
         for set in sets {
-            let Tried::Weighed(further) = self.contender(against, data, &set, weights, base)? else {
+            let Tried::Weighed(further) = self.contender(against, data, &part, &set, weights, base)? else {
                 continue;
             };
             contenders.push(*further);
             // A set whose arm leaves too few strokes to weigh it with the others is not one of them.
-            if shared(&plain, &contenders).is_none() {
+            if shared(&plain, &contenders, &part).is_none() {
                 contenders.pop();
             }
         }
-        rank(&plain, &mut contenders, weights)?;
+        rank(&plain, &mut contenders, &part, weights, &mut ranked)?;
         // Of one set at several sizes the best counts.
         let mut seen: Vec<Vec<EffectId>> = Vec::new();
         contenders.retain(|of| {
@@ -224,8 +260,14 @@ impl Again<'_> {
 
     /// The campaign beside the arms without effects: one with the soil that all signals ask for, unless too many strokes sink there, and the one that it
     /// was compared with. The first of them is what all others are compared with.
-    fn refitted(&self, against: &Against, data: &Data, weights: &Weights<'_>) -> Result<Vec<Data>, AppError> {
-        let refitted = match self.contender(against, data, &Set::of(&[]), weights, None)? {
+    fn refitted(
+        &self,
+        against: &Against,
+        data: &Data,
+        part: &Part,
+        weights: &Weights<'_>,
+    ) -> Result<Vec<Data>, AppError> {
+        let refitted = match self.contender(against, data, part, &Set::of(&[]), weights, None)? {
             Tried::Weighed(without) => without.beside,
             Tried::Sinks | Tried::NotShown => return Ok(vec![data.clone()]),
         };
@@ -248,6 +290,7 @@ impl Again<'_> {
         &self,
         against: &Against,
         data: &Data,
+        part: &Part,
         Set { ids, held, off }: &Set,
         weights: &Weights<'_>,
         base: Option<&Data>,
@@ -255,7 +298,7 @@ impl Again<'_> {
         let mut alone = data.clone();
         alone.decide(ids, &[]);
         hold(&mut alone, held);
-        let mut fitted = (weights.diagnosis)(&alone)?;
+        let mut fitted = (weights.fitted)(&alone)?;
         if fitted.effects.len() == ids.len() && *off != 0.0 {
             // With the soil that strokes ask for beside that size.
             for of in &mut fitted.effects {
@@ -265,15 +308,13 @@ impl Again<'_> {
                 }
             }
             hold(&mut alone, &fitted.effects);
-            fitted = (weights.diagnosis)(&alone)?;
+            fitted = (weights.fitted)(&alone)?;
         }
         if fitted.effects.len() != ids.len() {
             return Ok(Tried::NotShown);
         }
-        // A shape without a name is no part of a set of effects.
-        fitted.terms.clear();
-        let file = model_file(against, data, &fitted);
-        let simulated = match self.simulate(&file, &data.campaign) {
+        let file = fitted.model_file(data, &against.model, against.known());
+        let simulated = match self.simulate(&file, &data.campaign, part.batches.as_deref()) {
             Err(AppError::Campaign(CampaignError::Effect { .. } | CampaignError::Term { .. })) => {
                 return Ok(Tried::NotShown);
             }
@@ -284,14 +325,14 @@ impl Again<'_> {
         let model = Loaded::new(file, "the simulated soil")?;
         let mut beside = data.clone();
         beside.know(&model);
-        beside.expect(&simulated.data, true, offset_deg);
+        beside.expect_of(&part.strokes, &simulated.data, true, offset_deg);
         expect_scene(&mut beside, &simulated.data, &model);
         let jumps = base.is_some_and(|base| beside.expect_as(base));
         let strokes = beside.readings().strokes;
-        if are_few(&strokes) {
+        if part.is_little(&strokes) {
             self.watch.note(&format!(
                 "of {} strokes, {} fail the soil of {} and are of a kind that is not on the brink: too few to be weighed",
-                strokes.len(),
+                taking_part(&part.strokes),
                 taking_part(&strokes),
                 arm(&fitted.effects)
             ));
@@ -304,42 +345,54 @@ impl Again<'_> {
             beside,
             jumps,
             adds: 0.0,
+            is_weighed: false,
         })))
     }
 }
 
 /// The readings of which all contenders, and the arms without effects, say what to expect; `None` if too few strokes are left. Strokes on the brink may
 /// fail the soil on one arm and sink on the other: that says little of either.
-fn shared(plain: &[Data], contenders: &[Contender]) -> Option<Readings> {
+fn shared(plain: &[Data], contenders: &[Contender], part: &Part) -> Option<Readings> {
     let all = plain.iter().chain(contenders.iter().map(|of| &of.beside)).map(Data::readings);
     let shared = all.reduce(|mut shared, of| {
         shared.keep(&of);
         shared
     })?;
-    (!are_few(&shared.strokes)).then_some(shared)
+    (!part.is_little(&shared.strokes)).then_some(shared)
 }
 
 /// Weighs the readings that all contenders share, most evidence first; `false` if these are too few, and then nothing is weighed.
-fn rank(plain: &[Data], contenders: &mut [Contender], weights: &Weights<'_>) -> Result<bool, AppError> {
-    let Some(shared) = shared(plain, contenders) else { return Ok(false) };
-    let mut without = f64::NEG_INFINITY;
-    for of in plain {
-        without = without.max((weights.log_evidence)(of, &shared)?);
+/// `before` is what a ranking before this one weighed and ln evidence of the better arm without effects, which stay as they are where it
+/// is the same readings.
+fn rank(
+    plain: &[Data],
+    contenders: &mut [Contender],
+    part: &Part,
+    weights: &Weights<'_>,
+    before: &mut Option<(Readings, f64)>,
+) -> Result<bool, AppError> {
+    let Some(shared) = shared(plain, contenders, part) else { return Ok(false) };
+    let without = match before {
+        Some((readings, without)) if *readings == shared => *without,
+        _ => {
+            let mut most = f64::NEG_INFINITY;
+            for of in plain {
+                most = most.max((weights.log_evidence)(of, &shared)?);
+            }
+            contenders.iter_mut().for_each(|of| of.is_weighed = false);
+            most
+        }
+    };
+    for of in contenders.iter_mut().filter(|of| !of.is_weighed) {
+        (of.adds, of.is_weighed) = ((weights.log_evidence)(&of.beside, &shared)? - without, true);
     }
-    for of in contenders.iter_mut() {
-        of.adds = (weights.log_evidence)(&of.beside, &shared)? - without;
-    }
+    *before = Some((shared, without));
     contenders.sort_by(|a, b| b.adds.total_cmp(&a.adds));
     Ok(true)
 }
 
 fn taking_part(strokes: &[bool]) -> usize {
     strokes.iter().filter(|takes_part| **takes_part).count()
-}
-
-/// Whether less than half of the strokes takes part.
-fn are_few(strokes: &[bool]) -> bool {
-    2 * taking_part(strokes) < strokes.len()
 }
 
 /// What comes of a contest.
@@ -412,15 +465,22 @@ fn is_likely_alone(alone: &[(EffectId, f64)], id: EffectId) -> bool {
     alone.iter().any(|(of, log_bayes)| *of == id && *log_bayes > most - behind)
 }
 
+/// Whether an effect alone has more than this part of the ln Bayes factor of the best one.
+fn has_alone(alone: &[(EffectId, f64)], id: EffectId, share: f64) -> bool {
+    let most = alone.first().map_or(0.0, |(_, log_bayes)| *log_bayes);
+    alone.iter().any(|(of, log_bayes)| *of == id && *log_bayes > share * most.max(0.0))
+}
+
 /// Effects that may be what is missing: what was found, what is not told apart from it, and the likeliest alone. Of two that turn the slip alike, each
 /// brings the other.
 fn in_question(diagnosis: &Diagnosis) -> Vec<EffectId> {
     let found = diagnosis.effects.iter().map(|found| found.id);
-    let most = diagnosis.alone.first().map_or(0.0, |(_, log_bayes)| *log_bayes);
-    let likely = |(_, log_bayes): &&(EffectId, f64)| *log_bayes > LEAST_SHARE * most.max(0.0);
-    let alone = diagnosis.alone.iter().filter(likely).map(|(id, _)| *id);
+    let likely = |id: &EffectId| has_alone(&diagnosis.alone, *id, LEAST_SHARE);
+    let alone = diagnosis.alone.iter().map(|(id, _)| *id).filter(likely);
+    // What a set of several leaves open is which is beside the first of them, not what may be there alone.
+    let in_set = in_set(diagnosis).filter(|id| diagnosis.effects.len() < 2 || likely(id));
     let mut ids = Vec::new();
-    for id in found.chain(in_set(diagnosis)).chain(alone) {
+    for id in found.chain(in_set).chain(alone) {
         if !ids.contains(&id) && ids.len() < MOST {
             ids.push(id);
         }
@@ -465,7 +525,15 @@ mod tests {
     }
 
     fn contender(ids: &[EffectId], adds: f64, beside: Data) -> Contender {
-        Contender { ids: ids.to_vec(), effects: Vec::new(), is_off: false, beside, jumps: false, adds }
+        Contender {
+            ids: ids.to_vec(),
+            effects: Vec::new(),
+            is_off: false,
+            beside,
+            jumps: false,
+            adds,
+            is_weighed: false,
+        }
     }
 
     /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.
@@ -485,8 +553,13 @@ mod tests {
             Ok(data.readings().columns.intersection(&of.columns).count() as f64)
         };
         let diagnosis = |_: &Data| unreachable!("nothing is diagnosed by a ranking");
-        rank(&plain, &mut contenders, &Weights { diagnosis: &diagnosis, log_evidence: &log_evidence })
-            .unwrap();
+        let part = Part::of(&plain[0]);
+        let fitted = |_: &Data| unreachable!("nothing is fitted by a ranking");
+        let weights = Weights { diagnosis: &diagnosis, fitted: &fitted, log_evidence: &log_evidence };
+        let mut ranked = None;
+        for _ in 0..2 {
+            rank(&plain, &mut contenders, &part, &weights, &mut ranked).unwrap();
+        }
         let asked = asked.into_inner();
         // With a stroke that sinks its whole kind is left out.
         let shared = Readings { columns: [Channel::ZDrift].into(), strokes: vec![true, true, false, false] };
@@ -494,7 +567,7 @@ mod tests {
         assert!(contenders.iter().all(|of| of.adds.abs() < 1e-12));
         // One on which the other kind sinks leaves nothing to weigh them all by.
         contenders.push(contender(&[EffectId::ForceDrift], 0.0, beside(Some(1e-3), Some(0.2), "a")));
-        assert!(super::shared(&plain, &contenders).is_none());
+        assert!(super::shared(&plain, &contenders, &part).is_none());
     }
 
     /// Beside a bias of the sensor that explains nearly everything, what may stand for a small second effect is no rival of the bias.

@@ -8,7 +8,6 @@ use soilctl_jobs::fnv1a;
 use soilctl_strokes::{ReadOptions, StrokeTable};
 
 use crate::files::failed;
-use crate::machine::cores;
 use crate::{AppError, Watch, process, simulate};
 
 /// Strokes of a simulated campaign.
@@ -18,26 +17,28 @@ pub(super) struct Kept {
     pub(super) traces: PathBuf,
 }
 
-/// The campaign of a plan with the soil and the effects of a model file, as `process` reads its logs: from the folder below `store` that has it, or
+/// The campaign of a plan, or `only` some of its batches, with the soil and the effects of a model file, as `process` reads its logs: from the folder below `store` that has it, or
 /// simulated there. Logs, some 10 MB a stroke, are removed once the table is written. `None` if no stroke has a failure force, or it was stopped; batches
 /// that are finished then stay.
 pub(super) fn kept(
     plan: &Plan,
     file: &ModelFile,
     seed: u64,
+    only: Option<&[usize]>,
     store: &Path,
-    watch: &dyn Watch,
+    (threads, watch): (usize, &dyn Watch),
 ) -> Result<Option<Kept>, AppError> {
     let text = serde_json::to_string(file)?;
     // Files that the plan names may change under the same name.
     let named = format!("{:?}{:?}", plan.plant().config(), plan.controller());
-    let of = format!("{}\n{}\n{}\n{text}\n{named}", env!("CARGO_PKG_VERSION"), seed, plan.text());
+    let part = only.map_or_else(String::new, |only| format!("\n{only:?}"));
+    let of = format!("{}\n{seed}\n{}\n{text}\n{named}{part}", env!("CARGO_PKG_VERSION"), plan.text());
     let folder = store.join(fnv1a(of.as_bytes()));
     let (strokes, traces) = (folder.join("strokes.csv"), folder.join("traces.csv"));
     // Traces are written last.
     if !(strokes.is_file() && traces.is_file()) {
         let name = folder.display().to_string();
-        let options = Options { out: &folder, seed, threads: cores(), content: Content::Steps };
+        let options = Options { out: &folder, seed, threads, content: Content::Steps, only };
         let made = simulate::campaign(plan, Some((file, name.as_str())), &options, watch)?;
         if !made.complete {
             return Ok(None);

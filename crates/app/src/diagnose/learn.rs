@@ -8,9 +8,12 @@ use std::time::Instant;
 use soilctl_campaign::{CampaignError, Plan, Setting};
 use soilctl_diagnosis::{Data, Learnt, RecordedTraces, Shown, simulated_as};
 use soilctl_effects::{Effect, EffectEntry, EffectId, ModelFile, ParameterValue};
+use soilctl_jobs::each;
 use soilctl_strokes::Campaign;
 
 use super::kept::{Kept, kept};
+use crate::machine::cores;
+use crate::watch::Silent;
 use crate::{AppError, Interrupted, Watch};
 
 /// Noise of the single strokes: the same without and with an effect, so that what differs is the effect.
@@ -88,6 +91,9 @@ impl<'a> Learning<'a> {
             Setting::ALL.len(),
             clock.elapsed().as_secs_f64() * runs as f64 / 60.0
         ));
+        if self.make(&simulated)? == Progress::Stopped {
+            return Ok(Progress::Stopped);
+        }
         // What settings do tells by how much strokes go their own way.
         if self.settings(data, &plain)? == Progress::Stopped {
             return Ok(Progress::Stopped);
@@ -119,6 +125,40 @@ impl<'a> Learning<'a> {
             }
         }
         self.noise(data, &plain)
+    }
+
+    /// Makes all tables that are not there, side by side: single strokes of one table leave cores idle at its end.
+    fn make(&self, effects: &[EffectId]) -> Result<Progress, AppError> {
+        let mut all: Vec<(Plan, ModelFile, u64)> = Vec::new();
+        for setting in Setting::ALL {
+            for factor in [setting.most(), 1.0 / setting.most()] {
+                all.push((self.plan.with_setting(setting, factor)?, self.plain.clone(), SEED));
+            }
+        }
+        for effect in effects.iter().map(|id| id.effect()) {
+            let files = amplitudes(effect).into_iter().map(|amplitude| with(&self.plain, effect, amplitude));
+            all.extend(files.map(|file| (self.plan.clone(), file, SEED)));
+        }
+        all.extend((1..=REPEATS).map(|further| (self.plan.clone(), self.plain.clone(), SEED + further)));
+        let stop = self.watch.stop(Interrupted::KeepsResults);
+        self.watch.begin(all.len() as u64, "times the single strokes");
+        let made = each(
+            &all,
+            cores(),
+            &stop,
+            |(plan, file, seed)| match kept(plan, file, *seed, None, self.store, (1, &Silent(self.watch))) {
+                // Whoever asks for it is told.
+                Err(AppError::Campaign(CampaignError::Effect { .. })) | Ok(_) => Ok(Some(())),
+                Err(problem) => Err(problem),
+            },
+            |_, ()| {
+                self.watch.advance(1);
+                Ok(())
+            },
+        );
+        self.watch.end();
+        made?;
+        Ok(if stop.load(Ordering::Relaxed) { Progress::Stopped } else { Progress::Done })
     }
 
     /// Learns how the readings of a stroke vary together.
@@ -164,7 +204,10 @@ impl<'a> Learning<'a> {
 
     /// The same under a seed of its own.
     fn table_of(&self, plan: &Plan, file: &ModelFile, seed: u64) -> Result<Option<Data>, AppError> {
-        let Some(Kept { strokes, traces }) = kept(plan, file, seed, self.store, self.watch)? else { return Ok(None) };
+        let Some(Kept { strokes, traces }) = kept(plan, file, seed, None, self.store, (cores(), self.watch))?
+        else {
+            return Ok(None);
+        };
         let mut data = Data::new(strokes.name(), strokes.rows().collect(), self.campaign.clone())?;
         let _ = RecordedTraces::read(&traces, &strokes)?.add_to(&mut data);
         data.compare_everything();

@@ -14,6 +14,7 @@ use super::contenders::Weights;
 use super::kept::{Kept, kept};
 use super::learn::{Learning, Progress};
 use super::logs::Resimulation;
+use crate::machine::cores;
 use crate::{AppError, Interrupted, Watch};
 
 /// Noise of the campaign that is simulated again must not be that of the first one.
@@ -118,7 +119,7 @@ impl Again<'_> {
             self.plan.strokes().strokes().len()
         ));
         let before = loop {
-            match self.simulate(&plain, &data.campaign) {
+            match self.simulate(&plain, &data.campaign, None) {
                 // What is known and cannot be simulated is left out there.
                 Err(AppError::Campaign(ref problem @ CampaignError::Effect { effect, .. })) => {
                     self.watch.note(&problem.to_string());
@@ -160,7 +161,7 @@ impl Again<'_> {
             return Ok(None);
         }
         self.watch.note("the same commands on the simulated arm, with what was found");
-        match self.simulate(&model_file(against, data, diagnosis), &data.campaign) {
+        match self.simulate(&model_file(against, data, diagnosis), &data.campaign, None) {
             // An effect or a term that the simulated arm cannot show stays in the answer.
             Err(AppError::Campaign(
                 problem @ (CampaignError::Effect { .. } | CampaignError::Term { .. }),
@@ -172,19 +173,24 @@ impl Again<'_> {
         }
     }
 
-    /// Runs the plan of the log with soil and effects of a model file, or reads what an earlier run left of it. `None` if it was stopped, or no stroke has a failure force.
+    /// Runs the plan of the log, or `only` some of its batches, with soil and effects of a model file, or reads what an earlier run left of it. `None` if it was stopped, or no stroke has a failure force.
     pub(super) fn simulate(
         &self,
         file: &ModelFile,
         campaign: &Campaign,
+        only: Option<&[usize]>,
     ) -> Result<Option<Resimulated>, AppError> {
         // What was thought of the effects changes no stroke.
         let mut file = file.clone();
         "hand".clone_into(&mut file.status);
-        (file.equivalence_set, file.held_out) = (Vec::new(), None);
+        (file.equivalence_set, file.held_out, file.data_hash) = (Vec::new(), None, String::new());
         file.effects.iter_mut().for_each(|effect| effect.log_bayes_factor = 0.0);
         let (seed, store) = (self.seed ^ OTHER_NOISE, self.out.join("resimulated"));
-        let Some(Kept { strokes, traces }) = kept(&self.plan, &file, seed, &store, self.watch)? else { return Ok(None) };
+        let Some(Kept { strokes, traces }) =
+            kept(&self.plan, &file, seed, only, &store, (cores(), self.watch))?
+        else {
+            return Ok(None);
+        };
         let mut data = Data::new(strokes.name(), strokes.rows().collect(), campaign.clone())?;
         data.tare_taken_off();
         let courses = RecordedTraces::read(&traces, &strokes)?.add_to(&mut data).courses;

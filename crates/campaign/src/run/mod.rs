@@ -28,6 +28,16 @@ pub struct Options<'a> {
     pub threads: usize,
     /// Which topics the logs have.
     pub content: Content,
+    /// Batches that are run, by number; all if `None`. Each is as it is in the whole campaign.
+    pub only: Option<&'a [usize]>,
+}
+
+impl Options<'_> {
+    /// Whether a batch is run.
+    #[must_use]
+    pub fn runs(&self, batch: usize) -> bool {
+        self.only.is_none_or(|only| only.contains(&batch))
+    }
 }
 
 /// What goes on, for whoever wants to see it. Notices of different batches come in any order.
@@ -62,7 +72,7 @@ pub struct Report {
     pub batches: Vec<BatchReport>,
     /// Batches that were there already.
     pub resumed: usize,
-    /// Whether all batches of the plan are finished.
+    /// Whether all batches that were asked for are finished.
     pub complete: bool,
 }
 
@@ -105,9 +115,10 @@ pub fn simulate(
     batch::remove_parts(options.out, plan.batches());
     describe::campaign(job.plan).write_beside(&options.out.join("strokes.csv"))?;
     let resumed = journal.finished.len();
-    let todo: Vec<usize> = (0..plan.batches())
-        .filter(|batch| journal.finished.iter().all(|report| report.batch != *batch))
-        .collect();
+    let is_finished =
+        |journal: &Journal, batch: usize| journal.finished.iter().any(|report| report.batch == batch);
+    let wanted: Vec<usize> = (0..plan.batches()).filter(|batch| options.runs(*batch)).collect();
+    let todo: Vec<usize> = wanted.iter().copied().filter(|batch| !is_finished(&journal, *batch)).collect();
     each(
         &todo,
         options.threads,
@@ -115,7 +126,8 @@ pub fn simulate(
         |batch| batch::run(&job, *batch, stop, notice),
         |_, report| journal.add(report, job.out),
     )?;
-    Ok(Report { resumed, complete: journal.finished.len() == plan.batches(), batches: journal.finished })
+    let complete = wanted.iter().all(|batch| is_finished(&journal, *batch));
+    Ok(Report { resumed, complete, batches: journal.finished })
 }
 
 /// What all batches have in common.

@@ -100,7 +100,13 @@ impl Hidden<'_> {
         // Whoever simulates the logs again finds the twin's plant beside them.
         save(&logs.join("plant.toml"), soilctl_campaign::default_plant()?.as_bytes())?;
         let strokes = logs.join("strokes.csv");
-        let options = Options { out: &logs, seed: self.case.seed, threads: cores(), content: Content::Steps };
+        let options = Options {
+            out: &logs,
+            seed: self.case.seed,
+            threads: cores(),
+            content: Content::Steps,
+            only: None,
+        };
         let made =
             simulate::campaign(plan, Some((&self.case.truth, "what is hidden")), &options, self.watch)?;
         if !made.complete {
