@@ -42,7 +42,7 @@ pub(super) struct Weights<'a> {
 
 /// Strokes by which contenders are weighed: whole batches with so many or a few more, since each contender is simulated. Empirical: contests
 /// of campaigns of 24 strokes decide.
-const STROKES: usize = 24;
+const STROKES: usize = 20;
 
 /// The part of a campaign by which contenders are weighed.
 struct Part {
