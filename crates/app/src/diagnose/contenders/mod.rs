@@ -1,15 +1,18 @@
-//! Effects that could explain a campaign, each simulated whole, and ranked by all readings.
+//! Effects that could explain a campaign, each simulated with all strokes or a part that stands for them, and ranked by all readings.
 //!
 //! Responses that are learnt from single strokes are those of an arm without effects. An effect that keeps a plate from sinking changes what all others
-//! do, and what responses leave over was taken for a second effect. So those that come into question are simulated in the whole campaign. Each has
+//! do, and what responses leave over was taken for a second effect. So those that come into question are simulated as the campaign was made. Each has
 //! the soil that is fitted beside it, and so has the arm without effects: a soil that was fitted by the table alone leaves more over than most effects do.
+
+mod outcome;
+mod ranking;
 
 use std::collections::BTreeSet;
 
+use outcome::{AS_LIKELY, Bearing, outcome};
+use ranking::{Contender, Part, rank, shared, taking_part};
 use soilctl_campaign::CampaignError;
-use soilctl_diagnosis::{
-    Data, Diagnosis, Explanation, Fitted, FoundEffect, Readings, Status, THRESHOLD, TURN_ALIKE,
-};
+use soilctl_diagnosis::{Data, Diagnosis, Explanation, Fitted, FoundEffect, Readings, Status, TURN_ALIKE};
 use soilctl_effects::{EffectId, Loaded};
 
 use super::Against;
@@ -17,12 +20,6 @@ use super::resimulated::{Again, expect_scene};
 use crate::AppError;
 use crate::text::measured;
 
-/// An effect is as likely as the best if its ln evidence lies behind by less than this, or by less than this part of what the best adds: a twin
-/// is not the arm. Empirical.
-const AS_LIKELY: (f64, f64) = (5.0, 0.1);
-/// What the noise of the arm without effects may make of ln evidence, one way or the other: that of one campaign had a standard deviation of 8 over
-/// three seeds. Empirical.
-const CHANCE: f64 = 10.0;
 /// Most effects that are simulated alone, the part of the best one's ln Bayes factor that one must have alone to be tried, and to be tried at
 /// several sizes, unless it was found.
 const MOST: usize = 5;
@@ -38,45 +35,6 @@ pub(super) struct Weights<'a> {
     pub(super) diagnosis: &'a dyn Fn(&Data) -> Result<Diagnosis, AppError>,
     pub(super) fitted: &'a dyn Fn(&Data) -> Result<Fitted, AppError>,
     pub(super) log_evidence: LogEvidence<'a>,
-}
-
-/// Strokes by which contenders are weighed: whole batches with so many or a few more, since each contender is simulated. Empirical: contests
-/// of campaigns of 24 strokes decide.
-const STROKES: usize = 20;
-
-/// The part of a campaign by which contenders are weighed.
-struct Part {
-    /// Its batches; all if `None`.
-    batches: Option<Vec<usize>>,
-    strokes: Vec<bool>,
-}
-
-impl Part {
-    fn of(data: &Data) -> Self {
-        let batches = data.sample(STROKES);
-        let strokes = batches.as_ref().map_or_else(|| vec![true; data.len()], |of| data.of_batches(of));
-        Self { batches, strokes }
-    }
-
-    /// Whether less than half of its strokes takes part.
-    fn is_little(&self, strokes: &[bool]) -> bool {
-        2 * taking_part(strokes) < taking_part(&self.strokes)
-    }
-}
-
-/// A set of effects, and the readings beside the simulated arm that has them.
-struct Contender {
-    ids: Vec<EffectId>,
-    /// Their sizes on that arm.
-    effects: Vec<FoundEffect>,
-    /// Whether these are others than strokes tell beside responses.
-    is_off: bool,
-    beside: Data,
-    /// Whether strokes of a kind go different ways there.
-    jumps: bool,
-    /// ln evidence of what all contenders expect, over that of the better arm without effects, once it is weighed.
-    adds: f64,
-    is_weighed: bool,
 }
 
 /// A set of effects that is to be simulated.
@@ -102,13 +60,6 @@ enum Tried {
     Sinks,
     /// Strokes speak against one of the effects, the simulated arm cannot show it, or the work was stopped.
     NotShown,
-}
-
-impl Contender {
-    /// Its effects, if strokes do not tell their sizes.
-    fn held(&self) -> &[FoundEffect] {
-        if self.is_off { &self.effects } else { &[] }
-    }
 }
 
 /// Takes the sizes of effects as known.
@@ -227,7 +178,8 @@ impl Again<'_> {
         for of in &contenders {
             self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", arm(&of.effects), of.adds));
         }
-        let Some(outcome) = outcome(&contenders, untried) else { return Ok(()) };
+        let weighed: Vec<(&[EffectId], f64)> = contenders.iter().map(|of| (&of.ids[..], of.adds)).collect();
+        let Some(outcome) = outcome(&weighed, untried) else { return Ok(()) };
         match outcome.bearing {
             Bearing::Out | Bearing::Open => {
                 data.decide(&outcome.best, &outcome.as_likely);
@@ -350,101 +302,6 @@ impl Again<'_> {
     }
 }
 
-/// The readings of which all contenders, and the arms without effects, say what to expect; `None` if too few strokes are left. Strokes on the brink may
-/// fail the soil on one arm and sink on the other: that says little of either.
-fn shared(plain: &[Data], contenders: &[Contender], part: &Part) -> Option<Readings> {
-    let all = plain.iter().chain(contenders.iter().map(|of| &of.beside)).map(Data::readings);
-    let shared = all.reduce(|mut shared, of| {
-        shared.keep(&of);
-        shared
-    })?;
-    (!part.is_little(&shared.strokes)).then_some(shared)
-}
-
-/// Weighs the readings that all contenders share, most evidence first; `false` if these are too few, and then nothing is weighed.
-/// `before` is what a ranking before this one weighed and ln evidence of the better arm without effects, which stay as they are where it
-/// is the same readings.
-fn rank(
-    plain: &[Data],
-    contenders: &mut [Contender],
-    part: &Part,
-    weights: &Weights<'_>,
-    before: &mut Option<(Readings, f64)>,
-) -> Result<bool, AppError> {
-    let Some(shared) = shared(plain, contenders, part) else { return Ok(false) };
-    let without = match before {
-        Some((readings, without)) if *readings == shared => *without,
-        _ => {
-            let mut most = f64::NEG_INFINITY;
-            for of in plain {
-                most = most.max((weights.log_evidence)(of, &shared)?);
-            }
-            contenders.iter_mut().for_each(|of| of.is_weighed = false);
-            most
-        }
-    };
-    for of in contenders.iter_mut().filter(|of| !of.is_weighed) {
-        (of.adds, of.is_weighed) = ((weights.log_evidence)(&of.beside, &shared)? - without, true);
-    }
-    *before = Some((shared, without));
-    contenders.sort_by(|a, b| b.adds.total_cmp(&a.adds));
-    Ok(true)
-}
-
-fn taking_part(strokes: &[bool]) -> usize {
-    strokes.iter().filter(|takes_part| **takes_part).count()
-}
-
-/// What comes of a contest.
-struct Outcome {
-    /// The set of effects that explains the readings best.
-    best: Vec<EffectId>,
-    /// Effects that may stand in the place of the only one of `best`.
-    as_likely: Vec<EffectId>,
-    /// What the arm without effects says of it.
-    bearing: Bearing,
-}
-
-/// Whether a set of effects adds more to the arm without effects than its number of effects costs, and more to arms with fewer than may be chance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Bearing {
-    /// It does.
-    Out,
-    /// Not by enough.
-    Open,
-    /// The arm without effects is likelier by more than may be chance.
-    Denied,
-}
-
-/// The outcome of contenders that were weighed; each further effect has to earn its place. `untried` are effects of which the simulated arm has no say.
-fn outcome(contenders: &[Contender], untried: Vec<EffectId>) -> Option<Outcome> {
-    let score = |of: &Contender| of.adds - THRESHOLD * of.ids.len() as f64;
-    let most = contenders.iter().max_by(|a, b| score(a).total_cmp(&score(b)))?;
-    let behind = AS_LIKELY.0.max(AS_LIKELY.1 * most.adds);
-    // A part of it that is as likely is the simpler answer.
-    let is_simpler = |of: &&Contender| {
-        of.ids.len() < most.ids.len()
-            && of.ids.iter().all(|id| most.ids.contains(id))
-            && of.adds > most.adds - behind
-    };
-    let simpler = contenders.iter().filter(is_simpler);
-    let best = simpler.max_by(|a, b| score(a).total_cmp(&score(b))).unwrap_or(most);
-    let close = |of: &&Contender| of.ids.len() == 1 && of.ids != best.ids && of.adds > best.adds - behind;
-    let as_likely = match best.ids.len() {
-        1 => contenders.iter().filter(close).flat_map(|of| of.ids.clone()).chain(untried).collect(),
-        _ => untried,
-    };
-    // The best of fewer effects: none, or one of a pair.
-    let fewer = contenders.iter().filter(|of| of.ids.len() < best.ids.len());
-    let lesser = fewer.map(|of| of.adds).fold(0.0, f64::max);
-    let bearing = match score(best) {
-        adds if adds > 0.0 && best.adds - lesser > CHANCE => Bearing::Out,
-        adds if adds > -CHANCE => Bearing::Open,
-        _ => Bearing::Denied,
-    };
-    Some(Outcome { best: best.ids.clone(), as_likely, bearing })
-}
-
 /// Effects that are not told apart from what was found.
 fn in_set(diagnosis: &Diagnosis) -> impl Iterator<Item = EffectId> + '_ {
     diagnosis.equivalence_set.iter().filter_map(|of| match of {
@@ -496,79 +353,7 @@ fn in_question(diagnosis: &Diagnosis) -> Vec<EffectId> {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
-    use std::cell::RefCell;
-
-    use soilctl_effects::Channel;
-    use soilctl_strokes::{Campaign, StrokeRow};
-
     use super::*;
-
-    /// A campaign of two strokes at each of two tool angles, beside an arm that read these columns of those that did not sink on it.
-    fn beside(z_drift_m: Option<f64>, post_slope_norm: Option<f64>, sinks: &str) -> Data {
-        let row = |name: &str, z_drift_m, post_slope_norm| StrokeRow {
-            stroke_id: Some(name.to_owned()),
-            alpha_deg: if "ab".contains(name) { 90.0 } else { 80.0 },
-            depth_m: 0.025,
-            width_m: 0.1,
-            force_n: 5.0,
-            z_drift_m,
-            post_slope_norm,
-            ..StrokeRow::default()
-        };
-        let of = |rows| Data::new("t", rows, Campaign::default()).unwrap();
-        let names = ["a", "b", "c", "d"];
-        let mut data = of(names.map(|name| row(name, Some(1e-3), Some(0.2))).to_vec());
-        let made = names.into_iter().filter(|name| !sinks.contains(name));
-        let simulated = made.map(|name| row(name, z_drift_m, post_slope_norm)).collect();
-        data.expect(&of(simulated), false, 0.0);
-        data
-    }
-
-    fn contender(ids: &[EffectId], adds: f64, beside: Data) -> Contender {
-        Contender {
-            ids: ids.to_vec(),
-            effects: Vec::new(),
-            is_off: false,
-            beside,
-            jumps: false,
-            adds,
-            is_weighed: false,
-        }
-    }
-
-    /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.
-    #[test]
-    fn contenders_are_weighed_by_the_readings_that_all_of_them_expect() {
-        let both = || beside(Some(1e-3), Some(0.2), "");
-        let mut contenders = vec![
-            contender(&[EffectId::Backlash], 0.0, both()),
-            contender(&[EffectId::CableFlex], 0.0, beside(Some(1e-3), None, "")),
-            contender(&[EffectId::ForceBias], 0.0, beside(Some(1e-3), Some(0.2), "c")),
-        ];
-        let plain = [both()];
-        assert_eq!((plain[0].readings().columns.len(), plain[0].readings().strokes), (2, vec![true; 4]));
-        let asked = RefCell::new(Vec::new());
-        let log_evidence = |data: &Data, of: &Readings| {
-            asked.borrow_mut().push(of.clone());
-            Ok(data.readings().columns.intersection(&of.columns).count() as f64)
-        };
-        let diagnosis = |_: &Data| unreachable!("nothing is diagnosed by a ranking");
-        let part = Part::of(&plain[0]);
-        let fitted = |_: &Data| unreachable!("nothing is fitted by a ranking");
-        let weights = Weights { diagnosis: &diagnosis, fitted: &fitted, log_evidence: &log_evidence };
-        let mut ranked = None;
-        for _ in 0..2 {
-            rank(&plain, &mut contenders, &part, &weights, &mut ranked).unwrap();
-        }
-        let asked = asked.into_inner();
-        // With a stroke that sinks its whole kind is left out.
-        let shared = Readings { columns: [Channel::ZDrift].into(), strokes: vec![true, true, false, false] };
-        assert_eq!(asked, vec![shared; 4]);
-        assert!(contenders.iter().all(|of| of.adds.abs() < 1e-12));
-        // One on which the other kind sinks leaves nothing to weigh them all by.
-        contenders.push(contender(&[EffectId::ForceDrift], 0.0, beside(Some(1e-3), Some(0.2), "a")));
-        assert!(super::shared(&plain, &contenders, &part).is_none());
-    }
 
     /// Beside a bias of the sensor that explains nearly everything, what may stand for a small second effect is no rival of the bias.
     #[test]
@@ -584,39 +369,5 @@ mod tests {
         let [a, b] = [EffectId::SideEffects3d, EffectId::DensityGradient];
         let same = |ids: &[EffectId]| is_same_set(&[a, b], ids.iter().copied());
         assert!(same(&[a, b]) && same(&[b, a]) && !same(&[a]) && !same(&[]));
-    }
-
-    #[test]
-    fn the_best_has_to_beat_the_arm_without_effects_and_a_second_effect_to_earn_its_place() {
-        let [a, b, c] = [EffectId::Backlash, EffectId::CableFlex, EffectId::FtCrosstalk];
-        let of = |ids: &[EffectId], adds| contender(ids, adds, beside(None, None, ""));
-        let found = |all: &[Contender], untried: &[EffectId]| {
-            let outcome = outcome(all, untried.to_vec()).unwrap();
-            (outcome.best, outcome.as_likely, outcome.bearing)
-        };
-        // Behind by less than a tenth of 60, or by less than 5.
-        let all = [of(&[a], 60.0), of(&[b], 54.5), of(&[c], 53.5)];
-        assert_eq!(found(&all, &[]), (vec![a], vec![b], Bearing::Out));
-        let all = [of(&[a], 20.0), of(&[b], 15.5), of(&[c], 14.5)];
-        assert_eq!(found(&all, &[]), (vec![a], vec![b], Bearing::Out));
-        // One that comes within a tenth of a pair that has it is the answer, and what is as likely as it is so, too.
-        let close = [of(&[a, b], 151.7), of(&[a], 141.4), of(&[c], 128.4)];
-        assert_eq!(found(&close, &[]), (vec![a], vec![c], Bearing::Out));
-        assert_eq!(found(&[of(&[a, b], 157.7), of(&[a], 141.4)], &[]), (vec![a, b], vec![], Bearing::Out));
-        // What cannot be simulated stays open.
-        assert_eq!(found(&all[..1], &[c]), (vec![a], vec![c], Bearing::Out));
-        // A pair that adds no more than another effect costs, or than makes two as likely, is not the best; one that adds more is, and what it has is not
-        // as likely as it.
-        let pair = |beyond: f64| [of(&[a, b], 20.0 + beyond * THRESHOLD), of(&[a], 20.0), of(&[b], 19.0)];
-        assert_eq!(found(&pair(0.9), &[]), (vec![a], vec![b], Bearing::Out));
-        assert_eq!(found(&pair(1.1), &[]), (vec![a], vec![b], Bearing::Out));
-        assert_eq!(found(&pair(1.5), &[]), (vec![a, b], vec![], Bearing::Open));
-        assert_eq!(found(&pair(2.9), &[]), (vec![a, b], vec![], Bearing::Out));
-        assert_eq!(found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2, Bearing::Open);
-        // No effect is as likely as one that adds no more than chance may.
-        assert_eq!(found(&[of(&[a], 9.9)], &[]).2, Bearing::Open);
-        assert_eq!(found(&[of(&[a], 10.1)], &[]).2, Bearing::Out);
-        assert_eq!(found(&[of(&[a], THRESHOLD - 10.1), of(&[b], -30.0)], &[]).2, Bearing::Denied);
-        assert!(outcome(&[], vec![c]).is_none());
     }
 }

@@ -1,0 +1,177 @@
+//! How contenders are ranked: by the readings that all of them say what to expect of.
+
+use soilctl_diagnosis::{Data, FoundEffect, Readings};
+use soilctl_effects::EffectId;
+
+use super::Weights;
+use crate::AppError;
+
+/// Strokes by which contenders are weighed: whole batches with so many or a few more, since each contender is simulated. Empirical: contests
+/// of campaigns of 24 strokes decide.
+pub(super) const STROKES: usize = 20;
+
+/// The part of a campaign by which contenders are weighed.
+pub(super) struct Part {
+    /// Its batches; all if `None`.
+    pub(super) batches: Option<Vec<usize>>,
+    pub(super) strokes: Vec<bool>,
+}
+
+impl Part {
+    pub(super) fn of(data: &Data) -> Self {
+        let batches = data.sample(STROKES);
+        let strokes = batches.as_ref().map_or_else(|| vec![true; data.len()], |of| data.of_batches(of));
+        Self { batches, strokes }
+    }
+
+    /// Whether less than half of its strokes takes part.
+    pub(super) fn is_little(&self, strokes: &[bool]) -> bool {
+        2 * taking_part(strokes) < taking_part(&self.strokes)
+    }
+}
+
+/// A set of effects, and the readings beside the simulated arm that has them.
+pub(super) struct Contender {
+    pub(super) ids: Vec<EffectId>,
+    /// Their sizes on that arm.
+    pub(super) effects: Vec<FoundEffect>,
+    /// Whether these are others than strokes tell beside responses.
+    pub(super) is_off: bool,
+    pub(super) beside: Data,
+    /// Whether strokes of a kind go different ways there.
+    pub(super) jumps: bool,
+    /// ln evidence of what all contenders expect, over that of the better arm without effects, once it is weighed.
+    pub(super) adds: f64,
+    pub(super) is_weighed: bool,
+}
+
+impl Contender {
+    /// Its effects, if strokes do not tell their sizes.
+    pub(super) fn held(&self) -> &[FoundEffect] {
+        if self.is_off { &self.effects } else { &[] }
+    }
+}
+
+/// The readings of which all contenders, and the arms without effects, say what to expect; `None` if too few strokes are left. Strokes on the brink may
+/// fail the soil on one arm and sink on the other: that says little of either.
+pub(super) fn shared(plain: &[Data], contenders: &[Contender], part: &Part) -> Option<Readings> {
+    let all = plain.iter().chain(contenders.iter().map(|of| &of.beside)).map(Data::readings);
+    let shared = all.reduce(|mut shared, of| {
+        shared.keep(&of);
+        shared
+    })?;
+    (!part.is_little(&shared.strokes)).then_some(shared)
+}
+
+/// Weighs the readings that all contenders share, most evidence first; `false` if these are too few, and then nothing is weighed.
+/// `before` is what a ranking before this one weighed and ln evidence of the better arm without effects, which stay as they are where it
+/// is the same readings.
+pub(super) fn rank(
+    plain: &[Data],
+    contenders: &mut [Contender],
+    part: &Part,
+    weights: &Weights<'_>,
+    before: &mut Option<(Readings, f64)>,
+) -> Result<bool, AppError> {
+    let Some(shared) = shared(plain, contenders, part) else { return Ok(false) };
+    let without = match before {
+        Some((readings, without)) if *readings == shared => *without,
+        _ => {
+            let mut most = f64::NEG_INFINITY;
+            for of in plain {
+                most = most.max((weights.log_evidence)(of, &shared)?);
+            }
+            contenders.iter_mut().for_each(|of| of.is_weighed = false);
+            most
+        }
+    };
+    for of in contenders.iter_mut().filter(|of| !of.is_weighed) {
+        (of.adds, of.is_weighed) = ((weights.log_evidence)(&of.beside, &shared)? - without, true);
+    }
+    *before = Some((shared, without));
+    contenders.sort_by(|a, b| b.adds.total_cmp(&a.adds));
+    Ok(true)
+}
+
+pub(super) fn taking_part(strokes: &[bool]) -> usize {
+    strokes.iter().filter(|takes_part| **takes_part).count()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use std::cell::RefCell;
+
+    use soilctl_effects::Channel;
+    use soilctl_strokes::{Campaign, StrokeRow};
+
+    use super::*;
+
+    /// A campaign of two strokes at each of two tool angles, beside an arm that read these columns of those that did not sink on it.
+    fn beside(z_drift_m: Option<f64>, post_slope_norm: Option<f64>, sinks: &str) -> Data {
+        let row = |name: &str, z_drift_m, post_slope_norm| StrokeRow {
+            stroke_id: Some(name.to_owned()),
+            alpha_deg: if "ab".contains(name) { 90.0 } else { 80.0 },
+            depth_m: 0.025,
+            width_m: 0.1,
+            force_n: 5.0,
+            z_drift_m,
+            post_slope_norm,
+            ..StrokeRow::default()
+        };
+        let of = |rows| Data::new("t", rows, Campaign::default()).unwrap();
+        let names = ["a", "b", "c", "d"];
+        let mut data = of(names.map(|name| row(name, Some(1e-3), Some(0.2))).to_vec());
+        let made = names.into_iter().filter(|name| !sinks.contains(name));
+        let simulated = made.map(|name| row(name, z_drift_m, post_slope_norm)).collect();
+        data.expect(&of(simulated), false, 0.0);
+        data
+    }
+
+    fn contender(ids: &[EffectId], adds: f64, beside: Data) -> Contender {
+        Contender {
+            ids: ids.to_vec(),
+            effects: Vec::new(),
+            is_off: false,
+            beside,
+            jumps: false,
+            adds,
+            is_weighed: false,
+        }
+    }
+
+    /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.
+    #[test]
+    fn contenders_are_weighed_by_the_readings_that_all_of_them_expect() {
+        let both = || beside(Some(1e-3), Some(0.2), "");
+        let mut contenders = vec![
+            contender(&[EffectId::Backlash], 0.0, both()),
+            contender(&[EffectId::CableFlex], 0.0, beside(Some(1e-3), None, "")),
+            contender(&[EffectId::ForceBias], 0.0, beside(Some(1e-3), Some(0.2), "c")),
+        ];
+        let plain = [both()];
+        assert_eq!((plain[0].readings().columns.len(), plain[0].readings().strokes), (2, vec![true; 4]));
+        let asked = RefCell::new(Vec::new());
+        let log_evidence = |data: &Data, of: &Readings| {
+            asked.borrow_mut().push(of.clone());
+            Ok(data.readings().columns.intersection(&of.columns).count() as f64)
+        };
+        let diagnosis = |_: &Data| unreachable!("nothing is diagnosed by a ranking");
+        let part = Part::of(&plain[0]);
+        let fitted = |_: &Data| unreachable!("nothing is fitted by a ranking");
+        let weights = Weights { diagnosis: &diagnosis, fitted: &fitted, log_evidence: &log_evidence };
+        let mut ranked = None;
+        for _ in 0..2 {
+            rank(&plain, &mut contenders, &part, &weights, &mut ranked).unwrap();
+        }
+        let asked = asked.into_inner();
+        // With a stroke that sinks its whole kind is left out.
+        let shared = Readings { columns: [Channel::ZDrift].into(), strokes: vec![true, true, false, false] };
+        assert_eq!(asked, vec![shared; 4]);
+        assert!(contenders.iter().all(|of| of.adds.abs() < 1e-12));
+        // One on which the other kind sinks leaves nothing to weigh them all by.
+        contenders.push(contender(&[EffectId::ForceDrift], 0.0, beside(Some(1e-3), Some(0.2), "a")));
+        assert!(super::shared(&plain, &contenders, &part).is_none());
+    }
+}
