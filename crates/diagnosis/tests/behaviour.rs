@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 
 use soilctl_diagnosis::self_test::{Case, Cause, Design, HiddenCampaign, Kind, Outside, SelfTest};
 use soilctl_diagnosis::{
-    Data, Dependence, Diagnosis, Explanation, Readings, Status, Surface, Testable, diagnose, log_evidence,
+    Data, Dependence, Diagnosis, Explanation, Readings, Status, Surface, Testable, diagnose, fitted,
+    log_evidence,
 };
 use soilctl_earth_pressure::model;
 use soilctl_effects::{Channel, Covariate, EffectId, Loaded};
@@ -77,7 +78,12 @@ fn the_soil_is_told_beside_a_size_that_is_held() {
             (found.effects[0].amplitude / amplitude - 1.0).abs() < 1e-4
                 && found.effects[0].amplitude_sd == sd
         );
-        found.model_file(&data, "chen", &[], String::new()).soil.phi_deg.value
+        // Without weighing it is the same size in the same soil.
+        let soil = found.model_file(&data, "chen", &[], String::new()).soil;
+        let alone = fitted(&data, &surface).unwrap();
+        assert_eq!(alone.effects[0].amplitude, found.effects[0].amplitude);
+        assert_eq!(alone.model_file(&data, "chen", &[]).soil, soil);
+        soil.phi_deg.value
     };
     let phi_deg = [0.7, 1.0, 1.3].map(|part| held(part * size));
     let weaker = size.signum();

@@ -17,9 +17,9 @@ pub(super) struct Kept {
     pub(super) traces: PathBuf,
 }
 
-/// The campaign of a plan, or `only` some of its batches, with the soil and the effects of a model file, as `process` reads its logs: from the folder below `store` that has it, or
-/// simulated there. Logs, some 10 MB a stroke, are removed once the table is written. `None` if no stroke has a failure force, or it was stopped; batches
-/// that are finished then stay.
+/// The campaign of a plan, or `only` some of its batches, with the soil and the effects of a model file, as `process` reads its logs: from the
+/// folder below `store` that has it, or simulated there. Logs, some 10 MB a stroke, are removed once the table is written. `None` if no stroke
+/// has a failure force, or it was stopped; batches that are finished then stay.
 pub(super) fn kept(
     plan: &Plan,
     file: &ModelFile,

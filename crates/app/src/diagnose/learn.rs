@@ -73,8 +73,8 @@ impl<'a> Learning<'a> {
         let mut simulated: Vec<EffectId> = wanted.iter().map(|(_, of)| *of).collect();
         simulated.sort_unstable();
         simulated.dedup();
-        let of_effects: usize = simulated.iter().map(|id| amplitudes(id.effect()).len()).sum();
-        let runs = 1 + REPEATS as usize + of_effects + 2 * Setting::ALL.len();
+        let others = self.others(&simulated)?;
+        let runs = 1 + others.len();
         let each = self.plan.strokes().strokes().len();
         let clock = Instant::now();
         let Some(plain) = self.table(&self.plan, &self.plain)? else {
@@ -91,7 +91,7 @@ impl<'a> Learning<'a> {
             Setting::ALL.len(),
             clock.elapsed().as_secs_f64() * runs as f64 / 60.0
         ));
-        if self.make(&simulated)? == Progress::Stopped {
+        if self.make(&others)? == Progress::Stopped {
             return Ok(Progress::Stopped);
         }
         // What settings do tells by how much strokes go their own way.
@@ -127,8 +127,8 @@ impl<'a> Learning<'a> {
         self.noise(data, &plain)
     }
 
-    /// Makes all tables that are not there, side by side: single strokes of one table leave cores idle at its end.
-    fn make(&self, effects: &[EffectId]) -> Result<Progress, AppError> {
+    /// Plan, model file and seed of all tables but the first: settings, effects and other noise.
+    fn others(&self, effects: &[EffectId]) -> Result<Vec<(Plan, ModelFile, u64)>, AppError> {
         let mut all: Vec<(Plan, ModelFile, u64)> = Vec::new();
         for setting in Setting::ALL {
             for factor in [setting.most(), 1.0 / setting.most()] {
@@ -140,10 +140,15 @@ impl<'a> Learning<'a> {
             all.extend(files.map(|file| (self.plan.clone(), file, SEED)));
         }
         all.extend((1..=REPEATS).map(|further| (self.plan.clone(), self.plain.clone(), SEED + further)));
+        Ok(all)
+    }
+
+    /// Makes all of these tables that are not there, side by side: single strokes of one table leave cores idle at its end.
+    fn make(&self, all: &[(Plan, ModelFile, u64)]) -> Result<Progress, AppError> {
         let stop = self.watch.stop(Interrupted::KeepsResults);
         self.watch.begin(all.len() as u64, "times the single strokes");
         let made = each(
-            &all,
+            all,
             cores(),
             &stop,
             |(plan, file, seed)| match kept(plan, file, *seed, None, self.store, (1, &Silent(self.watch))) {

@@ -74,9 +74,9 @@ pub(super) fn rank(
     before: &mut Option<(Readings, f64)>,
 ) -> Result<bool, AppError> {
     let Some(shared) = shared(plain, contenders, part) else { return Ok(false) };
-    let without = match before {
-        Some((readings, without)) if *readings == shared => *without,
-        _ => {
+    let without = match before.take().filter(|(readings, _)| *readings == shared) {
+        Some((_, without)) => without,
+        None => {
             let mut most = f64::NEG_INFINITY;
             for of in plain {
                 most = most.max((weights.log_evidence)(of, &shared)?);
