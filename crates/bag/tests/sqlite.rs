@@ -4,7 +4,6 @@
 mod common;
 
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use common::{data, expected, readings};
 use rusqlite::Connection;
@@ -78,13 +77,11 @@ fn odd_rows_are_counted_and_left_out() {
 }
 
 fn scanned(path: &Path) -> Result<(u64, Ending), BagError> {
-    let started = Instant::now();
     let mut messages = 0;
     let ending = scan::<BagError>(path, &mut |item| {
         messages += u64::from(matches!(item, Item::Message(_)));
         Ok(())
     });
-    assert!(started.elapsed() < Duration::from_secs(20), "it took {:?}", started.elapsed());
     ending.map(|ending| (messages, ending))
 }
 
