@@ -88,7 +88,6 @@ impl Problem<'_> {
         let width = self.priors.len();
         let mut hessian = DMatrix::zeros(width, width);
         let mut gradient = DVector::zeros(width);
-        let mut present = Vec::with_capacity(width);
         for together in &self.together {
             let (mut residuals, mut lines) = (Vec::new(), Vec::with_capacity(together.rows.len() * width));
             for &r in &together.rows {
@@ -100,13 +99,15 @@ impl Problem<'_> {
             together.whiten_lines(&mut lines, width);
             for (z, line) in residuals.into_iter().zip(lines.chunks_exact(width)) {
                 let weight = weight(z);
-                present.clear();
-                present.extend((0..width).filter(|&k| line[k] != 0.0));
-                for (n, &i) in present.iter().enumerate() {
-                    let scaled = weight * line[i];
+                let columns = hessian.as_mut_slice().chunks_exact_mut(width);
+                for (i, (column, value)) in
+                    columns.zip(line).enumerate().filter(|(_, (_, value))| **value != 0.0)
+                {
+                    let scaled = weight * value;
                     gradient[i] += scaled * z;
-                    for &j in &present[..=n] {
-                        hessian[(j, i)] += scaled * line[j];
+                    // The upper triangle, in a form that is computed several values at a time.
+                    for (sum, other) in column[..=i].iter_mut().zip(line) {
+                        *sum += scaled * other;
                     }
                 }
             }
