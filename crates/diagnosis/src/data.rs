@@ -10,6 +10,7 @@ use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
 use crate::correlation::Correlation;
+use crate::diagnosis::FoundEffect;
 use crate::learnt::Learnt;
 use crate::traces::{PhaseKey, traced};
 use crate::unsteadiness::Unsteadiness;
@@ -314,6 +315,17 @@ impl Data {
         if let Some(decided) = &mut self.decided {
             decided.held.insert(id, (amplitude, sd));
         }
+    }
+
+    /// Says that the simulated arm that told what to expect ([`Data::expect_of`]) has effects of these sizes: how strokes respond to them counts from
+    /// there, so that errors of responses matter the less the nearer that arm comes to the measured one. To be called after [`Data::learn`]. Without effects, or if
+    /// nobody learnt how strokes respond to one of them, nothing can be told of sizes, and the answer is `false`.
+    pub fn count_from(&mut self, effects: &[FoundEffect]) -> bool {
+        for of in effects {
+            let Some(learnt) = self.learnt.get_mut(&of.id) else { return false };
+            *learnt = learnt.about(of.amplitude);
+        }
+        !effects.is_empty()
     }
 
     /// Amplitude and standard deviation of an effect whose size is held.

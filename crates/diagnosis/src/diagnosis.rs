@@ -5,7 +5,7 @@ use soilctl_effects::{Active, EffectId, EmpiricalTerm};
 use crate::DiagnosisError;
 use crate::data::{Data, Readings};
 use crate::explanation::Explanation;
-use crate::gap::{Comparison, FittedSoil, compare, soil_beside};
+use crate::gap::{Comparison, FittedSoil, compare, soil};
 use crate::localise::{Where, localise};
 use crate::next::{Found, NextExperiment, next};
 use crate::search::{Scored, Search};
@@ -171,25 +171,21 @@ pub struct Fitted {
 }
 
 /// Sizes and soil that strokes tell of a set that was decided for ([`Data::decide`]), or the soil without effects if it is empty or none was: what
-/// [`diagnose`] says of them, without weighing whether they are there.
+/// [`diagnose`] says of them, without weighing whether they are there. `strokes` says by stroke which tell the sizes; those beyond its end do.
 ///
 /// # Errors
 /// As [`diagnose`].
-pub fn fitted(data: &Data, surface: &Surface) -> Result<Fitted, DiagnosisError> {
+pub fn fitted(data: &Data, surface: &Surface, strokes: &[bool]) -> Result<Fitted, DiagnosisError> {
     let data = &settled(data, surface)?;
     let first = FitSetup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);
-    let search = Search::new(&setup)?;
+    let search = Search::of_strokes(&setup, taking_part(data, strokes))?;
     let set = data.decided.as_ref().and_then(|decided| search.together(&decided.best));
     let effects = set.as_ref().map(|set| effects_of(data, set)).unwrap_or_default();
-    let spec = set.map(|set| set.spec).unwrap_or_default();
-    let amplitudes: Vec<f64> = effects.iter().map(|effect| effect.amplitude).collect();
-    let soil = soil_beside(&setup, &spec, &amplitudes).ok_or_else(|| DiagnosisError::NoFit {
-        file: data.name.clone(),
-        model: "the force model".into(),
-        problem: "no soil was found beside the effects".into(),
-    })?;
+    let fit =
+        set.as_ref().filter(|set| setup.needs_forces(&set.spec)).map_or(&search.baseline, |set| &set.fit);
+    let soil = soil(&setup, fit);
     Ok(Fitted { effects, soil })
 }
 
@@ -206,8 +202,12 @@ pub fn log_evidence(data: &Data, surface: &Surface, of: &Readings) -> Result<f64
     let first = FitSetup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);
-    let takes_part = |i: usize| of.strokes.get(i).copied().unwrap_or(true);
-    Ok(Search::of_strokes(&setup, (0..data.len()).map(takes_part).collect())?.log_evidence())
+    Ok(Search::of_strokes(&setup, taking_part(data, &of.strokes))?.log_evidence())
+}
+
+/// Whether each stroke takes part; those beyond the end do.
+fn taking_part(data: &Data, strokes: &[bool]) -> Vec<bool> {
+    (0..data.len()).map(|i| strokes.get(i).copied().unwrap_or(true)).collect()
 }
 
 /// Relative error of an amplitude because nature's formula is not ours. Empirical: with it, 90 % of the amplitudes of hidden campaigns

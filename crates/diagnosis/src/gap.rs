@@ -142,13 +142,6 @@ pub(crate) fn compare(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> O
     })
 }
 
-/// The soil beside a set of effects (amplitudes fixed), as [`compare`] has it. `None` if the fit fails.
-pub(crate) fn soil_beside(full: &FitSetup<'_>, spec: &Spec, amplitudes: &[f64]) -> Option<FittedSoil> {
-    let setup = full.without_model_error();
-    let OnForces { kept, channels, .. } = OnForces::of(&setup, spec, amplitudes);
-    Some(soil(&setup, &fit(&setup, &kept, &channels, true, &everything(&setup))?))
-}
-
 /// What of a set of effects acts on forces.
 struct OnForces {
     forces: Spec,
@@ -173,7 +166,8 @@ impl OnForces {
     }
 }
 
-fn soil(setup: &FitSetup<'_>, fit: &Fit) -> FittedSoil {
+/// The soil of a fit of forces.
+pub(crate) fn soil(setup: &FitSetup<'_>, fit: &Fit) -> FittedSoil {
     let density = setup.data.density.mean * fit.soil[2].exp();
     FittedSoil {
         phi_deg: fit.soil[0],

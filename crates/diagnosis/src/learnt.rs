@@ -33,6 +33,8 @@ pub struct Learnt {
     channels: Vec<Channel>,
     /// Of a setting.
     alike: Option<Node>,
+    /// Amplitude that the arm has that told what to expect: responses are what readings differ by from there.
+    about: f64,
 }
 
 impl Learnt {
@@ -51,7 +53,7 @@ impl Learnt {
         let transfer = Transfer { data, plain, formula: &formula, unsteadiness: &data.unsteadiness };
         let mut nodes = transfer.nodes(shown);
         nodes.sort_by(|a, b| a.amplitude.abs().total_cmp(&b.amplitude.abs()));
-        let mut learnt = Self { nodes, local, channels: Vec::new(), alike: None };
+        let mut learnt = Self { nodes, local, channels: Vec::new(), alike: None, about: 0.0 };
         let seen = |channel: &Channel| {
             let scatter = crate::channels::spread(&data.beyond_expected(*channel)).max(f64::MIN_POSITIVE);
             data.channels.contains_key(channel)
@@ -70,7 +72,8 @@ impl Learnt {
         let transfer = Transfer { data, plain, formula: &|_, _, _, _| None, unsteadiness: &unsteadiness };
         let nodes =
             transfer.nodes(&[(1.0, up), (-1.0, down)].map(|(amplitude, with)| Shown { amplitude, with }));
-        let mut learnt = Self { nodes, local: vec![1.0; data.rows.len()], channels: Vec::new(), alike: None };
+        let mut learnt =
+            Self { nodes, local: vec![1.0; data.rows.len()], channels: Vec::new(), alike: None, about: 0.0 };
         let seen = |channel: &Channel| {
             let scatter = crate::channels::spread(&data.beyond_expected(*channel)).max(f64::MIN_POSITIVE);
             data.channels.contains_key(channel)
@@ -99,6 +102,11 @@ impl Learnt {
         self.nodes.iter().any(|node| node.amplitude * sign > 0.0)
     }
 
+    /// The same where strokes are compared with an arm that has this amplitude of the effect.
+    pub(crate) fn about(&self, amplitude: f64) -> Self {
+        Self { about: amplitude, ..self.clone() }
+    }
+
     /// Change of ln force of a stroke by an amplitude.
     pub(crate) fn ln_force(&self, stroke: usize, amplitude: f64) -> f64 {
         self.at(stroke, amplitude, |node| node.ln_force.get(stroke).copied())
@@ -112,8 +120,14 @@ impl Learnt {
         self.at(stroke, amplitude, |node| node.channels.get(&channel)?.get(stroke).copied())
     }
 
-    /// A parabola through nothing at no amplitude and the two nodes of its sign, a line beyond them and if there is one only.
+    /// What an amplitude does beyond what that of the arm does.
     fn at(&self, stroke: usize, amplitude: f64, value: impl Fn(&Node) -> Option<f64>) -> f64 {
+        let there = if self.about == 0.0 { 0.0 } else { self.response(stroke, self.about, &value) };
+        self.response(stroke, amplitude, &value) - there
+    }
+
+    /// A parabola through nothing at no amplitude and the two nodes of its sign, a line beyond them and if there is one only.
+    fn response(&self, stroke: usize, amplitude: f64, value: &impl Fn(&Node) -> Option<f64>) -> f64 {
         let amplitude = amplitude * self.local.get(stroke).copied().unwrap_or_default();
         let of_sign = self.nodes.iter().filter(|node| node.amplitude * amplitude > 0.0);
         let points: Vec<(f64, f64)> =

@@ -8,10 +8,10 @@ use soilctl_effects::{
 
 use crate::channels::Baseline;
 use crate::correlation::Correlation;
-use crate::data::Data;
+use crate::data::{Data, Prior};
 use crate::generic::indicator;
 use crate::learnt::Learnt;
-use crate::spec::Spec;
+use crate::spec::{Choice, Spec};
 use crate::surface::Surface;
 
 /// How far a force model may be mixed into the one in use without being an effect: standard deviation of the share.
@@ -25,6 +25,9 @@ const LEAST_BATCH_SCATTER: f64 = 0.01;
 
 /// Standard deviation of how far a setting of the twin is off, over the most that it may be: as if anything up to that were as likely.
 pub(crate) const SETTING_SD: f64 = 0.577;
+
+/// Standard deviation in deg of the interface friction that a soil has of its own beside an offset of it that a simulated arm showed: none to speak of.
+const OWN_DELTA_SD: f64 = 0.01;
 
 /// Data, model and nuisance of a campaign.
 #[derive(Clone)]
@@ -77,6 +80,16 @@ impl<'a> FitSetup<'a> {
         }
         let ends = ends_at_most(data, surface, phi_deg);
         Self { data, surface, baselines, nuisance, batch_terms, batch_sd, compares_signals: true, ends }
+    }
+
+    /// Interface friction minus its set-point, deg, before the strokes are looked at. It is the same thing as an offset of the interface friction: strokes tell the
+    /// sum, and where a simulated arm showed what an offset does, beyond what a formula knows of the soil's own, all of it is the effect.
+    pub(crate) fn delta(&self, spec: &Spec) -> Prior {
+        let is_offset = |c: &Choice| c.learnt && c.effect.id == EffectId::InterfaceFrictionOffset;
+        match spec.choices.iter().any(is_offset) {
+            true => Prior { mean: 0.0, sd: OWN_DELTA_SD },
+            false => self.data.delta,
+        }
     }
 
     /// Plausible amplitudes of an effect in this campaign.
@@ -170,6 +183,24 @@ mod tests {
     use soilctl_strokes::{Campaign, StrokeRow};
 
     use super::*;
+
+    /// An offset of the interface friction that a simulated arm showed is all that differs from the set-point; beside one by a formula the soil has its own.
+    #[test]
+    fn an_offset_that_was_shown_is_all_of_it() {
+        let row =
+            StrokeRow { alpha_deg: 90.0, depth_m: 0.01, width_m: 0.05, force_n: 5.0, ..StrokeRow::default() };
+        let data = Data::new("test", vec![row], Campaign::default()).unwrap();
+        let surface = Surface::new(model("chen").unwrap(), (90.0, 90.0)).unwrap();
+        let setup = FitSetup::new(&data, &surface, 35.0);
+        let delta = |id: EffectId, learnt: bool| {
+            let choice =
+                Choice { effect: id.effect(), sign: 1.0, shape: 0.0, linked: true, responds: false, learnt };
+            setup.delta(&Spec::default().with(choice))
+        };
+        let offset = EffectId::InterfaceFrictionOffset;
+        assert_eq!([delta(offset, false), delta(EffectId::FtCrosstalk, true)], [data.delta; 2]);
+        assert_eq!(delta(offset, true), Prior { mean: 0.0, sd: OWN_DELTA_SD });
+    }
 
     /// By the mechanism of blocks alone, computed without the table, ends add 4.0 of 4.3 at most at phi 30 and delta 15 deg.
     #[test]

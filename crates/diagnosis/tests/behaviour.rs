@@ -78,12 +78,16 @@ fn the_soil_is_told_beside_a_size_that_is_held() {
             (found.effects[0].amplitude / amplitude - 1.0).abs() < 1e-4
                 && found.effects[0].amplitude_sd == sd
         );
-        // Without weighing it is the same size in the same soil.
-        let soil = found.model_file(&data, "chen", &[], String::new()).soil;
-        let alone = fitted(&data, &surface).unwrap();
+        // Without weighing it is the same size, in a soil that leaves room for errors of the force model.
+        let soil = found.model_file(&data, "chen", &[], String::new()).soil.phi_deg;
+        let alone = fitted(&data, &surface, &[]).unwrap();
         assert_eq!(alone.effects[0].amplitude, found.effects[0].amplitude);
-        assert_eq!(alone.model_file(&data, "chen", &[]).soil, soil);
-        soil.phi_deg.value
+        let by_all = alone.model_file(&data, "chen", &[]).soil.phi_deg;
+        assert!(
+            by_all.sd > soil.sd && (by_all.value - soil.value).abs() < 2.0 * by_all.sd,
+            "{by_all:?} {soil:?}"
+        );
+        soil.value
     };
     let phi_deg = [0.7, 1.0, 1.3].map(|part| held(part * size));
     let weaker = size.signum();

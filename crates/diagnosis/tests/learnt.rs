@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 use soilctl_diagnosis::self_test::{Case, Design, HiddenCampaign, Kind, SelfTest};
-use soilctl_diagnosis::{Data, Diagnosis, Learnt, Shown, Status, Surface, diagnose};
+use soilctl_diagnosis::{Data, Diagnosis, FoundEffect, Learnt, Shown, Status, Surface, diagnose, fitted};
 use soilctl_earth_pressure::model;
 use soilctl_effects::EffectId;
 use soilctl_strokes::StrokeRow;
@@ -137,4 +137,39 @@ fn what_the_twin_may_be_off_by_is_shared_by_all_columns() {
     let (id, amplitude) = first.unwrap();
     assert_eq!((status, id), (Status::Named, EffectId::ForceBias));
     assert!((amplitude / 0.25 - 1.0).abs() < 0.2, "{amplitude}");
+}
+
+/// Single strokes that show three quarters of what a bias does: beside an arm without it strokes ask for 4/3 of its size, and beside an arm with that for a quarter of
+/// the difference of the other sign. Each arm is nearer by that factor.
+#[test]
+fn sizes_are_told_beside_an_arm_that_has_them_though_responses_are_wrong() {
+    let (campaign, truth_n, id) = (campaign(1), -0.3, EffectId::ForceBias);
+    let surface = Surface::new(model("chen").unwrap(), (70.0, 100.0)).unwrap();
+    let plain = single(&campaign, 0.0);
+    let with = [-0.2, -0.5].map(|amplitude| (amplitude, single(&campaign, 0.75 * amplitude)));
+    let shown = [0, 1].map(|i| Shown { amplitude: with[i].0, with: &with[i].1 });
+    let beside = |bias_n: Option<f64>| {
+        let mut data = read(&campaign, truth_n, 0.0, 1);
+        data.expect(&read(&campaign, 0.0, 0.0, 2), false, 0.0);
+        data.learn(id, Learnt::new(id.effect(), &data, &plain, &shown));
+        data.decide(&[id], &[]);
+        if let Some(bias_n) = bias_n {
+            let found = fitted(&data, &surface, &[]).unwrap().effects;
+            data.expect(&read(&campaign, bias_n, 0.0, 3), false, 0.0);
+            assert!(data.count_from(&[FoundEffect { amplitude: bias_n, ..found[0].clone() }]));
+        }
+        // The first three quarters of the strokes tell it as all of them do.
+        let told = [vec![], (0..24).map(|i| i < 18).collect()]
+            .map(|strokes| fitted(&data, &surface, &strokes).unwrap().effects[0].amplitude);
+        assert!((told[0] / told[1] - 1.0).abs() < 0.05 && told[0] != told[1], "{told:?}");
+        told[0]
+    };
+    let first = beside(None);
+    let second = beside(Some(first));
+    let third = beside(Some(second));
+    for (told, off) in [(first, 1.0 / 3.0), (second, -1.0 / 9.0), (third, 1.0 / 27.0)] {
+        assert!((told / truth_n - 1.0 - off).abs() < 0.05, "{told} {off}");
+    }
+    let mut data = read(&campaign, truth_n, 0.0, 1);
+    assert!(!data.count_from(&[]));
 }

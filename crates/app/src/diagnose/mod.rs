@@ -88,7 +88,7 @@ fn diagnosed(request: &Request, shows_found: bool, watch: &dyn Watch) -> Result<
         Ok(found?)
     };
     let log_evidence = |data: &Data, of: &Readings| Ok(soilctl_diagnosis::log_evidence(data, &surface, of)?);
-    let fitted = |data: &Data| Ok(soilctl_diagnosis::fitted(data, &surface)?);
+    let fitted = |data: &Data, of: &[bool]| Ok(soilctl_diagnosis::fitted(data, &surface, of)?);
     let weights = Weights { diagnosis: &weigh, fitted: &fitted, log_evidence: &log_evidence };
     let mut diagnosis = weigh(&data)?;
     let mut follow_up = FollowUp::default();

@@ -72,7 +72,7 @@ impl Again<'_> {
             let how = if stopped() { Resimulation::Stopped } else { Resimulation::NotPossible };
             Ok((simulated, how))
         };
-        let (before, plain) = self.before(against, data, diagnosis)?;
+        let (before, plain) = self.before(against, data, model_file(against, data, diagnosis))?;
         let Some(mut before) = before else { return ended(Simulated::default()) };
         let of_table = data.clone();
         if self.expect(&before, &plain, data)? == Progress::Stopped {
@@ -82,7 +82,8 @@ impl Again<'_> {
         *diagnosis = (weights.diagnosis)(data)?;
         // The soil was that which the table asks for: with the one that all signals ask for, less may be missing.
         if diagnosis.has_found()
-            && let (Some(again), plain) = self.before(against, data, diagnosis)?
+            && let soil = by_signals(against, data, diagnosis, weights)?
+            && let (Some(again), plain) = self.before(against, data, soil)?
         {
             let mut recalibrated = of_table;
             if self.expect(&again, &plain, &mut recalibrated)? == Progress::Done {
@@ -97,16 +98,14 @@ impl Again<'_> {
         Ok((Simulated { before: Some(before), after }, how))
     }
 
-    /// Simulates without the effects that were found; the model file of that, with the effects that are known and can be simulated.
+    /// Simulates a model file without the effects that were found; the file of that, with the effects that are known and can be simulated.
     fn before(
         &self,
         against: &Against,
         data: &Data,
-        diagnosis: &Diagnosis,
+        mut plain: ModelFile,
     ) -> Result<(Option<Resimulated>, ModelFile), AppError> {
-        let file = model_file(against, data, diagnosis);
         // The soil as it was fitted beside what was found: without, it takes a part of an effect, and the simulated arm would show it, too.
-        let mut plain = file;
         plain.effects.truncate(against.known().len());
         plain.empirical.truncate(data.known_terms().len());
         // An interface friction off its set-point is what is looked for: the fit of forces would take it for the soil's, and then every
@@ -205,6 +204,19 @@ pub(super) fn expect_scene(data: &mut Data, simulated: &Data, model: &Loaded) {
     if let Ok(model_n) = model_n {
         data.expect_scene(simulated, &model_n);
     }
+}
+
+/// The model file of what was found with the soil that all signals ask for beside it. That of a diagnosis has the soil with which its formulas come nearest
+/// to the forces, and these do not know the controller.
+fn by_signals(
+    against: &Against,
+    data: &Data,
+    diagnosis: &Diagnosis,
+    weights: &Weights<'_>,
+) -> Result<ModelFile, AppError> {
+    let mut of = data.clone();
+    of.decide(&diagnosis.effects.iter().map(|found| found.id).collect::<Vec<_>>(), &[]);
+    Ok((weights.fitted)(&of, &[])?.model_file(data, &against.model, against.known()))
 }
 
 /// The model file of a diagnosis before it is written: of no stroke table.

@@ -65,7 +65,7 @@ impl<'a> Problem<'a> {
         let channels: Vec<Channel> = channels.iter().copied().collect();
         let mut priors = Vec::new();
         if with_force {
-            priors.extend([data.phi, data.delta, Prior { mean: 0.0, sd: data.density.sd }]);
+            priors.extend([data.phi, setup.delta(spec), Prior { mean: 0.0, sd: data.density.sd }]);
         }
         let nuisance_at = priors.len();
         let nuisance: &[(Vec<f64>, f64)] = if with_force { &setup.nuisance } else { &[] };

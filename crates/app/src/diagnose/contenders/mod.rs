@@ -21,19 +21,23 @@ use crate::AppError;
 use crate::text::measured;
 
 /// Most effects that are simulated alone, the part of the best one's ln Bayes factor that one must have alone to be tried, and to be tried at
-/// several sizes, unless it was found.
+/// another size, unless it was found.
 const MOST: usize = 5;
 const LEAST_SHARE: f64 = 0.2;
 const LEAST_SHARE_OF_SIZES: f64 = 0.5;
+/// How often a set is simulated at most, each time with the sizes for which readings ask beside the arm before, and by how many standard deviations
+/// one of these must differ.
+const ROUNDS: usize = 3;
+const MATTERS: f64 = 0.5;
 
 /// ln evidence of data, of these readings of theirs.
 type LogEvidence<'a> = &'a dyn Fn(&Data, &Readings) -> Result<f64, AppError>;
 
-/// How data are weighed: the diagnosis, sizes and soil of a set that was decided for, and ln of the probability of forces and columns with what is
+/// How data are weighed: the diagnosis, sizes and soil of a set that was decided for as some strokes tell them, and ln of the probability of forces and columns with what is
 /// known and nothing else.
 pub(super) struct Weights<'a> {
     pub(super) diagnosis: &'a dyn Fn(&Data) -> Result<Diagnosis, AppError>,
-    pub(super) fitted: &'a dyn Fn(&Data) -> Result<Fitted, AppError>,
+    pub(super) fitted: &'a dyn Fn(&Data, &[bool]) -> Result<Fitted, AppError>,
     pub(super) log_evidence: LogEvidence<'a>,
 }
 
@@ -42,14 +46,14 @@ struct Set {
     ids: Vec<EffectId>,
     /// Those of them whose sizes are known.
     held: Vec<FoundEffect>,
-    /// By how many standard deviations sizes are off those that strokes tell.
-    off: f64,
+    /// All sizes with the soil beside them, if these are known.
+    fitted: Option<Fitted>,
 }
 
 impl Set {
     /// Effects with the sizes that strokes tell.
     fn of(ids: &[EffectId]) -> Self {
-        Self { ids: ids.to_vec(), held: Vec::new(), off: 0.0 }
+        Self { ids: ids.to_vec(), held: Vec::new(), fitted: None }
     }
 }
 
@@ -109,24 +113,11 @@ impl Again<'_> {
         // What the simulated arm has no say about stays as likely as it was found to be.
         let mut untried = Vec::new();
         for id in in_question {
-            match self.contender(against, data, &part, &Set::of(&[id]), weights, base)? {
+            match self.contender(against, data, &part, Set::of(&[id]), weights, base)? {
                 Tried::Weighed(contender) => {
-                    // Where an effect that passes the controller makes strokes go another way, one size of it says little of another.
-                    let is_uneven = contender.jumps && id.effect().site.passes_the_controller();
-                    let is_wanted =
-                        found.contains(&id) || has_alone(&diagnosis.alone, id, LEAST_SHARE_OF_SIZES);
-                    let further = if is_uneven && is_wanted { &[-1.0, 1.0][..] } else { &[] };
                     contenders.push(*contender);
-                    for off in further {
-                        let set = Set { off: *off, ..Set::of(&[id]) };
-                        if let Tried::Weighed(other) =
-                            self.contender(against, data, &part, &set, weights, base)?
-                        {
-                            contenders.push(*other);
-                            if shared(&plain, &contenders, &part).is_none() {
-                                contenders.pop();
-                            }
-                        }
+                    if found.contains(&id) || has_alone(&diagnosis.alone, id, LEAST_SHARE_OF_SIZES) {
+                        self.other_sizes(against, data, &part, weights, &plain, &mut contenders)?;
                     }
                 }
                 Tried::Sinks if found.contains(&id) => {
@@ -150,7 +141,7 @@ impl Again<'_> {
         let beside = |more: &[EffectId]| Set {
             ids: [first.ids.as_slice(), more].concat(),
             held: first.held().to_vec(),
-            off: 0.0,
+            fitted: None,
         };
         let more = |id: &&EffectId| !first.ids.contains(id);
         let mut sets: Vec<Set> = found.iter().filter(more).map(|id| beside(&[*id])).collect();
@@ -158,7 +149,7 @@ impl Again<'_> {
             sets.push(Set::of(&found));
         }
         for set in sets {
-            let Tried::Weighed(further) = self.contender(against, data, &part, &set, weights, base)? else {
+            let Tried::Weighed(further) = self.contender(against, data, &part, set, weights, base)? else {
                 continue;
             };
             contenders.push(*further);
@@ -168,6 +159,9 @@ impl Again<'_> {
             }
         }
         rank(&plain, &mut contenders, &part, weights, &mut ranked)?;
+        for of in &contenders {
+            self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", arm(&of.effects), of.adds));
+        }
         // Of one set at several sizes the best counts.
         let mut seen: Vec<Vec<EffectId>> = Vec::new();
         contenders.retain(|of| {
@@ -175,17 +169,14 @@ impl Again<'_> {
             seen.push(of.ids.clone());
             is_first
         });
-        for of in &contenders {
-            self.watch.note(&format!("{}: ln evidence of all readings {:+.1}", arm(&of.effects), of.adds));
-        }
         let weighed: Vec<(&[EffectId], f64)> = contenders.iter().map(|of| (&of.ids[..], of.adds)).collect();
         let Some(outcome) = outcome(&weighed, untried) else { return Ok(()) };
         match outcome.bearing {
             Bearing::Out | Bearing::Open => {
                 data.decide(&outcome.best, &outcome.as_likely);
-                // The size is that of the arm that was weighed.
+                // Sizes are those for which readings ask beside the best arm: there errors of responses matter least.
                 let best = contenders.iter().find(|of| of.ids == outcome.best);
-                hold(data, best.map_or(&[], Contender::held));
+                hold(data, best.map_or(&[], Contender::told));
             }
             Bearing::Denied => {
                 self.watch.note(
@@ -219,7 +210,7 @@ impl Again<'_> {
         part: &Part,
         weights: &Weights<'_>,
     ) -> Result<Vec<Data>, AppError> {
-        let refitted = match self.contender(against, data, part, &Set::of(&[]), weights, None)? {
+        let refitted = match self.contender(against, data, part, Set::of(&[]), weights, None)? {
             Tried::Weighed(without) => without.beside,
             Tried::Sinks | Tried::NotShown => return Ok(vec![data.clone()]),
         };
@@ -243,25 +234,20 @@ impl Again<'_> {
         against: &Against,
         data: &Data,
         part: &Part,
-        Set { ids, held, off }: &Set,
+        Set { ids, held, fitted }: Set,
         weights: &Weights<'_>,
         base: Option<&Data>,
     ) -> Result<Tried, AppError> {
-        let mut alone = data.clone();
-        alone.decide(ids, &[]);
-        hold(&mut alone, held);
-        let mut fitted = (weights.fitted)(&alone)?;
-        if fitted.effects.len() == ids.len() && *off != 0.0 {
-            // With the soil that strokes ask for beside that size.
-            for of in &mut fitted.effects {
-                let size = of.amplitude + off * of.amplitude.signum() * of.amplitude_sd;
-                if size * of.amplitude > 0.0 {
-                    of.amplitude = size;
-                }
+        let is_off = fitted.is_some() || !held.is_empty();
+        let fitted = match fitted {
+            Some(fitted) => fitted,
+            None => {
+                let mut alone = data.clone();
+                alone.decide(&ids, &[]);
+                hold(&mut alone, &held);
+                (weights.fitted)(&alone, &[])?
             }
-            hold(&mut alone, &fitted.effects);
-            fitted = (weights.fitted)(&alone)?;
-        }
+        };
         if fitted.effects.len() != ids.len() {
             return Ok(Tried::NotShown);
         }
@@ -273,14 +259,17 @@ impl Again<'_> {
             found => found?,
         };
         let Some(simulated) = simulated else { return Ok(Tried::NotShown) };
-        let offset_deg = file.soil.delta_offset_deg.value;
-        let model = Loaded::new(file, "the simulated soil")?;
-        let mut beside = data.clone();
-        beside.know(&model);
-        beside.expect_of(&part.strokes, &simulated.data, true, offset_deg);
-        expect_scene(&mut beside, &simulated.data, &model);
-        let jumps = base.is_some_and(|base| beside.expect_as(base));
-        let strokes = beside.readings().strokes;
+        let beside = |of: &Loaded, shows: bool| {
+            let mut beside = data.clone();
+            beside.know(of);
+            beside.expect_of(&part.strokes, &simulated.data, shows, of.file().soil.delta_offset_deg.value);
+            expect_scene(&mut beside, &simulated.data, of);
+            base.iter().for_each(|base| beside.expect_as(base));
+            beside
+        };
+        let mut without = file.clone();
+        let with = beside(&Loaded::new(file, "the simulated soil")?, true);
+        let strokes = with.readings().strokes;
         if part.is_little(&strokes) {
             self.watch.note(&format!(
                 "of {} strokes, {} fail the soil of {} and are of a kind that is not on the brink: too few to be weighed",
@@ -290,15 +279,53 @@ impl Again<'_> {
             ));
             return Ok(Tried::Sinks);
         }
+        // What that arm leaves over tells how far the sizes are off.
+        without.effects.truncate(against.known().len());
+        let mut left = beside(&Loaded::new(without, "the simulated soil")?, !against.known().is_empty());
+        left.decide(&ids, &[]);
+        let nearer = match left.count_from(&fitted.effects) {
+            true => {
+                Some((weights.fitted)(&left, &strokes)?).filter(|nearer| nearer.effects.len() == ids.len())
+            }
+            false => None,
+        };
+        let effects = fitted.effects;
         Ok(Tried::Weighed(Box::new(Contender {
-            ids: ids.clone(),
-            is_off: *off != 0.0 || !held.is_empty(),
-            effects: fitted.effects,
-            beside,
-            jumps,
+            ids,
+            is_off,
+            effects,
+            nearer,
+            beside: with,
             adds: 0.0,
             is_weighed: false,
         })))
+    }
+
+    /// Simulates the last of the contenders again, with the sizes for which readings ask beside it, as long as these differ.
+    fn other_sizes(
+        &self,
+        against: &Against,
+        data: &Data,
+        part: &Part,
+        weights: &Weights<'_>,
+        plain: &[Data],
+        contenders: &mut Vec<Contender>,
+    ) -> Result<(), AppError> {
+        for _ in 1..ROUNDS {
+            let Some(next) = contenders.last().and_then(Contender::at_other_sizes) else { break };
+            let ids = next.effects.iter().map(|of| of.id).collect();
+            let set = Set { ids, held: Vec::new(), fitted: Some(next) };
+            let Tried::Weighed(other) = self.contender(against, data, part, set, weights, plain.first())?
+            else {
+                break;
+            };
+            contenders.push(*other);
+            if shared(plain, contenders, part).is_none() {
+                contenders.pop();
+                break;
+            }
+        }
+        Ok(())
     }
 }
 

@@ -1,9 +1,9 @@
 //! How contenders are ranked: by the readings that all of them say what to expect of.
 
-use soilctl_diagnosis::{Data, FoundEffect, Readings};
+use soilctl_diagnosis::{Data, Fitted, FoundEffect, Readings};
 use soilctl_effects::EffectId;
 
-use super::Weights;
+use super::{MATTERS, Weights};
 use crate::AppError;
 
 /// Strokes by which contenders are weighed: whole batches with so many or a few more, since each contender is simulated. Empirical: contests
@@ -37,9 +37,9 @@ pub(super) struct Contender {
     pub(super) effects: Vec<FoundEffect>,
     /// Whether these are others than strokes tell beside responses.
     pub(super) is_off: bool,
+    /// Sizes and soil for which readings ask beside that arm, where it was learnt how strokes respond.
+    pub(super) nearer: Option<Fitted>,
     pub(super) beside: Data,
-    /// Whether strokes of a kind go different ways there.
-    pub(super) jumps: bool,
     /// ln evidence of what all contenders expect, over that of the better arm without effects, once it is weighed.
     pub(super) adds: f64,
     pub(super) is_weighed: bool,
@@ -49,6 +49,21 @@ impl Contender {
     /// Its effects, if strokes do not tell their sizes.
     pub(super) fn held(&self) -> &[FoundEffect] {
         if self.is_off { &self.effects } else { &[] }
+    }
+
+    /// Sizes that are told beside it, or else its own, if strokes do not tell these.
+    pub(super) fn told(&self) -> &[FoundEffect] {
+        self.nearer.as_ref().map_or(self.held(), |nearer| &nearer.effects)
+    }
+
+    /// What readings ask for beside it, if a size differs by enough to matter.
+    pub(super) fn at_other_sizes(&self) -> Option<Fitted> {
+        let nearer = self.nearer.as_ref()?;
+        let differs = |of: &FoundEffect| {
+            let same = nearer.effects.iter().filter(|other| other.id == of.id);
+            same.map(|other| (other.amplitude - of.amplitude).abs()).any(|by| by > MATTERS * of.amplitude_sd)
+        };
+        self.effects.iter().any(differs).then(|| nearer.clone())
     }
 }
 
@@ -135,7 +150,7 @@ mod tests {
             effects: Vec::new(),
             is_off: false,
             beside,
-            jumps: false,
+            nearer: None,
             adds,
             is_weighed: false,
         }
@@ -159,7 +174,7 @@ mod tests {
         };
         let diagnosis = |_: &Data| unreachable!("nothing is diagnosed by a ranking");
         let part = Part::of(&plain[0]);
-        let fitted = |_: &Data| unreachable!("nothing is fitted by a ranking");
+        let fitted = |_: &Data, _: &[bool]| unreachable!("nothing is fitted by a ranking");
         let weights = Weights { diagnosis: &diagnosis, fitted: &fitted, log_evidence: &log_evidence };
         let mut ranked = None;
         for _ in 0..2 {
