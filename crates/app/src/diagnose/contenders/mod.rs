@@ -30,6 +30,8 @@ const LEAST_SHARE_OF_SIZES: f64 = 0.5;
 const ROUNDS: usize = 3;
 const MATTERS: f64 = 0.5;
 
+/// Sizes and soil that data tell, by these strokes of theirs.
+type FittedBy<'a> = &'a dyn Fn(&Data, &[bool]) -> Result<Fitted, AppError>;
 /// ln evidence of data, of these readings of theirs.
 type LogEvidence<'a> = &'a dyn Fn(&Data, &Readings) -> Result<f64, AppError>;
 
@@ -37,7 +39,7 @@ type LogEvidence<'a> = &'a dyn Fn(&Data, &Readings) -> Result<f64, AppError>;
 /// known and nothing else.
 pub(super) struct Weights<'a> {
     pub(super) diagnosis: &'a dyn Fn(&Data) -> Result<Diagnosis, AppError>,
-    pub(super) fitted: &'a dyn Fn(&Data, &[bool]) -> Result<Fitted, AppError>,
+    pub(super) fitted: FittedBy<'a>,
     pub(super) log_evidence: LogEvidence<'a>,
 }
 
