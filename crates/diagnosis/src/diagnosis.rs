@@ -70,7 +70,10 @@ impl Diagnosis {
 /// # Errors
 /// [`DiagnosisError::NoFit`] if no soil explains the forces at all.
 pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisError> {
-    let data = &settled(data, surface)?;
+    let mut settled = settled(data, surface)?;
+    // What is said of a set is told by sizes for which responses ask: those that are held are of an arm for which responses are not.
+    let held = settled.decided.as_mut().map(|decided| std::mem::take(&mut decided.held)).unwrap_or_default();
+    let data = &settled;
     let first = FitSetup::new(data, surface, data.phi.mean);
     let phi_deg = Search::new(&first)?.baseline.soil[0];
     let setup = FitSetup::new(data, surface, phi_deg);
@@ -87,6 +90,9 @@ pub fn diagnose(data: &Data, surface: &Surface) -> Result<Diagnosis, DiagnosisEr
         effects = effects_of(data, best);
         for (effect, factor) in effects.iter_mut().zip(&verdict.factors) {
             effect.log_bayes_factor = *factor;
+            if let Some(size) = held.get(&effect.id) {
+                (effect.amplitude, effect.amplitude_sd) = *size;
+            }
         }
     }
     let shape = verdict.instead_of_effects.as_ref().filter(|_| status == Status::Unknown);

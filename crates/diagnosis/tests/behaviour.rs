@@ -74,14 +74,16 @@ fn the_soil_is_told_beside_a_size_that_is_held() {
         data.decide(&[EffectId::ForceBias], &[]);
         data.hold(EffectId::ForceBias, amplitude, sd);
         let found = diagnose(&data, &surface).unwrap();
-        assert!(
-            (found.effects[0].amplitude / amplitude - 1.0).abs() < 1e-4
-                && found.effects[0].amplitude_sd == sd
-        );
+        assert_eq!((found.effects[0].amplitude, found.effects[0].amplitude_sd), (amplitude, sd));
         // Without weighing it is the same size, in a soil that leaves room for errors of the force model.
         let soil = found.model_file(&data, "chen", &[], String::new()).soil.phi_deg;
         let alone = fitted(&data, &surface, &[]).unwrap();
-        assert_eq!(alone.effects[0].amplitude, found.effects[0].amplitude);
+        assert!((alone.effects[0].amplitude / amplitude - 1.0).abs() < 1e-4);
+        // Whatever is held, what is said of the effect is the same.
+        assert_eq!(
+            (found.status, found.effects[0].log_bayes_factor),
+            (told.status, told.effects[0].log_bayes_factor)
+        );
         let by_all = alone.model_file(&data, "chen", &[]).soil.phi_deg;
         assert!(
             by_all.sd > soil.sd && (by_all.value - soil.value).abs() < 2.0 * by_all.sd,

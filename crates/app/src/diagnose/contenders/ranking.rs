@@ -118,6 +118,7 @@ mod tests {
 
     use std::cell::RefCell;
 
+    use soilctl_diagnosis::FittedSoil;
     use soilctl_effects::Channel;
     use soilctl_strokes::{Campaign, StrokeRow};
 
@@ -154,6 +155,39 @@ mod tests {
             adds,
             is_weighed: false,
         }
+    }
+
+    /// Sizes are those that are told beside an arm; it is simulated again with them only if one is off by more than half its standard deviation.
+    #[test]
+    fn another_size_is_tried_where_it_matters() {
+        let of = |amplitude: f64| FoundEffect {
+            id: EffectId::Backlash,
+            amplitude,
+            amplitude_sd: 1e-4,
+            shape: 0.0,
+            log_bayes_factor: 0.0,
+        };
+        let soil = FittedSoil {
+            phi_deg: 40.0,
+            phi_sd_deg: 1.0,
+            delta_offset_deg: 0.0,
+            delta_offset_sd_deg: 1.0,
+            density_kg_m3: 1500.0,
+            density_sd_kg_m3: 30.0,
+        };
+        let mut contender = contender(&[EffectId::Backlash], 0.0, beside(None, None, ""));
+        contender.effects = vec![of(1e-3)];
+        assert!(contender.told().is_empty() && contender.at_other_sizes().is_none());
+        for (size, is_tried) in [(1.04e-3, false), (0.96e-3, false), (1.06e-3, true), (0.94e-3, true)] {
+            contender.nearer = Some(Fitted { effects: vec![of(size)], soil });
+            assert_eq!(contender.told()[0].amplitude, size);
+            assert_eq!(
+                contender.at_other_sizes().map(|next| next.effects[0].amplitude),
+                is_tried.then_some(size)
+            );
+        }
+        (contender.nearer, contender.is_off) = (None, true);
+        assert_eq!(contender.told()[0].amplitude, 1e-3);
     }
 
     /// An arm that says what to expect of a column or a stroke more than another does not win by that: all are weighed by the same ones.
