@@ -20,7 +20,8 @@ export class Hand {
   seen(state) {
     this.plate = state.plate && {radius: Math.hypot(state.plate.x_m, state.plate.y_m), base: Math.atan2(state.plate.y_m, state.plate.x_m), z: state.plate.z_m, tool: state.plate.tool_angle_deg};
     if (this.brought && this.plate && this.far() < NEAR_M) this.until = this.brought = 0;
-    if (!this.grips()) this.target = null;
+    // A plate that is not there in time is brought no longer.
+    if (!this.grips()) Object.assign(this, {target: null, brought: false});
   }
   grips() { return this.dragged || this.held || this.moving() || performance.now() < this.until; }
   moving() { return Object.values(this.moves).some(Boolean); }
