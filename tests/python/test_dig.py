@@ -41,6 +41,8 @@ def test_the_plate_is_dragged_and_the_log_tells_the_soil(dig, pages, soilctl, tm
     page = pages(dig.url)
     assert "token" not in page.url
     take(page)
+    # A plate that was not brought to its place in time is brought no longer.
+    assert page.evaluate("(() => { const {hand, state} = dig; hand.bring({radius: 9, base: 0, z: 9, tool: 90}); hand.until = 0; hand.seen(state); hand.seen(state); return !hand.brought && hand.target === null; })()")
     surface = page.evaluate("dig.scene.sandbox.surface_z_m")
     page.mouse.move(*spot(page, *plate(page)))
     page.mouse.down()

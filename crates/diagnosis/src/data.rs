@@ -10,6 +10,7 @@ use soilctl_strokes::{Campaign, StrokeRow, TraceTable};
 
 use crate::DiagnosisError;
 use crate::correlation::Correlation;
+use crate::decided::Decided;
 use crate::diagnosis::FoundEffect;
 use crate::learnt::Learnt;
 use crate::traces::{PhaseKey, traced};
@@ -40,20 +41,6 @@ pub(crate) struct Known {
     pub(crate) linked: bool,
     /// Whether columns respond with a strength of their own.
     pub(crate) responds: bool,
-}
-
-/// A set of effects that was decided for, effects that are as likely, and amplitudes that strokes no longer tell, with their standard deviations.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Decided {
-    pub(crate) best: Vec<EffectId>,
-    pub(crate) as_likely: Vec<EffectId>,
-    pub(crate) held: BTreeMap<EffectId, (f64, f64)>,
-}
-
-impl Decided {
-    fn has(&self, id: EffectId) -> bool {
-        self.best.contains(&id) || self.as_likely.contains(&id)
-    }
 }
 
 /// Readings of a campaign that are weighed: columns, and which strokes.
@@ -303,20 +290,6 @@ impl Data {
             columns(&self.rows, true).into_iter().chain(std::mem::take(&mut self.channels)).collect();
     }
 
-    /// Takes a set of effects as the best explanation, of which strokes tell the sizes only, with those that are as likely in the place of it.
-    pub fn decide(&mut self, best: &[EffectId], as_likely: &[EffectId]) {
-        self.decided =
-            Some(Decided { best: best.to_vec(), as_likely: as_likely.to_vec(), held: BTreeMap::new() });
-    }
-
-    /// Takes the size of an effect that was decided for as a simulated arm tells it: amplitude and standard deviation in the unit of its parameter.
-    /// Strokes tell the soil beside it. Without a decision it does nothing.
-    pub fn hold(&mut self, id: EffectId, amplitude: f64, sd: f64) {
-        if let Some(decided) = &mut self.decided {
-            decided.held.insert(id, (amplitude, sd));
-        }
-    }
-
     /// Says that the simulated arm that told what to expect ([`Data::expect_of`]) has effects of these sizes: how strokes respond to them counts from
     /// there, so that errors of responses matter the less the nearer that arm comes to the measured one. To be called after [`Data::learn`]. Without effects, or if
     /// nobody learnt how strokes respond to one of them, nothing can be told of sizes, and the answer is `false`.
@@ -326,11 +299,6 @@ impl Data {
             *learnt = learnt.about(of.amplitude);
         }
         !effects.is_empty()
-    }
-
-    /// Amplitude and standard deviation of an effect whose size is held.
-    pub(crate) fn held(&self, id: EffectId) -> Option<(f64, f64)> {
-        self.decided.as_ref()?.held.get(&id).copied()
     }
 
     /// Empirical terms that are known ([`Data::know`]).

@@ -176,8 +176,9 @@ pub struct Fitted {
     pub soil: FittedSoil,
 }
 
-/// Sizes and soil that strokes tell of a set that was decided for ([`Data::decide`]), or the soil without effects if it is empty or none was: what
-/// [`diagnose`] says of them, without weighing whether they are there. `strokes` says by stroke which tell the sizes; those beyond its end do.
+/// Sizes and soil that strokes tell of a set that was decided for ([`Data::decide`]), or the soil without effects if it is empty or none was, without
+/// weighing whether they are there. The soil is the one that all readings ask for; that of [`diagnose`] is the one with which formulas come nearest to the forces. `strokes`
+/// says by stroke which tell them; those beyond its end do.
 ///
 /// # Errors
 /// As [`diagnose`].

@@ -4,6 +4,7 @@ mod alike;
 mod channels;
 mod correlation;
 mod data;
+mod decided;
 mod diagnosis;
 mod error;
 mod explanation;

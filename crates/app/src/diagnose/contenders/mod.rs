@@ -10,7 +10,7 @@ mod ranking;
 use std::collections::BTreeSet;
 
 use outcome::{AS_LIKELY, Bearing, outcome};
-use ranking::{Contender, Part, rank, shared, taking_part};
+use ranking::{Contender, Part, join, rank, taking_part};
 use soilctl_campaign::CampaignError;
 use soilctl_diagnosis::{Data, Diagnosis, Explanation, Fitted, FoundEffect, Readings, Status, TURN_ALIKE};
 use soilctl_effects::{EffectId, Loaded};
@@ -151,13 +151,8 @@ impl Again<'_> {
             sets.push(Set::of(&found));
         }
         for set in sets {
-            let Tried::Weighed(further) = self.contender(against, data, &part, set, weights, base)? else {
-                continue;
-            };
-            contenders.push(*further);
-            // A set whose arm leaves too few strokes to weigh it with the others is not one of them.
-            if shared(&plain, &contenders, &part).is_none() {
-                contenders.pop();
+            if let Tried::Weighed(further) = self.contender(against, data, &part, set, weights, base)? {
+                join(&plain, &mut contenders, *further, &part);
             }
         }
         rank(&plain, &mut contenders, &part, weights, &mut ranked)?;
@@ -321,9 +316,7 @@ impl Again<'_> {
             else {
                 break;
             };
-            contenders.push(*other);
-            if shared(plain, contenders, part).is_none() {
-                contenders.pop();
+            if !join(plain, contenders, *other, part) {
                 break;
             }
         }

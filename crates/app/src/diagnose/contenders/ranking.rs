@@ -69,13 +69,23 @@ impl Contender {
 
 /// The readings of which all contenders, and the arms without effects, say what to expect; `None` if too few strokes are left. Strokes on the brink may
 /// fail the soil on one arm and sink on the other: that says little of either.
-pub(super) fn shared(plain: &[Data], contenders: &[Contender], part: &Part) -> Option<Readings> {
+fn shared(plain: &[Data], contenders: &[Contender], part: &Part) -> Option<Readings> {
     let all = plain.iter().chain(contenders.iter().map(|of| &of.beside)).map(Data::readings);
     let shared = all.reduce(|mut shared, of| {
         shared.keep(&of);
         shared
     })?;
     (!part.is_little(&shared.strokes)).then_some(shared)
+}
+
+/// Takes a further contender in; `false` if its arm leaves too few strokes to weigh it with the others, and then it is none of them.
+pub(super) fn join(plain: &[Data], contenders: &mut Vec<Contender>, further: Contender, part: &Part) -> bool {
+    contenders.push(further);
+    let joins = shared(plain, contenders, part).is_some();
+    if !joins {
+        contenders.pop();
+    }
+    joins
 }
 
 /// Weighs the readings that all contenders share, most evidence first; `false` if these are too few, and then nothing is weighed.
@@ -219,8 +229,10 @@ mod tests {
         let shared = Readings { columns: [Channel::ZDrift].into(), strokes: vec![true, true, false, false] };
         assert_eq!(asked, vec![shared; 4]);
         assert!(contenders.iter().all(|of| of.adds.abs() < 1e-12));
-        // One on which the other kind sinks leaves nothing to weigh them all by.
-        contenders.push(contender(&[EffectId::ForceDrift], 0.0, beside(Some(1e-3), Some(0.2), "a")));
-        assert!(super::shared(&plain, &contenders, &part).is_none());
+        // One on which the other kind sinks leaves nothing to weigh them all by, and is none of them.
+        let sinks = contender(&[EffectId::ForceDrift], 0.0, beside(Some(1e-3), Some(0.2), "a"));
+        assert!(!join(&plain, &mut contenders, sinks, &part) && contenders.len() == 3);
+        assert!(join(&plain, &mut contenders, contender(&[EffectId::ForceDrift], 0.0, both()), &part));
+        assert_eq!(contenders.len(), 4);
     }
 }
