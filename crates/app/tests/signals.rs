@@ -118,6 +118,19 @@ fn what_a_controller_hides_is_found_in_other_signals() {
         } else {
             assert_eq!((answer.status.as_str(), &names[..]), ("named", &[expected][..]));
         }
+        if effect.is_some() {
+            // The simulated arm with what was found, in the soil that signals ask for beside it, comes nearer to all signals together.
+            let gap = |of: &dyn Fn(&diagnose::SignalAnswer) -> f64| {
+                (answer.signals.iter().map(|signal| of(signal).powi(2)).sum::<f64>()
+                    / answer.signals.len() as f64)
+                    .sqrt()
+            };
+            let before = gap(&|signal| signal.gap_before);
+            let after = gap(&|signal| signal.gap_after.unwrap());
+            println!("  gap of all signals to the simulated arm {before:.2}, with what was found {after:.2}");
+            assert!(after < 0.7 * before);
+            assert!(Path::new(answer.twin.as_deref().unwrap()).ends_with("twin.json"));
+        }
     }
 }
 

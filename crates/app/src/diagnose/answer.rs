@@ -53,6 +53,9 @@ pub struct Answer {
     pub next_experiment: Option<NextAnswer>,
     /// Model file for `--model-file`.
     pub patch: String,
+    /// The same for `simulate`, with the soil that all signals ask for, where `patch` has the one with which the formulas come nearest to the forces; null if
+    /// signals were not compared with those of the simulated arm.
+    pub twin: Option<String>,
     /// HTML page; null if none was made.
     pub report: Option<String>,
     /// The force model without effects.
@@ -365,6 +368,7 @@ impl Answer {
                 power: next.power,
             }),
             patch: written.patch.display().to_string(),
+            twin: written.twin.as_ref().map(|path| path.display().to_string()),
             report: None,
             model: against.model.clone(),
             model_file: against.file.as_ref().map(|(path, _)| path.clone()),

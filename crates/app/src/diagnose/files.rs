@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use soilctl_diagnosis::{Data, Diagnosis};
-use soilctl_effects::Loaded;
+use soilctl_effects::{Loaded, ModelFile};
 use soilctl_jobs::fnv1a;
 
 use super::Against;
@@ -13,6 +13,7 @@ use crate::files::{failed, save};
 /// Where things were written.
 pub(super) struct Written {
     pub(super) patch: PathBuf,
+    pub(super) twin: Option<PathBuf>,
     pub(super) next: Option<PathBuf>,
 }
 
@@ -21,13 +22,22 @@ pub(super) fn write(
     against: &Against,
     data: &Data,
     diagnosis: &Diagnosis,
+    twin: Option<&ModelFile>,
     strokes: &Path,
     out: &Path,
 ) -> Result<Written, AppError> {
     std::fs::create_dir_all(out).map_err(failed(out))?;
     let comparison = &diagnosis.comparison;
     let hash = fnv1a(&std::fs::read(strokes).map_err(failed(strokes))?);
-    let file = diagnosis.model_file(data, &against.model, against.known(), hash);
+    let file = diagnosis.model_file(data, &against.model, against.known(), hash.clone());
+    let twin = match twin {
+        Some(twin) => {
+            let path = out.join("twin.json");
+            ModelFile { data_hash: hash, ..twin.clone() }.write(&path)?;
+            Some(path)
+        }
+        None => None,
+    };
     let patch = out.join("patch.json");
     file.write(&patch)?;
     let name = patch.display().to_string();
@@ -44,5 +54,5 @@ pub(super) fn write(
         }
         None => None,
     };
-    Ok(Written { patch, next })
+    Ok(Written { patch, twin, next })
 }

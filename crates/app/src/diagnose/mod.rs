@@ -104,7 +104,7 @@ fn diagnosed(request: &Request, shows_found: bool, watch: &dyn Watch) -> Result<
         }
     };
     let title = dir.file_name().map_or_else(|| "campaign".into(), |name| name.to_string_lossy().into_owned());
-    let written = files::write(&against, &data, &diagnosis, &strokes, &out)?;
+    let written = files::write(&against, &data, &diagnosis, simulated.twin.as_ref(), &strokes, &out)?;
     let used = traces.as_ref().map_or(0, |traces| traces.used);
     let answer =
         Answer::new(&against, &data, &diagnosis, (&simulated, resimulated, why), used, &written, follow_up);

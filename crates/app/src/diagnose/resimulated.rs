@@ -4,13 +4,13 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use soilctl_campaign::{CampaignError, Plan};
-use soilctl_diagnosis::{Course, Data, Diagnosis, RecordedTraces};
-use soilctl_effects::{EffectId, Loaded, ModelFile};
+use soilctl_diagnosis::{Course, Data, Diagnosis, FoundEffect, RecordedTraces};
+use soilctl_effects::{EffectId, Loaded, ModelFile, SoilEntry};
 use soilctl_jobs::fnv1a;
 use soilctl_strokes::Campaign;
 
 use super::Against;
-use super::contenders::Weights;
+use super::contenders::{Weights, hold};
 use super::kept::{Kept, kept};
 use super::learn::{Learning, Progress};
 use super::logs::Resimulation;
@@ -27,6 +27,8 @@ pub struct Simulated {
     pub before: Option<Resimulated>,
     /// With them.
     pub after: Option<Resimulated>,
+    /// What it was simulated with: what was found, and the soil that all signals ask for beside it.
+    pub(super) twin: Option<ModelFile>,
 }
 
 /// A campaign that was simulated again.
@@ -82,7 +84,7 @@ impl Again<'_> {
         *diagnosis = (weights.diagnosis)(data)?;
         // The soil was that which the table asks for: with the one that all signals ask for, less may be missing.
         if diagnosis.has_found()
-            && let soil = by_signals(against, data, diagnosis, weights)?
+            && let soil = by_signals(against, data, diagnosis, &[], weights)?
             && let (Some(again), plain) = self.before(against, data, soil)?
         {
             let mut recalibrated = of_table;
@@ -92,10 +94,11 @@ impl Again<'_> {
                 before = again;
             }
         }
-        self.contest(against, data, diagnosis, weights)?;
-        let after = self.after(against, data, diagnosis)?;
+        let beside_arm = self.contest(against, data, diagnosis, weights)?;
+        let twin = twin(against, data, diagnosis, beside_arm, weights)?;
+        let after = self.after(&twin, data, diagnosis)?;
         let how = if stopped() { Resimulation::Stopped } else { Resimulation::Compared };
-        Ok((Simulated { before: Some(before), after }, how))
+        Ok((Simulated { before: Some(before), after, twin: Some(twin) }, how))
     }
 
     /// Simulates a model file without the effects that were found; the file of that, with the effects that are known and can be simulated.
@@ -152,7 +155,7 @@ impl Again<'_> {
     /// Simulates with the effects or the term that were found; `None` without any, or if it was stopped.
     fn after(
         &self,
-        against: &Against,
+        twin: &ModelFile,
         data: &Data,
         diagnosis: &Diagnosis,
     ) -> Result<Option<Resimulated>, AppError> {
@@ -160,7 +163,7 @@ impl Again<'_> {
             return Ok(None);
         }
         self.watch.note("the same commands on the simulated arm, with what was found");
-        match self.simulate(&model_file(against, data, diagnosis), &data.campaign, None) {
+        match self.simulate(twin, &data.campaign, None) {
             // An effect or a term that the simulated arm cannot show stays in the answer.
             Err(AppError::Campaign(
                 problem @ (CampaignError::Effect { .. } | CampaignError::Term { .. }),
@@ -206,17 +209,39 @@ pub(super) fn expect_scene(data: &mut Data, simulated: &Data, model: &Loaded) {
     }
 }
 
-/// The model file of what was found with the soil that all signals ask for beside it. That of a diagnosis has the soil with which its formulas come nearest
-/// to the forces, and these do not know the controller.
+/// The model file of what was found, with the soil that all signals ask for beside it. That of a diagnosis has the soil with which its formulas come nearest
+/// to the forces, and these do not know the controller. `sizes` are those of effects that are known; strokes tell the others.
 fn by_signals(
     against: &Against,
     data: &Data,
     diagnosis: &Diagnosis,
+    sizes: &[FoundEffect],
     weights: &Weights<'_>,
 ) -> Result<ModelFile, AppError> {
     let mut of = data.clone();
     of.decide(&diagnosis.effects.iter().map(|found| found.id).collect::<Vec<_>>(), &[]);
+    hold(&mut of, sizes);
     Ok((weights.fitted)(&of, &[])?.model_file(data, &against.model, against.known()))
+}
+
+/// The model file for the simulated arm: that of a diagnosis with the soil that signals ask for, if there was one beside the arm that has what was found that of
+/// it. A term without a name is one of the formulas, and so is the soil beside it.
+fn twin(
+    against: &Against,
+    data: &Data,
+    diagnosis: &Diagnosis,
+    beside_arm: Option<SoilEntry>,
+    weights: &Weights<'_>,
+) -> Result<ModelFile, AppError> {
+    let file = model_file(against, data, diagnosis);
+    if !diagnosis.terms.is_empty() {
+        return Ok(file);
+    }
+    let soil = match beside_arm {
+        Some(soil) => soil,
+        None => by_signals(against, data, diagnosis, &diagnosis.effects, weights)?.soil,
+    };
+    Ok(ModelFile { soil, ..file })
 }
 
 /// The model file of a diagnosis before it is written: of no stroke table.

@@ -191,8 +191,8 @@ def diagnose(
         logs: Folder with the campaign's logs, if they are soilctl's; by default the folder, if logs of its strokes are there. The same
             commands are run on the simulated arm, without and with what is found, and signals are compared. Takes some seconds a stroke.
         resimulate: False reads the table alone, also where logs are there.
-        out: Folder for ``patch.json``, ``predictions.csv``, ``gap.csv``, ``next_experiment.csv`` and ``report.html``; by default
-            ``diagnosis`` in the folder. Of a table in memory nothing is written by default.
+        out: Folder for ``patch.json``, ``predictions.csv``, ``gap.csv``, ``next_experiment.csv`` and ``report.html``, and of
+            logs ``twin.json``; by default ``diagnosis`` in the folder. Of a table in memory nothing is written by default.
 
     Returns:
         The answer. Of a table in memory it has ``predictions`` too, a table of the same kind with the same index: the force of each

@@ -13,7 +13,7 @@ use outcome::{AS_LIKELY, Bearing, outcome};
 use ranking::{Contender, Part, join, rank, taking_part};
 use soilctl_campaign::CampaignError;
 use soilctl_diagnosis::{Data, Diagnosis, Explanation, Fitted, FoundEffect, Readings, Status, TURN_ALIKE};
-use soilctl_effects::{EffectId, Loaded};
+use soilctl_effects::{EffectId, Loaded, SoilEntry};
 
 use super::Against;
 use super::resimulated::{Again, expect_scene};
@@ -69,7 +69,7 @@ enum Tried {
 }
 
 /// Takes the sizes of effects as known.
-fn hold(data: &mut Data, effects: &[FoundEffect]) {
+pub(super) fn hold(data: &mut Data, effects: &[FoundEffect]) {
     effects.iter().for_each(|of| data.hold(of.id, of.amplitude, of.amplitude_sd));
 }
 
@@ -88,18 +88,18 @@ fn arm(effects: &[FoundEffect]) -> String {
 }
 
 impl Again<'_> {
-    /// Simulates what could explain the campaign and decides by the readings. Nothing is decided where nothing was found, where the simulated
-    /// arm cannot show what was found, or where the work is stopped.
+    /// Simulates what could explain the campaign and decides by the readings; the soil that these tell beside the arm with what was decided for. Nothing is
+    /// decided, and there is no soil, where nothing was found, where the simulated arm cannot show what was found, or where the work is stopped.
     pub(super) fn contest(
         &self,
         against: &Against,
         data: &mut Data,
         diagnosis: &mut Diagnosis,
         weights: &Weights<'_>,
-    ) -> Result<(), AppError> {
+    ) -> Result<Option<SoilEntry>, AppError> {
         let found: Vec<EffectId> = diagnosis.effects.iter().map(|found| found.id).collect();
         if found.is_empty() {
-            return Ok(());
+            return Ok(None);
         }
         let in_question = in_question(diagnosis);
         let part = Part::of(data);
@@ -124,9 +124,9 @@ impl Again<'_> {
                 }
                 Tried::Sinks if found.contains(&id) => {
                     self.doubt(diagnosis, SINKS);
-                    return Ok(());
+                    return Ok(None);
                 }
-                Tried::NotShown if found.contains(&id) => return Ok(()),
+                Tried::NotShown if found.contains(&id) => return Ok(None),
                 Tried::Sinks | Tried::NotShown => untried.push(id),
             }
         }
@@ -137,9 +137,9 @@ impl Again<'_> {
         let mut ranked = None;
         if !rank(&plain, &mut contenders, &part, weights, &mut ranked)? {
             self.doubt(diagnosis, SINKS);
-            return Ok(());
+            return Ok(None);
         }
-        let Some(first) = contenders.first() else { return Ok(()) };
+        let Some(first) = contenders.first() else { return Ok(None) };
         let beside = |more: &[EffectId]| Set {
             ids: [first.ids.as_slice(), more].concat(),
             held: first.held().to_vec(),
@@ -167,13 +167,16 @@ impl Again<'_> {
             is_first
         });
         let weighed: Vec<(&[EffectId], f64)> = contenders.iter().map(|of| (&of.ids[..], of.adds)).collect();
-        let Some(outcome) = outcome(&weighed, untried) else { return Ok(()) };
+        let Some(outcome) = outcome(&weighed, untried) else { return Ok(None) };
+        let mut soil = None;
         match outcome.bearing {
             Bearing::Out | Bearing::Open => {
                 data.decide(&outcome.best, &outcome.as_likely);
                 // Sizes are those for which readings ask beside the best arm: there errors of responses matter least.
                 let best = contenders.iter().find(|of| of.ids == outcome.best);
                 hold(data, best.map_or(&[], Contender::told));
+                let nearer = best.and_then(|best| best.nearer.as_ref());
+                soil = nearer.map(|of| of.model_file(data, &against.model, against.known()).soil);
             }
             Bearing::Denied => {
                 self.watch.note(
@@ -183,6 +186,7 @@ impl Again<'_> {
             }
         }
         *diagnosis = (weights.diagnosis)(data)?;
+        let is_best = is_same_set(&outcome.best, diagnosis.effects.iter().map(|found| found.id));
         match outcome.bearing {
             Bearing::Open => {
                 self.doubt(
@@ -190,12 +194,12 @@ impl Again<'_> {
                     "a simulated arm with fewer effects, or none, explains the readings about as well",
                 );
             }
-            Bearing::Out if !is_same_set(&outcome.best, diagnosis.effects.iter().map(|found| found.id)) => {
+            Bearing::Out if !is_best => {
                 self.doubt(diagnosis, "responses ask for other effects than the simulated arms");
             }
             Bearing::Out | Bearing::Denied => {}
         }
-        Ok(())
+        Ok(soil.filter(|_| is_best))
     }
 
     /// The campaign beside the arms without effects: one with the soil that all signals ask for, unless too many strokes sink there, and the one that it

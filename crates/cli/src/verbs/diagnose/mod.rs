@@ -17,7 +17,7 @@ use crate::output::Output;
 #[derive(Debug, clap::Args)]
 #[command(
     group = clap::ArgGroup::new("hidden_campaigns").args(["self_test", "self_test_logs"]),
-    after_help = "Writes patch.json (the model file), predictions.csv, gap.csv, next_experiment.csv and report.html into --out.",
+    after_help = "Writes patch.json (the model file), predictions.csv, gap.csv, next_experiment.csv and report.html into --out; with logs of soilctl twin.json, the model file for the simulated arm, too.",
     // Hidden campaigns are in no folder; the name that stands for theirs is never used.
     mut_arg("dir", |dir| dir.required(false).required_unless_present("hidden_campaigns").conflicts_with("hidden_campaigns")
         .default_value_ifs([

@@ -84,6 +84,10 @@ impl Words for Answer {
             }
         }
         text += &format!("patch: {}\n", self.patch);
+        if let Some(twin) = &self.twin {
+            text +=
+                &format!("twin: {twin} is the same for `simulate`, with the soil that all signals ask for\n");
+        }
         if let Some(report) = &self.report {
             text += &format!("report: {report}\n");
         }
