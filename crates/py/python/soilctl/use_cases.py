@@ -6497,6 +6497,9 @@ class DiagnoseAnswer(Answer):
         strokes: Strokes.
         testability: What the design could show of each effect, before the forces were looked at.
         traces: Strokes whose trace was used.
+        twin: The same for ``simulate``, with the soil that all signals ask for, where ``patch`` has the one with
+            which the formulas come nearest to the forces; null if signals were not compared with those of the
+            simulated arm.
         where: Disagreements of the recalibrated baseline that are more than chance.
     """
 
@@ -6562,6 +6565,10 @@ class DiagnoseAnswer(Answer):
     """What the design could show of each effect, before the forces were looked at."""
     traces: int
     """Strokes whose trace was used."""
+    twin: str | None
+    """The same for ``simulate``, with the soil that all signals ask for, where ``patch`` has the one with which the
+    formulas come nearest to the forces; null if signals were not compared with those of the simulated arm.
+    """
     where: list[DiagnoseWhere]
     """Disagreements of the recalibrated baseline that are more than chance."""
 

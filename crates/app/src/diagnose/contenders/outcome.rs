@@ -50,8 +50,11 @@ pub(super) fn outcome(weighed: &[(&[EffectId], f64)], untried: Vec<EffectId>) ->
     // The best of fewer effects: none, or one of a pair.
     let fewer = weighed.iter().filter(|(ids, _)| ids.len() < best.0.len());
     let lesser = fewer.map(|(_, adds)| *adds).fold(0.0, f64::max);
+    // Two effects that are there are not both as good as nothing alone: what they make together then is a shape that neither has.
+    let mut alone = weighed.iter().filter(|(ids, _)| matches!(ids, [id] if best.0.contains(id)));
+    let is_seen = alone.any(|(_, adds)| *adds > CHANCE);
     let bearing = match score(best) {
-        adds if adds > 0.0 && best.1 - lesser > CHANCE => Bearing::Out,
+        adds if adds > 0.0 && best.1 - lesser > CHANCE && is_seen => Bearing::Out,
         adds if adds > -CHANCE => Bearing::Open,
         _ => Bearing::Denied,
     };
@@ -91,6 +94,9 @@ mod tests {
         assert_eq!(found(&pair(1.1), &[]), (vec![a], vec![b], Bearing::Out));
         assert_eq!(found(&pair(1.5), &[]), (vec![a, b], vec![], Bearing::Open));
         assert_eq!(found(&pair(2.9), &[]), (vec![a, b], vec![], Bearing::Out));
+        // Nor is a pair of which neither adds more than chance may: a step in depth of 25 % was such a one.
+        assert_eq!(found(&[of(&[a, b], 23.0), of(&[a], 5.7), of(&[b], -7.0)], &[]).2, Bearing::Open);
+        assert_eq!(found(&[of(&[a, b], 33.0), of(&[a], 10.1), of(&[b], -7.0)], &[]).2, Bearing::Out);
         assert_eq!(found(&[of(&[a], 0.9 * THRESHOLD), of(&[b], -3.0)], &[]).2, Bearing::Open);
         // No effect is as likely as one that adds no more than chance may.
         assert_eq!(found(&[of(&[a], 9.9)], &[]).2, Bearing::Open);
