@@ -8,7 +8,6 @@ use crate::channels::spread;
 use crate::fit::Fit;
 use crate::generic::{Condition, conditions, indicator, standard};
 use crate::setup::{FitSetup, SETTING_SD};
-use crate::spec::Spec;
 use crate::traces::{Phase, PhaseKey};
 
 /// A disagreement that is more than chance.
@@ -103,8 +102,7 @@ fn forces(setup: &FitSetup<'_>, baseline: &Fit) -> Option<Residuals> {
     let known = setup.known_and([]);
     let at = |i: usize, soil: [f64; 3]| setup.ln_force(i, soil, &known);
     let mut directions: Vec<(Vec<f64>, f64)> = Vec::new();
-    let delta_sd = setup.delta(&Spec::default()).sd;
-    for (k, sd) in [data.phi.sd, delta_sd, data.density.sd].into_iter().enumerate() {
+    for (k, sd) in [data.phi.sd, data.delta.sd, data.density.sd].into_iter().enumerate() {
         let size = 0.01;
         let slope: Option<Vec<f64>> = (0..n)
             .map(|i| {

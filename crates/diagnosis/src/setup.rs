@@ -26,11 +26,8 @@ const LEAST_BATCH_SCATTER: f64 = 0.01;
 /// Standard deviation of how far a setting of the twin is off, over the most that it may be: as if anything up to that were as likely.
 pub(crate) const SETTING_SD: f64 = 0.577;
 
-/// Standard deviations in deg of the interface friction that a soil has of its own where a simulated arm showed what an offset of it does: beside such an offset none to
-/// speak of, and without one what readings of the friction are off by. Empirical: with as much as is possible of a sand nobody has measured, a friction that was 5.3 deg
-/// off was taken for the soil's, and what formulas left over, for other effects.
+/// Standard deviation in deg of the interface friction that a soil has of its own beside an offset of it that a simulated arm showed: none to speak of.
 const OWN_DELTA_SD: f64 = 0.01;
-const SHOWN_DELTA_SD: f64 = 0.5;
 
 /// Data, model and nuisance of a campaign.
 #[derive(Clone)]
@@ -88,15 +85,10 @@ impl<'a> FitSetup<'a> {
     /// Interface friction minus its set-point, deg, before the strokes are looked at. It is the same thing as an offset of the interface friction: strokes tell the
     /// sum, and where a simulated arm showed what an offset does, beyond what a formula knows of the soil's own, all of it is the effect.
     pub(crate) fn delta(&self, spec: &Spec) -> Prior {
-        let offset = EffectId::InterfaceFrictionOffset;
-        let is_offset = |c: &Choice| c.learnt && c.effect.id == offset;
-        let own = self.data.delta;
-        if spec.choices.iter().any(is_offset) {
-            Prior { mean: 0.0, sd: OWN_DELTA_SD }
-        } else if self.compares_signals && self.data.learnt.contains_key(&offset) {
-            Prior { sd: own.sd.min(SHOWN_DELTA_SD), ..own }
-        } else {
-            own
+        let is_offset = |c: &Choice| c.learnt && c.effect.id == EffectId::InterfaceFrictionOffset;
+        match spec.choices.iter().any(is_offset) {
+            true => Prior { mean: 0.0, sd: OWN_DELTA_SD },
+            false => self.data.delta,
         }
     }
 

@@ -111,7 +111,9 @@ impl Again<'_> {
         // The soil as it was fitted beside what was found: without, it takes a part of an effect, and the simulated arm would show it, too.
         plain.effects.truncate(against.known().len());
         plain.empirical.truncate(data.known_terms().len());
-        without_own_friction(&mut plain);
+        // An interface friction off its set-point is what is looked for: the fit of forces would take it for the soil's, and then every
+        // signal of the simulated arm had it.
+        plain.soil.delta_offset_deg.value = 0.0;
         let with =
             if plain.effects.is_empty() { "without effects" } else { "with the effects that are known" };
         self.watch.note(&format!(
@@ -196,12 +198,6 @@ impl Again<'_> {
         let courses = RecordedTraces::read(&traces, &strokes)?.add_to(&mut data).courses;
         Ok(Some(Resimulated { data, courses }))
     }
-}
-
-/// Gives the soil of an arm that explanations are compared with the interface friction that was set. One that is off is what is looked for: a fit takes it for the
-/// soil's, and then every signal of that arm has it without the effect.
-pub(super) fn without_own_friction(file: &mut ModelFile) {
-    file.soil.delta_offset_deg.value = 0.0;
 }
 
 /// Takes what the scene makes of the forces of the simulated arm whose soil and effects are those of `model`. Where the force model has no answer

@@ -16,7 +16,7 @@ use soilctl_diagnosis::{Data, Diagnosis, Explanation, Fitted, FoundEffect, Readi
 use soilctl_effects::{EffectId, Loaded, SoilEntry};
 
 use super::Against;
-use super::resimulated::{Again, expect_scene, without_own_friction};
+use super::resimulated::{Again, expect_scene};
 use crate::AppError;
 use crate::text::measured;
 
@@ -252,8 +252,7 @@ impl Again<'_> {
         if fitted.effects.len() != ids.len() {
             return Ok(Tried::NotShown);
         }
-        let mut file = fitted.model_file(data, &against.model, against.known());
-        without_own_friction(&mut file);
+        let file = fitted.model_file(data, &against.model, against.known());
         let simulated = match self.simulate(&file, &data.campaign, part.batches.as_deref()) {
             Err(AppError::Campaign(CampaignError::Effect { .. } | CampaignError::Term { .. })) => {
                 return Ok(Tried::NotShown);
