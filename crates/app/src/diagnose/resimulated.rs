@@ -224,8 +224,8 @@ fn by_signals(
     Ok((weights.fitted)(&of, &[])?.model_file(data, &against.model, against.known()))
 }
 
-/// The model file for the simulated arm: that of a diagnosis with the soil that signals ask for, if there was one beside the arm that has what was found that of
-/// it. A term without a name is one of the formulas, and so is the soil beside it.
+/// The model file for the simulated arm: that of a diagnosis, with the soil that signals ask for. `beside_arm` is the soil that a contest told beside the arm with what
+/// was found; without one it is fitted beside the sizes of the diagnosis. A term without a name is one of the formulas, and its soil is theirs, too.
 fn twin(
     against: &Against,
     data: &Data,

@@ -19,7 +19,8 @@ pub(super) struct Outcome {
     pub(super) bearing: Bearing,
 }
 
-/// Whether a set of effects adds more to the arm without effects than its number of effects costs, and more to arms with fewer than may be chance.
+/// Whether a set of effects adds more to the arm without effects than its number of effects costs, and more to arms with fewer than may be chance, as one of its effects
+/// has to do alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bearing {
     /// It does.
